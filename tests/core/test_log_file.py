@@ -88,7 +88,7 @@ def test_repeated_entry_is_counted_and_not_written() -> None:
     lines = written(say=repeat).splitlines()
     assert [line.partition(": ")[2] for line in lines] == [
         "the same",
-        "the last entry came 999 times more",
+        "the last entry was repeated 999 times",
         "another",
     ]
 

@@ -16,7 +16,7 @@ from trex_gui.cli import simulator
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.simulator.control_lines import GOODBYE
 from trex_gui.core.simulator.plugin import Simulation
-from trex_gui.core.transport.serial_port import Transport, why_not_open
+from trex_gui.core.transport.serial_port import Transport, open_error
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 _EPSILON = 1e-9  # seconds; swallows the rounding of summed times
@@ -92,7 +92,7 @@ class VirtualSimulator(SimulatedDevice):
             self.runtime.sleep(_SLICE)
         if self.host is not None or not self.line.faults.plugged:
             number = errno.EBUSY if self.host is not None else errno.ENOENT
-            raise why_not_open(settings.url, settings.line, OSError(number, ""))
+            raise open_error(settings.url, settings.line, OSError(number, ""))
         self.host = VirtualTransport(self, settings)
         return self.host
 

@@ -1,1 +1,1 @@
-"""Shared by all devices. No Qt, and nothing of a particular device."""
+"""Code that all devices share, without Qt."""

@@ -1,4 +1,4 @@
-"""Messages, errors, progress and options that all command lines share."""
+"""Messages, errors, progress and options of all command lines."""
 
 import contextlib
 import json
@@ -31,7 +31,7 @@ FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
 
 
 class CommandFailed(click.ClickException):
-    """Failure of the device, the line or a file, with exit code 1."""
+    """Failure of a device, a line or a file. Exit code 1."""
 
     def __init__(self, message: object) -> None:
         super().__init__(str(message))
@@ -42,7 +42,7 @@ def say(message: object) -> None:
 
 
 def shell_words(*words: str) -> str:
-    """Return words for a command line. The shells of Windows know double quotes only."""
+    """Quote words for the shell. Windows shells know double quotes only."""
     quoted = (f'"{word}"' if re.search(r"[^\w.:/\\-]", word) else word for word in words)
     return " ".join(quoted) if sys.platform == "win32" else shlex.join(words)
 
@@ -53,7 +53,7 @@ def print_json(value: object) -> None:
 
 @contextlib.contextmanager
 def refusals() -> Iterator[None]:
-    """End the program with the message of an error on the line or in a file."""
+    """Convert a StudioError to CommandFailed."""
     try:
         yield
     except StudioError as error:
@@ -61,10 +61,10 @@ def refusals() -> Iterator[None]:
 
 
 class ProgressLine:
-    """Progress in one line of a terminal. Prints nothing elsewhere."""
+    """Progress on one line of a terminal. Prints nothing elsewhere."""
 
-    def __init__(self, what: str) -> None:
-        self._what = what
+    def __init__(self, title: str) -> None:
+        self._title = title
         self._shown = 0
         self._stream = getattr(sys.stderr, "below", sys.stderr)
 
@@ -73,7 +73,7 @@ class ProgressLine:
             return
         width = 20
         filled = width * done // max(total, 1)
-        text = f"{self._what} [{'#' * filled}{'.' * (width - filled)}] {done}/{total} {step}"
+        text = f"{self._title} [{'#' * filled}{'.' * (width - filled)}] {done}/{total} {step}"
         text = text[:100]
         click.echo("\r" + text.ljust(self._shown), file=self._stream, nl=False)
         self._shown = len(text)
@@ -93,40 +93,40 @@ class ProgressLine:
 class Interruption:
     """Records requests to end the program (Ctrl-C, SIGTERM, a closed terminal).
 
-    A request is only recorded, so that no transaction breaks off in the middle. A second request
-    ends the program as usual, except during `precious` work. Precious work is not suspended
-    either: Ctrl-Z ends it, and it continues if it uses a terminal from the background. Signals
-    that were ignored from the beginning (`nohup`) stay ignored.
+    The command reads the request between two transactions. A second request ends the program at
+    once, except during `precious` work. Ctrl-Z also ends precious work instead of suspending it,
+    and terminal access from the background does not suspend it. Signals that were ignored at the
+    start (`nohup`) stay ignored.
     """
 
     def __init__(self, *, precious: bool = False) -> None:
         self._precious = precious
-        self._prompted = False
-        self._before: dict[int, Any] = {}
+        self._interrupted = False
+        self._previous: dict[int, Any] = {}
 
     def __bool__(self) -> bool:
-        return self._prompted
+        return self._interrupted
 
     def __enter__(self) -> Self:
         for number in handled_signals((*ENDING, *((SUSPENDING,) if self._precious else ()))):
-            self._before[number] = signal.signal(number, self._record)
+            self._previous[number] = signal.signal(number, self._record)
         for number in handled_signals(FROM_TERMINAL if self._precious else ()):
-            self._before[number] = signal.signal(number, signal.SIG_IGN)
+            self._previous[number] = signal.signal(number, signal.SIG_IGN)
         return self
 
     def __exit__(self, *_: object) -> None:
-        for number, handler in self._before.items():
+        for number, handler in self._previous.items():
             signal.signal(number, handler)
 
     def _record(self, number: int, frame: FrameType | None) -> None:
         del number, frame
-        if self._prompted and not self._precious:
+        if self._interrupted and not self._precious:
             raise KeyboardInterrupt
-        self._prompted = True
+        self._interrupted = True
 
 
 def hexadecimal(text: str) -> int:
-    """Parse a hexadecimal number. UsageError if it is invalid."""
+    """Parse a hexadecimal number. Raises UsageError."""
     try:
         return int(text, 16)
     except ValueError:
@@ -134,7 +134,7 @@ def hexadecimal(text: str) -> int:
 
 
 class FiniteRange(click.FloatRange):
-    """Range of numbers in the format of `decimal`. Rejects "nan" and "inf"."""
+    """Number range in the format of `decimal`, without "nan" and "inf"."""
 
     def convert(
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
@@ -148,7 +148,7 @@ class FiniteRange(click.FloatRange):
 
 
 def required_port(port: str | None) -> str:
-    """Return the URL given with `--port`. UsageError if none was given."""
+    """Return the URL of `--port`. UsageError if it is missing."""
     if not port:
         raise click.UsageError(
             "Which port? Give --port, or set TREX_PORT; `trexcmd list` shows them."
@@ -157,7 +157,7 @@ def required_port(port: str | None) -> str:
 
 
 def _complete_port(_ctx: click.Context, _param: click.Parameter, incomplete: str) -> Sequence[str]:
-    from serial.tools import list_ports  # noqa: PLC0415 - takes as long as the rest together
+    from serial.tools import list_ports  # noqa: PLC0415 - slow import
 
     ports = (port.device for port in list_ports.comports())
     return sorted(port for port in ports if port.startswith(incomplete))
@@ -196,7 +196,7 @@ json_option = click.option("--json", "as_json", is_flag=True, help="JSON instead
 
 
 def all_options(*options: Callable[[FunctionT], FunctionT]) -> Callable[[FunctionT], FunctionT]:
-    """Return a decorator that adds options, listed in this order."""
+    """Return a decorator that adds options in this order."""
 
     def add(function: FunctionT) -> FunctionT:
         for option in reversed(options):
@@ -209,12 +209,12 @@ def all_options(*options: Callable[[FunctionT], FunctionT]) -> Callable[[Functio
 def traffic_option(
     decoder: "Lazy[type[Decoder]]", *, is_search: bool = False
 ) -> Callable[[FunctionT], FunctionT]:
-    """Return the option that writes the traffic of a command to a file.
+    """Return an option that writes a command's traffic to a file.
 
     `is_search`: the command searches for devices.
     """
 
-    def begin(context: click.Context, _option: click.Parameter, file: str | None) -> None:
+    def start(context: click.Context, _option: click.Parameter, file: str | None) -> None:
         if file is None or context.resilient_parsing:
             return
         present = host()
@@ -228,20 +228,20 @@ def traffic_option(
 
             return opened
 
-        def end() -> None:
+        def finish() -> None:
             writer.close()
             if writer.error is not None:
                 say(f"{file} is not complete: {writer.error.strerror or writer.error}.")
 
         open_transport = open_logged(present.open_transport)
         context.obj = replace(present, open_transport=open_transport, logged=open_logged)
-        context.call_on_close(end)
+        context.call_on_close(finish)
 
     return click.option(
         "--traffic",
         type=FileName(dir_okay=False),
         metavar="FILE",
         expose_value=False,
-        callback=begin,
+        callback=start,
         help="Write every byte on the line and its meaning to FILE, as the traffic page does.",
     )

@@ -1,4 +1,4 @@
-"""Source code in Python and for Arduino, from Jinja templates."""
+"""Source code for Python and Arduino, from Jinja templates."""
 
 import unicodedata
 from enum import Enum
@@ -10,11 +10,11 @@ from trex_gui.core.resource_files import resource
 if TYPE_CHECKING:
     from jinja2 import Template
 
-_COMMENT_COLUMN = 46  # comments begin no later, unless the code before them is longer
+_COMMENT_COLUMN = 46  # rightmost column of aligned comments
 
 
 class Language(Enum):
-    """Programming language. The value is its name on the command line."""
+    """Programming language. The value is its command-line name."""
 
     ARDUINO = "arduino"
     PYTHON = "python"
@@ -32,9 +32,8 @@ def render(name: str, **values: object) -> str:
     return _template(name).render(values)
 
 
-@cache
+@cache  # compiling takes longer than rendering
 def _template(name: str) -> "Template":
-    """Compile a template. Cached, since this takes longer than rendering."""
     from jinja2 import Environment, StrictUndefined  # noqa: PLC0415 - only exporting needs it
 
     environment = Environment(
@@ -48,10 +47,10 @@ def _template(name: str) -> "Template":
 
 
 def plain(text: str) -> str:
-    """Return one line of printable ASCII for a comment or a string in C++ and Python.
+    """Return printable ASCII that is safe in C++ and Python.
 
-    It contains no `/*`, `*/`, quote, backslash or trigraph (`??/`). Other characters become the
-    nearest letter or `?`.
+    The text, for one line of a comment or a string, has no `/*`, `*/`, double quote, backslash or
+    trigraph (`??/`). Other characters become the nearest letter or `?`.
     """
     letters = unicodedata.normalize("NFKD", text.translate(_ASCII))
     kept = (c for c in letters if not unicodedata.combining(c))
@@ -67,7 +66,7 @@ _ASCII = str.maketrans({"µ": "u", "μ": "u", "−": "-", "–": "-", "—": "-"
 
 
 def _aligned(rows: str) -> str:
-    """Align the comments of rows of C++ code, and drop empty comments."""
+    """Align the comments of C++ rows. Drop empty comments."""
     pairs = [line.partition(" // ")[::2] for line in rows.splitlines()]
     width = min(max(len(code) for code, _ in pairs), _COMMENT_COLUMN)
     lines = [f"{code:{width}} // {comment}" if comment else code for code, comment in pairs]

@@ -1,4 +1,4 @@
-"""Input and output of a command: file names, standard streams, safe terminal output."""
+"""File names and standard streams of a command."""
 
 import contextlib
 import errno
@@ -11,7 +11,7 @@ from typing import Any
 
 import click
 
-TROUBLE = "exit code"  # key in `click.Context.meta` of the exit code of a failure, if it is not 1
+TROUBLE = "exit code"  # key in `click.Context.meta`: exit code of a failure, default 1
 
 _CONTROLS = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f]|\r(?!\n)")
 
@@ -19,7 +19,7 @@ _STAND_INS = str.maketrans({"→": "->", "−": "-", "…": "...", "“": '"', "
 
 
 class FileName(click.Path):
-    """File parameter that rejects an empty name, often an unset shell variable."""
+    """File parameter. Rejects an empty name, often an unset variable."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         if not str(value):
@@ -28,17 +28,17 @@ class FileName(click.Path):
 
 
 class _Output:
-    r"""Stream that shows control characters in texts as escapes such as `\u001b`.
+    r"""Stream that shows control characters as escapes such as `\u001b`.
 
-    The encoding is UTF-8 unless the stream is a terminal. Data that cannot be written end the
-    command. Messages that cannot be written are lost. `below` is the original stream.
+    The encoding is UTF-8 unless the stream is a terminal. If data cannot be written, the command
+    ends. Messages that cannot be written are lost. `below` is the original stream.
     """
 
-    encoding = "utf-8"  # click replaces an ASCII stream
+    encoding = "utf-8"  # click would replace an ASCII stream
 
     def __init__(self, below: Any, *, is_data: bool) -> None:
         self._is_data = is_data
-        self.below = below or io.TextIOWrapper(io.BufferedReader(io.BytesIO()))  # as if closed
+        self.below = below or io.TextIOWrapper(io.BufferedReader(io.BytesIO()))  # acts as closed
         if self.isatty():
             self.below.reconfigure(errors="replace")
         else:
@@ -53,7 +53,7 @@ class _Output:
 
     def write(self, text: str) -> int:
         shown = _CONTROLS.sub(lambda found: f"\\u{ord(found[0]):04x}", text)
-        if shown:  # click writes an empty text to test what a stream accepts
+        if shown:  # click tests a stream with an empty text
             self._use(self.below.write, shown.translate(self._stand_ins))
         return len(text)
 
@@ -66,7 +66,7 @@ class _Output:
         except OSError as error:
             if error.errno == errno.EPIPE:
                 raise
-            with contextlib.suppress(OSError):  # so that the rest of the buffer no longer fails
+            with contextlib.suppress(OSError):  # else each later flush fails
                 os.dup2(os.open(os.devnull, os.O_WRONLY), self.below.fileno())
             if self._is_data:
                 reason = error.strerror or "it is closed"
@@ -76,10 +76,10 @@ class _Output:
 
 @contextlib.contextmanager
 def standard_streams() -> Iterator[None]:
-    """Replace the standard streams, even closed streams, as `_Output` describes."""
+    """Replace the standard streams by `_Output`, even if closed."""
     before = sys.stdin, sys.stdout, sys.stderr
     for _ in range(before.count(None)):
-        os.open(os.devnull, os.O_RDWR)  # else a port gets this file number, and the messages
+        os.open(os.devnull, os.O_RDWR)  # else a port gets the file number, then the messages
     sys.stdin = sys.stdin or io.TextIOWrapper(io.BytesIO())
     sys.stdout = _Output(sys.stdout, is_data=True)
     sys.stderr = _Output(sys.stderr, is_data=False)

@@ -1,4 +1,4 @@
-"""Numbers that users type: the decimal separator is a point or a comma."""
+"""Numbers typed by users, with a decimal point or comma."""
 
 import math
 import re
@@ -6,7 +6,7 @@ import re
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr, with_decimal_point
 
-DECIMAL = r"[-+]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)"  # pattern of a number that `decimal` reads
+DECIMAL = r"[-+]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)"  # pattern of a number for `decimal`
 
 _QUANTITY = re.compile(rf"\s*({DECIMAL})\s*(.*?)\s*")
 _PREFIXES = {"µ": 1e-6, "μ": 1e-6, "u": 1e-6, "m": 1e-3, "k": 1e3, "": 1.0}
@@ -14,17 +14,17 @@ _GROUPED = re.compile(r"([-+]?[1-9][0-9]{0,2})[.,]([0-9]{3})")
 
 
 class AmbiguousNumber(BadRequest):
-    """The separator of a number may mark decimals or thousands."""
+    """Number whose separator may mark decimals or thousands."""
 
 
 def decimal(text: str, *, thousands: bool = True) -> float:
     """Return the number in `text`.
 
-    `thousands`: whether 1000 or more is plausible in the unit. 2.498 V never means 2498 V.
+    `thousands`: True if 1000 or more is plausible. 2.498 V never means 2498 V.
 
     Raises:
-        AmbiguousNumber: one separator is followed by exactly three digits, such as 1,500.
-        BadRequest: it is not a number.
+        AmbiguousNumber: exactly three digits follow a single separator, as in 1,500.
+        BadRequest: the text is not a number.
     """
     number = text.strip()
     value = float(number.replace(",", ".")) if re.fullmatch(DECIMAL, number) else math.inf
@@ -39,9 +39,10 @@ def decimal(text: str, *, thousands: bool = True) -> float:
 
 
 def quantity(text: str, unit: str, *, thousands: bool = True) -> float | None:
-    """Return the number in `text`, converted to `unit`. Text may have another prefix or no unit.
+    """Return the number in `text`, converted to `unit`.
 
-    `None`: it is not a number, or has another unit. `thousands` applies to `unit` itself.
+    `text` may have another prefix or no unit. `None`: no number, or another unit. `thousands`
+    applies to `unit` itself.
     """
     if (found := _QUANTITY.fullmatch(text)) is None:
         return None

@@ -1,4 +1,4 @@
-"""Errors that users see. Each is a sentence. They cross threads as values."""
+"""Errors for users, each a sentence. Threads pass them as values."""
 
 from collections.abc import Callable
 from enum import Enum
@@ -7,18 +7,21 @@ from trex_gui.core.translation import tr_noop
 
 
 class StudioError(Exception):
-    """An error for users rather than for developers."""
+    """Error for users rather than for developers."""
 
 
-class BadRequest(StudioError, ValueError):  # noqa: N818 - reads as what it is
-    """Invalid input, rejected before a byte was sent. Names the allowed range and the value."""
+class BadRequest(StudioError, ValueError):  # noqa: N818
+    """Invalid input, rejected before anything is sent.
+
+    The text names the value and its allowed range.
+    """
 
 
 class PortUnavailable(StudioError):  # noqa: N818
-    """The port is in use, gone or not permitted. Says how to fix it.
+    """Port that is in use, missing or forbidden.
 
-    `command`: shell command that grants permission; empty if there is none. `is_missing`: the
-    port does not exist, so an adapter has to be plugged in.
+    The text says how to fix that. `command`: shell command that grants permission, or empty.
+    `is_missing`: the user has to plug in an adapter.
     """
 
     def __init__(self, text: str, *, command: str = "", is_missing: bool = False) -> None:
@@ -28,7 +31,7 @@ class PortUnavailable(StudioError):  # noqa: N818
 
 
 class PortFault(Enum):
-    """Reasons why a port cannot be used, with placeholders for its name and the details."""
+    """Texts of `PortUnavailable`, with placeholders."""
 
     FORBIDDEN = tr_noop("Permission denied for {0}. {1}")
     UNREACHABLE = tr_noop("The port {0} cannot be reached: {1}.")
@@ -64,21 +67,21 @@ class PortShared(PortUnavailable):
 
 
 class NoReply(StudioError):  # noqa: N818
-    """No complete reply arrived within the time that wire and board need."""
+    """No complete reply arrived in time."""
 
 
 class BadReply(StudioError):  # noqa: N818
-    """The received bytes cannot be the reply: wrong CRC, length, echo or content."""
+    """Corrupted reply: wrong CRC, length, echo or content."""
 
 
 class InternalError(StudioError):
-    """The program itself failed. Its log has the traceback."""
+    """Bug in the program. The log has the traceback."""
 
 
 class CodedError(StudioError):
-    """Error with a code, whose value is the text with a placeholder for each field.
+    """Error whose code has the text, with placeholders for fields.
 
-    A field may be another coded error, or a tuple of them. `str` gives the text in English.
+    A field may be a coded error or a tuple of coded errors. `str` returns English.
     """
 
     def __init__(self, code: Enum, *fields: object) -> None:
@@ -93,7 +96,7 @@ class CodedError(StudioError):
 def describe(
     code: Enum, fields: tuple[object, ...] = (), translate: Callable[[str], str] = str
 ) -> str:
-    """Return the text of a `CodedError`. `translate` is applied to the values of its codes."""
+    """Return the text of a `CodedError`. `translate` gets each code's value."""
 
     def text(field: object) -> object:
         match field:
@@ -107,5 +110,5 @@ def describe(
 
 
 def sentence(error: BaseException | None) -> str:
-    """Return the message of an error as one sentence with one full stop."""
+    """Return the message of an error with one full stop."""
     return f"{str(error).rstrip('. ')}." if error is not None else ""

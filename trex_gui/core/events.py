@@ -1,11 +1,11 @@
-"""Events of a device, for marks in a plot, a recording and the log."""
+"""Events of a device for plots, recordings and the log."""
 
 from dataclasses import dataclass
 from enum import StrEnum
 
 
 class EventKind(StrEnum):
-    """Subject of an event. The value is its spelling in files."""
+    """Kind of an event. The value is used in files."""
 
     APPLY = "apply"
     STOP = "stop"
@@ -18,7 +18,7 @@ class EventKind(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """Something that happened. `time` is on the session's clock (s), as telemetry's."""
+    """Event of a device. `time`: session clock in s, as in telemetry."""
 
     time: float
     kind: EventKind

@@ -1,6 +1,6 @@
-"""Files that users select: only ordinary files, read within limits and written atomically.
+"""Files of the user, read within limits and written atomically.
 
-Errors in text files are findings by line.
+Only ordinary files are used. Errors in text files are findings by line.
 """
 
 import codecs
@@ -25,25 +25,25 @@ from trex_gui.core.translation import tr
 
 
 def data_folder() -> Path:
-    """Return `$TREX_STUDIO_DATA`, by default the system's folder for data of this program."""
+    """Return `$TREX_STUDIO_DATA`, by default the system's data folder."""
     given = os.environ.get("TREX_STUDIO_DATA")
     return Path(given or platformdirs.user_data_dir("TReX Studio", appauthor=False)).absolute()
 
 
-def is_there(path: Path) -> bool:
-    """Return whether a file exists. False if its name is too long."""
+def file_exists(path: Path) -> bool:
+    """Return whether a file exists. False for a name that is too long."""
     with contextlib.suppress(OSError):
         return path.exists()
     return False
 
 
 def log_folder() -> Path:
-    """Return the folder of the log file and of the crash report."""
+    """Return the folder of the log and the crash report."""
     return data_folder() / "log"
 
 
 class Severity(StrEnum):
-    """Severity of a finding. A file with nothing but warnings can be used."""
+    """Severity of a finding. A file with only warnings is usable."""
 
     ERROR = "error"
     WARNING = "warning"
@@ -51,13 +51,13 @@ class Severity(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """An error or warning about a settings file. `key` is spelt as in the file."""
+    """Error or warning about a settings file."""
 
-    line: int | None  # counted from 1; `None` for the file as a whole
-    key: str | None
-    message: str  # what was expected, and what was found instead
+    line: int | None  # from 1; `None`: the file as a whole
+    key: str | None  # spelt as in the file
+    message: str  # expected and found value
     severity: Severity = Severity.ERROR
-    code: str = ""  # the kind of finding, for programs; empty for errors of the file system
+    code: str = ""  # kind of the finding, for programs; empty for file system errors
 
     def __str__(self) -> str:
         parts = [
@@ -70,7 +70,10 @@ class Finding:
 
 
 class SettingsError(StudioError):
-    """A settings file cannot be used, read or written. `findings` are in the order of lines."""
+    """Settings file that is invalid, or cannot be read or written.
+
+    `findings` are in the order of lines.
+    """
 
     def __init__(self, name: str, findings: Iterable[Finding]) -> None:
         self.name = name
@@ -87,13 +90,13 @@ class SettingsError(StudioError):
 
 
 def reason_of(error: StudioError) -> str:
-    """Return the reason why a file cannot be used, without its name and a full stop."""
+    """Return the reason of a file error, without name and full stop."""
     text = "; ".join(map(str, error.findings)) if isinstance(error, SettingsError) else str(error)
     return text.rstrip(". ")
 
 
 class NotOrdinaryFileError(OSError):
-    """A folder, a pipe, a socket or a device in place of a file: using it may block for ever."""
+    """Folder, pipe, socket or device, whose use may block for ever."""
 
     def __init__(self, path: Path, mode: int) -> None:
         reason = tr("it is not an ordinary file")
@@ -104,19 +107,19 @@ class NotOrdinaryFileError(OSError):
 
 
 def check_ordinary(path: Path) -> None:
-    """Raise OSError, or NotOrdinaryFileError, unless `path` is or leads to an ordinary file."""
+    """Raise OSError for anything but an ordinary file. Follows links."""
     _check_mode(path, path.stat().st_mode)
 
 
 def open_ordinary(path: Path) -> BinaryIO:
-    """Open an ordinary file for reading. Any other file raises OSError without a wait."""
-    check_ordinary(path)  # before opening, which would change the lines of a serial port
+    """Open an ordinary file for reading. Raises OSError without blocking."""
+    check_ordinary(path)  # first: opening a serial port changes its control lines
     at_once = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0)
     file = open(  # noqa: SIM115 - the caller closes it
         path, "rb", opener=lambda name, flags: os.open(name, flags | at_once)
     )
     try:
-        _check_mode(path, os.fstat(file.fileno()).st_mode)  # it may have been replaced
+        _check_mode(path, os.fstat(file.fileno()).st_mode)  # the file may have been replaced
     except BaseException:
         file.close()
         raise
@@ -130,13 +133,12 @@ def _check_mode(path: Path, mode: int) -> None:
 
 _DRAFT = re.compile(r"\..*\.[0-9a-f]{8}\.trexdraft", re.DOTALL)
 
-_ABANDONED_S = 600.0
-"""Seconds without a write after which a draft belongs to a program that was killed."""
+_ABANDONED_S = 600.0  # age in s of a draft whose program was killed
 
 
 @cache
 def remove_abandoned(folder: Path) -> None:
-    """Remove drafts that killed programs left in a folder. Once, since it may hold many files."""
+    """Remove the drafts of killed programs from a folder, once per run."""
     oldest = time.time() - _ABANDONED_S
     with contextlib.suppress(OSError), os.scandir(folder) as entries:
         for entry in entries:
@@ -148,15 +150,16 @@ def remove_abandoned(folder: Path) -> None:
 
 @contextlib.contextmanager
 def atomic_file(path: Path, *, overwrite: bool = True) -> Iterator[BinaryIO]:
-    """Open a file that replaces `path` once everything was written and synced to disk.
+    """Open a file that replaces `path` once it is complete.
 
-    After an exception the old file is unchanged and the new file is removed. A killed program
-    leaves the old or the new file, and perhaps a hidden draft, which the first write of a later run
-    to this folder removes. Links and permissions are kept. The caller may close the file.
+    The file is synced to disk first. After an exception the old file is unchanged and the new file
+    is removed. A killed program leaves the old or the new file, and perhaps a hidden draft. The
+    first write of a later run to this folder removes such drafts. Links and permissions are
+    preserved. The caller may close the file.
 
     Raises:
         NotOrdinaryFileError: `path` is a folder, a pipe or a device.
-        FileExistsError: `overwrite` is off and the name is taken, perhaps by another program.
+        FileExistsError: `overwrite` is off and `path` exists.
     """
     target = Path(os.path.realpath(path))
     if overwrite:
@@ -165,7 +168,7 @@ def atomic_file(path: Path, *, overwrite: bool = True) -> Iterator[BinaryIO]:
     remove_abandoned(target.parent)
     draft = target.with_name(f".{target.name[:100]}.{os.urandom(4).hex()}.trexdraft")
     try:
-        mode = 0o600 if target.exists() else 0o666  # private until it gets the mode of the target
+        mode = 0o600 if target.exists() else 0o666  # private until the target's mode is copied
         with open(draft, "xb", opener=lambda name, flags: os.open(name, flags, mode)) as file:
             yield file
         with draft.open("rb+") as written:
@@ -183,7 +186,7 @@ def atomic_file(path: Path, *, overwrite: bool = True) -> Iterator[BinaryIO]:
 
 
 def _reserve_name(draft: Path, target: Path) -> None:
-    """Rename a file in one step. FileExistsError if the name is taken."""
+    """Rename a file atomically. FileExistsError if the name exists."""
     if os.name == "nt":
         draft.rename(target)  # replaces a file on other systems only
         return
@@ -201,7 +204,7 @@ def _reserve_name(draft: Path, target: Path) -> None:
 
 
 def _sync_folder(folder: Path) -> None:
-    """Make a new file name survive a power failure, where the system can."""
+    """Sync a folder, so that new names survive a power failure."""
     with contextlib.suppress(OSError):
         handle = os.open(folder, os.O_RDONLY)
         try:
@@ -214,7 +217,7 @@ LARGEST_FILE = 256 * 1024  # bytes; a complete settings file has about 3000
 
 
 def load(path: Path, content: str = "settings", largest: int = LARGEST_FILE) -> bytes:
-    """Return the bytes of a text file. `content` (plural) says what it holds, for messages."""
+    """Return the bytes of a text file. `content`: plural noun for messages."""
     with explained(path, tr("it cannot be read")), open_ordinary(path) as file:
         data = file.read(largest + 1)
     check_size(data, str(path), content, largest)
@@ -232,7 +235,7 @@ def check_size(
 
 
 def decode(data: bytes, name: str) -> str:
-    """Return the text without its byte order mark. SettingsError if it is binary or not UTF-8."""
+    """Decode UTF-8 text, without its byte order mark. Raises SettingsError."""
     check_size(data, name)
     message, position = tr("this is a binary file; settings are text"), data.find(b"\0")
     has_mark = data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
@@ -263,7 +266,8 @@ def save(path: Path, content: str | bytes) -> None:
 def save_over(path: Path, content: str | bytes, known: bytes | None) -> bool:
     """Write a file if it still contains `known`. Return whether it was written.
 
-    `None` overwrites any content. A missing file is created. SettingsError: nothing was written.
+    `None` overwrites any content. A missing file is created. After a SettingsError the file is
+    unchanged.
     """
     if known is not None:
         # After an OSError, `save` creates the file or reports the reason.
@@ -286,7 +290,7 @@ def save_new(path: Path, text: str) -> bool:
 
 @contextlib.contextmanager
 def explained(path: Path, failure: str) -> Iterator[None]:
-    """Convert a system error to a `SettingsError`. `failure` is a clause."""
+    """Convert system errors to `SettingsError`. `failure`: a clause."""
     try:
         yield
     except FileNotFoundError:
@@ -297,5 +301,5 @@ def explained(path: Path, failure: str) -> Iterator[None]:
         raise SettingsError.of(path, f"{failure}: {tr('permission denied')}") from None
     except OSError as error:
         raise SettingsError.of(path, f"{failure}: {error.strerror or error}") from None
-    except ValueError as error:  # a name with a NUL in it; text that is not Unicode
+    except ValueError as error:  # NUL in a name, or invalid Unicode
         raise SettingsError.of(path, f"{failure}: {error}") from None

@@ -1,4 +1,4 @@
-"""The computer that the program runs on: its serial ports and threads."""
+"""Ports, threads and clock of the computer."""
 
 import threading
 import time
@@ -23,11 +23,12 @@ OpenTransport = Callable[[PortSettings], Transport]
 
 @dataclass(frozen=True, slots=True)
 class Host:
-    """Ports, threads and clock of the computer. A caller may pass another `Host` as click's `obj`.
+    """Ports, threads and clock. A caller can replace it as click's `obj`.
 
-    `logged` wraps `open_transport` to write the traffic to a file. `None`: nothing is written.
-    `start_thread` runs a function in a thread and returns a function that waits for its end.
-    `clock` is the clock of the transports.
+    Attributes:
+        start_thread: runs a function in a thread; returns a function that waits for its end.
+        clock: clock of the transports.
+        logged: wraps `open_transport` to write the traffic to a file; `None`: no file.
     """
 
     open_transport: OpenTransport = SerialTransport

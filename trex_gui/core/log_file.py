@@ -1,6 +1,6 @@
-"""Log file of the program, limited in size and written by its own thread.
+"""Log file of the program, limited in size.
 
-A disk that is slow, full or read-only loses lines of the log, and nothing else.
+A thread writes the file. If the disk is slow, full or read-only, only log entries are lost.
 """
 
 import logging
@@ -15,12 +15,13 @@ from queue import SimpleQueue
 from trex_gui.core.files import check_ordinary, log_folder
 
 _LARGEST = 512 * 1024  # bytes of one file
-_OLDER = 3  # files that are kept beside the newest
+_OLDER = 3  # older files beside the newest
 _LONGEST = 20_000  # characters of one entry, with its traceback
-_MOST_WAITING = 10_000  # entries that a slow disk has not taken yet
+_MOST_WAITING = 10_000  # entries queued for a slow disk
 _REPEATED_S = 60.0
-"""Seconds in which a repeated entry is only counted. Otherwise an error in code that runs thirty
-times a second would push everything else out."""
+"""Seconds during which a repeated entry is only counted.
+
+Otherwise an error that repeats thirty times a second would displace all other entries."""
 
 
 def log_file() -> Path:
@@ -28,38 +29,38 @@ def log_file() -> Path:
 
 
 def log_files() -> list[Path]:
-    """Return the possible files of the log, newest last."""
+    """Return the paths of all log files, newest last. Some may not exist."""
     path = log_file()
     return [*(path.with_name(f"{path.name}.{age}") for age in range(_OLDER, 0, -1)), path]
 
 
 class ProgramLog:
-    """Writes log entries to a file, and warnings to the terminal, until it is closed.
+    """Logs to a file, and warnings to the terminal, until closed.
 
-    An entry with the attribute `printed` is on the terminal already.
+    An entry with the attribute `printed` is already on the terminal.
     """
 
     def __init__(self, path: Path, *, is_verbose: bool = False) -> None:
-        """`is_verbose`: log everything from DEBUG up, and print it to the terminal, too."""
+        """`is_verbose`: log from DEBUG up, and print everything."""
         self._level = logging.getLogger("trex_gui").level
         logging.getLogger("trex_gui").setLevel(logging.DEBUG if is_verbose else logging.INFO)
         self._file = _LogFile(path)
         self._file.setFormatter(_Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
         handlers: list[logging.Handler] = [self._file]
-        if sys.stderr is not None:  # it is `None` in a window program on Windows
+        if sys.stderr is not None:  # `None` in a window program on Windows
             handlers.append(terminal_handler(is_verbose=is_verbose))
         entries: SimpleQueue[logging.LogRecord] = SimpleQueue()
-        self._entrance = _Entrance(entries)
+        self._handler = _QueueHandler(entries)
         self._listener = QueueListener(entries, *handlers, respect_handler_level=True)
         self._listener.start()
-        logging.getLogger().addHandler(self._entrance)
+        logging.getLogger().addHandler(self._handler)
 
     def close(self, timeout: float = 2.0) -> bool:
-        """Write the remaining entries. Return whether that ended within `timeout` seconds.
+        """Write the remaining entries. Return False after a timeout (s).
 
-        If not, Python would wait for the disk at exit, and only `os._exit` ends the process.
+        Python would then wait for the disk at exit: only `os._exit` ends the process.
         """
-        logging.getLogger().removeHandler(self._entrance)
+        logging.getLogger().removeHandler(self._handler)
         logging.getLogger("trex_gui").setLevel(self._level)
         ending = threading.Thread(target=self._end, daemon=True)
         ending.start()
@@ -68,13 +69,13 @@ class ProgramLog:
 
     def _end(self) -> None:
         self._listener.stop()
-        self._entrance.close()
+        self._handler.close()
         with suppress(OSError):
             self._file.close()
 
 
 def terminal_handler(*, is_verbose: bool) -> logging.Handler:
-    """Return a handler that prints warnings, or if verbose everything with time and source."""
+    """Return a handler for warnings, or for everything if verbose."""
     handler = logging.StreamHandler()
     handler.setLevel(logging.DEBUG if is_verbose else logging.WARNING)
     if is_verbose:
@@ -83,8 +84,8 @@ def terminal_handler(*, is_verbose: bool) -> logging.Handler:
     return handler
 
 
-class _Entrance(QueueHandler):
-    """Never waits. Its queue is reentrant: a thread may put an entry while it puts another."""
+class _QueueHandler(QueueHandler):
+    """Never blocks. Its queue is reentrant: a log call may interrupt another."""
 
     queue: SimpleQueue[logging.LogRecord]
 
@@ -110,7 +111,7 @@ class _LogFile(RotatingFileHandler):
             backupCount=_OLDER,
             encoding="utf-8",
             errors="backslashreplace",
-            delay=True,  # opened in the thread that writes
+            delay=True,  # opened by the writing thread
         )
         self._last, self._since, self._repeats = "", 0.0, 0
 
@@ -127,8 +128,8 @@ class _LogFile(RotatingFileHandler):
             self._repeats += 1
             return
         if self._repeats:
-            said = {"msg": f"the last entry came {self._repeats} times more", "name": __name__}
-            super().emit(logging.makeLogRecord({"levelname": "INFO", **said}))
+            entry = {"msg": f"the last entry was repeated {self._repeats} times", "name": __name__}
+            super().emit(logging.makeLogRecord({"levelname": "INFO", **entry}))
         self._last, self._since, self._repeats = text, record.created, 0
         super().emit(record)
 

@@ -1,12 +1,11 @@
-"""Python packages that the program can do without."""
+"""Optional Python packages."""
 
 import sys
 from pathlib import Path
 
 
 def install_command(package: str) -> str:
-    """Return the command that adds a package to the environment of the program."""
-    is_of_pipx = (Path(sys.prefix) / "pipx_metadata.json").exists()
-    if is_of_pipx:
+    """Return the shell command that installs an optional package."""
+    if (Path(sys.prefix) / "pipx_metadata.json").exists():
         return f"pipx inject trex-gui {package}"
     return f'"{sys.executable}" -m pip install {package}'

@@ -1,11 +1,11 @@
-"""Everything that the program needs to support a kind of device."""
+"""Plugin interface of a device kind."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
-if TYPE_CHECKING:  # trexcmd --help needs none of this
+if TYPE_CHECKING:  # for a quick trexcmd --help
     import click
 
     from trex_gui.core.discovery.prober import ProberInfo
@@ -16,7 +16,7 @@ T_co = TypeVar("T_co", covariant=True)
 
 @dataclass(frozen=True, slots=True)
 class Lazy(Generic[T_co]):
-    """An object that is imported when it is first needed. `target` is `package.module:name`."""
+    """Object imported on first use. `target`: `package.module:name`."""
 
     target: str
 
@@ -27,7 +27,7 @@ class Lazy(Generic[T_co]):
 
 @dataclass(frozen=True, slots=True)
 class CommandInfo:
-    """A command of trexcmd and its line in the list of commands."""
+    """Command of trexcmd, with its line in the command list."""
 
     command: "Lazy[click.Command]"
     help: str
@@ -44,12 +44,12 @@ class PortAnswer:
 
 @dataclass(frozen=True, slots=True)
 class PortReports:
-    """Functions by which `trexcmd list` and `trexcmd find` identify and report a device.
+    """Functions of a device for `trexcmd list` and `trexcmd find`.
 
     Attributes:
-        identify: probes a port (URL, options of the command) without moving anything. The text of
-            its answer is empty if there is nothing to report. Raises PortUnavailable.
-        describe: returns the sentences that report a found device to the user.
+        identify: probes a port (URL, options of the command) without moving anything. The answer
+            has an empty text if there is nothing to report. Raises PortUnavailable.
+        describe: returns sentences about a found device.
         row: returns the fields of a found device that `find --json` adds to its connection.
     """
 
@@ -60,16 +60,16 @@ class PortReports:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DevicePlugin:
-    """One kind of device. `key` identifies it in settings and on the command line.
+    """Kind of device. `key` identifies it in settings and commands.
 
     Attributes:
         prober: searches a port for a device; its probes move no device of any kind.
-        commands: its commands of trexcmd by name.
+        commands: commands of trexcmd by name.
         simulator_arguments: arguments of trex-sim that simulate a device for the port list.
-        controller: creates its controller and model: `DeviceController`, called as
+        controller: creates a `DeviceController`, called as
             (plugin, notifier, ports, scanner, timeouts).
-        workspace: creates its workspace: `Workspace`, called as (controller, window).
-        tour: yields its steps of the screenshot tour, called as (tour, controller).
+        workspace: creates a `Workspace`, called as (controller, window).
+        tour: yields steps of the screenshot tour, called as (tour, controller).
     """
 
     key: str

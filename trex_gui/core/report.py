@@ -1,4 +1,4 @@
-"""Report for support: text files in one zip, without personal data."""
+"""Support report: text files in a zip, without personal data."""
 
 import getpass
 import importlib.metadata
@@ -27,8 +27,8 @@ from trex_gui.version import __version__
 _PACKAGES = ("PySide6-Essentials", "pyserial", "numpy", "pyqtgraph", "ruamel.yaml", "pygame-ce")
 _LARGEST_GUARDIAN_LOG = 65536  # bytes from the end of the log
 _LARGEST_LOG = 262144
-_SHORTEST_NAME = 3  # characters of a masked user or computer name; shorter names may be words
-_SHORTEST_SERIAL = 5  # characters; shorter numbers, such as 0001, belong to many adapters
+_SHORTEST_NAME = 3  # characters of a masked user or computer name; a shorter name may be a word
+_SHORTEST_SERIAL = 5  # characters; many adapters share shorter numbers, such as 0001
 _SHARED_NAMES = frozenset({"root", "admin", "administrator", "user", "pi", "localhost"})
 
 _FOLDERS = re.compile(
@@ -68,7 +68,7 @@ class ReportFile:
 
 @dataclass(frozen=True, slots=True)
 class Mask:
-    """Names of users, computers and adapters, to be replaced in every file."""
+    """Personal names to replace in every file."""
 
     home: str = ""
     user: str = ""
@@ -117,9 +117,9 @@ class Mask:
 def create_report(
     parts: Mapping[str, Callable[[], str]], mask: Mask | None = None
 ) -> tuple[ReportFile, ...]:
-    """Return the non-empty files of a report: the program's own files and `parts`.
+    """Return the non-empty files of a report: `parts` and the program's own files.
 
-    Listing ports and reading files may take a while. A part that fails reports it in its file.
+    May take seconds. A part that fails has its error in the file.
     """
     mask = mask or Mask.of_this_computer()
     own: dict[str, Callable[[], str]] = {
@@ -134,7 +134,7 @@ def create_report(
 
 
 def save_report(path: Path, files: Iterable[ReportFile]) -> None:
-    """Write the zip completely, or not at all. SettingsError gives the reason."""
+    """Write the zip atomically. Raises SettingsError."""
     data = io.BytesIO()
     with zipfile.ZipFile(data, "w", zipfile.ZIP_DEFLATED) as archive:
         for file in files:
@@ -181,7 +181,7 @@ def _ports() -> str:
 
 
 def _end_of(most: int, *paths: Path) -> str:
-    """Return the last `most` bytes of files, which are given oldest first."""
+    """Return the last `most` bytes of files, oldest first."""
     data = b""
     for path in reversed(paths):
         with suppress(FileNotFoundError), open_ordinary(path) as file:

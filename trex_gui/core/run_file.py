@@ -1,4 +1,4 @@
-"""Detection of a crash: a file that exists while the program runs."""
+"""Crash detection by a file that exists during a run."""
 
 import faulthandler
 import os
@@ -16,15 +16,15 @@ if sys.platform != "win32":
 
 
 def crash_file() -> Path:
-    """Return the path of the crash report: start and thread stacks of the last crashed run."""
+    """Return the path of the last crash report, with thread stacks."""
     return log_folder() / "crash.txt"
 
 
 class RunFile:
-    """File of this process, which receives the stack of each thread at a crash.
+    """File of this run, which receives thread stacks at a crash.
 
-    Without a writable folder there is no file, and no crash is detected. `found_crash`: an earlier
-    run did not end properly, and its file is now `crash_file`.
+    `found_crash`: an earlier run crashed, and its file is now `crash_file`. Without a writable
+    folder, no crash is detected.
     """
 
     def __init__(self) -> None:
@@ -41,7 +41,7 @@ class RunFile:
             faulthandler.enable(self._file)
 
     def close(self) -> None:
-        """Remove the file: the program has ended properly."""
+        """Remove the file at the end of the run."""
         if self._file is not None:
             faulthandler.disable()
             with suppress(OSError):
@@ -50,7 +50,7 @@ class RunFile:
 
 
 def _handle_abandoned() -> bool:
-    """Rename the files of dead processes to `crash_file`. Return whether there were any."""
+    """Rename files of dead processes to `crash_file`. Return whether any existed."""
     found = False
     for path in log_folder().glob("run-*.txt"):
         with suppress(OSError):  # on Windows an open file cannot be renamed
@@ -61,7 +61,7 @@ def _handle_abandoned() -> bool:
 
 
 def is_locked(path: Path) -> bool:
-    """Return whether the process that created and locked a file still runs."""
+    """Return whether the process that locked a file still runs."""
     try:
         if sys.platform == "win32":
             path.replace(path)  # fails while the file is open

@@ -1,4 +1,4 @@
-"""Shared parts of line sessions: messages, request queue and loop."""
+"""Messages, request queue and loop of line sessions."""
 
 import logging
 import threading
@@ -22,7 +22,7 @@ class Close:
 
 @dataclass(frozen=True, slots=True)
 class Progress:
-    """Report: `done` of `total` steps are complete. `what` is the next step."""
+    """Report: `done` of `total` steps are complete. `what`: next step."""
 
     done: int
     total: int
@@ -31,7 +31,7 @@ class Progress:
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """Report: the result of a request. Exactly one for each request with an `id`."""
+    """Report: result of a request, exactly one per `id`."""
 
     id: int
     value: object = None
@@ -40,21 +40,21 @@ class Outcome:
 
 @dataclass(frozen=True, slots=True)
 class Closed:
-    """Report, the last one: the session has ended and the port is free."""
+    """Last report: the session has ended and the port is free."""
 
-    error: StudioError | None  # reason why the line was lost; `None` after `Close`
-    may_move: bool = False  # motors were driven and no stop has been confirmed since
+    error: StudioError | None  # cause of a lost line; `None` after `Close`
+    may_move: bool = False  # True if motors were driven and no stop was confirmed
 
 
 class Condition(AbstractContextManager[bool], Protocol):
-    """The part of `threading.Condition` that queues need."""
+    """Subset of `threading.Condition` for queues."""
 
     def wait(self, timeout: float | None = None) -> bool: ...
     def notify(self) -> None: ...
 
 
 class RequestQueue:
-    """An inbox into which any thread may put requests.
+    """Queue of requests from any thread.
 
     Does not use `queue.SimpleQueue`: in Python 3.11 its `get` never returns if the timeout expires
     before its first check of an empty queue ends. Sessions often wait for microseconds; one such
@@ -80,11 +80,11 @@ class RequestQueue:
             return self._requests.popleft() if self._requests else None
 
 
-SHORTEST_WAIT = 1e-5  # seconds; keeps rounding errors of times from causing a busy loop
+SHORTEST_WAIT = 1e-5  # seconds; rounding errors of times must not cause a busy loop
 
 
 class Inbox(Protocol[RequestT_co]):
-    """Source of requests. `get` waits up to `seconds` and returns `None` if no request came."""
+    """Source of requests. `get` returns `None` after a timeout (s)."""
 
     def get(self, seconds: float) -> RequestT_co | None: ...
 
@@ -94,17 +94,17 @@ class Closing(Exception):  # noqa: N818 - no error: the session was closed
 
 
 def run_until_closed(
-    begin: Callable[[], None],
+    start: Callable[[], None],
     step: Callable[[], None],
     internal_error: Callable[[str], StudioError],
 ) -> StudioError | None:
-    """Call `begin`, then `step` repeatedly. Return the error that ended the loop.
+    """Call `start`, then `step` repeatedly. Return the error that ended the loop.
 
-    Never raises, so that the session can then bring the device into a safe state. Returns `None`
+    Never raises, because the session must then bring the device into a safe state. Returns `None`
     after `Closing`, and the result of `internal_error` for any exception but `StudioError`.
     """
     try:
-        begin()
+        start()
         while True:
             step()
     except Closing:

@@ -1,4 +1,4 @@
-"""Signals of the operating system that end or suspend a program. No system has all of them."""
+"""Signals that end or suspend a program. No system has all of them."""
 
 import signal
 from collections.abc import Iterable
@@ -9,7 +9,7 @@ ENDING = (
     "SIGHUP",
     "SIGQUIT",
     "SIGBREAK",
-    # Nothing in the program uses the rest.
+    # The program does not use the following signals.
     "SIGUSR1",
     "SIGUSR2",
     "SIGALRM",
@@ -19,23 +19,26 @@ ENDING = (
     "SIGIO",
     "SIGPWR",
 )
-"""Signals that end a program by default and may be handled instead.
+"""Signals that end a program by default and can be handled.
 
-Signals of faults (SIGSEGV) are left out, since their handlers must not run Python, and so are
-signals that Python ignores (SIGPIPE)."""
+Fault signals (SIGSEGV) are left out, because their handlers must not run Python. SIGPIPE is left
+out, because Python ignores it."""
 
-SUSPENDING = "SIGTSTP"  # Ctrl-Z: the program is suspended, and motors must not turn meanwhile
+SUSPENDING = "SIGTSTP"  # Ctrl-Z: a suspended program cannot stop motors
 
 FROM_TERMINAL = ("SIGTTIN", "SIGTTOU")
-"""Signals for reading from or writing to a terminal in the background.
+"""Signals for terminal access from the background.
 
-They suspend a program by default. If they are ignored, writing goes on and reading fails, which
+They suspend a program by default. If they are ignored, writing works and reading fails, which
 suits a program that moves motors and needs no terminal. A handler would be called for ever, since
-Python repeats what a signal interrupts."""
+Python repeats the interrupted call."""
 
 
 def handled_signals(names: Iterable[str]) -> list[signal.Signals]:
-    """Return the signals that exist here, are not ignored (`nohup`) and have no foreign handler."""
+    """Return the signals that the program may handle.
+
+    A signal may not exist here, be ignored (`nohup`) or have a foreign handler.
+    """
     numbers = (getattr(signal, name, None) for name in names)
     # A handler that was not installed in Python is reported as `None`.
     not_ours = (signal.SIG_IGN, None)

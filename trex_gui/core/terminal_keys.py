@@ -1,4 +1,4 @@
-"""Keys typed in a terminal, without waiting for them."""
+"""Keyboard input from a terminal, without waiting."""
 
 import sys
 from collections.abc import Callable, Iterator
@@ -7,12 +7,12 @@ from contextlib import contextmanager
 
 @contextmanager
 def pressed_keys() -> Iterator[Callable[[], str]]:
-    """Provide a function that returns the keys typed since its last call.
+    """Yield a function that returns the keys typed since its last call.
 
-    Standard input has to be a terminal, and is restored at the end. Ctrl-C stays an interrupt.
+    Standard input must be a terminal, whose mode is restored at the end. Ctrl-C still interrupts.
     """
     if sys.platform == "win32":
-        import msvcrt  # noqa: PLC0415 - not everywhere
+        import msvcrt  # noqa: PLC0415 - only on Windows
 
         def typed() -> str:
             text = ""

@@ -1,19 +1,18 @@
-"""Timeouts for a board and for the program's own window, and rates at which values are shown."""
+"""Timeouts of sessions, and update intervals of displays."""
 
 import math
 from dataclasses import dataclass
 
-FRAME = 1 / 30
-"""Seconds between two frames of moving displays, and between two batches of their samples."""
+FRAME = 1 / 30  # seconds between frames of moving displays, and between batches of samples
 
 FRAME_MS = round(1000 * FRAME)
 
-UNWATCHED_INTERVAL = 0.25
-"""Seconds between two batches of samples while nothing shows or records them."""
+UNWATCHED_INTERVAL = 0.25  # seconds between batches of samples that nothing shows or records
 
 TEXT_INTERVAL = 0.2
-"""Seconds between two updates of a measured value as text. Nobody reads faster, and each changed
-text may lay out the whole page again."""
+"""Seconds between updates of a measured value as text.
+
+Users read no faster, and a changed text may lay out the whole page again."""
 
 
 _LEAST_STEPS = 3
@@ -21,9 +20,9 @@ _ROUND = 5  # seconds
 
 
 def seconds_left(elapsed: float, done: int, total: int) -> int | None:
-    """Estimate the seconds left, rounded up to 5 s. `None` while too few steps are done.
+    """Estimate the remaining seconds, rounded up to 5 s.
 
-    `elapsed`: seconds that the completed steps have taken.
+    `elapsed`: duration of the completed steps in s. `None`: too few steps for an estimate.
     """
     if not _LEAST_STEPS <= done < total:
         return None
@@ -36,19 +35,18 @@ class Timeouts:
 
     Attributes:
         extra: added to the deadline of every reply, for slow adapters, hosts and networks.
-        heartbeat: armed motors are stopped after this time without a heartbeat of the window. A
-            window that paints slowly is late by tenths of a second. The timeout is not longer
-            because a motor at full speed moves a robot by a metre in this time.
-        guardian: the guardian process stops motors that may be moving after this time without a
-            heartbeat of the session.
-        stop_confirmation: time for a line that corrupts bytes to become quiet. After it, the stop
-            is reported as unconfirmed. At 19200 baud and above, the line becomes quiet 1.6 s after
-            the last error.
-        retry: pause between two attempts to reach a board that does not respond.
+        heartbeat: without a heartbeat of the window, armed motors are stopped after this time. A
+            slow window is late by tenths of a second. At full speed, a robot moves a metre in this
+            time.
+        guardian: without a heartbeat of the session, the guardian process stops the motors after
+            this time.
+        stop_confirmation: time until an unconfirmed stop is reported. At 19200 baud and above, a
+            line that corrupts bytes becomes quiet 1.6 s after the last error.
+        retry: pause between two attempts to reach a silent board.
         current_gap: a bench test is aborted after this time without a current reading.
-        standstill: how long a motor may draw a current after a confirmed stop. Brakes take 1.3 s at
-            most, and a reading on a slow line 0.4 s.
-        sleep_delay: longest delay of the computer's sleep, to wait until a stop is confirmed.
+        standstill: longest time that a motor may draw current after a confirmed stop. Braking takes
+            up to 1.3 s, and a reading on a slow line 0.4 s.
+        sleep_delay: longest delay of the computer's sleep until a stop is confirmed.
     """
 
     extra: float = 0.0

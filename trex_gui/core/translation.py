@@ -1,4 +1,4 @@
-"""Texts in the language of the window. English without a window, as on the command line."""
+"""Translation of texts. English without a window."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -22,7 +22,7 @@ _is_english = ContextVar("_is_english", default=False)
 
 
 def tr(text: str, comment: str = "", count: int = -1) -> str:
-    """Return a text in the user's language, with the same placeholders: `{0}`.
+    """Translate a text with placeholders such as `{0}`.
 
     `comment` distinguishes equal texts that need different translations. `count` replaces `%n` and
     selects the plural form.
@@ -32,19 +32,19 @@ def tr(text: str, comment: str = "", count: int = -1) -> str:
 
 
 def tr_noop(text: str, comment: str = "") -> str:
-    """Mark a constant for translation. `tr` translates it when shown, with the same comment."""
+    """Mark a constant for a later `tr` with the same comment."""
     del comment
     return text
 
 
 def cached_text(function: Callable[P, T]) -> Callable[P, T]:
-    """Cache a function that returns texts, until the language changes."""
+    """Cache a text function until the language changes."""
 
-    def made(in_english: bool, *args: P.args, **kwargs: P.kwargs) -> T:
+    @cache
+    def cached(in_english: bool, *args: P.args, **kwargs: P.kwargs) -> T:
         del in_english
         return function(*args, **kwargs)
 
-    cached = cache(made)
     call: Callable[..., T] = cached
     _clear_caches.append(cached.cache_clear)
 
@@ -58,7 +58,7 @@ def cached_text(function: Callable[P, T]) -> Callable[P, T]:
 class Number(float):
     """Number with the decimal separator of the language: `1,5` in German.
 
-    A percentage has a space before `%`.
+    Percentages have a space before `%`.
     """
 
     def __format__(self, spec: str) -> str:
@@ -71,7 +71,7 @@ def with_decimal_point(number: str) -> str:
 
 @contextmanager
 def in_english() -> Iterator[None]:
-    """Return texts in English, for files, whatever the language of the window."""
+    """Use English, for files, in any language of the window."""
     before = _is_english.set(True)
     try:
         yield
@@ -80,7 +80,6 @@ def in_english() -> Iterator[None]:
 
 
 def use_translations(translate: Callable[[str, str, int], str], decimal_point: str = ".") -> None:
-    """Translate with this function from now on."""
     global _translate, _decimal_point
     _translate, _decimal_point = translate, decimal_point
     for clear in _clear_caches:

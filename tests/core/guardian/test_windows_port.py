@@ -138,6 +138,6 @@ def test_changed_settings_of_the_line_are_restored(port: Any, windows: Windows) 
     port.restore_settings()
     assert windows.state == remembered
     windows.state = bytes(28)
-    port.remember_settings()
+    port.save_settings()
     port.restore_settings()
     assert windows.state == bytes(28)

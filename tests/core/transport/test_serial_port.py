@@ -23,7 +23,7 @@ from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.core.errors import NoReply, PortShared, PortUnavailable
 from trex_gui.core.guardian.guardian import GuardianProcess
 from trex_gui.core.timing import Timeouts
-from trex_gui.core.transport.serial_port import SerialTransport, why_not_open
+from trex_gui.core.transport.serial_port import SerialTransport, open_error
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.protocol.commands import GetMode, GetSignature, SetParameter
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -156,7 +156,7 @@ def test_garbage_of_an_rfc2217_server_is_a_port_failure(
             message = str(error.value)
             transport.close()
         relay.join()
-    assert "cannot be reached: the server sends what is not RFC 2217" in message
+    assert "cannot be reached: the server does not use RFC 2217" in message
 
 
 def relay_one(server: socket.socket, target: int, garbage: threading.Event) -> None:
@@ -363,7 +363,7 @@ def test_permission_error_names_group_of_port(terminal: tuple[int, str]) -> None
     import grp
 
     denied = serial.SerialException(errno.EACCES, "could not open: Permission denied")
-    said = str(why_not_open(terminal[1], LINE, denied))
+    said = str(open_error(terminal[1], LINE, denied))
     group = grp.getgrgid(Path(terminal[1]).stat().st_gid).gr_name
     assert said.startswith(f"Permission denied for {terminal[1]}.")
     assert "sudo" in said
@@ -373,7 +373,7 @@ def test_permission_error_names_group_of_port(terminal: tuple[int, str]) -> None
 
 
 def test_permission_error_of_missing_port_names_dialout() -> None:
-    denied = why_not_open("/dev/ttyGone9", LINE, OSError(errno.EACCES, "denied"))
+    denied = open_error("/dev/ttyGone9", LINE, OSError(errno.EACCES, "denied"))
     assert denied.command == "sudo usermod -aG dialout $USER"
     assert denied.command in str(denied)
     assert pickle.loads(pickle.dumps(denied)).command == denied.command
@@ -408,7 +408,7 @@ def wrapped(number: int) -> serial.SerialException:
     ],
 )
 def test_sentence_says_why_a_port_does_not_open(error: Exception, words: str) -> None:
-    assert words in str(why_not_open("/dev/ttyX", LINE, error))
+    assert words in str(open_error("/dev/ttyX", LINE, error))
 
 
 # --- Lines that are lost ----------------------------------------------------------------

@@ -1,1 +1,1 @@
-"""Finding devices on ports: what a prober offers, and the scan over ports."""
+"""Search for devices on ports."""

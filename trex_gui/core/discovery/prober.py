@@ -11,17 +11,17 @@ from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 @dataclass(frozen=True, slots=True)
 class ScanProgress:
-    """Progress of a scan: `done` of `total` probes. `line`: settings of the next probe."""
+    """Progress of a scan: `done` of `total` probes. `line`: next settings."""
 
     done: int
     total: int
     line: SerialFormat
-    number: int | None = None  # device number being probed, once a board has responded
-    kind: str = ""  # name of the device kind being probed for
+    number: int | None = None  # probed device number, once a board has responded
+    kind: str = ""  # name of the probed device kind
 
 
 class Evidence(IntEnum):
-    """Strength of the evidence when no device was found."""
+    """Evidence of a device that was not found."""
 
     SILENCE = 0
     ECHO = 1
@@ -31,19 +31,19 @@ class Evidence(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Diagnosis:
-    """Report on a device kind that was not found: attempts, received bytes, checks to do."""
+    """Report of attempts, received bytes and checks, without a found device."""
 
     evidence: Evidence
     text: str
 
 
 class FoundDevice(Protocol):
-    """A device that was found, and how to reach it.
+    """Found device and its connection settings.
 
     Attributes:
-        device_number: the number that the device responds to; `None` if it has no number.
+        device_number: `None` if the device has no number.
         echo: True if all sent bytes come back.
-        note: a remark for the user; may be empty.
+        note: remark for the user; may be empty.
     """
 
     @property
@@ -59,9 +59,9 @@ class FoundDevice(Protocol):
 
 
 class Prober(Protocol):
-    """Searches an open line for devices of one kind, without moving anything.
+    """Searches a line for one kind of device, without motion.
 
-    Every probe must first end any packet that a board may have begun to receive.
+    Each probe must first terminate an incomplete packet that a board may have received.
 
     Attributes:
         parts: number of probes in each part of the scan, likely probes first.
@@ -84,35 +84,35 @@ class Prober(Protocol):
         progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
-        """Send the probes of a part. `cancelled` is called before each. Raises PortUnavailable."""
+        """Send a part's probes. Raises PortUnavailable.
+
+        `cancelled` is called before each probe.
+        """
 
     def diagnosis(self) -> Diagnosis:
-        """Report attempts and received bytes, if no device was found."""
+        """Report attempts and received bytes, if nothing was found."""
 
 
-class MakeProber(Protocol):
+class CreateProber(Protocol):
     def __call__(self, settings: PortSettings, *, full: bool, known: bool) -> Prober:
-        """Create a prober. `full`: try all. `known`: the user has named this kind for the port."""
+        """Create a prober.
+
+        `full`: probe all settings. `known`: the user has selected this kind for the port.
+        """
 
 
 Recall = Callable[[Transport, PortSettings, str], FoundDevice | None]
-"""Probe only at the packed settings of a device that was found before.
-
-Raises PortUnavailable.
-"""
+"""Function that probes only the packed settings of a known device. Raises PortUnavailable."""
 
 
 @dataclass(frozen=True, slots=True)
 class ProberInfo:
-    """One kind of device. `announces_at`: line settings of its start message, if it sends one.
-
-    Kinds that a scan finds soon enough need no `recall`.
-    """
+    """Search functions of one device kind."""
 
     name: str
-    begin: MakeProber
-    announces_at: SerialFormat | None = None
-    recall: Recall | None = None
+    create: CreateProber
+    announces_at: SerialFormat | None = None  # line settings of a device's start message
+    recall: Recall | None = None  # `None` if a scan is quick enough
 
 
 def ignore_step(_step: ScanProgress) -> None:
@@ -125,17 +125,17 @@ def never_cancelled() -> bool:
 
 FLUSH_BYTE = b"\xff"
 FLUSH_LINE = SerialFormat(1200)
-"""Separator of two probes on a line where any device may be listening.
+"""Separator of two probes, since any device may be listening.
 
-A device at another baud rate reads a probe as other bytes and may keep them as the start of a
-packet. A later probe, harmless by itself, could complete it into a motor command. FF at 1200 baud
-ends any packet that has begun. A TReX at that rate ignores it, and a TReX at another rate receives
-a byte that no packet may contain.
+A device at another baud rate may read a probe as the start of a packet. A later probe, harmless
+by itself, could complete that packet into a motor command. FF at 1200 baud terminates an
+incomplete packet. A TReX at that rate ignores FF, and a TReX at another rate receives a byte that
+no packet may contain.
 """
 
 
 def flush(wire: Transport, extra: float = 0.0) -> None:
-    """End any packet that a device has begun. `extra`: seconds to add to the wire's own delay."""
+    """Terminate a device's incomplete packet. `extra`: additional wait (s)."""
     wire.reconfigure(FLUSH_LINE)
     wire.write(FLUSH_BYTE)
     wire.wait(FLUSH_LINE.seconds(len(FLUSH_BYTE)) + wire.latency + extra)

@@ -1,18 +1,17 @@
-"""Scan of one port for devices of any kind, in the window and on the command line.
+"""Scan of one port for devices of any kind.
 
-The port is opened once, because some adapters reset their board each time. If a device was found
-on the port earlier, its settings are probed first. Each step follows only if the previous steps
-found nothing:
+The port is opened once, because some adapters reset their board each time. The settings of a
+device found earlier are probed first. Each step follows only if the previous steps found nothing:
 
-1. listening at the baud rate at which boards announce that they start: harmless, and a scan would
-   listen for these 0.3 s anyway;
-2. the likely probes of each kind, in the given order, the most common kind first: most boards
-   respond within two seconds, and no kind waits for the long scan of another;
-3. the other probes of each kind, in the same order: half a minute, for few boards;
-4. the likely probes again, for a kind whose only reply may have been lost.
+1. Listen for 0.3 s at the baud rate at which boards announce their start. This is harmless, and a
+   scan would wait as long anyway.
+2. Send the likely probes of each kind in the given order, the most common kind first. Most boards
+   respond within two seconds, and no kind waits for the long scan of another kind.
+3. Send the other probes of each kind. They take half a minute, and few boards need them.
+4. Repeat the likely probes of a kind whose only reply may have been lost.
 
-A kind that the port is known to have goes first in steps 2 to 4. The probes of one kind move no
-device of another kind, in any order: tests/devices/aracna/session/test_discovery.py checks all.
+The known kind of the port goes first in steps 2 to 4. The probes of one kind move no device of
+another kind, in any order: tests/devices/aracna/session/test_discovery.py checks all.
 """
 
 import contextlib
@@ -40,13 +39,13 @@ from trex_gui.core.transport.settings import SHARED, PortSettings, SerialFormat
 log = logging.getLogger(__name__)
 
 _LISTEN = 0.3  # seconds
-_KEPT = 48  # unsolicited bytes that are kept for the diagnosis
+_SAVED = 48  # unsolicited bytes saved for the diagnosis
 
 
 @dataclass(slots=True)
 class PortScan:
-    device: str = ""  # key of the found kind; empty if nothing was found
-    found: Sequence[FoundDevice] = ()  # the devices, all of that kind
+    device: str = ""  # key of the found kind, or empty
+    found: Sequence[FoundDevice] = ()  # all devices of that kind
     diagnoses: list[Diagnosis] = field(default_factory=list)  # strongest evidence first
     error: StudioError | None = None
     cancelled: bool = False
@@ -69,12 +68,13 @@ def scan_port(
     cancelled: Callable[[], bool] = never_cancelled,
     open_wire: Callable[[PortSettings], Transport] = SerialTransport,
 ) -> PortScan:
-    """Search a port for devices of every kind, until one kind responds.
+    """Search a port until one kind of device responds.
 
-    Never raises, so that a failure on one port does not stop the scan of the next port. The line
-    settings of `settings` are ignored. `probers` are by key of the kind, the most common first.
-    `first` is the known kind of the port, found there with the `packed` settings. `only_recall`
-    probes nothing else. `progress` and `cancelled` are called before each probe.
+    Never raises: a failure on one port must not stop the scan of the next port.
+
+    The line settings of `settings` are ignored. `probers` are in order, the most common kind first.
+    `first` is the known kind of the port, found earlier at the `packed` settings. `only_recall`
+    probes only these. `progress` and `cancelled` are called before each probe.
     """
     result = PortScan()
     opened = next((info.announces_at for info in probers.values() if info.announces_at), FLUSH_LINE)
@@ -91,8 +91,8 @@ def scan_port(
             if found is not None or only_recall or is_shared:
                 return result
             for key, info in probers.items():
-                running[key] = info.begin(settings, full=full, known=key == first)
-            if heard := wire.read(_KEPT, _LISTEN):
+                running[key] = info.create(settings, full=full, known=key == first)
+            if heard := wire.read(_SAVED, _LISTEN):
                 for prober in running.values():
                     prober.record_unsolicited(opened, heard)
             probed = _probe_in_order(
@@ -116,7 +116,7 @@ def scan_port(
         text = tr("Internal error while searching {0} ({1}).").format(settings.label, cause)
         return PortScan(error=StudioError(text))
     if result.error is not None:  # silence during an incomplete search is no evidence
-        diagnoses = [one for one in diagnoses if one.evidence > Evidence.SILENCE]
+        diagnoses = [each for each in diagnoses if each.evidence > Evidence.SILENCE]
     result.diagnoses = sorted(diagnoses, key=lambda diagnosis: -diagnosis.evidence)
     return result
 
@@ -130,7 +130,7 @@ def _probe_in_order(
     progress: Callable[[ScanProgress], None],
     cancelled: Callable[[], bool],
 ) -> list[str]:
-    """Send the probes of each kind until one prober is over. Return the keys of probed kinds."""
+    """Run the probers until one is over. Return the probed kinds."""
     plan = order({key: prober.parts for key, prober in running.items()}, first)
     totals = [running[key].parts[part] for key, part in plan]
     probed: dict[str, None] = {}
@@ -152,14 +152,14 @@ def _probe_in_order(
 
 
 def order(parts: Mapping[str, Sequence[int]], first: str | None) -> list[tuple[str, int]]:
-    """Return the parts of each kind in the order of the scan."""
+    """Return the parts of all kinds in the order of the scan."""
     keys = sorted(parts, key=lambda key: key != first)
     most = max((len(each) for each in parts.values()), default=0)
     return [(key, number) for number in range(most) for key in keys if number < len(parts[key])]
 
 
 def _release(wire: Transport, extra: float, *, answered: bool) -> None:
-    """Close the port, but not at 1200 baud. End packets that boards have begun.
+    """Terminate incomplete packets, then close the port.
 
     Some USB boards start their boot loader when a port is closed at 1200 baud.
     """

@@ -1,1 +1,1 @@
-"""A process of its own that stops the motors when the program does not respond."""
+"""Process that stops the motors when the program does not respond."""

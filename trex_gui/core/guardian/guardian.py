@@ -19,59 +19,58 @@ from trex_gui.core.guardian.log import log_file
 
 log = logging.getLogger(__name__)
 
-HEARTBEAT_INTERVAL = 0.1
-"""Longest time in seconds between two heartbeats while motors may be moving."""
+HEARTBEAT_INTERVAL = 0.1  # seconds between heartbeats while motors may be moving
 
-_ENDING_S, _BREAKING_OFF_S = 2.0, 6.0  # seconds to end: usually, and while a stop blocks for 5 s
-_MOST_UNREAD, _UNREAD_S = 3, 0.25
-"""Unread messages, and seconds since the first, after which a process counts as suspended."""
+_ENDING_S, _BREAKING_OFF_S = 2.0, 6.0  # seconds to end, and to end during a stop of up to 5 s
+_MOST_UNREAD, _UNREAD_S = 3, 0.25  # unread messages, and their age in s, of a suspended process
 
 
 _watching_since: list[str] = []
 
 
 def watching_since() -> str:
-    """Return the time when motors could first move in this run, as in the log. `9999`: never."""
+    """Return the log time from which motors could move, or `9999`."""
     return _watching_since[0] if _watching_since else "9999"
 
 
 @dataclass(frozen=True, slots=True)
 class StopSequence:
-    """Packets that stop the motors now, and the reply that confirms the stop."""
+    """Packets that stop the motors, and queries that confirm the stop."""
 
     packets: bytes  # packets that stop every motor
     queries: tuple[bytes, ...]  # requests for the status of each board
     reply_size: int  # bytes of a reply
-    error_mask: int  # bits of its first byte that report errors on the line
-    has_echo: bool  # whether all sent bytes come back before the reply
-    seconds: float  # longest time that packets, a query and its reply take
-    note: str = ""  # lines about the board, for the file that says that its motors may be moving
+    error_mask: int  # error bits in the first byte of a reply
+    has_echo: bool  # True if all sent bytes come back before the reply
+    seconds: float  # longest duration of packets, a query and its reply
+    note: str = ""  # lines about the board, for the file of `maintain_file`
 
 
 def joined_stops(stops: Sequence[StopSequence]) -> StopSequence:
-    """Return one sequence that stops all these boards on one line."""
+    """Return one stop for all boards on a line."""
     first, *others = stops
     if not others:
         return first
-    packets = b"".join(one.packets for one in stops)
-    queries = tuple(query for one in stops for query in one.queries)
-    return replace(first, packets=packets, queries=queries, seconds=sum(s.seconds for s in stops))
+    packets = b"".join(stop.packets for stop in stops)
+    queries = tuple(query for stop in stops for query in stop.queries)
+    seconds = sum(stop.seconds for stop in stops)
+    return replace(first, packets=packets, queries=queries, seconds=seconds)
 
 
 @dataclass(frozen=True, slots=True)
 class SharedPort:
-    """An open port for a child process."""
+    """Open port that a child process inherits."""
 
     kind: str  # `serial`, `socket` or `telnet`
     number: int  # its file descriptor; on Windows a handle
 
 
 class Guardian(Protocol):
-    """Guardian as a session sees it.
+    """Guardian, as a session uses it.
 
     Attributes:
         is_ready: the process is running, responds and has not acted.
-        has_acted: the process has begun to stop the motors, and may still use the line.
+        has_acted: the process has started to stop the motors and may still use the line.
     """
 
     @property
@@ -82,22 +81,22 @@ class Guardian(Protocol):
     def wait_until_ready(self, seconds: float) -> None: ...
 
     def watch(self, sequence: StopSequence | None) -> None:
-        """Send a heartbeat with the present stop. With `None`, report that no motor may move."""
+        """Send a heartbeat. `None`: no motor can be moving."""
 
     def stop(self, seconds: float) -> bool:
-        """Request a stop of the motors. Return whether it was confirmed within `seconds`."""
+        """Request a stop. Return whether it was confirmed within `seconds`."""
 
     def end(self) -> bool:
-        """End the guardian. Return whether it has confirmed a stop. Afterwards the line is free."""
+        """End the guardian and free the line. Return whether it confirmed a stop."""
 
 
 class GuardianProcess:
-    """Starts the guardian process. If that is impossible, `is_ready` stays false."""
+    """Starts the guardian process. After a failure, `is_ready` stays false."""
 
     def __init__(self, port: SharedPort | None, silence: float, file: Path | None = None) -> None:
-        """Start a process that acts after `silence` seconds. `port`: `None` without a descriptor.
+        """Start a process that acts after `silence` seconds.
 
-        `file`: the file that says that motors may be moving.
+        `port`: `None` if it has no descriptor. `file`: present while motors may be moving.
         """
         self._sent: StopSequence | None = None
         self._is_confirmed = False
@@ -118,7 +117,7 @@ class GuardianProcess:
         threading.Thread(target=self._listen, args=(self._process,), daemon=True).start()
 
     def _listen(self, process: "subprocess.Popen[bytes]") -> None:
-        # A program that closes all its descriptors ends this loop, but not the process.
+        # Closed descriptors end this loop, although the process may still run.
         with contextlib.suppress(OSError, ValueError):
             for line in process.stdout or ():
                 if line != b"read\n":
@@ -137,8 +136,9 @@ class GuardianProcess:
                     case b"unconfirmed":
                         self._ended.set()  # the port is closed; a disk may block the process
         process.wait()
-        with self._writing, contextlib.suppress(OSError), process:  # closes the pipes; locked, as
-            self._ended.set()  # nothing may be written to a new file with the same descriptor
+        # Locked: nothing may be written to a new file with the descriptor of a closed pipe.
+        with self._writing, contextlib.suppress(OSError), process:
+            self._ended.set()
 
     @property
     def is_ready(self) -> bool:
@@ -150,7 +150,7 @@ class GuardianProcess:
         if self._unread < _MOST_UNREAD or not self._started.is_set() or self.has_acted:
             return False
         is_late = time.monotonic() - self._unread_since > _UNREAD_S
-        return is_late and self._unread >= _MOST_UNREAD  # the process may just have read them
+        return is_late and self._unread >= _MOST_UNREAD  # may have changed meanwhile
 
     @property
     def has_ended(self) -> bool:
@@ -178,7 +178,7 @@ class GuardianProcess:
 
     def end(self) -> bool:
         is_suspended = self._is_suspended
-        # Without the message, the process assumes that the program died, and may stop the motors.
+        # Without the message, the process would assume that the program died.
         is_notified = self._send("end")
         seconds = _BREAKING_OFF_S if self.has_acted else 0.0 if is_suspended else _ENDING_S
         if self._process is not None and not self._ended.wait(seconds) and is_notified:
@@ -188,7 +188,7 @@ class GuardianProcess:
         return self._is_confirmed
 
     def _send(self, message: str) -> bool:
-        """Send a message. Return whether that was possible. Does not kill the process."""
+        """Send a message. Return False if that is impossible."""
         process = self._process
         with self._writing:
             if process is None or process.stdin is None or self._ended.is_set():
@@ -207,7 +207,7 @@ class GuardianProcess:
 
 def _message(stop: StopSequence) -> str:
     stop_text = (
-        f"{stop.packets.hex()} {','.join(one.hex() for one in stop.queries)} "
+        f"{stop.packets.hex()} {','.join(query.hex() for query in stop.queries)} "
         f"{stop.reply_size} {stop.error_mask} "
         f"{stop.has_echo:d} {stop.seconds}"
     )
@@ -224,16 +224,15 @@ def _start(port: SharedPort, silence: float, file: Path | None) -> "subprocess.P
         options = {"startupinfo": startup, "creationflags": flags}
         os.set_handle_inheritable(number, True)
     else:
-        # Not 0 to 2, which become pipes: the program may have been started without them. In a
-        # session of its own, the process gets no signals from a terminal.
+        # Numbers 0 to 2, which may be free, become pipes. The new session gets no terminal signals.
         number = fcntl.fcntl(number, fcntl.F_DUPFD_CLOEXEC, 3)
         options = {"pass_fds": [number], "start_new_session": True}
     command = [sys.executable, "--guardian"]
     if not getattr(sys, "frozen", False):
-        # -I, -S: nothing of the user's Python set-up is imported.
+        # -I, -S: without the user's Python set-up.
         command[1:] = ["-I", "-S", str(Path(__file__).with_name("process.py"))]
         if sys.platform == "win32":
-            # In a virtual environment `executable` is a launcher, which would keep running, too.
+            # In a virtual environment `executable` is a launcher that would continue to run.
             command[0] = getattr(sys, "_base_executable", "") or sys.executable
     try:
         return subprocess.Popen(  # noqa: S603 - our own program
@@ -241,7 +240,7 @@ def _start(port: SharedPort, silence: float, file: Path | None) -> "subprocess.P
             bufsize=0,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
-            # A window without a console may have a standard error that cannot be inherited.
+            # A window without a console may have a standard error that is not inheritable.
             stderr=subprocess.DEVNULL if sys.stderr is None else None,
             **options,
         )

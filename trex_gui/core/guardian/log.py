@@ -1,4 +1,4 @@
-"""Log of the guardian processes: a line for each time that one stopped motors."""
+"""Log of the guardian processes, with a line for each stop."""
 
 import os
 import re
@@ -8,11 +8,11 @@ from pathlib import Path
 from trex_gui.core.files import data_folder, open_ordinary
 
 _LINE = re.compile(r"(?m)^(\d{4}-\d\d-\d\d \d\d:\d\d:\d\d) (confirmed|unconfirmed|repeated): ")
-_LARGEST = 65536  # bytes that are read at once
+_LARGEST = 65536  # bytes of one read
 
 
 class StopResult(StrEnum):
-    """`REPEATED`: the program responded again meanwhile, and stopped the motors itself."""
+    """Result of a stop. `REPEATED`: the program responded and stopped the motors."""
 
     CONFIRMED = "confirmed"
     UNCONFIRMED = "unconfirmed"
@@ -24,9 +24,9 @@ def log_file() -> Path:
 
 
 def logged_stops(seen: int) -> tuple[int, list[tuple[str, StopResult]]]:
-    """Return the size of the log in bytes, and time and result of each stop after `seen` bytes.
+    """Return the log's size in bytes, and its stops after `seen` bytes.
 
-    A log that cannot be read counts as empty.
+    A stop is its time and its result. An unreadable log counts as empty.
     """
     try:
         with open_ordinary(log_file()) as file:

@@ -1,6 +1,6 @@
-"""Guardian process that shares the open port and stops the motors when the program is silent.
+"""Guardian process: stops the motors when the program is silent.
 
-It runs on the standard library alone and imports nothing of the program, so that it starts in
+It shares the program's open port. It uses only the standard library, so that it starts in
 milliseconds, stays small and does not fail with the program.
 
 It reads one message per line from its standard input:
@@ -11,9 +11,9 @@ It reads one message per line from its standard input:
     end    the program needs the line again, or has closed it
 
 Bytes are hexadecimal. `StopSequence` in `guardian.py` explains the fields. The process sends
-`ready` at its start, `read` for each message, and `marked` once the file says that motors may be
-moving (`maintain_file`). If it has to stop the motors, it sends `stopping`, then `confirmed` or
-`unconfirmed`, and records the result in its log file.
+`ready` at its start, `read` for each message, and `marked` once `maintain_file` has written its
+file. When it stops the motors, it sends `stopping`, then `confirmed` or `unconfirmed`, and logs
+the result.
 """
 
 import os
@@ -32,31 +32,33 @@ if sys.platform != "win32":
     import fcntl
     import termios
 
-_GIVE_UP_S = 5.0  # seconds for which a stop is repeated
-_GRACE_S = 0.02  # seconds for a heartbeat that was sent in time but not read yet
-_LATE_S = 0.05  # a wait this many seconds too long means that this process was delayed
-_LATE_GRACE_S = 0.1  # seconds for messages that were sent meanwhile
+_GIVE_UP_S = 5.0  # longest duration of a stop in seconds
+_GRACE_S = 0.02  # seconds for a heartbeat on its way
+_LATE_S = 0.05  # excess in s of a wait during which this process was suspended
+_LATE_GRACE_S = 0.1  # seconds for messages sent during a suspension
 _CLEAN_ROUNDS = 2  # consecutive rounds of clean replies that confirm a stop
 _QUIET_S = 0.03
-"""Seconds of silence that end a reply: more than three bytes take at 1200 baud, and more than
-usual adapters delay. An echoed request goes on after its first byte, so it is no reply."""
+"""Seconds of silence that end a reply.
+
+Three bytes at 1200 baud take less, and usual adapters delay less. An echoed request continues
+after its first byte, so that it does not count as a reply."""
 
 _MOST = 4096  # bytes of one read
 
 
 class FilePort:
-    """Serial port of a POSIX system. As with every port, OSError means that the line is gone."""
+    """Serial port of a POSIX system. OSError: the line is gone."""
 
     def __init__(self, descriptor: int) -> None:
         self._descriptor = descriptor
         os.set_blocking(descriptor, False)  # another process may read first after `select`
-        self.remember_settings()
+        self.save_settings()
 
-    def remember_settings(self) -> None:
+    def save_settings(self) -> None:
         self._settings = self._read_settings()
 
     def restore_settings(self) -> None:
-        """Undo changes that a search for a silent board may have made."""
+        """Undo changes by a search for a silent board."""
         if self._settings is not None and self._settings != self._read_settings():
             with suppress(termios.error):
                 termios.tcsetattr(self._descriptor, termios.TCSANOW, self._settings)
@@ -80,7 +82,7 @@ class FilePort:
         data = b""
         with suppress(BlockingIOError):
             data = os.read(self._descriptor, _MOST) if ready else b""
-        if ready and not data:  # read by another process, or the line is gone: writing fails
+        if ready and not data:  # another reader was faster, or the line is gone
             time.sleep(_GRACE_S)
         return data
 
@@ -106,7 +108,7 @@ class SocketPort:
             raise OSError("the line is gone")
         return data
 
-    def remember_settings(self) -> None:
+    def save_settings(self) -> None:
         """Do nothing: the other end has the settings."""
 
     def restore_settings(self) -> None:
@@ -117,7 +119,7 @@ class SocketPort:
 
 
 class TelnetPort(SocketPort):
-    """A port behind RFC 2217: data in Telnet, whose commands begin with 255 (RFC 854)."""
+    """RFC 2217 port: data in Telnet, with commands after 255 (RFC 854)."""
 
     _IAC, _SE, _SB, _WILL, _DONT = 255, 240, 250, 251, 254
 
@@ -133,7 +135,7 @@ class TelnetPort(SocketPort):
         return b"".join(map(self._data.send, super().receive(seconds)))
 
     def _decoder(self) -> Generator[bytes, int, None]:
-        """Receive a byte, yield the data that it completes."""
+        """Yield the data that each sent byte completes."""
         data = b""
         while True:
             byte = yield data
@@ -157,19 +159,19 @@ if sys.platform == "win32":
     import ctypes
 
     class WindowsPort:
-        """A serial port of Windows, opened for overlapped I/O.
+        """Serial port of Windows, opened for overlapped I/O.
 
-        Its timeouts are unreliable: when the program closes the port, pyserial restores the
-        system's default, which is no timeout. A transfer that takes too long is cancelled.
+        The timeouts of the port are unreliable: when the program closes the port, pyserial removes
+        them. A transfer that takes too long is cancelled.
         """
 
         _STATE_SIZE = 28  # bytes of a DCB, whose first word is its size
 
         def __init__(self, handle: int) -> None:
             self._handle = handle
-            self.remember_settings()
+            self.save_settings()
 
-        def remember_settings(self) -> None:
+        def save_settings(self) -> None:
             self._settings = self._read_settings()
 
         def restore_settings(self) -> None:
@@ -198,13 +200,13 @@ if sys.platform == "win32":
                 count = self._finish(overlapped, end - time.monotonic())
                 if count or time.monotonic() >= end:
                     return bytes(overlapped.getbuffer() or b"")
-                time.sleep(0.001)  # the time-outs may let a read end at once
+                time.sleep(0.001)  # the timeouts may end a read at once
 
         @staticmethod
         def _finish(overlapped: "_winapi.Overlapped", seconds: float) -> int:
-            """Wait for the end of a transfer, or cancel it. Return the number of bytes."""
+            """Wait for a transfer, or cancel it. Return its size in bytes."""
             _winapi.WaitForSingleObject(overlapped.event, max(0, int(seconds * 1000)))
-            overlapped.cancel()  # does nothing once it has ended
+            overlapped.cancel()  # no effect on a complete transfer
             count, _ = overlapped.GetOverlappedResult(True)
             return count
 
@@ -224,7 +226,7 @@ def open_port(kind: str, number: int) -> Port:
 
 
 class StopMessage:
-    """Message of `watch`: a `StopSequence` as fields."""
+    """Fields of a `watch` message: a `StopSequence`."""
 
     def __init__(self, fields: list[str]) -> None:
         packets, queries, size, mask, echo, seconds, note = fields
@@ -239,9 +241,10 @@ class StopMessage:
 def maintain_file(
     path: str, notes: "queue.Queue[bytes | None]", written: Callable[[], object]
 ) -> None:
-    """Write each note into a locked file. An empty note removes the file, `None` ends the loop.
+    """Write each note to a locked file.
 
-    Runs in a thread, so that a slow disk delays no stop. The next note repeats a failed write.
+    An empty note removes the file, `None` ends the loop. Runs in its own thread: a slow disk delays
+    no stop. The next note repeats a failed write.
     """
     file: FileIO | None = None
     last = b""
@@ -269,19 +272,19 @@ def maintain_file(
 
 
 class Watchdog:
-    """Waits for messages, and stops the motors if none comes for `silence` seconds."""
+    """Stops the motors after `silence` seconds without a message."""
 
     def __init__(
         self, port: Port, silence: float, files: Sequence[str], messages: FileIO, replies: FileIO
     ) -> None:
-        """`files`: the log file, and the file of `maintain_file`."""
+        """`files`: log file, and file of `maintain_file`."""
         self._port = port
         self._silence = silence
         self._log_file, path = files
         self._replies = replies
         self._notes: queue.Queue[bytes | None] = queue.Queue()
-        keeping = (path, self._notes, lambda: self._reply("marked"))
-        self._writer = threading.Thread(target=maintain_file, args=keeping, daemon=True)
+        arguments = (path, self._notes, lambda: self._reply("marked"))
+        self._writer = threading.Thread(target=maintain_file, args=arguments, daemon=True)
         self._writer.start()
         self._is_called_off = False
         self._messages: queue.Queue[str] = queue.Queue()
@@ -322,7 +325,7 @@ class Watchdog:
         self._log(outcome, f"{reason} while motors could move. {result}")
 
     def _supervise(self) -> tuple[StopMessage, str] | None:
-        """Return the due stop and its reason, or `None` if the program has ended properly."""
+        """Return the due stop and its reason. `None`: the program has ended."""
         stop: StopMessage | None = None
         while True:
             message = self._next(None if stop is None else self._silence)
@@ -333,7 +336,7 @@ class Watchdog:
                     return stop, "The program did not respond"
                 case ["watch", *fields]:
                     if stop is None:
-                        self._port.remember_settings()
+                        self._port.save_settings()
                     stop = StopMessage(fields)
                     self._notes.put(stop.note)
                 case ["idle"]:
@@ -347,7 +350,7 @@ class Watchdog:
                     return None
 
     def _next(self, seconds: float | None) -> str | None:
-        """Return the next message, or `None` after a timeout. Empty at the end of the input."""
+        """Return the next message. `None`: timeout. Empty: end of the input."""
         begun = time.monotonic()
         with suppress(queue.Empty):
             return self._messages.get(timeout=seconds)
@@ -357,11 +360,11 @@ class Watchdog:
         return None
 
     def _stop(self, stop: StopMessage) -> bool:
-        """Repeat the stop until every board confirms it. Return whether all did."""
+        """Repeat the stop. Return whether every board confirmed it."""
         self._port.restore_settings()
         self._port.write(stop.packets)
         end = time.monotonic() + _GIVE_UP_S
-        self._read_until_quiet(stop.seconds)  # a reply to the program: the board did not listen
+        self._read_until_quiet(stop.seconds)  # a board that is replying does not listen
         first, *others = stop.queries
         clean = 0
         while clean < _CLEAN_ROUNDS and time.monotonic() < end and not self._is_called_off:
@@ -372,14 +375,14 @@ class Watchdog:
         return clean == _CLEAN_ROUNDS
 
     def _is_clean(self, stop: StopMessage, sent: bytes) -> bool:
-        """Send a query. Return whether the board has latched no error."""
+        """Send a query. Return whether its reply reports no error."""
         self._port.write(sent)
         echo = len(sent) if stop.has_echo else 0
         reply = self._read(echo + stop.reply_size, stop.seconds)
         return len(reply) == echo + stop.reply_size and not reply[echo] & stop.error_mask
 
     def _read(self, size: int, seconds: float) -> bytes:
-        """Return `size` bytes, fewer after a timeout, or more if the line continues to send."""
+        """Return `size` bytes, fewer after a timeout, more from a busy line."""
         received = b""
         end = time.monotonic() + seconds
         while len(received) < size and (left := end - time.monotonic()) > 0:
@@ -398,7 +401,7 @@ class Watchdog:
             self._replies.write(f"{word}\n".encode("ascii"))
 
     def _log(self, outcome: str, text: str) -> None:
-        """Append a line to the log, for `logged_stops`, and write it to the console."""
+        """Write a line to the log (see `logged_stops`) and the console."""
         line = f"{time.strftime('%Y-%m-%d %H:%M:%S')} {outcome}: {text}\n"
         with suppress(OSError):
             os.makedirs(os.path.dirname(self._log_file), exist_ok=True)  # noqa: PTH103, PTH120
@@ -412,11 +415,9 @@ class Watchdog:
 
 
 def main(arguments: list[str]) -> int:
-    """Run the guardian of a port.
+    """Run the guardian of a port. Signals that end the program are ignored.
 
-    The arguments are the port's kind, descriptor or handle, the seconds of silence, and `files`.
-
-    Signals that end the program are ignored: what counts is whether the program still responds.
+    The arguments are the port's kind, its descriptor or handle, the silence in s, and `files`.
     """
     for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK"):
         if (number := getattr(signal, name, None)) is not None:

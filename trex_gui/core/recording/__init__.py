@@ -1,1 +1,1 @@
-"""Recordings of a session: SQLite files with one table for each kind of sample."""
+"""Recordings: SQLite files with one table per sample kind."""

@@ -1,4 +1,4 @@
-"""Bounded queue of records for the disk: a slow disk costs samples, not memory."""
+"""Bounded queue of records for the disk."""
 
 import threading
 from collections import deque
@@ -9,13 +9,13 @@ from trex_gui.core.recording.kinds import Marker, RecordT
 from trex_gui.core.session import Condition
 from trex_gui.core.translation import tr
 
-CAPACITY = 100_000  # pending records: nine minutes at full rate, some 15 MB
+CAPACITY = 100_000  # records: nine minutes at full rate, some 15 MB
 
 
 class Backlog(Generic[RecordT]):
     """Passes records to another thread without blocking the sender.
 
-    When the queue is full, new records are dropped. A marker replaces them when there is space.
+    A full queue drops new records. A marker replaces them once there is space.
     """
 
     def __init__(self, condition: Condition | None = None, capacity: int = CAPACITY) -> None:
@@ -39,14 +39,14 @@ class Backlog(Generic[RecordT]):
             self._ready.notify()
 
     def close(self, time: float) -> None:
-        """Accept no more records. `time` (session's clock) is for a last marker."""
+        """Accept no more records. `time`: session clock, for a last marker."""
         with self._ready:
             self._mark_lost(time)
             self._closed = True
             self._ready.notify()
 
     def get(self, seconds: float) -> list[RecordT | Marker] | None:
-        """Return pending records, waiting at most `seconds`. `None` at the end."""
+        """Return pending records after at most `seconds`. `None` at the end."""
         with self._ready:
             if not self._pending and not self._closed:
                 self._ready.wait(seconds)

@@ -31,10 +31,11 @@ def export_span(
     header: Mapping[str, Value],
     progress: ProgressCallback = lambda _share: None,
 ) -> None:
-    """Write the samples within a span (session's clock), as MCAP or CSV by suffix.
+    """Write the samples of a span as MCAP or CSV, by suffix.
 
-    `progress` gets the completed share, 0 to 1. An exception from it ends the export. An existing
-    file is replaced only by a complete file. Raises RecordingError.
+    `span`: session clock in s. `progress` gets the completed share, 0 to 1. An exception from
+    `progress` ends the export. Only a complete file replaces an existing file. Raises
+    RecordingError.
     """
     write = _write_mcap if path.suffix.lower() == MCAP_SUFFIX else _write_csv
     with reported(path, NOT_WRITTEN), atomic_file(path) as file:
@@ -50,7 +51,7 @@ def _rows(
 
 
 def csv_cell(value: Value) -> Value:
-    """Escape a text that a spreadsheet would take for a formula."""
+    """Escape a text that a spreadsheet would read as a formula."""
     is_formula = isinstance(value, str) and value.startswith(("=", "+", "-", "@"))
     return f"'{value}" if is_formula else value
 
@@ -62,16 +63,15 @@ def _write_csv(
     header: Mapping[str, Value],
     progress: ProgressCallback,
 ) -> None:
-    """Write a row for each sample: its time, its kind and all columns.
+    """Write a row per sample: time, kind and all columns.
 
-    Held values are repeated until they change, so that a spreadsheet can plot one column against
-    another. The first row has the kind `header` and the header as JSON in `text`.
+    Held values are repeated until they change, so that a spreadsheet can plot columns against each
+    other. The first row has the kind `header` and the header as JSON in `text`.
     """
     names = list(dict.fromkeys(name for kind in recording.kinds for name in kind.exported))
     places = {name: place for place, name in enumerate(names)}
     columns = {kind.name: [places[name] for name in kind.exported] for kind in recording.kinds}
-    # By source: each source holds its own values
-    held_of: dict[Value, list[Value]] = defaultdict(lambda: [None] * len(names))
+    held_of: dict[Value, list[Value]] = defaultdict(lambda: [None] * len(names))  # by source
     text = io.TextIOWrapper(file, encoding="utf-8", errors="surrogatepass", newline="")
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(["time_s", "sample", *names])
@@ -105,7 +105,7 @@ def _write_mcap(
     header: Mapping[str, Value],
     progress: ProgressCallback,
 ) -> None:
-    """Write a topic for each sample kind, its messages in JSON with a schema."""
+    """Write a topic per sample kind, with JSON messages."""
     from mcap.writer import Writer  # noqa: PLC0415 - optional
 
     writer = Writer(file)
@@ -118,7 +118,7 @@ def _write_mcap(
         schema = writer.register_schema(name, "jsonschema", json.dumps(_schema(kind)).encode())
         channels.append(writer.register_channel(f"/{device}/{kind.name}", "json", schema))
     started = round(recording.header.started.timestamp() * 1e9)
-    # A damaged file may have any time.
+    # A damaged file may contain any time.
     earliest, latest = (end - recording.header.started.timestamp() for end in _MCAP_TIMES)
     for rows in _rows(recording, span, progress):
         for time, index, values in rows:

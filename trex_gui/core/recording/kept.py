@@ -1,4 +1,4 @@
-"""Folder of automatic recordings, which the program creates around faults and stops."""
+"""Folder of automatic recordings of faults and stops."""
 
 import contextlib
 import re
@@ -21,13 +21,13 @@ def kept_folder() -> Path:
 
 
 def kept_path(begun: datetime, kind: str) -> Path:
-    """Return the file for an event. `kind` is a word such as `fault`."""
+    """Return the path of a recording. `kind`: a word such as `fault`."""
     stamp = begun.strftime("%Y-%m-%d_%H-%M-%S.%f")[:-3]
     return kept_folder() / f"{stamp}_{kind}{SUFFIX}"
 
 
 def create_kept_folder() -> Path:
-    """Return the folder, and create it if necessary. Raises RecordingError."""
+    """Create the folder if necessary. Raises RecordingError."""
     folder = kept_folder()
     with reported(folder, _NOT_USED):
         folder.mkdir(parents=True, exist_ok=True)
@@ -35,16 +35,16 @@ def create_kept_folder() -> Path:
 
 
 def free_space(most_files: int = MOST_FILES, most_bytes: int = MOST_BYTES) -> None:
-    """Remove the oldest recordings before a new recording. Create the folder if necessary.
+    """Remove the oldest recordings. Create the folder if necessary.
 
-    A file that the user renamed is never removed, nor is the newest file. Raises RecordingError.
+    Never removes the newest recording or a file that the user has renamed. Raises RecordingError.
     """
     folder = create_kept_folder()
     with reported(folder, _NOT_USED):
         found = sorted(path for path in folder.iterdir() if _NAME.fullmatch(path.name))
     used = 0
     for number, path in enumerate(reversed(found), start=1):
-        with contextlib.suppress(OSError):  # gone already, or open in another program
+        with contextlib.suppress(OSError):  # gone, or open in another program
             used += path.stat().st_size
             if number > 1 and (number >= most_files or used > most_bytes):
                 remove_recording(path)

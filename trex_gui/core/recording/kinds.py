@@ -1,6 +1,7 @@
-"""Sample kinds: the tables and columns of a recording, declared once for each device.
+"""Sample kinds: tables and columns of a recording.
 
-The store, the exports and `trexcmd stream` get names, units and values from here.
+Each device declares its kinds once. The store, the exports and `trexcmd stream` use their names,
+units and values.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -12,23 +13,23 @@ from trex_gui.core.errors import StudioError
 
 Value = int | float | str | None
 
-SOURCE = "board"  # column that tells the devices of a recording apart, if it has several
+SOURCE = "board"  # column with the board, in a recording of several boards
 
-LONGEST_TEXT = 60_000  # characters recorded of a text; the settings of a board take 4,000
+LONGEST_TEXT = 60_000  # characters of a text; the settings of a board take 4,000
 
 
 class Timestamped(Protocol):
-    """Object with a time on the session's clock (s)."""
+    """Object with a time on the session clock (s)."""
 
     @property
     def time(self) -> float: ...
 
 
 class RecordingHeader(Protocol):
-    """Describes a recording. `clock` is the session's clock (s) at its start.
+    """Header of a recording. `clock`: session clock (s) at its start.
 
-    `values` are the rows of the header table: `device_name`, `started_utc`, `clock_s` and
-    further values of the device.
+    `values`: rows of the header table, which are `device_name`, `started_utc`, `clock_s` and
+    values of the device.
     """
 
     @property
@@ -44,7 +45,7 @@ RecordT = TypeVar("RecordT", bound=Timestamped)
 
 @dataclass(frozen=True, slots=True)
 class Marker:
-    """An event: `kind` is a word such as `stop`, `text` a sentence for the user."""
+    """Event. `kind`: a word such as `stop`. `text`: a sentence for the user."""
 
     time: float
     kind: str
@@ -52,15 +53,15 @@ class Marker:
 
 
 def marker(time: float, kind: str, text: str) -> Marker:
-    """Return a marker. Its text is cut to `LONGEST_TEXT`."""
+    """Create a marker. Its text is cut to `LONGEST_TEXT`."""
     return Marker(time, kind, text[:LONGEST_TEXT])
 
 
 @dataclass(frozen=True, slots=True)
 class Physical:
-    """Column computed from a stored column: `scale` times its value, rounded to `digits`.
+    """Computed column: stored value times `scale`, rounded to `digits`.
 
-    `scales`: scale by `SOURCE`, for rows of other sources than the source in the header.
+    `scales`: other scales by `SOURCE`. The source in the header has `scale`.
     """
 
     name: str
@@ -71,7 +72,7 @@ class Physical:
 
 @dataclass(frozen=True, slots=True)
 class Column:
-    """A stored column. Units are in the name or the description. `optional`: may be NULL."""
+    """Stored column. The unit is in the name or the description."""
 
     name: str
     type: Literal["INTEGER", "REAL", "TEXT"]
@@ -82,21 +83,21 @@ class Column:
 
 @dataclass(frozen=True, slots=True)
 class SampleKind:
-    """One kind of sample and its table.
+    """Kind of sample, with its table.
 
     Attributes:
-        unpack: creates a record from its time and values; raises ValueError, KeyError or
-            TypeError if they are damaged.
+        unpack: creates a record from its time and values. Raises ValueError, KeyError or TypeError
+            if the values are damaged.
     """
 
     name: str
     type: type[Any]  # class of the records
     columns: tuple[Column, ...]
-    pack: Callable[[Any], Sequence[Value]]  # the values of a record in the order of `columns`
+    pack: Callable[[Any], Sequence[Value]]  # values of a record in the order of `columns`
     unpack: Callable[..., Any]
-    held: bool = False  # whether a CSV row repeats the last values until they change
-    partial: bool = False  # whether NULL leaves a held value unchanged
-    clears: frozenset[str] = frozenset()  # kinds whose held values are unknown after this kind
+    held: bool = False  # True if a CSV row repeats the last values until they change
+    partial: bool = False  # True if NULL leaves a held value unchanged
+    clears: frozenset[str] = frozenset()  # kinds whose held values this kind invalidates
 
     @property
     def exported(self) -> tuple[str, ...]:
@@ -127,7 +128,7 @@ MARKERS = SampleKind(
         Column("marker_kind", "TEXT", "stop, fault, apply, link, note and so on"),
         Column("text", "TEXT", "what happened"),
     ),
-    # The name of a port may contain bytes that are not valid text.
+    # The name of a port may contain invalid text.
     lambda marker: (marker.kind, marker.text.encode("utf-8", "backslashreplace").decode()),
     Marker,
 )
@@ -135,10 +136,10 @@ MARKERS = SampleKind(
 
 @dataclass(frozen=True, slots=True)
 class RecordingFormat(Generic[HeaderT]):
-    """Content of the recordings of a device. `device` is its key in the header table.
+    """Format of a device's recordings. `device`: key in the header table.
 
-    `read_header` creates the header from its rows, or raises ValueError if they are damaged.
-    `type_of` returns the `SampleKind.type` of a record.
+    `read_header` creates the header from the table's rows. It raises ValueError if they are
+    damaged. `type_of` returns the `SampleKind.type` of a record.
     """
 
     device: str
@@ -148,7 +149,7 @@ class RecordingFormat(Generic[HeaderT]):
 
 
 class RecordingError(StudioError):
-    """A file cannot be read or written. `args`: its name as users know it, and the reason."""
+    """Failure to read or write a recording. `args`: name and reason."""
 
     def __str__(self) -> str:
         return ": ".join(self.args)

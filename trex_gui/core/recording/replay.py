@@ -1,4 +1,4 @@
-"""State at any time of a recording, without reading it from the start."""
+"""State of a device at any time of a recording."""
 
 import math
 from bisect import bisect_right
@@ -11,7 +11,7 @@ from trex_gui.core.recording.store import CHUNK, Recording
 
 
 class ReplayState(Protocol):
-    """State of a device. Its `copy.copy` is independent of later records."""
+    """State of a device. A copy is independent of later records."""
 
     def update(self, record: Any, /) -> None: ...
 
@@ -21,13 +21,13 @@ ResultT = TypeVar("ResultT")
 
 
 class Replay(Generic[HeaderT, RecordT, StateT]):
-    """Keeps the state at the start of each chunk. Belongs to one thread at a time."""
+    """Saves the state at each chunk's start. One thread at a time."""
 
     def __init__(self, recording: Recording[HeaderT, RecordT], initial: StateT) -> None:
         self.recording = recording
         self._states = [initial]
-        self._starts: list[float] = []  # latest time before each chunk, in rising order
-        self.latest = -math.inf  # latest time of the records read so far
+        self._starts: list[float] = []  # latest time before each chunk, ascending
+        self.latest = -math.inf  # latest time of the records read
         self._cached: tuple[int, Sequence[RecordT]] = (-1, ())
 
     @property
@@ -36,20 +36,20 @@ class Replay(Generic[HeaderT, RecordT, StateT]):
         return len(self._starts) / chunks if chunks else 1.0
 
     def read_next(
-        self, take: Callable[[StateT, Sequence[RecordT]], ResultT]
+        self, process: Callable[[StateT, Sequence[RecordT]], ResultT]
     ) -> tuple[Sequence[RecordT], ResultT]:
-        """Read one more chunk. Return its records and the result of `take`."""
+        """Read the next chunk. Return its records and `process`'s result."""
         index = len(self._starts)
         records = self._read(index)
         state = copy(self._states[-1])
-        result = take(state, records)
+        result = process(state, records)
         self._starts.append(self.latest)
         self._states.append(state)
         self.latest = max(self.latest, *(record.time for record in records), -math.inf)
         return records, result
 
     def at(self, time: float) -> StateT:
-        """Return the state at a time, as far as the recording was read."""
+        """Return the state at a time, from the records read so far."""
         index = max(0, bisect_right(self._starts, time) - 1)
         state = copy(self._states[index])
         if self._starts:

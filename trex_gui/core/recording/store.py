@@ -1,8 +1,9 @@
-"""Recordings as SQLite databases: a header table and a table for each sample kind.
+"""Recordings as SQLite databases, with one table per sample kind.
 
-Every table has `record` (number in order of arrival, unique in the file), `clock_s` (session's
+Every table has `record` (number in order of arrival, unique in the file), `clock_s` (session
 clock), `time_s` (from the start of the recording) and the columns of its kind. Physical values
-are generated columns. Comments in the schema document every column.
+are generated columns. Comments in the schema document every column. A header table describes the
+recording.
 """
 
 import contextlib
@@ -41,14 +42,13 @@ SCHEMA_VERSION = 1
 CHUNK = 1000  # records read at a time
 _TYPES = {"INTEGER": int, "REAL": float, "TEXT": str}
 _MAGIC = b"SQLite format 3\0"
-_HEAD = struct.Struct(">16xH10xI")  # page size and number of pages of a database
-_LONGEST_VALUE = 4 * LONGEST_TEXT  # bytes; SQLite fails beyond
+_HEAD = struct.Struct(">16xH10xI")  # page size and page count of a database
+_LONGEST_VALUE = 4 * LONGEST_TEXT  # bytes; SQLite rejects longer values
 _MOST_HEADER_ROWS = 100
 _MOST_PROBLEMS = 20
 _LATEST_CLOCK = 1e10  # seconds: three hundred years
-_LONGEST_S = 200 * 86400.0
-"""Latest and, below, earliest time of a record, in seconds from the start of the recording."""
-_EARLIEST_S = -3600.0
+_EARLIEST_S = -3600.0  # earliest time of a record from the start
+_LATEST_S = 200 * 86400.0  # latest time of a record from the start
 _NOT_A_RECORDING = tr_noop("This is not a TReX Studio recording.")
 NOT_WRITTEN = tr_noop("It cannot be written: {0}.")
 _NOT_OPENED = tr_noop("It cannot be opened: {0}.")
@@ -56,7 +56,7 @@ _NOT_READ = tr_noop("It cannot be read: {0}.")
 _DAMAGED = tr_noop("It is damaged: {0}.")
 _ENDED = "ended_utc_s"
 
-_Content = tuple[str, bool]  # SQL type of a column, and whether it may be NULL
+_Content = tuple[str, bool]  # SQL type of a column, True if it may be NULL
 
 ExportRow = tuple[float, int, tuple[Value, ...]]
 """Time from the start (s), index of the kind, values of its exported columns."""
@@ -70,7 +70,7 @@ def reason_of(error: Exception) -> str:
 
 @contextlib.contextmanager
 def reported(path: Path, message: str) -> Iterator[None]:
-    """Raise RecordingError if the disk fails. `message` has a placeholder for the reason."""
+    """Convert disk errors to RecordingError. `message` has a placeholder."""
     try:
         yield
     except (OSError, ValueError, sqlite3.Error) as error:
@@ -81,10 +81,10 @@ def reported(path: Path, message: str) -> Iterator[None]:
 
 
 class RecordingWriter(Generic[HeaderT, RecordT]):
-    """Writes a recording. Belongs to one thread. A file of the same name is replaced.
+    """Writes a recording in one thread. Replaces an existing file.
 
-    Committed records survive a crash of the program, and records before the last `sync` a power
-    failure. All methods raise RecordingError if the disk fails.
+    Committed records survive a crash of the program. Synced records survive a power failure. All
+    methods raise RecordingError if the disk fails.
     """
 
     def __init__(self, path: Path, fmt: RecordingFormat[HeaderT], header: HeaderT) -> None:
@@ -132,11 +132,11 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
 
     @property
     def size(self) -> int:
-        """Size of the file in bytes, once everything is written to it."""
+        """File size in bytes, including pending data."""
         return _size(self._database)
 
     def write(self, records: Sequence[RecordT | Marker]) -> None:
-        """Add records. They are safe after the next `commit`."""
+        """Add records. `commit` saves them."""
         rows: dict[type[object], list[tuple[Value, ...]]] = {}
         number = self._count
         for record in records:
@@ -152,13 +152,13 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
         self._count = number
 
     def commit(self) -> None:
-        """Save all records so far, even if the program crashes."""
+        """Save the records, so that they survive a crash of the program."""
         with reported(self._path, NOT_WRITTEN):
             if self._database.in_transaction:
                 self._database.execute("COMMIT")
 
     def sync(self) -> None:
-        """Commit, and flush everything to the disk."""
+        """Commit, and flush to the disk."""
         self.commit()
         with reported(self._path, NOT_WRITTEN):
             self._database.execute("PRAGMA wal_checkpoint(PASSIVE)")
@@ -170,7 +170,7 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
                 "INSERT INTO header VALUES (?, CAST(strftime('%s') AS INTEGER))", (_ENDED,)
             )
             self._database.execute("COMMIT")
-            with contextlib.suppress(sqlite3.OperationalError):  # another program reads it
+            with contextlib.suppress(sqlite3.OperationalError):  # open in another program
                 self._database.execute("PRAGMA journal_mode = DELETE")
 
     def close(self) -> None:
@@ -183,19 +183,19 @@ def _connect(path: str | Path) -> sqlite3.Connection:
 
 
 def _companions(path: Path) -> Iterator[Path]:
-    """Yield the files that SQLite may create and open beside a database."""
+    """Yield the paths of SQLite's files beside a database."""
     for suffix in ("-wal", "-shm", "-journal"):
         yield path.with_name(path.name + suffix)
 
 
 def copy_recording(source: Path, path: Path) -> None:
-    """Copy a complete recording, over any file of the same name. Raises RecordingError."""
+    """Copy a recording. Overwrites `path`. Raises RecordingError."""
     with reported(path, NOT_WRITTEN), open_ordinary(source) as whole, atomic_file(path) as copy:
         shutil.copyfileobj(whole, copy)
 
 
 def remove_recording(path: Path) -> None:
-    """Remove a recording, and files that a killed program left beside it. Raises OSError."""
+    """Remove a recording and SQLite's files beside it. Raises OSError."""
     path.unlink()
     for companion in _companions(path):
         companion.unlink(missing_ok=True)
@@ -233,11 +233,11 @@ def _generated(name: str, expression: str, digits: int) -> str:
 
 
 class Recording(Generic[HeaderT, RecordT]):
-    """A recording opened read-only. Belongs to one thread at a time."""
+    """Recording opened read-only, for one thread at a time."""
 
     def __init__(self, path: Path, fmt: RecordingFormat[HeaderT]) -> None:
         self.path = path
-        self.problems: list[str] = []  # missing and unreadable parts, as sentences
+        self.problems: list[str] = []  # sentences about missing and unreadable parts
         self.format = fmt
         if path.suffix.lower() == ".csv":
             raise self._error(
@@ -256,7 +256,7 @@ class Recording(Generic[HeaderT, RecordT]):
             for companion in _companions(path):
                 with contextlib.suppress(FileNotFoundError):
                     check_ordinary(companion)
-        log = path.with_name(f"{path.name}-wal")  # committed, but not yet synchronised
+        log = path.with_name(f"{path.name}-wal")  # committed, not yet synced
         if size < page_size * pages and not log.exists():
             self.problems.append(tr("The end of the file is missing."))
         self._open = contextlib.ExitStack()
@@ -265,17 +265,17 @@ class Recording(Generic[HeaderT, RecordT]):
             with reported(path, _DAMAGED):
                 self.header = self._read_header()
                 self.kinds = self._checked_tables(fmt.kinds(self.header))
-                self.count = self._last_record()  # number of the last record; records count from 1
+                self.count = self._last_record()  # number of the last record; the first has 1
                 self._valid_types = defaultdict[tuple[str, ...], set[tuple[type, ...]]](set)
         except BaseException:
             self.close()
             raise
 
-    def _ways(self) -> Iterator[str]:
-        """Yield the addresses by which to open the recording, best first."""
+    def _uris(self) -> Iterator[str]:
+        """Yield the SQLite URIs of the recording, best first."""
         path = Path(os.path.realpath(self.path))
         yield f"{path.as_uri()}?mode=ro"
-        # In a read-only folder SQLite cannot read the log of a recording that was not ended.
+        # SQLite cannot read the log of an unfinished recording in a read-only folder.
         log = path.with_name(f"{path.name}-wal")
         if log.exists():
             with contextlib.suppress(OSError):
@@ -287,10 +287,10 @@ class Recording(Generic[HeaderT, RecordT]):
         yield f"{path.as_uri()}?immutable=1"
 
     def _connect(self) -> sqlite3.Connection:
-        for address in self._ways():
+        for uri in self._uris():
             try:
                 database = sqlite3.connect(
-                    address, uri=True, timeout=0, isolation_level=None, check_same_thread=False
+                    uri, uri=True, timeout=0, isolation_level=None, check_same_thread=False
                 )
             except sqlite3.Error as error:
                 reason = reason_of(error)
@@ -298,7 +298,7 @@ class Recording(Generic[HeaderT, RecordT]):
             try:
                 database.execute("PRAGMA trusted_schema = OFF")
                 database.execute("PRAGMA cell_size_check = ON")
-                database.execute("PRAGMA writable_schema = ON")  # reads a truncated file, too
+                database.execute("PRAGMA writable_schema = ON")  # to read a truncated file
                 database.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, _LONGEST_VALUE)
                 database.execute("SELECT count(*) FROM sqlite_master").fetchone()
             except sqlite3.Error as error:
@@ -354,9 +354,10 @@ class Recording(Generic[HeaderT, RecordT]):
         return header
 
     def _checked_tables(self, kinds: Iterable[SampleKind]) -> tuple[SampleKind, ...]:
-        """Return the kinds that the file contains. Missing kinds may be of a later version.
+        """Return the kinds that the file contains. Report missing kinds.
 
-        Fail if markers, which every version has, are missing, or if a table is not plain.
+        A missing kind may be of a later version. Raises RecordingError for missing markers, which
+        every version has, and for a table with another structure.
         """
         found = []
         plain = "SELECT name FROM sqlite_master WHERE type = 'table' AND sql LIKE 'CREATE TABLE%'"
@@ -378,7 +379,8 @@ class Recording(Generic[HeaderT, RecordT]):
                 if hidden and name in stored:  # an expression could produce any amount of data
                     column = f"{kind.name}.{name}"
                     raise self._error(tr("The column {0} is computed.").format(column))
-            if [row[1:3] for row in info if row[5]] != [("record", "INTEGER")]:  # else slow to find
+            # Without this key, records would be slow to find.
+            if [row[1:3] for row in info if row[5]] != [("record", "INTEGER")]:
                 message = tr("The column {0} is not the key of its table.")
                 raise self._error(message.format(f"{kind.name}.record"))
             found.append(kind)
@@ -391,13 +393,13 @@ class Recording(Generic[HeaderT, RecordT]):
             # A damaged table is reported when it is read.
             with contextlib.suppress(sqlite3.DatabaseError, TypeError):
                 last = max(last, self._database.execute(query).fetchone()[0] or 0)
-        return min(last, _size(self._database))  # a record takes more than a byte
+        return min(last, _size(self._database))  # a record takes several bytes
 
     def close(self) -> None:
         self._open.close()
 
     def read(self, first: int, last: int) -> list[RecordT]:
-        """Return records by number, in order. Damaged records are left out and reported."""
+        """Return records by number, in order. Report damaged records."""
         found: list[tuple[int, Timestamped]] = []
         for kind in self.kinds:
             stored = {column.name: (column.type, column.optional) for column in kind.columns}
@@ -426,7 +428,7 @@ class Recording(Generic[HeaderT, RecordT]):
     def _valid_rows(
         self, kind: SampleKind, columns: Mapping[str, _Content], first: int, last: int
     ) -> Iterator[tuple[Any, ...]]:
-        """Yield number, clock and these columns of each record. Damaged records are reported.
+        """Yield number, clock and `columns` of each record. Report damaged records.
 
         Types are checked, because SQLite stores any type in any column.
         """
@@ -438,7 +440,7 @@ class Recording(Generic[HeaderT, RecordT]):
                     self._report_damaged(row[0], problem)
                     continue
                 valid.add(types)
-            if _EARLIEST_S <= row[1] - self.header.clock <= _LONGEST_S:
+            if _EARLIEST_S <= row[1] - self.header.clock <= _LATEST_S:
                 yield row
             else:
                 self._report_damaged(row[0], tr("its time is not in the recording"))
@@ -466,7 +468,7 @@ class Recording(Generic[HeaderT, RecordT]):
 
 
 def _wrong_type(columns: Mapping[str, _Content], types: Sequence[type]) -> str:
-    """Name the value of a record whose type differs from its column. Empty if all fit."""
+    """Return the problem of a value of a wrong type, or empty."""
     _number, clock, *values = types
     if clock is not float:
         return tr("its time is not a number")

@@ -1,1 +1,1 @@
-"""Serving a simulated device: endpoints, wire faults, control lines, virtual time."""
+"""Simulated devices: endpoints, wire faults, control lines, virtual time."""

@@ -9,7 +9,7 @@ from trex_gui.core.errors import StudioError
 from trex_gui.core.simulator.line import SimulatedLine
 from trex_gui.core.texts import counted
 
-GOODBYE = "ok bye"  # reply to `quit`; the server ends after it
+GOODBYE = "ok bye"  # last reply of the server, to `quit`
 _MAX_COUNT = 999_999_999
 _MAX_GARBAGE = 10_000
 _LONGEST_DELAY = 60.0  # seconds
@@ -20,8 +20,10 @@ class WrongUsage(Exception):  # noqa: N818 - the reply is the usage
 
 
 Command = tuple[str, Callable[..., str]]
-"""Usage and function of a command. The function gets each word after the command's name, in lower
-case, as an argument. It returns the reply, or raises a `ValueError` with the reason."""
+"""Usage and function of a command.
+
+The function gets the words after the command's name, in lower case. It returns the reply, or
+raises a ValueError with the reason."""
 
 
 def execute(text: str, commands: Mapping[str, Command]) -> str:
@@ -29,8 +31,8 @@ def execute(text: str, commands: Mapping[str, Command]) -> str:
     commands = {**commands, "quit": ("quit", lambda: GOODBYE.removeprefix("ok "))}
     name, *words = text.lower().split() or [""]
     if name not in commands:
-        what = f"{name!r} is not a command" if name else "no command"
-        return f"error {what}; commands are {', '.join(commands)}"
+        problem = f"{name!r} is not a command" if name else "no command"
+        return f"error {problem}; commands are {', '.join(commands)}"
     usage, run = commands[name]
     try:
         signature(run).bind(*words)
@@ -44,28 +46,28 @@ def execute(text: str, commands: Mapping[str, Command]) -> str:
         return "error " + " ".join(str(error).split())
 
 
-def number_of(text: str, allowed: Sequence[int], what: str) -> int:
-    """Parse one of the allowed consecutive numbers. `what` names it in a ValueError."""
+def number_of(text: str, allowed: Sequence[int], noun: str) -> int:
+    """Parse one of several consecutive numbers. Raises ValueError."""
     if text in map(str, allowed):
         return int(text)
-    raise ValueError(f"{what} is {allowed[0]} to {allowed[-1]}, not {text!r}")
+    raise ValueError(f"{noun} is {allowed[0]} to {allowed[-1]}, not {text!r}")
 
 
-def real(text: str, what: str, highest: float) -> float:
-    """Parse a number from 0 to `highest`. `what` names it in a ValueError."""
+def real(text: str, noun: str, highest: float) -> float:
+    """Parse a number from 0 to `highest`. Raises ValueError."""
     try:
         value = float(text)
     except ValueError:
         value = math.nan
     if not 0 <= value <= highest:
-        raise ValueError(f"{what} is 0 to {highest:g}, not {text!r}")
+        raise ValueError(f"{noun} is 0 to {highest:g}, not {text!r}")
     return value
 
 
-def amount(text: str, what: str = "a number of bytes", highest: int = _MAX_COUNT) -> int:
-    """Parse a whole number from 0 to `highest`. `what` names it in a ValueError."""
+def amount(text: str, noun: str = "a number of bytes", highest: int = _MAX_COUNT) -> int:
+    """Parse a whole number from 0 to `highest`. Raises ValueError."""
     if not (text.isascii() and text.isdigit() and len(text) <= 9) or int(text) > highest:
-        raise ValueError(f"{what} is 0 to {highest}, not {text!r}")
+        raise ValueError(f"{noun} is 0 to {highest}, not {text!r}")
     return int(text)
 
 

@@ -1,4 +1,4 @@
-"""Connections that a host can open: their common interface, and raw TCP."""
+"""Endpoints for a host: their common interface, and raw TCP."""
 
 import contextlib
 import socket
@@ -9,16 +9,16 @@ from typing import Protocol
 from trex_gui.core.errors import StudioError
 from trex_gui.core.transport.settings import Parity
 
-CHUNK = 256  # bytes per read: few, to notice soon when the host changes its baud rate
+CHUNK = 256  # bytes of a read; few, so that a changed baud rate is detected soon
 
 
 class EndpointError(StudioError):
-    """An endpoint cannot be opened. The text says which and why."""
+    """Failure to open an endpoint."""
 
 
 @dataclass(frozen=True, slots=True)
 class HostSettings:
-    """Settings of the host's port. `parity` is `None` if it cannot be seen."""
+    """Settings of the host's port. `parity`: `None` if unknown."""
 
     baud: int
     stop_bits: int
@@ -26,13 +26,14 @@ class HostSettings:
 
 
 Arrival = tuple[HostSettings | None, bytes]
-"""Settings of the host's port (`None` if they cannot be seen), and bytes from the host."""
+"""Settings of the host's port (`None` if unknown), and received bytes."""
 
 
 class Endpoint(Protocol):
-    """A connection that a host can open and reopen. `hosts_left` counts lost hosts.
+    """Connection that a host can open repeatedly.
 
-    `url` is what pyserial opens; `waiting_for` returns the file descriptors to wait for.
+    `hosts_left`: number of disconnections. `url`: address for pyserial. `waiting_for` returns the
+    file descriptors for `select`.
     """
 
     hosts_left: int
@@ -43,16 +44,16 @@ class Endpoint(Protocol):
     def waiting_for(self) -> list[int]: ...
 
     def receive(self, ready: Collection[int]) -> Iterable[Arrival]:
-        """Serve descriptors that are readable. Return what the host has sent."""
+        """Serve readable descriptors. Return received bytes."""
 
     def write(self, data: bytes) -> None:
-        """Send bytes to the host. They are lost when it is absent or does not read."""
+        """Send bytes, which are lost if the host does not read."""
 
     def unplug(self) -> None:
-        """Break the connection so that the host notices."""
+        """Break the connection, visibly for the host."""
 
     def plug(self) -> None:
-        """Offer a connection again. EndpointError if that fails."""
+        """Restore the connection. Raises EndpointError."""
 
 
 class TcpEndpoint:
@@ -92,7 +93,7 @@ class TcpEndpoint:
         try:
             self._client.sendall(data)
         except BlockingIOError:
-            return  # the host does not read: lost, as in a UART
+            return  # the host does not read: the bytes are lost, as in a UART
         except OSError:
             self.drop_client()
 
@@ -115,7 +116,7 @@ class TcpEndpoint:
         self._port = self._listener.getsockname()[1]
 
     def welcome(self) -> None:
-        """Start a connection with a new host."""
+        """Start the connection of a new host."""
 
     def arrivals(self, data: bytes) -> Iterable[Arrival]:
         return [(None, data)]
@@ -127,7 +128,7 @@ class TcpEndpoint:
             self.hosts_left += 1
 
     def _accept(self, listener: socket.socket) -> None:
-        with contextlib.suppress(OSError):  # the client may have gone again
+        with contextlib.suppress(OSError):  # the client may have left
             self._client, _ = listener.accept()
             self._client.setblocking(False)
             self._client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)

@@ -1,7 +1,7 @@
-"""A serial line between a host and simulated devices, in virtual time, with its faults.
+"""Serial line between a host and simulated devices, with faults.
 
-Bytes take as long as on a real wire. Nothing here waits: `advance` moves the wire and the devices
-forward together, event by event.
+Time is virtual. Bytes take as long as on a real wire. Nothing here waits: `advance` moves the wire
+and the devices forward, event by event.
 """
 
 import math
@@ -28,17 +28,15 @@ _LINE_END = ord("\n")
 
 class WireFaults:
     def __init__(self, seed: int, noisy_bits: int) -> None:
-        """`noisy_bits` is 8 when noise affects data bits, 9 when the stop bit as well."""
+        """`noisy_bits`: 8 for noise on data bits, 9 with the stop bit."""
         self.mute = False  # True while nothing reaches the host
         self.plugged = True
         self.noise = 0.0  # probability that a byte is corrupted
-        self.delay = 0.0  # seconds by which bytes to the host are late
-        self.to_drop = self.to_drop_sent = 0  # number of bytes to lose next, to and from the host
-        self.to_corrupt = self.to_double = 0  # number of bytes to the host to corrupt, or double
-        # Number of bytes to the host after which the rest of a text line is lost.
-        self.to_cut: int | None = None
-        # Errors with which the next bytes from the host reach the device.
-        self.errors: deque[ReceiveError] = deque()
+        self.delay = 0.0  # seconds, for bytes to the host
+        self.to_drop = self.to_drop_sent = 0  # next bytes to lose, to and from the host
+        self.to_corrupt = self.to_double = 0  # next bytes to the host to corrupt, or double
+        self.to_cut: int | None = None  # bytes to the host before a text line is cut
+        self.errors: deque[ReceiveError] = deque()  # for the next bytes from the host
         self.counters: Counter[str] = Counter(
             dict.fromkeys(("sent", "received", "dropped", "corrupted", "garbled", "collisions"), 0)
         )
@@ -69,7 +67,7 @@ class WireFaults:
         return byte ^ 1 << bit, ReceiveError.PARITY
 
     def on_way_to_host(self, byte: int, begun: float) -> bytes:
-        """Return the bytes that arrive for a byte: none, one (perhaps corrupted), or two."""
+        """Return the bytes that arrive: none, one or two."""
         if self.mute or not self._is_whole(begun):
             return b""
         if self.to_drop:
@@ -92,7 +90,7 @@ class WireFaults:
         return bytes((byte,))
 
     def garble(self, byte: int) -> int:
-        """Return a different byte, as a receiver with another parity setting reads it."""
+        """Return another byte, as with another parity setting."""
         self.counters["garbled"] += 1
         return byte ^ self._random.randrange(1, 256)
 
@@ -103,7 +101,7 @@ class WireFaults:
         return True
 
     def _is_cut_off(self, byte: int) -> bool:
-        """Return whether a byte is lost in a cut, which lasts until the end of the text line."""
+        """Return whether a cut, which ends with the text line, loses a byte."""
         if self.to_cut:
             self.to_cut -= 1
             return False
@@ -112,12 +110,12 @@ class WireFaults:
         return True
 
     def _is_whole(self, begun: float) -> bool:
-        """Return whether the cable has stayed plugged in since a byte began."""
+        """Return whether the cable was plugged in since `begun`."""
         return self.plugged and begun >= self._plugged_at - EPSILON
 
 
 class Station(Protocol):
-    """The UART of a device on the line. `baud` is its real bit rate."""
+    """UART of a device on the line. `baud`: real bit rate."""
 
     @property
     def line_format(self) -> SerialFormat: ...
@@ -129,17 +127,18 @@ class Station(Protocol):
     def receive(
         self, byte: int, host: SerialFormat | None, error: ReceiveError | None, begun: float
     ) -> None:
-        """Receive a complete byte, sent at the station's rate. It began at `begun`."""
+        """Receive a byte sent at the station's rate from `begun` (s)."""
 
     def sample(self, byte: int, host: SerialFormat) -> None:
-        """Sample a byte that a host at another rate starts now."""
+        """Sample a byte that starts now at another rate."""
 
 
 @dataclass(slots=True, eq=False)
 class _Frame:
-    """A byte on its way to the host from `start` to `end` (s), sent at the bit rate `baud`.
+    """Byte on its way to the host from `start` to `end` (s).
 
-    If `is_alive` is false at its end, the sender has lost power: no byte arrives, no `then` call.
+    `baud`: real bit rate. If `is_alive` is false at the end, because the sender has lost power, the
+    byte is lost and `then` is not called.
     """
 
     start: float
@@ -159,20 +158,20 @@ class _Frame:
         )
 
     def level(self, moment: float) -> int:
-        """Return the sender's level at a moment: low in a start bit, high when idle."""
+        """Return the sender's level: low in a start bit, high when idle."""
         index = int((moment - self.start) * self.baud)
         bits = levels(self.value, self.sender)
         return bits[index] if 0 <= index < len(bits) and moment >= self.start else 1
 
 
 class SimulatedLine:
-    """One wire between a host and the stations on it.
+    """Wire between a host and its stations.
 
     The outputs of stations, echo and injected garbage are ANDed, as on a real wire. Bytes that
     start together arrive as their AND. For other overlaps the host samples the wire's level.
 
     Attributes:
-        host: settings of the host's port; `None` for a host that is set like the first station.
+        host: settings of the host's port; `None`: as the first station.
     """
 
     stations: Sequence[Station]
@@ -180,8 +179,8 @@ class SimulatedLine:
     def __init__(
         self, *, echo: bool = False, paced: bool = True, seed: int = 0, noisy_bits: int = 8
     ) -> None:
-        self.echo = echo  # whether bytes from the host come back, as on an RS-232 connector
-        self.paced = paced  # whether bytes take time
+        self.echo = echo  # True if bytes from the host return, as on an RS-232 connector
+        self.paced = paced  # True if bytes take time
         self.host: SerialFormat | None = None
         self.faults = WireFaults(seed, noisy_bits)
         self.timeline = Timeline(self._advance_stations)
@@ -209,19 +208,19 @@ class SimulatedLine:
             is_other_rate(host.baud, station.baud) for station in self.stations
         )
         byte_time = host.seconds(1) if host is not None and self.paced else self.byte_time
-        is_wanted = partial(self._is_host_turn, self._host_turn)
+        is_current = partial(self._is_host_turn, self._host_turn)
         for byte in data:
             start = max(self.now, self._host_busy_until)
             end = self._host_busy_until = start + byte_time
             if self.echo:
-                at(start, partial(self._put_at_host_rate, byte, end), is_wanted)
+                at(start, partial(self._put_at_host_rate, byte, end), is_current)
             if is_sampled and host is not None:
-                at(start, partial(self._start_other_rate, byte, host, end, is_wanted), is_wanted)
+                at(start, partial(self._start_other_rate, byte, host, end, is_current), is_current)
             else:
-                at(end, partial(self._deliver, byte, host, start), is_wanted)
+                at(end, partial(self._deliver, byte, host, start), is_current)
 
     def drop_unsent(self) -> None:
-        """Discard queued bytes from the host: its port was closed or reconfigured."""
+        """Discard queued bytes from the host, after a close or reconfiguration."""
         self._host_turn += 1
         self._host_busy_until = self.now
 
@@ -261,7 +260,7 @@ class SimulatedLine:
         self.advance_to(self.now + seconds)
 
     def advance_to(self, moment: float) -> None:
-        """Advance to a moment. A moment in the past changes nothing."""
+        """Advance to a moment. Ignores a past moment."""
         while self.timeline.step(moment):
             pass
         self.timeline.move_to(moment)
@@ -273,15 +272,15 @@ class SimulatedLine:
     # --- From the host to the stations --------------------------------------------------
 
     def _deliver(self, byte: int, host: SerialFormat | None, begun: float) -> None:
-        """Deliver a byte to stations that all run at the host's rate."""
+        """Deliver a byte to stations at the host's rate."""
         if (arriving := self.faults.on_way_to_device(byte, begun)) is not None:
             for station in self.stations:
                 station.receive(arriving[0], host, arriving[1], begun)
 
     def _start_other_rate(
-        self, byte: int, host: SerialFormat, end: float, is_wanted: Callable[[], bool]
+        self, byte: int, host: SerialFormat, end: float, is_current: Callable[[], bool]
     ) -> None:
-        """Start a byte that at least one station samples at another rate."""
+        """Start a byte for stations of which at least one has another rate."""
         if (arriving := self.faults.on_way_to_device(byte, self.now)) is None:
             return
         byte, error = arriving
@@ -290,7 +289,7 @@ class SimulatedLine:
                 station.sample(byte, host)
             else:
                 receive = partial(station.receive, byte, host, error, self.now)
-                self.timeline.at(end, receive, is_wanted)
+                self.timeline.at(end, receive, is_current)
 
     # --- To the host --------------------------------------------------------------------
 
@@ -308,7 +307,7 @@ class SimulatedLine:
         is_alive: Callable[[], bool],
         then: Callable[[], object] = lambda: None,
     ) -> None:
-        """Start to send a byte of a station. It is lost if `is_alive` is false at its end."""
+        """Send a byte of a station. It is lost if `is_alive` is false at its end."""
         now, end = self.now, self.now + self.byte_time_of(station)
         self._put(_Frame(now, end, byte, station.line_format, station.baud, is_alive, then))
 
@@ -322,7 +321,7 @@ class SimulatedLine:
             self._received += arriving
 
     def inject(self, data: bytes) -> None:
-        """Put bytes on the wire to the host that no station has sent."""
+        """Send bytes to the host that come from no station."""
         byte_time = self.byte_time
         for byte in data:
             start = max(self.now, self._injecting_until)
@@ -382,7 +381,7 @@ class SimulatedLine:
     def _resolve(self, frames: Sequence[_Frame]) -> None:
         if not frames:
             return
-        begin = min(frame.start for frame in frames)
+        start = min(frame.start for frame in frames)
         edges = sorted(
             {
                 frame.start + bit / frame.baud
@@ -390,11 +389,11 @@ class SimulatedLine:
                 for bit in range(frame.sender.bits_per_byte + 1)
             }
         )
-        receiver = Receiver(*self._host_receiver(), begin)
+        receiver = Receiver(*self._host_receiver(), start)
         sampled: list[SampledByte] = []
         for before, after in pairwise(edges):
             middle = (before + after) / 2
             sampled += receiver.sample(min(frame.level(middle) for frame in frames), after)
         sampled += receiver.idle(edges[-1] + 20 / receiver.baud)
         for each in sampled:
-            self.arrive(each.value, begin)
+            self.arrive(each.value, start)

@@ -1,4 +1,4 @@
-"""Contribution of a device to `trex-sim`."""
+"""Interface of a simulated device for `trex-sim`."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from trex_gui.core.simulator.line import SimulatedLine
 
 @dataclass(frozen=True, slots=True)
 class Simulation:
-    """A line in virtual time, and the function that executes a control line and replies."""
+    """Line in virtual time, and function that replies to control lines."""
 
     line: SimulatedLine
     control: Callable[[str], str]
@@ -18,13 +18,13 @@ class Simulation:
 
 @dataclass(frozen=True, slots=True)
 class SimulatorPlugin:
-    """A simulated device on the command line.
+    """Simulated device on the command line.
 
     Attributes:
-        help: of the option that selects the device; of the command for the default device.
-        options: options that apply to this device only.
-        build: creates the simulation from the values of `options`, `paced` and `seed`; raises a
-            `StudioError` if a file cannot be read.
+        help: text of the option that selects the device, or of the command for the default device.
+        options: options of this device only.
+        build: creates the simulation from the values of `options`, `paced` and `seed`. Raises a
+            StudioError if a file cannot be read.
     """
 
     help: str

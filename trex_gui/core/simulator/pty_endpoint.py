@@ -1,4 +1,4 @@
-"""A pseudo-terminal as the host's serial port (Linux, macOS)."""
+"""Pseudo-terminal as the host's serial port (Linux, macOS)."""
 
 import contextlib
 import errno
@@ -20,10 +20,10 @@ _RATES = {
 
 
 class PtyEndpoint:
-    """A pseudo-terminal and optionally a symbolic link to it with a fixed name.
+    """Pseudo-terminal, with an optional symbolic link to it.
 
-    The slave end stays open, so that hosts can connect again. The host's baud rate and stop bits
-    are visible; parity is not, since the system drops it on pseudo-terminals.
+    The slave end stays open, so that hosts can connect again. Baud rate and stop bits of the host
+    are known. Parity is not, since the system drops it on pseudo-terminals.
     """
 
     def __init__(self, link: Path | None, baud: int) -> None:
@@ -96,7 +96,7 @@ class PtyEndpoint:
 
 
 def _set_speed(terminal: int, baud: int) -> None:
-    """Set the rate for hosts that set none (`cat`, `printf`). Unusual rates are not set."""
+    """Set a default rate, for hosts such as `cat`. Ignores unusual rates."""
     codes = {rate: code for code, rate in _RATES.items()}
     if baud in codes:
         settings = termios.tcgetattr(terminal)
@@ -107,7 +107,7 @@ def _set_speed(terminal: int, baud: int) -> None:
 def _settings(terminal: int) -> HostSettings | None:
     try:
         if sys.platform == "linux":
-            with contextlib.suppress(OSError):  # other request number on some processors
+            with contextlib.suppress(OSError):  # some processors have another request number
                 words = termios2(terminal)
                 return _host_settings(words[OSPEED], words[CFLAG])
         attributes = termios.tcgetattr(terminal)

@@ -1,4 +1,4 @@
-"""A serial port over TCP (RFC 2217): the only endpoint that sees the host's parity."""
+"""Serial port over TCP (RFC 2217), with the host's parity."""
 
 import struct
 from collections.abc import Container, Iterable
@@ -19,7 +19,7 @@ _SUPPORTED: dict[str, Container[object]] = {
 
 
 class _Port:
-    """The serial port that pyserial's server configures. Its modem lines are always on."""
+    """Port that pyserial's server configures, with active modem lines."""
 
     cts = dsr = cd = True
     ri = False

@@ -1,4 +1,4 @@
-"""Bytes as levels on a wire, and a receiver that samples them at its own bit rate.
+"""Receiver that samples the levels of a wire at its own bit rate.
 
 A UART at another rate receives wrong bytes, framing errors, several bytes for one byte, or one
 byte for several. UARTs at the same rate do not need this module.
@@ -16,12 +16,13 @@ from trex_gui.core.transport.settings import Parity, SerialFormat
 _HIGH = 1
 _DATA_BITS = 8
 _SAMPLE_AT = 0.55
-"""Sampling point within a bit. UARTs take the majority of three samples around the middle.
-Slightly after the middle, no sample falls on a bit edge for any two rates of a TReX, so that
-rounding does not decide the value."""
+"""Sampling point within a bit. UARTs use the majority of three samples around the middle.
+
+Slightly after the middle, no sample falls on a bit edge for any two rates of a TReX. Otherwise
+rounding would decide the value."""
 
 _RATE_TOLERANCE = 0.03
-"""Largest relative difference of two UARTs' rates: half a bit in ten, for both together."""
+"""Largest relative rate difference of two UARTs: half a bit in ten, for both together."""
 
 _PARITIES = {Parity.EVEN: 0, Parity.ODD: 1}
 
@@ -34,7 +35,7 @@ class ReceiveError(Enum):
 
 @dataclass(frozen=True, slots=True)
 class SampledByte:
-    """A byte as received, with the times (s) of its start bit and its last sample."""
+    """Received byte, with the times (s) of start bit and last sample."""
 
     begun: float
     at: float
@@ -43,12 +44,12 @@ class SampledByte:
 
 
 def is_other_rate(baud: float, other: float) -> bool:
-    """Return whether two UARTs at these rates cannot understand each other."""
+    """Return whether UARTs at these rates cannot communicate."""
     return abs(baud / other - 1) > _RATE_TOLERANCE
 
 
 def levels(byte: int, sender: SerialFormat) -> list[int]:
-    """Return the bits of a byte in the order of transmission: start, data, parity, stop."""
+    """Return start, data, parity and stop bits of a byte, in this order."""
     data = [byte >> index & 1 for index in range(_DATA_BITS)]
     parity = []
     if sender.parity in _PARITIES:
@@ -57,14 +58,15 @@ def levels(byte: int, sender: SerialFormat) -> list[int]:
 
 
 class Receiver:
-    """The receiving half of a UART: a falling edge begins a byte, then each bit is sampled once.
+    """Receiver of a UART, which samples each bit once.
 
-    As in real UARTs, only the first stop bit is checked. The wire is high between bytes.
+    A falling edge starts a byte. As in real UARTs, only the first stop bit is checked. The wire is
+    high between bytes.
     """
 
     def __init__(self, line: SerialFormat, baud: float, now: float = 0.0) -> None:
-        self.known_until = now  # seconds up to which the level of the wire is known
-        self.baud = baud  # bit rate
+        self.known_until = now  # seconds; the wire's level is known up to this time
+        self.baud = baud
         self._bit = 1 / baud
         self._parity = line.parity
         self._bits_per_byte = 1 + _DATA_BITS + (line.parity in _PARITIES) + 1
@@ -74,7 +76,7 @@ class Receiver:
 
     @property
     def due(self) -> float | None:
-        """Moment at which the current byte is complete. `None` between bytes."""
+        """End of the current byte (s). `None` between bytes."""
         if self._begun is None:
             return None
         return self._begun + (self._bits_per_byte - 1 + _SAMPLE_AT) * self._bit
@@ -82,9 +84,9 @@ class Receiver:
     def receive(
         self, begin: float, byte: int, sender: SerialFormat, baud: float
     ) -> Iterator[SampledByte]:
-        """Sample a byte sent at `baud`. Yield the bytes that are complete at its end.
+        """Sample a byte sent at `baud`. Yield the bytes that it completes.
 
-        `begin` is in seconds and not before the end of the previous byte.
+        `begin`: seconds, not before the end of the previous byte.
         """
         yield from self.idle(begin)
         for index, level in enumerate(levels(byte, sender)):
@@ -100,7 +102,7 @@ class Receiver:
         yield from self.sample(_HIGH, until)
 
     def sample(self, level: int, until: float) -> Iterator[SampledByte]:
-        """Keep the wire at a level until a moment. Yield the bytes that are complete by then."""
+        """Hold the wire at a level. Yield the completed bytes."""
         if until <= self.known_until:
             return
         falls = level < self._level
@@ -150,7 +152,7 @@ class RateConverter:
         self._receiver = Receiver(line, baud, timeline.now)
 
     def receive(self, byte: int, sender: SerialFormat, baud: float, *, paced: bool) -> None:
-        """Sample a byte that a sender at `baud` starts now. If not `paced`, silence follows it."""
+        """Sample a byte that starts now. If not `paced`, silence follows it."""
         receiver, timeline = self._receiver, self._timeline
         if not paced:
             for each in receiver.receive_isolated(byte, sender, baud):

@@ -1,7 +1,7 @@
 """Server of a simulated line in real time.
 
-Virtual time follows the clock, and deadlines come from the line's own events, so that one late
-wake-up does not delay later events.
+Virtual time follows the clock. Deadlines come from the line's events, so that one late wake-up
+does not delay later events.
 """
 
 import contextlib
@@ -22,16 +22,16 @@ from trex_gui.core.simulator.endpoint import Endpoint, EndpointError, HostSettin
 from trex_gui.core.simulator.plugin import Simulation
 from trex_gui.core.transport.settings import SerialFormat
 
-_IDLE = 0.1  # seconds between two updates without events: devices change without bytes on the wire
-_SUSPENDED = 2.0  # seconds; a longer gap is skipped, since the process was suspended
+_IDLE = 0.1  # seconds between updates of an idle line, whose devices still change
+_SUSPENDED = 2.0  # seconds; a longer gap, after a suspension of the process, is skipped
 _MAX_AHEAD = 0.02
-"""Seconds of bytes queued on the line. The server holds the rest, and discards it when the host
-disconnects or reconfigures its port."""
+"""Seconds of bytes queued on the line. The server holds later bytes, and discards them when the
+host disconnects or reconfigures its port."""
 
-_MAX_UNSENT = 65_536  # bytes of the host that are held; further bytes are lost
+_MAX_UNSENT = 65_536  # bytes from the host that the server holds; more are lost
 _CHUNK = 16  # bytes queued on the line at a time
 _BATCH = 0.001
-"""Seconds of a host's stream that are processed together: waking up for each byte takes a whole
+"""Seconds of a host's stream that are processed together. One wake-up per byte would use a whole
 core at 115200 baud."""
 
 
@@ -57,7 +57,7 @@ class Server:
             self._print(f"ready {self._endpoint.url}")
             self._read_control_lines()
             while not self._ended:
-                self._turn()
+                self._run_once()
         finally:
             for number, handler in previous.items():
                 signal.signal(number, handler)
@@ -65,7 +65,7 @@ class Server:
             self._wake.close()
             self._waker.close()
 
-    def _turn(self) -> None:
+    def _run_once(self) -> None:
         self._catch_up()
         sources = [self._waker.fileno(), *self._endpoint.waiting_for()]
         ready, _, _ = select.select(sources, [], [], self._timeout())
@@ -88,7 +88,7 @@ class Server:
             self._execute()
 
     def _receive(self, settings: HostSettings | None, data: bytes) -> None:
-        """Queue bytes from the host. If its settings have changed, discard earlier bytes."""
+        """Queue bytes from the host. New settings discard queued bytes."""
         host = None
         if settings is not None:
             parity = settings.parity or self._line.host_format.parity
@@ -131,23 +131,23 @@ class Server:
             if text is None:
                 self._ended = True
             elif text.strip():
-                self._answer(text)
+                self._reply(text)
 
-    def _answer(self, text: str) -> None:
+    def _reply(self, text: str) -> None:
         faults = self._line.faults
         was_plugged = faults.plugged
-        answer = self._control(text)
+        reply = self._control(text)
         if was_plugged and not faults.plugged:
             self._endpoint.unplug()
         elif faults.plugged and not was_plugged:
             try:
                 self._endpoint.plug()
-                answer = f"{answer} {self._endpoint.url}"
+                reply = f"{reply} {self._endpoint.url}"
             except EndpointError as error:
                 self._line.unplug()
-                answer = f"error {error}"
-        self._ended = answer == GOODBYE
-        self._print(answer)
+                reply = f"error {error}"
+        self._ended = reply == GOODBYE
+        self._print(reply)
 
     def _print(self, text: str) -> None:
         try:
@@ -189,16 +189,16 @@ class Server:
 
     def _wake_up(self) -> None:
         """Wake the loop, from a thread or a signal handler."""
-        with contextlib.suppress(OSError):  # full, so the loop wakes up anyway; or closed
+        with contextlib.suppress(OSError):  # a full pipe wakes the loop; a closed pipe has no loop
             self._wake.send(b"!")
 
     def _catch_signals(self) -> dict[int, "signal._HANDLER"]:
         ending = handled_signals(("SIGINT", "SIGTERM", "SIGHUP"))
         previous: dict[int, signal._HANDLER] = {
-            one: signal.signal(one, self._end) for one in ending
+            number: signal.signal(number, self._end) for number in ending
         }
         for number in handled_signals(("SIGTTIN",)):
-            # In the background of a terminal, reading fails instead of stopping the process.
+            # Reading in the background of a terminal then fails instead of suspending the process.
             previous[number] = signal.signal(number, signal.SIG_IGN)
         return previous
 

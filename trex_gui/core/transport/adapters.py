@@ -1,4 +1,4 @@
-"""USB adapters, recognised again when their port has another name."""
+"""USB adapters, identified even if their port is renamed."""
 
 import os
 import re
@@ -8,19 +8,20 @@ from serial.tools import list_ports
 from serial.tools.list_ports_common import ListPortInfo
 
 _SHARED = 4
-"""Longest serial number, in characters, that several adapters may share: CP2102 are sold with 0001.
-The socket identifies such adapters, like adapters without a number."""
+"""Longest serial number, in characters, that several adapters may share. CP2102 are sold with 0001.
+
+The socket identifies such adapters, and adapters without a number."""
 
 
 @dataclass(frozen=True, slots=True)
 class Adapter:
-    """A USB adapter as far as the system knows it.
+    """USB adapter, as the system reports it.
 
     Attributes:
         product: numbers of vendor and product: `0403:6001`.
-        number: the serial number; empty if it has none.
-        location: the socket, and the interface of an adapter with several ports: `1-2.3`,
-            `1-2:1.1`; empty where the system does not tell.
+        number: serial number, or empty.
+        location: socket, with the interface if the adapter has several ports: `1-2.3`, `1-2:1.1`.
+            Empty if the system does not report it.
     """
 
     product: str
@@ -29,7 +30,7 @@ class Adapter:
 
     @classmethod
     def of(cls, port: ListPortInfo) -> "Adapter | None":
-        """Return the adapter of a port. `None` for a port that is not on USB."""
+        """Return the adapter of a port. `None` if it is not on USB."""
         if port.vid is None:
             return None
         product = f"{port.vid:04x}:{port.pid or 0:04x}"
@@ -37,12 +38,12 @@ class Adapter:
 
     @property
     def key(self) -> str:
-        """Key of saved data about the adapter, as one word. Equal if `is_same`."""
+        """Key of saved data, as one word. Equal if `is_same`."""
         place = self.location if len(self.number) <= _SHARED else _interface(self)
         return re.sub(r"[/\s]+", "-", "-".join(filter(None, (self.product, self.number, place))))
 
     def is_same(self, other: "Adapter") -> bool:
-        """True if both are the same adapter, perhaps in another socket."""
+        """Return whether both are one adapter, perhaps in another socket."""
         if (self.product, self.number) != (other.product, other.number):
             return False
         if len(self.number) <= _SHARED:
@@ -55,7 +56,7 @@ def _interface(adapter: Adapter) -> str:
 
 
 def adapter_key(url: str) -> str:
-    """Return the key of the adapter that has a port now. Empty if unknown."""
+    """Return the key of a port's present adapter. Empty if unknown."""
     if "://" in url:
         return ""
     place = os.path.realpath(url.replace("\0", ""))  # no file name contains NUL

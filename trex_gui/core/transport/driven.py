@@ -1,7 +1,7 @@
-"""Boards that were left running: program and guardian died before a stop was confirmed.
+"""Boards left running: program and guardian died before a confirmed stop.
 
 The guardian writes and locks a file while motors may move (`guardian.process`). An unlocked
-file belongs to a board that nothing has stopped.
+file belongs to a board whose stop was never confirmed.
 """
 
 import logging
@@ -34,7 +34,7 @@ _STOPPED = tr_noop(
 
 
 class DrivenBoard(NamedTuple):
-    """Contents of the file of a board. `since` is local time as text."""
+    """Contents of a board's file. `since`: local time as text."""
 
     board: str
     settings: PortSettings
@@ -47,25 +47,25 @@ class DrivenBoard(NamedTuple):
 
 
 DrivenBoards = dict[Path, DrivenBoard | None]
-"""Boards by their files; `None` where a file is damaged."""
+"""Boards by file. `None`: the file is damaged."""
 
-_woken: dict[Path, DrivenBoard] = {}  # boards whose suspended guardian was woken, to stop them
-_SUSPENDED = (("status", "(stopped)"), ("cmdline", "guardian"))  # /proc of such a guardian
+_woken: dict[Path, DrivenBoard] = {}  # boards whose suspended guardian was resumed
+_SUSPENDED = (("status", "(stopped)"), ("cmdline", "guardian"))  # /proc of a suspended guardian
 _warn_once = cache(logging.getLogger(__name__).warning)
 
 
 def driven_note(board: str, settings: PortSettings) -> str:
-    """Return the lines of the file of a board, except its stop."""
+    """Return the lines of a board's file, except its stop."""
     line = f"{settings.line.baud} {settings.line.parity.value} {settings.line.stop_bits}"
     return f"board: {board}\nport: {settings.url}\nline: {line}\n"
 
 
 def driven_boards() -> DrivenBoards:
-    """Return the boards that were left running, and log each once as a warning."""
+    """Return the boards left running. Log each board once."""
     found: DrivenBoards = {}
-    thread = threading.Thread(target=_find, args=(found,), daemon=True)
+    thread = threading.Thread(target=_read_files, args=(found,), daemon=True)
     thread.start()
-    thread.join(0.5)  # a disk that hangs counts as empty
+    thread.join(0.5)  # a disk that does not respond counts as empty
     boards = dict(found)
     for file, board in boards.items():
         _warn_once("%s", left_text(file, board))
@@ -77,7 +77,7 @@ def left_text(file: Path, board: DrivenBoard | None) -> str:
 
 
 def driven_at(url: str) -> tuple[Path, DrivenBoard | None]:
-    """Return the file of a port, and the board that was left running. The caller stops it."""
+    """Return the file of a port and its board, which the caller stops."""
     boards = driven_boards()
     found = (file for file, board in boards.items() if board and _is_at(file, board, url))
     file = next(found, driven_file(url))
@@ -88,7 +88,7 @@ def driven_at(url: str) -> tuple[Path, DrivenBoard | None]:
 def driven_file(url: str) -> Path:
     """Return the file of a port.
 
-    An adapter has the same file at every port. A network address has the same file for all names.
+    It belongs to an adapter at any port, or to a network address under any name.
     """
     key = adapter_key(url) or (url if "://" in url else os.path.realpath(url.replace("\0", "")))
     with suppress(OSError, ValueError):
@@ -99,7 +99,7 @@ def driven_file(url: str) -> Path:
 
 
 def port_of(file: Path, board: DrivenBoard) -> PortSettings:
-    """Return the port settings of the board of a file. Its port may have another name now."""
+    """Return the present port of a board. Raises PortUnavailable."""
     for url in (board.settings.url, *(port.device for port in list_ports.comports())):
         if _is_at(file, board, url):
             return PortSettings(url, board.settings.line)
@@ -107,12 +107,12 @@ def port_of(file: Path, board: DrivenBoard) -> PortSettings:
 
 
 def _is_at(file: Path, board: DrivenBoard, url: str) -> bool:
-    """True if a file belongs to a port. A link may lead to another terminal by now."""
+    """Return whether a file belongs to a port, perhaps at a changed link."""
     is_path = file.name.startswith("-")
     return file == driven_file(url) or (is_path and url == board.settings.url)
 
 
-def _find(found: DrivenBoards) -> None:
+def _read_files(found: DrivenBoards) -> None:
     paths: list[Path] = []
     with suppress(OSError):  # the name of the data folder may be too long
         paths += (data_folder() / "driven").glob("*.txt")
@@ -135,10 +135,10 @@ def _find(found: DrivenBoards) -> None:
 
 
 def _read(path: Path) -> tuple[DrivenBoard, str]:
-    """Return the board of a file, and the number of its guardian's process."""
+    """Return a file's board, and the process ID of its guardian."""
     with open_ordinary(path) as file:
         lines = file.read(4096).decode(errors="replace").splitlines()
-    name, number, line, url, since, stop = (one.partition(": ")[2] for one in sorted(lines))
+    name, number, line, url, since, stop = (text.partition(": ")[2] for text in sorted(lines))
     baud, parity, stop_bits = line.split()
     settings = PortSettings(url, SerialFormat(int(baud), Parity(parity), int(stop_bits)))
     note = f"{driven_note(name, settings)}since: {since}\n"

@@ -1,4 +1,4 @@
-"""A line whose session is watched by a guardian."""
+"""Transport that a guardian supervises."""
 
 import contextlib
 from collections.abc import Callable
@@ -9,27 +9,26 @@ from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import SerialFormat
 
-_READY_S = 1.0  # seconds to wait for the guardian, which starts in some hundredths of a second
+_READY_S = 1.0  # seconds to wait for the guardian, which usually starts much faster
 
-_REPLACED_S = 0.4
-"""Seconds to replace a lost guardian. After that the next heartbeat stops the motors."""
+_REPLACED_S = 0.4  # seconds to replace a lost guardian before the motors are stopped
 
 _SHORT_TIMEOUT_S = 0.2
-"""Seconds to wait for a reply even if a stop is due. The board does not listen while it replies,
-and a late reply could be mistaken for the next reply."""
+"""Seconds to wait for a reply even if a stop is due.
 
-_LAST_STOP_S = 0.4
-"""Seconds for the guardian to stop the motors on a line that the session has lost."""
+The board does not listen while it replies, and a late reply could be mistaken for the next."""
+
+_LAST_STOP_S = 0.4  # seconds for the guardian's stop on a line that the session has lost
 
 
 class GuardedTransport:
     """Sends heartbeats to the guardian while the session uses the line.
 
-    If the session was suspended or blocked for `silence` seconds, the guardian may have stopped
-    the motors and may still use the line. Before the session uses the line again, the guardian is
-    replaced, and `taken_over` gets whether the stop was confirmed. Until the session has sent a
-    stop, any other write raises `NoReply`, since it may be an old setpoint. The same applies if a
-    lost guardian is not replaced in time while motors may move, but then `taken_over` gets `None`.
+    After `silence` seconds without a heartbeat, the guardian may have stopped the motors and may
+    still use the line. Before the session uses the line again, the guardian is replaced, and
+    `taken_over` gets whether the stop was confirmed. Until the session has sent a stop, any other
+    write raises `NoReply`, since it may be an old setpoint. If a lost guardian is not replaced in
+    time while motors may move, `taken_over` gets `None`, and the session must send a stop as well.
     While motors may move, a read ends early when `stop_is_due`.
 
     Args:
@@ -37,7 +36,7 @@ class GuardedTransport:
         silence: see `Timeouts.guardian`.
         stop_sequence: returns the present stop, or `None` if no motor may be moving.
         taken_over: called in the thread of the session; must not use the line.
-        stop_is_due: returns whether the session has to stop the motors as soon as it can.
+        stop_is_due: returns whether the session has to stop the motors as soon as possible.
     """
 
     def __init__(
@@ -57,10 +56,10 @@ class GuardedTransport:
         self._sequence: StopSequence | None = None
         self._beat_at = below.clock()
         self._guardian = below.start_guardian(silence)
-        self._ready_by: float | None = None  # when a replacement guardian must be ready
-        self._was_ready = self._is_left = False
-        self._stop_to_send = b""  # nothing else is written before this
-        # Gets the seconds since a read began, returns the seconds until its next call. May write.
+        self._ready_by: float | None = None  # deadline of a replacement guardian
+        self._was_ready = self._guardian_stops = False
+        self._stop_to_send = b""  # must be written before anything else
+        # Gets the duration of a read (s), returns the seconds until its next call. May write.
         self.while_waiting: Callable[[float], float] = lambda _seconds: HEARTBEAT_INTERVAL
         self.rates = below.rates
         self.clock = below.clock
@@ -70,7 +69,7 @@ class GuardedTransport:
 
     @property
     def is_guarded(self) -> bool:
-        """True if a guardian is ready, or if a replacement is starting."""
+        """True if a guardian is ready, or a replacement is starting."""
         return self._guardian.is_ready or (self._was_ready and self._ready_by is not None)
 
     def wait_for_guardian(self) -> None:
@@ -83,7 +82,7 @@ class GuardedTransport:
         return is_late or self._guardian.has_acted
 
     def beat(self) -> None:
-        """Send a heartbeat if it is due. Take the line back if the guardian has taken over."""
+        """Send a due heartbeat. Reclaim the line after a takeover."""
         if self._has_taken_over:
             self._reclaim_line()
             return
@@ -98,7 +97,7 @@ class GuardedTransport:
             self._beat_at = now
 
     def _replace_lost_guardian(self, sequence: StopSequence | None) -> None:
-        """Restart a lost guardian at once. If that fails, have the motors stopped."""
+        """Restart a lost guardian. After a failure, request a stop."""
         if self._guardian.is_ready:
             self._was_ready, self._ready_by = True, None
         elif self._was_ready and self._ready_by is None:
@@ -118,7 +117,7 @@ class GuardedTransport:
             self._below.discard()  # replies to the guardian
 
     def _restart(self, seconds: float) -> None:
-        """Start a new guardian, which must be ready within `seconds`."""
+        """Start a guardian that must be ready within `seconds`."""
         self._guardian.end()
         self._guardian = self._below.start_guardian(self._silence)
         self._sequence = None
@@ -169,12 +168,12 @@ class GuardedTransport:
             self._below.wait(min(left, HEARTBEAT_INTERVAL))
 
     def stop_by_guardian(self) -> bool:
-        """Have the guardian stop the motors. Return whether the stop was confirmed."""
-        self._is_left = True
+        """Request a stop from the guardian. Return whether it was confirmed."""
+        self._guardian_stops = True
         return self._guardian.stop(_LAST_STOP_S)
 
     def close(self) -> None:
         """Close the line. A guardian that is stopping the motors continues."""
-        if not self._guardian.has_acted and not self._is_left:
+        if not self._guardian.has_acted and not self._guardian_stops:
             self._guardian.end()
         self._below.close()

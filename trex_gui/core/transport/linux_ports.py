@@ -1,4 +1,4 @@
-"""Facts that Linux knows about a port: which program has it open, and its baud rates."""
+"""Users and baud rates of a port, as Linux reports them."""
 
 import array
 import contextlib
@@ -21,12 +21,12 @@ _PROCESSES = Path("/proc")
 def holder_of(url: str) -> str | None:
     """Return the program that has a port open. `None`: unknown.
 
-    A program with a lock on the port has priority over programs that only have it open, and other
-    programs over this program. Read from `/proc/locks`, then `/proc/PID/fd` (proc(5)).
+    Prefers a program with a lock on the port, then other programs to this program. Reads
+    `/proc/locks`, then `/proc/PID/fd` (proc(5)).
     """
     path = Path(url)
     with contextlib.suppress(OSError):
-        others = (one for one in _having_open(Path(os.path.realpath(path))) if one != os.getpid())
+        others = (pid for pid in _having_open(Path(os.path.realpath(path))) if pid != os.getpid())
         number = _locking(path) or next(others, None)
         if number == os.getpid():
             return tr("another line of this program")
@@ -36,10 +36,10 @@ def holder_of(url: str) -> str | None:
 
 
 def other_user_of(url: str) -> str | None:
-    """Return another program that has this program's port open. `None`: none, or unknown.
+    """Return another program that has a port open. `None`: none or unknown.
 
-    Guardians do not count, nor do programs behind a pseudo-terminal. On a computer with many
-    processes this takes a tenth of a second.
+    Ignores guardians, and programs behind a pseudo-terminal. Takes a tenth of a second on a
+    computer with many processes.
     """
     if sys.platform != "linux":
         return None
@@ -55,7 +55,7 @@ def other_user_of(url: str) -> str | None:
 
 
 def _has_terminals(process: Path) -> bool:
-    """True if a process has the other end of any pseudo-terminal."""
+    """Return whether a process has the other end of a pseudo-terminal."""
     return any(link.readlink().name == "ptmx" for link in (process / "fd").iterdir())
 
 
@@ -67,7 +67,7 @@ def _name_of(number: int) -> str:
 def is_locked_elsewhere(url: str) -> bool:
     """Return whether another program has locked a port. True if unknown.
 
-    The lock of a dead program does not count: its guardian holds it, and is about to end.
+    Ignores the lock of a dead program, whose guardian is about to end.
     """
     with contextlib.suppress(OSError):
         number = _locking(Path(url))
@@ -77,9 +77,9 @@ def is_locked_elsewhere(url: str) -> bool:
 
 
 def is_left_to_guardian(url: str) -> bool:
-    """True if a guardian has a locked port open that the locking process has closed.
+    """Return whether only a guardian still has a locked port open.
 
-    Such a guardian is stopping motors.
+    The guardian of a program that has closed its port is stopping motors.
     """
     path = Path(url)
     with contextlib.suppress(OSError):
@@ -115,10 +115,9 @@ _CBAUD, _BOTHER = 0o010017, 0o010000
 CFLAG, _ISPEED, OSPEED, _WORDS = 2, 9, 10, 11
 _PROCESSORS = ("x86", "i386", "i486", "i586", "i686", "amd64", "arm", "aarch64", "riscv", "loong")
 
-_FARTHEST_OFF = 0.03
-"""Largest relative error of a rate. Even with the error of the board's clock, bytes arrive."""
+_FARTHEST_OFF = 0.03  # largest relative error of a rate, besides the error of the board's clock
 
-_LONGEST = 0.1  # seconds after which `rates_of` gives up: opening a port must not take longer
+_LONGEST = 0.1  # seconds after which `rates_of` gives up, since it delays opening a port
 
 
 class _Port(Protocol):
@@ -130,9 +129,9 @@ def rates_of(
 ) -> frozenset[int] | None:
     """Return the wanted rates that an open port supports. `None`: unknown.
 
-    A driver that cannot divide its clock to a rate uses the nearest rate and reports it. Each rate
-    is set and read back, then the old settings are restored. Nothing is sent, but no byte may be
-    on its way. Never raises.
+    A driver that cannot divide its clock to a rate uses and reports the nearest rate. Each rate is
+    set and read back, then the old settings are restored. Sends nothing, but no byte may be on its
+    way. Never raises.
     """
     if sys.platform != "linux" or not platform.machine().lower().startswith(_PROCESSORS):
         return None
@@ -155,7 +154,7 @@ def rates_of(
 
 
 def _real_rate(handle: int, before: "array.array[int]", rate: int) -> int:
-    """Return the rate that the driver really sets, in bit/s. 0 if it refuses."""
+    """Set a rate. Return the driver's real rate, or 0 after a refusal."""
     words = before[:]
     words[CFLAG] = words[CFLAG] & ~_CBAUD | _BOTHER
     words[_ISPEED] = words[OSPEED] = rate
@@ -167,7 +166,7 @@ def _real_rate(handle: int, before: "array.array[int]", rate: int) -> int:
 
 
 def termios2(handle: int) -> "array.array[int]":
-    """Return the settings of a terminal. OSError if the request number differs."""
+    """Return terminal settings. OSError if the request number differs."""
     words = array.array("I", [0] * _WORDS)
     fcntl.ioctl(handle, _TCGETS2, words)
     return words

@@ -1,4 +1,4 @@
-"""Rows of the traffic as code that sends the same bytes."""
+"""Traffic rows as source code."""
 
 from collections.abc import Sequence
 
@@ -9,9 +9,9 @@ from trex_gui.version import __version__
 
 
 def rows_as_code(rows: Sequence[Transaction], decoder: Decoder, language: Language) -> str:
-    """Return a function that sends the requests of these rows and waits for each reply.
+    """Return source code that sends the requests of these rows.
 
-    What happened to the line, and bytes that nobody requested, become comments. A warning says
+    The code waits for each reply. Line events and unsolicited bytes become comments. A warning says
     whether motors may move.
     """
     line = next((row.settings.line.text() for row in rows if row.settings is not None), "")

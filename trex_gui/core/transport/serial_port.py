@@ -1,4 +1,4 @@
-"""Open port that reports every failure as a sentence.
+"""Serial port that reports every failure as a sentence.
 
 A small interface hides pyserial's local and remote ports, so that a simulated wire in virtual
 time can replace them.
@@ -40,8 +40,8 @@ from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 log = logging.getLogger(__name__)
 
-# pyserial raises more than OSError: for a bad address, a port closed meanwhile, functions that a
-# kind of port does not support, and a wrong pattern (of hwgrep://).
+# pyserial raises more than OSError: for a bad address, a closed port, an unsupported function and a
+# wrong pattern (of hwgrep://).
 PORT_ERRORS: tuple[type[Exception], ...] = (
     OSError,
     ValueError,
@@ -53,35 +53,36 @@ PORT_ERRORS: tuple[type[Exception], ...] = (
 if sys.platform != "win32":
     PORT_ERRORS += (termios.error,)
 
-_SLICE = 0.02  # seconds that one blocking read may last; a deadline is overrun by no more than this
-_LONGEST_STALE = 0.05
-"""Seconds of unsolicited bytes after which the line counts as sending on its own."""
+_SLICE = 0.02  # seconds of one blocking read, which may exceed a deadline
+_LONGEST_STALE = 0.05  # seconds of unsolicited bytes before `discard` fails
 
 _MANY_READS = 10
-"""Number of reads also needed for that. After a suspension, one or two reads return everything."""
+"""Reads before `discard` fails. After a suspension, one or two reads return everything."""
 
-_NO_ROOM = 1.0  # seconds after which a port that accepts no byte counts as gone
+_WRITE_TIMEOUT = 1.0  # seconds after which a port that accepts no byte counts as gone
 _LOCAL_LATENCY = 0.06
-"""Allowance for a local port: two latency timers of a common adapter (16 ms) and the system."""
+"""Seconds: two latency timers of a common adapter (16 ms each), and the system."""
 
-_REMOTE_LATENCY = 0.5  # allowance for a port behind a network
+_REMOTE_LATENCY = 0.5  # seconds, for a network
 _BUSY = frozenset({errno.EBUSY, errno.EAGAIN})
 
-_HANDING_OVER = 1.5
-"""Seconds to wait for a port that another line of this program has locked: closing takes no longer
-than the attempts of its last stop."""
+_CLOSING_S = 1.5
+"""Seconds to wait for a port that another line of this program is closing.
+
+The last attempts to stop the motors take no longer."""
 
 
 def latency_of(url: str) -> float:
-    """Return the seconds that a byte may be late on a port, apart from its time on the wire."""
+    """Return the longest delay of a byte in s, without its wire time."""
     return _REMOTE_LATENCY if "://" in url else _LOCAL_LATENCY
 
 
 class Transport(Protocol):
-    """One open line. Each method that uses it raises PortUnavailable when it is gone.
+    """Open line. Its methods raise PortUnavailable if the line is gone.
 
-    `latency`: seconds that a byte may be late, apart from its time on the wire;
-    `is_configurable`: whether `reconfigure` has an effect; `clock` is monotonic, in seconds.
+    Attributes:
+        latency: longest delay of a byte in s, without its wire time.
+        is_configurable: whether `reconfigure` has an effect.
     """
 
     @property
@@ -92,26 +93,27 @@ class Transport(Protocol):
     def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
         """Return the wanted baud rates that the port supports. `None`: unknown.
 
-        Sends nothing and never raises. Call it only before anything is sent on the port.
+        Sends nothing and never raises. Call it before anything is sent on the port.
         """
 
     def reconfigure(self, line: SerialFormat) -> None:
-        """Use these settings from now on. No byte may be on the wire. Raises BadRequest."""
+        """Change the line settings. No byte may be on the wire. Raises BadRequest."""
 
-    def clock(self) -> float: ...
+    def clock(self) -> float:
+        """Return the monotonic time in s."""
 
     def write(self, data: bytes) -> None: ...
 
     def read(self, size: int, seconds: float) -> bytes:
-        """Return `size` bytes, or fewer if no more come within `seconds`."""
+        """Return up to `size` bytes after at most `seconds`."""
 
     def discard(self) -> bytes:
-        """Discard and return the received bytes. BadReply if they do not end."""
+        """Discard and return received bytes. BadReply if they do not end."""
 
     def wait(self, seconds: float) -> None: ...
 
     def start_guardian(self, silence: float) -> Guardian:
-        """Start a guardian that shares this line. See `GuardianProcess`. Never raises."""
+        """Start a guardian for this line. See `GuardianProcess`. Never raises."""
 
     def close(self) -> None:
         """Close the port. Never raises."""
@@ -128,7 +130,7 @@ class _LentSocket:
         self._is_lent = is_lent
 
     def recv(self, size: int) -> bytes:
-        """Raise TimeoutError when nothing came, so that pyserial's thread tries again."""
+        """Raise TimeoutError without data, so that pyserial's thread retries."""
         try:
             ready, _, _ = select.select([self._below], [], [], _SLICE)
         except ValueError as error:  # the socket was closed
@@ -156,9 +158,9 @@ class _Rfc2217Port(rfc2217.Serial):
         self._socket = _LentSocket(self._socket, self._is_lent)
         try:
             super()._telnet_read_loop()  # type: ignore[misc] # not in the stubs
-        except Exception as error:  # noqa: BLE001 - any, for bytes that it does not expect
+        except Exception as error:  # noqa: BLE001 - raised for unexpected bytes
             log.info("%s: %r", self.port, error)
-            self.fault = serial.SerialException(tr("the server sends what is not RFC 2217"))
+            self.fault = serial.SerialException(tr("the server does not use RFC 2217"))
 
 
 class SerialTransport:
@@ -167,10 +169,10 @@ class SerialTransport:
         self.clock = clock
         self._guardian: GuardianProcess | None = None
         self.latency = latency_of(settings.url)
-        # The rate behind a plain network port is set at its other end.
+        # The other end of a plain network port sets the rate.
         self.is_configurable = not settings.url.startswith("socket://")
-        file, left = driven_at(settings.url)  # first: it wakes a guardian that has the port
-        self._file = file if self._name == self._url else None  # none for the demo
+        file, left = driven_at(settings.url)  # before opening: resumes a suspended guardian
+        self._file = file if self._name == self._url else None  # no file for the demo
         try:
             self._port = _open(settings, clock)
             log.debug("opened %s", settings.text())
@@ -185,13 +187,13 @@ class SerialTransport:
             raise
 
     def _stop(self, left: DrivenBoard) -> None:
-        """Stop the motors that another program has left running, and have a guardian confirm it."""
+        """Stop the motors of a board left running. A guardian confirms the stop."""
         with contextlib.suppress(BadRequest):
             self.reconfigure(left.settings.line)
         self.write(left.stop.packets)
         guardian = self.start_guardian(60.0)
         guardian.watch(left.stop)
-        guardian.stop(2.5)  # seconds; a board that is silent gets no more time
+        guardian.stop(2.5)  # seconds, even for a silent board
         log.warning("%s", left.text(stopped=guardian.end()))
 
     def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
@@ -206,23 +208,23 @@ class SerialTransport:
         except PORT_ERRORS as error:
             if isinstance(error, ValueError) or _errno(error) in {None, errno.EINVAL}:
                 raise BadRequest(tr("the port cannot be set to {0}").format(line.text())) from error
-            raise self._gone(error) from error
+            raise self._lost_line(error) from error
 
     def write(self, data: bytes) -> None:
         try:
             if self._port.write_timeout == 0:
-                self._write_as_there_is_room(data)
+                self._write_all(data)
             else:
                 self._port.write(data)
         except PORT_ERRORS as error:
-            raise self._gone(error) from error
+            raise self._lost_line(error) from error
 
-    def _write_as_there_is_room(self, data: bytes) -> None:
-        """Write all. A write timeout of pyserial would also expire if this thread was late."""
+    def _write_all(self, data: bytes) -> None:
+        """Write all bytes. pyserial's write timeout also expires if this thread is late."""
         while data:
-            _, ready, _ = select.select([], [self._port.fileno()], [], _NO_ROOM)
+            _, ready, _ = select.select([], [self._port.fileno()], [], _WRITE_TIMEOUT)
             if not ready:
-                raise serial.SerialTimeoutException(tr("the port takes nothing"))
+                raise serial.SerialTimeoutException(tr("the port accepts no data"))
             data = data[self._port.write(data) :]
 
     def read(self, size: int, seconds: float) -> bytes:
@@ -232,12 +234,12 @@ class SerialTransport:
             while len(received) < size:
                 received += self._port.read(size - len(received))
                 if self.clock() >= deadline:
-                    # What was received in time counts, even if this thread is late.
-                    there = min(self._port.in_waiting, size - len(received))
-                    received += self._port.read(there) if there > 0 else b""
+                    # Bytes received in time count, even if this thread is late.
+                    available = min(self._port.in_waiting, size - len(received))
+                    received += self._port.read(available) if available > 0 else b""
                     break
         except PORT_ERRORS as error:
-            raise self._unreadable(error) from error
+            raise self._read_error(error) from error
         return bytes(received)
 
     def discard(self) -> bytes:
@@ -253,7 +255,7 @@ class SerialTransport:
                         tr("It sends without a request ({0} …).").format(hex_text(stale[:12]))
                     )
         except PORT_ERRORS as error:
-            raise self._unreadable(error) from error
+            raise self._read_error(error) from error
         return bytes(stale)
 
     def wait(self, seconds: float) -> None:
@@ -270,7 +272,7 @@ class SerialTransport:
         # pyserial does not close the socket of a remote port that the other side has closed.
         remote = getattr(self._port, "_socket", None)
         if remote is not None and self._guardian is not None and not self._guardian.has_ended:
-            # pyserial would end the connection for the guardian, too.
+            # pyserial would also end the connection of the guardian.
             remote = socket.socket(fileno=remote.detach())
         with contextlib.suppress(*PORT_ERRORS):
             self._port.close()
@@ -279,19 +281,19 @@ class SerialTransport:
                 remote.close()
         log.debug("closed %s", self._url)
 
-    def _unreadable(self, error: Exception) -> PortUnavailable:
-        """Distinguish a lost port from a port whose bytes another program has just read.
+    def _read_error(self, error: Exception) -> PortUnavailable:
+        """Return the error of a read: a lost port, or another reader.
 
-        Both report that they have bytes, and then return none.
+        In both cases the port reports bytes, then returns none.
         """
         is_empty = isinstance(error, serial.SerialException) and _errno(error) is None
         if is_empty and sys.platform != "win32":
             with contextlib.suppress(*PORT_ERRORS):
-                termios.tcgetattr(self._port.fileno())  # fails on a terminal that is gone
+                termios.tcgetattr(self._port.fileno())  # fails on a lost terminal
                 return PortShared(tr(PortFault.SHARED.value).format(self._name))
-        return self._gone(error)
+        return self._lost_line(error)
 
-    def _gone(self, error: Exception) -> PortUnavailable:
+    def _lost_line(self, error: Exception) -> PortUnavailable:
         log.info("the line %s is gone: %s", self._url, error)
         if isinstance(self._port, _Rfc2217Port) and (fault := self._port.fault):
             return PortUnavailable(tr(PortFault.UNREACHABLE.value).format(self._name, fault))
@@ -306,7 +308,7 @@ def _options(url: str, line: SerialFormat) -> dict[str, Any]:
 
 
 def _is_file(url: str) -> bool:
-    """True if a port is a device of a POSIX system, with a file descriptor."""
+    """Return whether a port is a POSIX device with a file descriptor."""
     return "://" not in url and sys.platform != "win32"
 
 
@@ -330,7 +332,7 @@ def _open(settings: PortSettings, clock: Callable[[], float]) -> serial.Serial:
             port.exclusive = True
         _open_when_free(port, settings.url, clock)
     except PORT_ERRORS as error:
-        raise why_not_open(settings.url, settings.line, error) from error
+        raise open_error(settings.url, settings.line, error) from error
     # FTDI adapters delay bytes by up to 16 ms; the Linux driver can turn that off.
     with contextlib.suppress(AttributeError, ValueError, OSError, NotImplementedError):
         port.set_low_latency_mode(True)
@@ -338,23 +340,23 @@ def _open(settings: PortSettings, clock: Callable[[], float]) -> serial.Serial:
 
 
 def _unopened(url: str, **options: Any) -> serial.Serial:
-    if url.lower().startswith("rfc2217://"):  # it has no write timeout
+    if url.lower().startswith("rfc2217://"):  # without a write timeout
         remote = _Rfc2217Port(None, **options)
         remote.port = url
         return cast("serial.Serial", remote)
     port = serial.serial_for_url(url, do_not_open=True, **options)
-    # 0: see `_write_as_there_is_room`.
-    port.write_timeout = 0 if url.startswith("socket://") or _is_file(url) else _NO_ROOM
+    # 0: `_write_all` has a timeout of its own.
+    port.write_timeout = 0 if url.startswith("socket://") or _is_file(url) else _WRITE_TIMEOUT
     return port
 
 
 def _open_when_free(port: serial.Serial, url: str, clock: Callable[[], float]) -> None:
-    """Open a port. Wait a moment for another line of this program that is about to close it.
+    """Open a port. Wait while this program is still closing it.
 
-    That line may still be confirming its last stop, and so may the guardian of a dead program.
-    Does not wait for other programs.
+    Another line, or the guardian of a dead program, may be confirming its last stop. Does not wait
+    for other programs.
     """
-    deadline = clock() + _HANDING_OVER
+    deadline = clock() + _CLOSING_S
     while True:
         try:
             port.open()
@@ -369,7 +371,7 @@ def _open_when_free(port: serial.Serial, url: str, clock: Callable[[], float]) -
             return
 
 
-def why_not_open(url: str, line: SerialFormat, error: Exception) -> PortUnavailable:
+def open_error(url: str, line: SerialFormat, error: Exception) -> PortUnavailable:
     number = _errno(error)
     is_forbidden = number in {errno.EACCES, errno.EPERM} and "://" not in url
     if is_forbidden and sys.platform != "win32":
@@ -379,10 +381,10 @@ def why_not_open(url: str, line: SerialFormat, error: Exception) -> PortUnavaila
         present = ", ".join(port.device for port in list_ports.comports())
         text = tr(PortFault.MISSING.value).format(url, present or tr("none"))
         return PortUnavailable(text, is_missing=True)
-    return PortUnavailable(_why_not_open(url, line, error, number))
+    return PortUnavailable(_open_error_text(url, line, error, number))
 
 
-def _why_not_open(url: str, line: SerialFormat, error: Exception, number: int | None) -> str:
+def _open_error_text(url: str, line: SerialFormat, error: Exception, number: int | None) -> str:
     if "://" in url:
         return tr(PortFault.UNREACHABLE.value).format(url, _plain(error))
     if number in {errno.EACCES, errno.EPERM}:
@@ -416,13 +418,13 @@ def _plain(error: Exception) -> str:
         with contextlib.suppress(ValueError):
             return os.strerror(number).lower()
     text = str(error).strip().rstrip(".")
-    if "does not accept parameter change" in text:  # pyserial prints its objects after that
+    if "does not accept parameter change" in text:  # the rest is a dump of pyserial's objects
         return tr("the server refuses the settings of the line")
     return text or type(error).__name__
 
 
 def _permission_cure(url: str) -> tuple[str, str]:
-    """Return the command that lets the user open a port, and a sentence with it."""
+    """Return a command that permits the use of a port, and a sentence."""
     try:
         import grp  # noqa: PLC0415 - only on POSIX
 

@@ -1,4 +1,4 @@
-"""Settings of a serial port: its address, and the format of bytes."""
+"""Address and byte format of a serial port."""
 
 from dataclasses import dataclass, field, replace
 from enum import Enum
@@ -8,7 +8,7 @@ from trex_gui.core.translation import tr, tr_noop
 
 
 class Parity(Enum):
-    """Parity bit after the data bits. The value is pyserial's letter for it."""
+    """Parity bit after the data bits. The value is pyserial's letter."""
 
     NONE = "N"
     EVEN = "E"
@@ -32,7 +32,7 @@ class SerialFormat:
 
     @property
     def bits_per_byte(self) -> int:
-        """Bits that one byte takes on the wire: start, eight data, parity, stop."""
+        """Bits of a byte on the wire: start, eight data, parity, stop."""
         return 9 + (self.parity is not Parity.NONE) + self.stop_bits
 
     def seconds(self, size: int) -> float:
@@ -40,7 +40,7 @@ class SerialFormat:
 
     @property
     def short(self) -> str:
-        """Baud rate, and settings that differ from the default: `57600 baud, even parity`."""
+        """Baud rate and non-default settings: `57600 baud, even parity`."""
         stop_bits = tr("2 stop bits") if self.stop_bits == 2 else ""
         return ", ".join(
             filter(None, (tr("{0} baud").format(self.baud), self.detection_text, stop_bits))
@@ -62,10 +62,10 @@ SHARED = " shared:"  # in packed settings: devices of other kinds share the line
 
 @dataclass(frozen=True, slots=True)
 class PortSettings:
-    """Everything needed to open a port.
+    """Port and its line settings.
 
     `url` is an address for pyserial: `/dev/ttyUSB0`, `COM3`, `socket://host:port`,
-    `rfc2217://host:port`. `name` is shown to the user in place of the URL.
+    `rfc2217://host:port`. `name` replaces the URL in texts for the user.
     """
 
     url: str
@@ -86,7 +86,7 @@ class PortSettings:
 
     @property
     def packed(self) -> str:
-        """Settings at which a device replies, for later connections. Never empty."""
+        """Settings of a found device, for later connections. Never empty."""
         return self.line.short
 
     def text(self) -> str:

@@ -1,4 +1,4 @@
-"""Traffic of a line: bytes as they pass, and pairs of request and reply."""
+"""Traffic of a line: bytes, and pairs of request and reply."""
 
 import itertools
 import time
@@ -14,13 +14,13 @@ from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
-SEARCH = "search: "  # prefix of the meaning of bytes that a device search sent
+SEARCH = "search: "  # prefix of the meaning of a device search's bytes
 
 _MOST_EVENTS = 50_000  # queued for a late reader: nearly a minute at 1,000 events/s
 
 
 class TrafficDirection(Enum):
-    """Direction of the bytes. `LINE`: something happened to the line itself."""
+    """Direction of bytes. `LINE`: event of the line itself."""
 
     SENT = auto()
     RECEIVED = auto()
@@ -29,20 +29,20 @@ class TrafficDirection(Enum):
 
 @dataclass(frozen=True, slots=True)
 class TrafficEvent:
-    """Bytes on the line, or something that happened to it."""
+    """Bytes on the line, or an event of the line."""
 
-    time: float  # seconds on the line's clock; received bytes may have waited in the port before
+    time: float  # line's clock (s); received bytes may be older
     direction: TrafficDirection
     data: bytes = b""
-    text: str = ""  # what happened to the line, for the user
-    settings: PortSettings | None = None  # settings of the line from here on, if they changed
+    text: str = ""  # event of the line, for the user
+    settings: PortSettings | None = None  # new line settings, if changed
 
 
 @dataclass(slots=True)
 class TrafficLog:
-    """Queue of events from the thread of a line to one reader in another thread.
+    """Queue of events from a line's thread to one reader.
 
-    The queue is bounded and never blocks. `lost` counts events dropped for a late reader.
+    The queue is bounded and never blocks. `lost` counts events dropped for a slow reader.
     """
 
     lost: int = 0
@@ -55,21 +55,21 @@ class TrafficLog:
         self._events.append(event)
 
     def pop(self) -> list[TrafficEvent]:
-        """Return the events since the last call, in order. From the reader's thread."""
-        count = len(self._events)  # events added meanwhile stay for the next call
+        """Return the new events in order. Called in the reader's thread."""
+        count = len(self._events)  # later events are for the next call
         return [self._events.popleft() for _ in range(count)]
 
 
 class LoggingTransport:
-    """Passes calls on to the transport `below` and records its bytes, in its thread."""
+    """Transport that records the bytes of the transport `below`."""
 
     def __init__(
-        self, below: Transport, settings: PortSettings, note: Callable[[TrafficEvent], None]
+        self, below: Transport, settings: PortSettings, record: Callable[[TrafficEvent], None]
     ) -> None:
         self._below = below
         self._settings = settings
         self._line = settings.line
-        self._note = note
+        self._record = record
         self.rates = below.rates
         self.clock = below.clock
         self.wait = below.wait
@@ -81,11 +81,11 @@ class LoggingTransport:
         self._below.reconfigure(line)
         if line != self._line:
             self._line = line
-            self._note_line(f"Set to {line.text()}.", self._settings.at(line))
+            self._record_line(f"Set to {line.text()}.", self._settings.at(line))
 
     def write(self, data: bytes) -> None:
-        # Logged before the write: so it precedes the reply, and a failed write is logged, too.
-        self._note(TrafficEvent(self.clock(), TrafficDirection.SENT, data))
+        # Before the write: the reply comes later, and a failed write is also recorded.
+        self._record(TrafficEvent(self.clock(), TrafficDirection.SENT, data))
         with self._logged_errors():
             self._below.write(data)
 
@@ -98,7 +98,7 @@ class LoggingTransport:
             return self._received(self._below.discard())
 
     def close(self) -> None:
-        self._note_line("Closed.")
+        self._record_line("Closed.")
         self._below.close()
 
     @contextmanager
@@ -106,45 +106,45 @@ class LoggingTransport:
         try:
             yield
         except StudioError as error:
-            self._note_line(sentence(error))
+            self._record_line(sentence(error))
             raise
 
     def _received(self, data: bytes) -> bytes:
         if data:
-            self._note(TrafficEvent(self.clock(), TrafficDirection.RECEIVED, data))
+            self._record(TrafficEvent(self.clock(), TrafficDirection.RECEIVED, data))
         return data
 
-    def _note_line(self, text: str, settings: PortSettings | None = None) -> None:
+    def _record_line(self, text: str, settings: PortSettings | None = None) -> None:
         event = TrafficEvent(self.clock(), TrafficDirection.LINE, text=text, settings=settings)
-        self._note(event)
+        self._record(event)
 
 
 def logged(
-    note: Callable[[TrafficEvent], None],
+    record: Callable[[TrafficEvent], None],
     open_transport: Callable[[PortSettings], Transport] = SerialTransport,
     clock: Callable[[], float] = time.monotonic,
 ) -> Callable[[PortSettings], Transport]:
-    """Wrap `open_transport` so that `note` gets the traffic of its lines.
+    """Wrap `open_transport` so that `record` gets the traffic.
 
-    `clock` is the clock of the line, for events before the line is open.
+    `clock`: clock of the line, for events before the line is open.
     """
 
     def opened(settings: PortSettings) -> Transport:
         try:
             below = open_transport(settings)
         except StudioError as error:
-            note(TrafficEvent(clock(), TrafficDirection.LINE, text=sentence(error)))
+            record(TrafficEvent(clock(), TrafficDirection.LINE, text=sentence(error)))
             raise
         text = tr("Opened {0}.").format(settings.text())
-        note(TrafficEvent(clock(), TrafficDirection.LINE, text=text, settings=settings))
-        return LoggingTransport(below, settings, note)
+        record(TrafficEvent(clock(), TrafficDirection.LINE, text=text, settings=settings))
+        return LoggingTransport(below, settings, record)
 
     return opened
 
 
 @dataclass(frozen=True, slots=True)
 class Decoded:
-    """Meaning of a transaction. `is_fault` if something went wrong in it."""
+    """Meaning of a transaction. `is_fault`: it has failed."""
 
     text: str
     is_fault: bool = False
@@ -152,20 +152,20 @@ class Decoded:
 
 @dataclass(slots=True, eq=False)
 class Transaction:
-    """One row: a request and its reply, or something that happened to the line."""
+    """Row of traffic: a request and its reply, or a line event."""
 
-    number: int  # counts the rows from 1
-    time: float  # when sent, else when the first byte came; seconds on the line's clock
+    number: int  # row number from 1
+    time: float  # line's clock (s) when sent, else at the first received byte
     sent: bytes = b""
     received: bytes = b""
-    note: str = ""  # what happened to the line; only in rows without bytes
+    note: str = ""  # line event; only in rows without bytes
     settings: PortSettings | None = None
-    echo: bool | None = None  # whether all sent bytes come back; `None`: not known yet
-    is_routine: bool = False  # True for a poll that the program repeats all the time
-    ended: float | None = None  # when the last byte was received; `None` before any byte
+    echo: bool | None = None  # True if all sent bytes come back; `None`: unknown
+    is_routine: bool = False  # True for a periodic poll of the program
+    ended: float | None = None  # time of the last received byte
     is_over: bool = False
     is_search: bool = False  # sent by a device search, in which most probes have no reply
-    words: Decoded | None = None  # its meaning, once it was decoded; see `Decoder.decoded`
+    words: Decoded | None = None  # cached result of `Decoder.decoded`
 
     @property
     def seconds(self) -> float | None:
@@ -175,30 +175,30 @@ class Transaction:
 class Decoder(ABC):
     @abstractmethod
     def shown(self, data: bytes) -> str:
-        """Return bytes as they are displayed: hexadecimal, or text."""
+        """Return bytes for display, as hexadecimal or text."""
 
     @abstractmethod
     def bytes_of(self, shown: str) -> bytes:
-        """Return the bytes of a text from `shown`. ValueError if the text is invalid."""
+        """Return the bytes of a text from `shown`. Raises ValueError."""
 
     def learn(self, transaction: Transaction) -> None:
-        """Learn about the device from a reply, such as its units. Does nothing by default."""
+        """Store facts about the device from a reply, such as its units."""
         del transaction
 
     @abstractmethod
     def is_routine(self, sent: bytes) -> bool:
-        """Return whether these bytes are a poll that the program repeats all the time."""
+        """Return whether these bytes are a periodic poll of the program."""
 
     @abstractmethod
     def may_move(self, sent: bytes) -> bool:
-        """Return whether these bytes may set a motor in motion."""
+        """Return whether these bytes may start a motor."""
 
     @abstractmethod
     def is_whole(self, transaction: Transaction) -> bool:
-        """Return whether the reply is complete. Bytes after it are unsolicited."""
+        """Return whether the reply is complete. Later bytes are unsolicited."""
 
     def goes_with(self, transaction: Transaction, sent: bytes) -> bool:
-        """Return whether these bytes belong to the pending row, although they were sent later.
+        """Return whether bytes sent later belong to the pending row.
 
         Received bytes may then be the reply to either request.
         """
@@ -210,12 +210,12 @@ class Decoder(ABC):
         """Return the meaning of a transaction that has bytes."""
 
     def is_fault(self, transaction: Transaction) -> bool:
-        """Return whether something went wrong. Needed for every row, unlike the text."""
+        """Return whether a transaction has failed. Needed for every row."""
         return self.decoded(transaction).is_fault
 
     def decoded(self, transaction: Transaction) -> Decoded:
-        """Return the meaning of a transaction. Cached once it is complete."""
-        if (known := transaction.words) is not None:  # once: another thread may clear it
+        """Return the meaning of a transaction, cached once complete."""
+        if (known := transaction.words) is not None:  # read once: another thread may clear it
             return known
         words = Decoded(transaction.note) if transaction.note else self.read(transaction)
         if transaction.is_search:
@@ -226,7 +226,7 @@ class Decoder(ABC):
 
 
 class TransactionAssembler:
-    """Pairs the events of one line into rows of request and reply.
+    """Assembles the events of one line into rows of request and reply.
 
     `numbers` yields the row numbers. `is_search`: the events belong to a device search.
     """
@@ -237,13 +237,13 @@ class TransactionAssembler:
         self._decoder = decoder
         self._numbers = itertools.count(1) if numbers is None else numbers
         self._is_search = is_search
-        # Facts about the line that a session knows better than the log:
+        # A session sets the following facts, which are missing from the log.
         self.settings: PortSettings | None = None
         self.echo: bool | None = None
         self._pending: Transaction | None = None
 
     def feed(self, events: Iterable[TrafficEvent]) -> list[Transaction]:
-        """Process events. Return all rows that are new or changed, in order."""
+        """Process events. Return new and changed rows in order."""
         touched: dict[int, Transaction] = {}
         for event in events:
             row = self._pending

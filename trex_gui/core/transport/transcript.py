@@ -1,6 +1,6 @@
-"""Traffic as a text file: written by the traffic page and by commands, read to replay it.
+"""Traffic as a text file, for reading and replay.
 
-Comments and a line of column names come first, then one transaction a line, tab-separated.
+The file has comments, a line of column names, and a tab-separated line per transaction.
 """
 
 from collections.abc import Iterator
@@ -26,14 +26,14 @@ LARGEST = 16 * 1024 * 1024  # bytes; a hundred thousand transactions
 
 
 def head() -> str:
-    """Return the comments and the line of column names."""
+    """Return the comments and the column names."""
     written = datetime.now(UTC).astimezone().isoformat(sep=" ", timespec="seconds")
     columns = "\t".join(COLUMNS)
     return f"# TReX Studio {__version__}: traffic on the line\n# written {written}\n{columns}\n"
 
 
 def line_of(row: Transaction, decoder: Decoder, epoch: float) -> str:
-    """Return a row as text without a line end. `epoch`: Unix time in s when its clock began."""
+    """Return a row as a line. `epoch`: Unix time in s of clock time 0."""
     words, shown = decoder.decoded(row), decoder.shown
     moment = datetime.fromtimestamp(epoch + row.time).astimezone()
     values = (
@@ -48,10 +48,10 @@ def line_of(row: Transaction, decoder: Decoder, epoch: float) -> str:
 
 
 class TranscriptWriter:
-    """Writes the traffic of a line to a file as it happens.
+    """Writes the traffic of a line to a file.
 
-    The file is opened with the first line, and keeps its old content until bytes are transferred.
-    A disk that fails later does not disturb the line. `error` says why the file is not complete.
+    The file is opened with the first line, and keeps its old content until the first byte. A later
+    disk error does not affect the line. `error` is the reason for an incomplete file.
     """
 
     def __init__(
@@ -64,11 +64,11 @@ class TranscriptWriter:
         self._assembler = TransactionAssembler(decoder, is_search=is_search)
         self._pending: Transaction | None = None
         self._file: TextIO | None = None
-        self.text = head()  # what is not in the file yet
-        self._is_begun = False
+        self.text = head()  # not yet in the file
+        self._has_content = False
 
     def open(self) -> None:
-        """Open the file unless it is open. StudioError if it cannot be written."""
+        """Open the file if necessary. Raises StudioError."""
         if self._file is not None or self._path is None:
             return
         try:
@@ -102,20 +102,20 @@ class TranscriptWriter:
         if self.error is not None:
             return
         self.text += line_of(row, self._decoder, self._epoch) + "\n"
-        if self._file is None or not (self._is_begun or row.sent or row.received):
+        if self._file is None or not (self._has_content or row.sent or row.received):
             return
         try:
-            if not self._is_begun and self._file.seekable():
+            if not self._has_content and self._file.seekable():
                 self._file.truncate(0)
             self._file.write(self.text)
         except OSError as error:
             self.error = error
-        self.text, self._is_begun = "", True
+        self.text, self._has_content = "", True
 
 
 @dataclass(frozen=True, slots=True)
 class TranscriptRow:
-    """One transaction of a file. `line` counts from 1, `time` is Unix time in s."""
+    """Transaction of a file. `line`: from 1. `time`: Unix time in s."""
 
     line: int
     time: float
@@ -125,12 +125,12 @@ class TranscriptRow:
 
     @property
     def is_search(self) -> bool:
-        """True if a device search sent this, perhaps at settings that no device uses."""
+        """True for bytes of a device search, perhaps at unused settings."""
         return self.meaning.startswith(SEARCH)
 
 
 def read_transcript(text: str, name: str, decoder: Decoder) -> Iterator[TranscriptRow]:
-    """Yield the rows that have bytes. SettingsError for an invalid row or no transcript."""
+    """Yield the rows that have bytes. SettingsError for an invalid file."""
     lines = text.removesuffix("\n").replace("\r\n", "\n").split("\n")
     first = next((index for index, line in enumerate(lines) if not line.startswith("#")), 0)
     if tuple(lines[first].split("\t"))[: len(COLUMNS)] != COLUMNS:

@@ -1,4 +1,4 @@
-"""URLs of ports and of boards that another computer serves, and secrets of users."""
+"""URLs of ports and served boards, and secrets of users."""
 
 import os
 import stat
@@ -14,16 +14,16 @@ from trex_gui.core.translation import tr
 
 SCHEME = "trex"
 PORT = 7477
-LOCAL_USER = "local"  # name of every client, where there are no users
+LOCAL_USER = "local"  # name of all clients of a computer without users
 _LONGEST_NAME = 40
 _SECRETS = "secrets"  # file in the data folder, with lines `USER@HOST SECRET`
 
 
 @dataclass(frozen=True, slots=True)
 class Address:
-    """A served board: `trex://USER@HOST:PORT/NAME`, all but host and name optional.
+    """Address `trex://USER@HOST:PORT/NAME` of a served board.
 
-    Without a `name` it is the address of a computer that serves boards.
+    Only HOST and NAME are required. Without NAME it is the address of a serving computer.
     """
 
     host: str
@@ -33,7 +33,7 @@ class Address:
 
     @classmethod
     def of(cls, url: str) -> "Address":
-        """Parse the URL of a board. BadRequest if it is invalid."""
+        """Parse the URL of a board. Raises BadRequest."""
         if (found := cls._read(url)) is None or not is_name(found.name):
             text = tr("{0} is not trex://host/name, such as trex://robot.local/arm.")
             raise BadRequest(text.format(url))
@@ -41,7 +41,7 @@ class Address:
 
     @classmethod
     def of_host(cls, text: str) -> "Address":
-        """Parse `USER@HOST:PORT`, or a URL. BadRequest if it is neither."""
+        """Parse `USER@HOST:PORT` or a URL. Raises BadRequest."""
         found = cls._read(text if "://" in text else f"{SCHEME}://{text}")
         if found is None:
             raise BadRequest(tr("{0} is not a host, such as robot.local.").format(text))
@@ -74,15 +74,16 @@ class Address:
 
     @property
     def secret(self) -> str:
-        """The secret of the user: `TREX_SECRET`, or its line in the file of secrets."""
+        """Secret of the user, from `TREX_SECRET` or the file of secrets."""
         if secret := os.environ.get("TREX_SECRET"):
             return secret
-        return next((secret for one, secret in _secrets() if one == f"{self.user}@{self.host}"), "")
+        name = f"{self.user}@{self.host}"
+        return next((secret for user, secret in _secrets() if user == name), "")
 
 
 def known_hosts() -> tuple[Address, ...]:
     """Return the hosts with a saved secret, each with its user."""
-    return tuple(Address.of_host(one) for one, _ in _secrets())
+    return tuple(Address.of_host(host) for host, _ in _secrets())
 
 
 def _secrets() -> Iterator[tuple[str, str]]:
@@ -103,13 +104,13 @@ def is_served(url: str) -> bool:
 
 
 def is_name(text: str) -> bool:
-    """Return whether a board can have this name: letters, digits, and -_. between them."""
+    """Return whether a board name is valid: letters, digits, `-`, `_`, `.`."""
     letters = text.replace("-", "").replace("_", "").replace(".", "")
     return letters.isascii() and letters.isalnum() and len(text) <= _LONGEST_NAME
 
 
 def url_problem(url: str) -> str:
-    """Return why a port cannot have this URL, as a sentence. Empty if it may."""
+    """Return the problem of a port's URL as a sentence, or empty."""
     scheme, is_url, _ = url.partition("://")
     if not is_url:
         return ""

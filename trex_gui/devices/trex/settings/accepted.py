@@ -5,7 +5,7 @@ import logging
 from collections.abc import Mapping
 from pathlib import Path
 
-from trex_gui.core.files import SettingsError, data_folder, is_there, load
+from trex_gui.core.files import SettingsError, data_folder, file_exists, load
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.device_table import HIGHEST_WIRE
@@ -48,7 +48,7 @@ class AcceptedValues:
         return known
 
     def _read(self) -> dict[str, object]:
-        if not is_there(self.path):
+        if not file_exists(self.path):
             return {}
         try:
             document = json.loads(load(self.path, tr("accepted values")))

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from pathlib import Path
 
-from trex_gui.core.files import SettingsError, data_folder, is_there, load
+from trex_gui.core.files import SettingsError, data_folder, file_exists, load
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutTrial
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.device_table import HIGHEST_WIRE
@@ -181,7 +181,7 @@ class BoardRecords:
             SettingsError: the file cannot be read, is damaged, or is of another model.
         """
         path = self.path(board)
-        if not is_there(path):
+        if not file_exists(path):
             return None
         data = load(path)
         try:
