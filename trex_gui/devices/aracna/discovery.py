@@ -1,14 +1,14 @@
-r"""Search a port for an Aracna without moving the motors of any device.
+r"""Search for an Aracna, without motion of any device.
 
 The probe is `\n.q\n` at 38400 8N1. An Aracna reads an empty line and its only query without side
 effects. A TReX at 38400 baud reads no command, but at another rate it may read the start of one. As
-in the TReX's own probe, FF at 1200 baud, before and after, ends any packet that has begun. The
+in the TReX's own probe, FF at 1200 baud, before and after, terminates an incomplete packet. The
 tests check this for every TReX. At a fixed rate, as behind a plain network port, FF has no effect,
-and some boards would read the probe as a command. There the probe is sent only if the user has said
-that the port leads to an Aracna.
+and some boards would read the probe as a command. There the probe is sent only if the user has
+selected an Aracna for the port.
 
 Opening a port may reset the board, which reports `.h` and does not listen for a second. So the
-probe is sent several times.
+probe is repeated.
 """
 
 import contextlib
@@ -36,10 +36,10 @@ from trex_gui.devices.aracna.session.errors import ErrorCode, diagnose
 
 PROBE = commands.EMPTY + commands.QUERY
 
-PROBES = 5  # number of attempts; with listening they take 3.2 s on a local port
+PROBES = 5  # attempts; with listening they take 3.2 s on a local port
 _PROBE_INTERVAL = 0.45
 _SLICE = 0.02
-_KEPT = 48
+_SAVED = 48  # received bytes for the diagnosis
 
 _HELLO = b"h\r\n"
 _EVIDENCE: dict[Enum, Evidence] = {
@@ -69,18 +69,18 @@ class FoundRobot:
 
 
 class AracnaProber:
-    """Probes one line for a robot. `found` is empty until the robot replies."""
+    """Probes a line for a robot. `found`: empty before a reply."""
 
     parts = (PROBES,)
 
     def __init__(self, settings: PortSettings, *, full: bool = False, known: bool = False) -> None:
-        """Probe this port. `full` has no effect, since there is only one line setting."""
+        """`full` has no effect, since there is only one line setting."""
         del full
         self.found: list[FoundRobot] = []
         self._settings = settings.at(LINE)
         self._known = known
-        self._not_sent = ""  # why no probe was sent
-        self._received = b""  # the first `_KEPT` bytes
+        self._not_sent = ""  # reason why no probe was sent
+        self._received = b""
         self._reader = Reader()
 
     @property
@@ -88,7 +88,7 @@ class AracnaProber:
         return bool(self.found)
 
     def record_unsolicited(self, line: SerialFormat, data: bytes) -> None:
-        """Handle bytes that arrived before a probe, such as `.h` after a reset."""
+        """Handle bytes before a probe, such as `.h` after a reset."""
         if line == LINE:
             self._handle(data)
 
@@ -99,8 +99,8 @@ class AracnaProber:
         progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
-        """Send the probe until the robot answers, `PROBES` times at most."""
-        del part  # there is only one part
+        """Send the probe until the robot replies, `PROBES` times at most."""
+        del part  # the only part
         extra = self._settings.timeouts.extra
         if not wire.is_configurable and not self._known:
             self._not_sent = tr(
@@ -138,16 +138,16 @@ class AracnaProber:
 
     def _listen(self, wire: Transport, seconds: float) -> None:
         end = wire.clock() + seconds
-        while not self.found and (rest := end - wire.clock()) > 0:
-            data = wire.read(1, min(rest, _SLICE))
+        while not self.found and (left := end - wire.clock()) > 0:
+            data = wire.read(1, min(left, _SLICE))
             try:
                 data += wire.discard()
             except BadReply:  # endless data
-                data += wire.read(_KEPT, 0.0)
+                data += wire.read(_SAVED, 0.0)
             self._handle(data)
 
     def _handle(self, data: bytes) -> None:
-        self._received = (self._received + data)[:_KEPT]
+        self._received = (self._received + data)[:_SAVED]
         for reply in self._reader.feed(data):
             if isinstance(reply, Version):
                 note = tr(_RESETS) if _HELLO in self._received else ""
@@ -156,7 +156,7 @@ class AracnaProber:
 
 
 def recall(wire: Transport, settings: PortSettings, packed: str) -> FoundRobot | None:
-    """Probe a port where a robot was found before. `packed` is unused: there is one setting."""
+    """Probe the port of a known robot. `packed` is unused."""
     del packed
     prober = AracnaProber(settings, known=True)
     prober.probe(wire, 0, ignore_step, never_cancelled)

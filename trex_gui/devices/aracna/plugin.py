@@ -1,4 +1,4 @@
-"""The Aracna robot as a device of the program."""
+"""Plugin for the Aracna robot."""
 
 from trex_gui.core.plugin import CommandInfo, DevicePlugin, Lazy
 

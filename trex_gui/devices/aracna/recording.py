@@ -1,4 +1,4 @@
-"""Recordings of a robot: header, sample kinds, and the state at any time."""
+"""Recordings of a robot: header, sample kinds and state."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -34,14 +34,14 @@ from trex_gui.version import __version__
 Report = (
     Moving | Passed | Moved | SpeedsHeld | StepBegun | PlayEnded | Stuck | Restarted | NotResponding
 )
-"""Reports of the session that are recorded."""
+"""Recorded reports of the session."""
 
-Record = Report | Marker  # times are seconds on the session's clock
+Record = Report | Marker  # times are seconds on the session clock
 
 
 @dataclass(frozen=True, slots=True)
 class RobotHeader:
-    """Header of the recording of a robot. `clock`: session clock (s) at the start."""
+    """Header of a recording. `clock`: session clock (s) at the start."""
 
     started: datetime
     clock: float
@@ -62,7 +62,7 @@ class RobotHeader:
 
     @classmethod
     def from_values(cls, values: Mapping[str, Any]) -> "RobotHeader":
-        """Create a header from its values. ValueError if a value is missing or damaged."""
+        """Create a header. Raises ValueError."""
         try:
             header = cls(
                 started=datetime.fromisoformat(values["started_utc"]).astimezone(UTC),
@@ -93,12 +93,12 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
 
     clears = frozenset({"progress", "speeds"})
 
-    def passed(time: float, answered: int, *places: int | None) -> Passed:
-        return Passed(time, _answers(places[:answered]))
+    def passed(time: float, replied: int, *places: int | None) -> Passed:
+        return Passed(time, _positions(places[:replied]))
 
     def moved(time: float, seconds: float, *places: int | None) -> Moved:
         reached = tuple(place for place in places[:motors] if place is not None)
-        return Moved(time, reached, _answers(places[motors:]), seconds)
+        return Moved(time, reached, _positions(places[motors:]), seconds)
 
     return (
         SampleKind(
@@ -140,7 +140,7 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
                 *columns("speed_setpoint", "commanded speed, 0 (highest) to 1023"),
             ),
             lambda r: (*_cells(r.held, motors), *r.requested),
-            lambda time, *values: SpeedsHeld(time, values[motors:], _answers(values[:motors])),
+            lambda time, *values: SpeedsHeld(time, values[motors:], _positions(values[:motors])),
             held=True,
         ),
         SampleKind(
@@ -185,12 +185,11 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
 
 
 def _cells(values: Sequence[int], motors: int) -> tuple[int | None, ...]:
-    """Return a value for each motor, `None` for a motor that did not answer."""
     cells = tuple(None if value == UNREADABLE else value for value in values[:motors])
     return cells + (None,) * (motors - len(cells))
 
 
-def _answers(cells: Sequence[int | None]) -> tuple[int, ...]:
+def _positions(cells: Sequence[int | None]) -> tuple[int, ...]:
     return tuple(UNREADABLE if cell is None else cell for cell in cells)
 
 

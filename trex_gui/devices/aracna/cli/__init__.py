@@ -1,1 +1,1 @@
-"""The commands `trexcmd aracna`."""
+"""Commands of `trexcmd aracna`."""

@@ -1,4 +1,4 @@
-"""The commands query, led, speeds, pose and play."""
+"""Commands query, led, speeds, pose and play."""
 
 from pathlib import Path
 
@@ -69,9 +69,9 @@ def query(port: str | None, extra_timeout: float, *, as_json: bool) -> None:
 @_line_options
 @click.argument("state", type=click.Choice(["on", "off"]))
 def led(state: str, port: str | None, extra_timeout: float) -> None:
-    """Switch the debug LED of the board: it shows which robot is on this port. Moves nothing.
+    """Switch the debug LED of the board, to identify the robot. Moves nothing.
 
-    It is off after each start of the board. Prints what the robot reports.
+    The LED is off after each start of the board. Prints the reported state.
     """
     with CommandSession(port_settings(port, extra_timeout)) as session:
         click.echo("on" if session.set_led(on=state == "on") else "off")
@@ -83,8 +83,8 @@ def led(state: str, port: str | None, extra_timeout: float) -> None:
 def speeds(values: tuple[int, ...], port: str | None, extra_timeout: float) -> None:
     """Set the speed of every motor: one value for all, or one for each.
 
-    A unit is 0.67 degrees per second; 0 is not standstill, but unlimited. Prints what the servos
-    hold then. They keep it until they lose power.
+    A unit is 0.67 degrees per second. 0 is unlimited. Prints the speeds that the servos report, and
+    that they hold until they lose power.
     """
     with CommandSession(port_settings(port, extra_timeout)) as session:
         motors = session.robot.motors
@@ -121,7 +121,7 @@ def pose(
     """Move every motor to a position, 0 to 1023 (512 is the centre), and wait.
 
     Takes one position for each motor, or the name of a pose. Positions outside the joints' limits
-    are rejected; those of a pose are cropped. Prints the final positions.
+    are rejected. Positions of a pose are cropped. Prints the final positions.
     """
     if bool(values) == (name is not None):
         raise click.UsageError("Give either one position for each motor, or --pose NAME.")
@@ -170,8 +170,8 @@ def play(
 ) -> None:
     """Play a sequence of a pose file (.ppr), after a slow move to its start.
 
-    Positions outside the joints' limits are cropped and reported. Ctrl-C sends nothing more; the
-    running step continues to its end.
+    Positions outside the joints' limits are cropped and reported. After Ctrl-C nothing more is
+    sent, and the running step continues to its end.
     """
     if loop and rounds is not None:
         raise click.UsageError("Give either --rounds or --loop, not both.")
@@ -235,7 +235,7 @@ def _pose_named(name: str, file: str | None) -> Pose:
 
 
 def _sequence_named(project: Project, name: str | None) -> Sequence:
-    names = ", ".join(one.name for one in project.sequences)
+    names = ", ".join(sequence.name for sequence in project.sequences)
     if not project.sequences:
         raise CommandFailed("The file has no sequence.")
     if name is None:

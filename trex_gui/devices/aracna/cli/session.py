@@ -1,4 +1,4 @@
-"""Sessions driven from a command, and the reports of list and find on an Aracna."""
+"""Session of a command, and an Aracna's reports for list and find."""
 
 import itertools
 from collections.abc import Iterator, Mapping, Sequence
@@ -45,7 +45,7 @@ NO_STOP = (
     "{0:.1f} s at most. Only servo power stops them. Ctrl-C again exits without waiting."
 )
 
-_CHECK_INTERVAL = 0.1  # seconds between two checks for an interruption
+_CHECK_INTERVAL = 0.1  # seconds between checks for an interruption
 
 
 def port_settings(port: str | None, extra_time: float) -> PortSettings:
@@ -53,9 +53,10 @@ def port_settings(port: str | None, extra_time: float) -> PortSettings:
 
 
 class CommandSession:
-    """An open line to a robot that has responded. Reports the running motion.
+    """Session with a connected robot. Prints the running motion.
 
-    CommandFailed: the line is lost, or the robot waits for a motor or rejects the request.
+    Its methods raise CommandFailed if the line is lost, or if the robot waits for a motor or
+    rejects the request.
     """
 
     robot: Connected
@@ -67,7 +68,7 @@ class CommandSession:
         *,
         motors: bool = True,
     ) -> None:
-        """Halt the robot once `interrupted`. Report each arrival if `motors`, else each step."""
+        """`motors`: report each arrival instead of each step."""
         self._host = host()
         self._inbox = RequestQueue(self._host.condition())
         self._reports = RequestQueue(self._host.condition())
@@ -86,7 +87,7 @@ class CommandSession:
         self.faults: list[str] = []  # problems, as sentences
 
     def __enter__(self) -> Self:
-        """Connect. CommandFailed if this fails or is interrupted."""
+        """Connect. CommandFailed after a failure or an interruption."""
         self._join = self._host.start_thread(self._session.run)
         try:
             for report in self._received():
@@ -106,7 +107,7 @@ class CommandSession:
         self._join()
 
     def set_speeds(self, speeds: Sequence[int]) -> tuple[int, ...]:
-        """Set every servo's speed. Return the speeds that the servos then hold."""
+        """Set the servos' speeds. Return their reported speeds."""
         reply = self._result(SetSpeeds(next(self._ids), tuple(speeds)))
         assert isinstance(reply, SpeedsHeld)  # noqa: S101 - for the type checker
         if (error := rejected_speeds(reply.requested, reply.held)) is not None:
@@ -114,7 +115,7 @@ class CommandSession:
         return reply.held
 
     def set_led(self, *, on: bool) -> bool:
-        """Switch the debug LED. Return whether it is on afterwards."""
+        """Switch the debug LED. Return its reported state."""
         return bool(self._result(SetLed(next(self._ids), on)))
 
     def report_faults(self) -> None:
@@ -133,7 +134,7 @@ class CommandSession:
                     return value
                 case _:
                     _raise_fault(report)
-        raise AssertionError  # the reports end with `Closed`, which is an error
+        raise AssertionError  # unreachable: `Closed` is an error
 
     def _received(self) -> Iterator[Report]:
         while True:
@@ -148,13 +149,13 @@ class CommandSession:
             yield report
 
     def move(self, goals: Sequence[int], speeds: Sequence[int]) -> tuple[int, ...]:
-        """Move every motor at a speed that every servo has confirmed. Return the end positions."""
+        """Move every motor after its speed is confirmed. Return the final positions."""
         moved = self._result(Move(next(self._ids), tuple(goals), tuple(speeds)))
         assert isinstance(moved, Moved)  # noqa: S101 - for the type checker
         return moved.present
 
     def play(self, play: Play) -> None:
-        """Play to the end, or until the program is interrupted and the robot has stopped moving."""
+        """Play to the end, or after an interruption until the robot stops."""
         self._result(play)
         for report in self._received() if self._is_moving else ():
             _raise_fault(report)

@@ -1,1 +1,1 @@
-"""Qt objects that mirror the robot."""
+"""Qt models of the robot."""

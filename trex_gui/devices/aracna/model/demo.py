@@ -1,4 +1,4 @@
-"""The simulated robot for its panel: state, power, servos, cable."""
+"""Simulated robot for its panel."""
 
 import json
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ class FirmwareState(Enum):
 
 @dataclass(frozen=True, slots=True)
 class DemoServo:
-    """State of one servo, from `show`. A servo that is `dead` or without power is not `alive`."""
+    """State of a servo. `alive` is false if it is `dead` or without power."""
 
     position: int
     goal: int
@@ -40,7 +40,7 @@ class DemoServo:
 
 @dataclass(frozen=True, slots=True)
 class RobotSnapshot:
-    """State of the simulated robot. `boots` counts the starts of its firmware."""
+    """State of the simulated robot. `boots`: starts of its firmware."""
 
     state: FirmwareState
     boots: int
@@ -61,7 +61,7 @@ class RobotSnapshot:
 
     @property
     def is_held_up(self) -> bool:
-        """Return whether the firmware waits only for servos that cannot move."""
+        """True if the firmware waits only for servos that cannot move."""
         waits = any(servo.dead or (servo.moving and servo.cannot_move) for servo in self.servos)
         return (
             self.state is FirmwareState.MOVING
@@ -88,7 +88,7 @@ class DemoRobot(DemoDevice[RobotSnapshot]):
         super().__init__(simulator, read_snapshot, parent)
 
     def restart(self) -> None:
-        """Pull the board's reset line. The servos are not affected."""
+        """Reset the board without its servos."""
         self._send("reset")
 
     def set_servo_power(self, on: bool) -> None:
@@ -100,12 +100,12 @@ class DemoRobot(DemoDevice[RobotSnapshot]):
     def set_blocked(self, motor: int, blocked: bool) -> None:
         self._send(f"servo {motor} {'block' if blocked else 'free'}")
 
-    def lose(self, what: str) -> None:
-        """Lose a part of the next transfer, once. `what` is the rest of the control line."""
-        self._send(f"line {what}")
+    def lose(self, fault: str) -> None:
+        """Lose a part of the next transfer. `fault`: end of the control line."""
+        self._send(f"line {fault}")
 
     def repair(self) -> None:
-        """Clear all faults but an unplugged cable. Servos keep their positions and speeds."""
+        """Clear all faults but an unplugged cable."""
         self._unsent.clear()
         for motor in range(len(self.snapshot.servos) if self.snapshot is not None else 0):
             self.set_dead(motor, dead=False)

@@ -1,4 +1,4 @@
-"""The poses and sequences that the user edits: one pose file, with undo."""
+"""Poses and sequences of the user: a pose file with undo."""
 
 from collections.abc import Mapping
 from collections.abc import Sequence as Many
@@ -29,7 +29,7 @@ UNTITLED = "poses.ppr"
 
 
 class ItemKind(Enum):
-    """Kind of items in a library. The value is the field of `Project`."""
+    """Kind of a library item. The value is the field of `Project`."""
 
     POSE = "poses"
     SEQUENCE = "sequences"
@@ -42,20 +42,20 @@ class ItemKey:
 
 
 class Library(QObject):
-    """One project. Each edit replaces the project, and is one undo step.
+    """Project in which each edit is an undo step.
 
-    Edits raise `BadRequest`, and change nothing, for an unknown or invalid name, a name that is
-    taken, or a position outside 0-1023. Saving retains the undo steps.
+    Edits raise `BadRequest`, and change nothing, for an invalid, unknown or existing name, or a
+    position outside 0-1023. Saving retains the undo steps.
     """
 
-    changed = Signal()  # poses, sequences, the file, or whether it is saved
+    changed = Signal()  # poses, sequences, file or saved state
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.undo = QUndoStack(self)
         self.project = self._saved = Project(poses=BUILT_IN_POSES)
         self.path: Path | None = None
-        self.on_disk: bytes | None = None  # content of the file when it was opened or saved
+        self.on_disk: bytes | None = None  # content of the file as opened or saved
         self._opened = object()  # a different object for each file
 
     @property
@@ -77,18 +77,18 @@ class Library(QObject):
 
     @Slot()
     def new(self) -> None:
-        """Start a project with the built-in poses and no file."""
+        """Create a project with the built-in poses and no file."""
         self._load(Project(poses=BUILT_IN_POSES), None, None)
 
     def set_file(self, path: Path, file: PoseFile) -> None:
         self._load(file.project, path, file.data)
 
     def content(self) -> Content:
-        """Return the content to save. Edits made during the save stay unsaved."""
+        """Return the content to save. Later edits stay unsaved."""
         text, project, opened = write_ppr(self.project), self.project, self._opened
 
         def record_saved(path: Path) -> None:
-            if opened is self._opened:  # else another file was opened meanwhile
+            if opened is self._opened:  # else another file is open
                 self.path, self._saved = path, project
                 self.on_disk = text.encode("utf-8")
                 self.changed.emit()
@@ -105,17 +105,17 @@ class Library(QObject):
     # --- Edits of poses and sequences ---------------------------------------------------
 
     def rename(self, kind: ItemKind, name: str, new_name: str) -> None:
-        """Rename an item. Steps are updated to a renamed pose."""
+        """Rename an item, also in the steps of sequences."""
         items, place = self._find(kind, name)
         new_name = checked_name(new_name, [item.name for item in items if item.name != name])
         after = self._with(kind, place, [replace(items[place], name=new_name)])
         if kind is ItemKind.POSE:
-            sequences = tuple(_with_poses(one, {name: new_name}) for one in after.sequences)
+            sequences = tuple(_with_poses(each, {name: new_name}) for each in after.sequences)
             after = replace(after, sequences=sequences)
         self._edit(tr("Rename {0}").format(name), after)
 
     def duplicate(self, kind: ItemKind, name: str) -> str:
-        """Insert a copy after an item, and return the copy's name."""
+        """Insert a copy after an item. Return the copy's name."""
         items, place = self._find(kind, name)
         copy = replace(items[place], name=free_name(name, [item.name for item in items]))
         self._edit(tr("Duplicate {0}").format(name), self._with(kind, place, [items[place], copy]))
@@ -127,14 +127,14 @@ class Library(QObject):
         self._edit(tr("Delete {0}").format(name), self._with(kind, place, []))
 
     def move(self, kind: ItemKind, name: str, place: int) -> None:
-        """Move an item to a place in the order, from 0. A place beyond the end is the end."""
+        """Move an item to a place from 0. A greater place is the end."""
         items, old = self._find(kind, name)
         others = [*items[:old], *items[old + 1 :]]
         others.insert(min(max(place, 0), len(others)), items[old])
         self._edit(tr("Move {0}").format(name), self._with_items(kind, others))
 
     def add_pose(self, positions: Many[int], name: str = "") -> str:
-        """Append a pose (0-1023, one position for each motor), and return its name."""
+        """Append a pose with a position (0-1023) per motor. Return its name."""
         taken = self.project.pose_names
         name = checked_name(name.strip() or free_name(tr("pose"), taken), taken)
         poses = (*self.project.poses, Pose(name, tuple(positions)))
@@ -159,9 +159,9 @@ class Library(QObject):
         self._edit(tr("Change sequence {0}").format(name), after)
 
     def add_gait(self, gait: Gait) -> str:
-        """Append a gait as a sequence, with its missing poses. Return the sequence's name.
+        """Append a gait as a sequence, with its poses. Return its name.
 
-        If a pose has the same name but other positions, it stays, and the gait's pose is renamed.
+        A pose whose name exists with other positions gets another name.
         """
         poses, names = list(self.project.poses), {}
         for own in gait.poses:
@@ -169,7 +169,7 @@ class Library(QObject):
             if pose not in self.project.poses:
                 pose = replace(pose, name=f"{gait.name} {pose.name}")
             if pose not in poses:
-                pose = replace(pose, name=free_name(pose.name, [one.name for one in poses]))
+                pose = replace(pose, name=free_name(pose.name, [each.name for each in poses]))
                 poses.append(pose)
             names[own.name] = pose.name
         name = free_name(gait.name, [sequence.name for sequence in self.project.sequences])
@@ -189,7 +189,7 @@ class Library(QObject):
         raise BadRequest(f"there is nothing called {name}")
 
     def _with(self, kind: ItemKind, place: int, replacement: Many[Any]) -> Project:
-        """Return the project with an item replaced by other items."""
+        """Return the project with an item replaced."""
         items: tuple[Any, ...] = getattr(self.project, kind.value)
         return self._with_items(kind, (*items[:place], *replacement, *items[place + 1 :]))
 
@@ -198,17 +198,17 @@ class Library(QObject):
         return replace(self.project, **changes)
 
     def _edit(self, text: str, after: Project, run: object = None) -> None:
-        """Apply an edit as an undo step, unless it changes nothing."""
+        """Add an undo step, unless the edit changes nothing."""
         if after != self.project:
-            self.undo.push(Edit(text, self._put, None, self.project, after, run=run))
+            self.undo.push(Edit(text, self._set_project, None, self.project, after, run=run))
 
-    def _put(self, _key: None, project: Project) -> None:
+    def _set_project(self, _key: None, project: Project) -> None:
         self.project = project
         self.changed.emit()
 
 
 def _with_poses(sequence: Sequence, names: Mapping[str, str]) -> Sequence:
-    """Return a sequence with the pose names in its steps replaced."""
+    """Return a sequence with replaced pose names."""
     steps = tuple(
         replace(step, pose_name=names.get(step.pose_name, step.pose_name))
         for step in sequence.steps

@@ -1,4 +1,4 @@
-"""Recording of a robot, and playback of its recordings."""
+"""Recorder of a robot, and player of its recordings."""
 
 import math
 from collections.abc import Iterable, Sequence
@@ -25,13 +25,11 @@ from trex_gui.ui.runtime import now
 from trex_gui.ui.workers.record_thread import RecordThread
 
 COLORS = ("motor1", "motor2", "good", "dirty", "danger", "muted", "warning", "plot_text")
-"""Theme colours of the curves, motor 0 first. Each curve also shows its number."""
+"""Theme colours of the curves by motor. Each curve also shows its number."""
 
-MAX_ROWS = 2_000_000
-"""Most rows to draw: two hours of a sequence at the robot's highest rate, 144 MB."""
+MAX_ROWS = 2_000_000  # drawn rows: two hours at the robot's highest rate, 144 MB
+_NO_GAP = math.inf  # a position that is not reported does not change
 
-_NO_GAP = math.inf
-"""No gaps: the robot reports positions only while it moves, and they change only then."""
 
 _Row = tuple[float, ...]  # a time (s) and a position for each motor (degrees; NaN if unknown)
 
@@ -39,8 +37,8 @@ _Row = tuple[float, ...]  # a time (s) and a position for each motor (degrees; N
 class AracnaRecorder(RecordThread[Record]):
     """Records the session of a robot into one file at a time.
 
-    A recording ends with the connection, or if the robot returns with another number of motors,
-    since the columns would be wrong. It continues while the robot does not respond.
+    A recording ends with the connection, or when the number of motors and so of columns changes.
+    It continues while the robot does not respond.
     """
 
     def __init__(self, robot: Robot) -> None:
@@ -67,7 +65,7 @@ class AracnaRecorder(RecordThread[Record]):
 
     @Slot()
     def stop(self) -> None:
-        """End the recording with a marker, so that an uneventful recording has its full length."""
+        """End the recording with a marker, which gives it its full length."""
         self.put(marker(now(), EventKind.NOTE.value, tr("The recording ends here.")))
         super().stop()
 
@@ -125,9 +123,9 @@ def _trace(motor: int) -> TraceInfo:
 
 
 def _rows(state: RobotState, records: Iterable[Record]) -> list[_Row]:
-    """Return rows for the start of a motion, for its reply, and for events between motions.
+    """Return rows for start and end of motions, and for events between them.
 
-    In between a curve is straight, since the real path is unknown.
+    During a motion a curve is straight, since the real path is unknown.
     """
     rows = list[_Row]()
     for record in records:

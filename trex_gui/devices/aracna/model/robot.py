@@ -1,4 +1,4 @@
-"""The robot of a window: its connection, its reported state, and the user's requests."""
+"""Robot of a window: connection, reported state and requests."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -46,22 +46,21 @@ from trex_gui.ui.translations import error_sentence, error_text
 from trex_gui.ui.workers.session_thread import MakeSession
 
 FIRST_SPEED = 100
-"""Speed of every servo until the user changes it: 67 degrees per second.
+"""Speed of the servos, 67 degrees per second, until the user changes it.
 
-Positions are unknown before the first motion, and a servo that was just switched on is unlimited.
-"""
+Positions are unknown before the first motion, and a servo is unlimited after power-up."""
 
 
 class Robot(DeviceConnection[PortSettings]):
-    """One robot, or none. Only the session sends anything unprompted.
+    """A robot, or none. Only the session sends anything unprompted.
 
     Positions and speeds are tuples with one value for each motor, motor 0 first, in the servo's
-    units. `reported` reaches its listeners after `state` includes the report.
+    units. `reported` is emitted after `state` includes the report.
     """
 
-    link_changed = Signal()  # `link` and `status`; `changed` has been emitted before
-    halted = Signal()  # after a halt; pressed controls must be released
-    rejected = Signal(str)  # why a command was not carried out; also sent to the notifier
+    link_changed = Signal()  # after `changed`
+    halted = Signal()
+    rejected = Signal(str)  # reason why a command was rejected; also sent to the notifier
 
     def __init__(self, notifier: Notifier | None = None) -> None:
         super().__init__(AracnaDecoder())
@@ -84,7 +83,7 @@ class Robot(DeviceConnection[PortSettings]):
         self.rejected.connect(self.notifier.error)
 
     def remaining(self) -> float:
-        """Return the seconds until a motion should end, observed or not. 0 if none is running."""
+        """Return the seconds until any motion should end, or 0."""
         until = self.state.moving_until
         return 0.0 if until is None else max(until - now(), 0.0)
 
@@ -107,7 +106,7 @@ class Robot(DeviceConnection[PortSettings]):
         self.link_changed.emit()
 
     def _reset(self, motors: int) -> None:
-        """Reset to an unknown robot. Retain the time when a running motion should end."""
+        """Reset to an unknown robot. Retain the end of a running motion."""
         self.state = RobotState(motors, unobserved_until=self.state.moving_until)
         self.dragging = self._is_holding = False
         self.speeds, self.speeds_chosen = (FIRST_SPEED,) * motors, False
@@ -160,13 +159,13 @@ class Robot(DeviceConnection[PortSettings]):
 
     @Slot()
     def _send_limits(self) -> None:
-        """Send the newest limits to the session, which also applies them to a playing sequence."""
+        """Send the limits, which also apply to a playing sequence."""
         self.submit(SetLimits(self.limits.first(self.state.motors)))
 
     # --- Commands -----------------------------------------------------------------------
 
     def move(self, goals: Sequence[int]) -> bool:
-        """Move every motor to a goal, after a running motion. Return whether it was requested."""
+        """Move every motor after a running motion. Return False if rejected."""
         if not self._can_move():
             return False
         cropped = self.limits.crop(goals)
@@ -177,7 +176,7 @@ class Robot(DeviceConnection[PortSettings]):
         return self._request_move(cropped, dragged=False)
 
     def _request_move(self, goals: tuple[int, ...], *, dragged: bool) -> bool:
-        """Send goals after a running motion, unless newer goals replace them before."""
+        """Send goals after a running motion, unless replaced by newer goals."""
         speeds, self._is_holding = self.speeds, False
         is_sent = self.request(
             lambda number: Move(number, goals, speeds, dragged), self._on_move_done
@@ -186,13 +185,13 @@ class Robot(DeviceConnection[PortSettings]):
         return is_sent
 
     def start_drag(self) -> None:
-        """Let `drag` send goals until `end_drag` or `halt`."""
+        """Enable `drag` until `end_drag` or `halt`."""
         if self._can_move():
             self.dragging = True
             self.changed.emit()
 
     def drag(self, goals: Sequence[int]) -> None:
-        """Send goals as soon as the robot is ready. Newer goals replace waiting ones."""
+        """Send goals once the robot is ready. They replace older goals."""
         if self.dragging and self.link is ConnectionState.CONNECTED:
             self._request_move(self.limits.crop(goals), dragged=True)
 
@@ -203,7 +202,7 @@ class Robot(DeviceConnection[PortSettings]):
             self.changed.emit()
 
     def set_speeds(self, speeds: Sequence[int]) -> None:
-        """Set speeds, 0-1023 (0: unlimited), for every later motion: now, or after the sequence."""
+        """Set speeds, 0-1023 (0: unlimited), now or after the sequence."""
         values = tuple(speeds)
         self.speeds, self.speeds_chosen = values, True
         if (
@@ -215,14 +214,14 @@ class Robot(DeviceConnection[PortSettings]):
         self.changed.emit()
 
     def set_led(self, *, on: bool) -> None:
-        """Switch the debug LED of the board, between motions. Nothing moves."""
+        """Switch the debug LED of the board, between motions."""
         if self.link is ConnectionState.CONNECTED:
             self.request(lambda number: SetLed(number, on), self._on_led_done)
 
     def play(self, play: Play) -> bool:
-        """Play steps, which the session crops to the limits. Return whether it was requested.
+        """Play steps, cropped to the limits. Return False if rejected.
 
-        From unknown positions the robot first goes slowly to the start.
+        From unknown positions, the robot starts with a slow motion.
         """
         if not self._can_move():
             return False
@@ -241,7 +240,7 @@ class Robot(DeviceConnection[PortSettings]):
         return True
 
     def _with_slow_start(self, play: Play) -> Play:
-        """Prepend a slow step to the start: time for the whole travel at `FIRST_SPEED`."""
+        """Prepend a slow step to the start, with time for the whole travel."""
         first = (*play.blend_in, *play.steps)[0]
         seconds = travel_seconds(HIGHEST, FIRST_SPEED) / play.time_scale
         slow = Step(first.goals, seconds, tr("slowly to the start"))
@@ -256,7 +255,7 @@ class Robot(DeviceConnection[PortSettings]):
             self.submit(SetTimeScale(factor))
 
     def halt(self) -> None:
-        """Send nothing more. A running motion continues: no command stops it."""
+        """Send nothing more. A running motion continues, since no command stops it."""
         if not self.is_open or self.link is ConnectionState.DISCONNECTING:
             return
         is_active = self.state.moving is not None or self.state.play is not None
@@ -271,16 +270,16 @@ class Robot(DeviceConnection[PortSettings]):
         self.changed.emit()
 
     def halt_now(self, *, ending: bool = False) -> None:
-        """Send nothing more, and close the port if the program is `ending`.
+        """Send nothing more, from any thread. `ending`: also close the port.
 
-        For emergencies, from any thread; does not wait. `halt` should follow in the GUI thread.
+        Does not wait. `halt` should follow in the GUI thread.
         """
         self.submit_now(*((Halt(), Close()) if ending else (Halt(),)))
 
     def stop_because(self, reason: str) -> str:
-        """Halt for a `reason`, a clause without a full stop. Return the effect as a text.
+        """Halt for a `reason`, a clause without full stop. Return the effect.
 
-        The text is empty if no robot is connected and no motion of an earlier connection runs.
+        The effect is empty without a connected robot and a motion of an earlier connection.
         """
         ending = ending_text(left) if (left := self.remaining()) > 0 else ""
         if self.link is ConnectionState.DISCONNECTED:
@@ -293,20 +292,20 @@ class Robot(DeviceConnection[PortSettings]):
 
     @property
     def is_at_rest(self) -> bool:
-        """Return whether a connected robot is known to be at rest, with no motion pending."""
+        """True if a connected robot is at rest, with no motion pending."""
         state = self.state
         is_busy = state.moving is not None or state.play is not None or state.may_be_moving
         is_about_to = self.dragging or self._pending_moves > 0
         return self.link is ConnectionState.CONNECTED and not is_busy and not is_about_to
 
     def aim_at_present(self) -> None:
-        """Set the targets to the present positions, so that the next move starts there."""
+        """Set the targets to the present positions, for the next move."""
         pairs = zip(self.state.present, self.targets.goals, strict=False)
         self.targets.set_all([goal if present is None else present for present, goal in pairs])
 
     @property
     def move_blocker(self) -> str:
-        """Reason why the robot cannot be moved now. Empty if it can."""
+        """Reason why the robot cannot be moved, or empty."""
         if self.link is not ConnectionState.CONNECTED:
             return tr("No robot is connected.")
         if self.state.play is not None:
@@ -329,7 +328,7 @@ class Robot(DeviceConnection[PortSettings]):
 
     def _on_speeds_done(self, outcome: Outcome) -> None:
         self._pending_speeds = max(self._pending_speeds - 1, 0)
-        if outcome.error is not None and not self._pending_speeds:  # else newer speeds replaced it
+        if outcome.error is not None and not self._pending_speeds:  # newer speeds replace it
             self._reject_because(tr("Speeds not set: {0}"), outcome.error)
 
     def _on_led_done(self, outcome: Outcome) -> None:
@@ -343,7 +342,7 @@ class Robot(DeviceConnection[PortSettings]):
         self._pending_moves -= 1
         is_newest = not self._pending_moves
         if outcome.error is not None and is_newest and not self._is_holding:
-            self.dragging = False  # reported once, not for every goal
+            self.dragging = False  # reports a single error
             self._reject_because(tr("Not moved: {0}"), outcome.error)
         self.changed.emit()
 

@@ -1,4 +1,4 @@
-"""State of the robot, as its session or a recording reports it. Uses neither Qt nor a clock."""
+"""State of the robot, as reported by its session or a recording."""
 
 from dataclasses import dataclass, field
 
@@ -22,22 +22,22 @@ from trex_gui.devices.aracna.session.messages import (
 
 @dataclass(slots=True)
 class RobotState:
-    """Newest reported values. Times are on the session's clock."""
+    """Newest reported values, without Qt or a clock. Times: session clock."""
 
     motors: int
     version: int | None = None
-    present: tuple[int | None, ...] = ()  # position of each motor; `None` where unknown
+    present: tuple[int | None, ...] = ()  # positions; `None`: unknown
     goals: tuple[int, ...] | None = None  # last sent
-    moving: Moving | None = None  # the `.c` that has no reply yet
+    moving: Moving | None = None  # a `.c` without a reply
     moved: Moved | None = None
     awaited_motor: int = 0
     stuck: Stuck | None = None
-    uncertain: bool = False  # whether a motion that is no longer observed may still be running
-    unobserved_until: float | None = None  # when that motion should end; retained after its end
+    uncertain: bool = False  # True while an unobserved motion may be running
+    unobserved_until: float | None = None  # time when that motion should end
     speeds: SpeedsHeld | None = None
-    led: bool | None = None  # debug LED; `None` until it was first switched
+    led: bool | None = None  # debug LED; `None` before it was switched
     play: Play | None = None
-    step: StepBegun | None = None  # the running step; `None` before the first
+    step: StepBegun | None = None  # running step
     stats: LineStats = field(default_factory=LineStats)
 
     def __post_init__(self) -> None:
@@ -53,7 +53,7 @@ class RobotState:
                 self._set_present(present)
                 self.awaited_motor = min(len(present), self.motors - 1)
                 if self.stuck is not None and self.stuck.motor != self.awaited_motor:
-                    self.stuck = None  # it has arrived after all
+                    self.stuck = None  # the motor has arrived
             case Moved():
                 self._handle_moved(report)
             case Stuck():
@@ -67,8 +67,8 @@ class RobotState:
                 self.uncertain, self.step = self.goals is not None, None
             case Connected(version=version):
                 self.version = version
-                # A robot that answers `.q` waits for no motor. Servos may still be moving:
-                # opening the port may have reset the board, which does not stop them.
+                # A robot that replies to `.q` waits for no motor. Servos may still be moving: a
+                # reset by opening the port does not stop them.
                 self._stop_observing()
             case StepBegun():
                 self.step = report
@@ -97,40 +97,40 @@ class RobotState:
 
     @property
     def reply_lost(self) -> bool:
-        """Return whether the last reply to a `.c` was lost, or no servo replied."""
+        """True if the last reply to a `.c` was lost, or no servo replied."""
         return self.moved is not None and set(self.moved.present) == {UNREADABLE}
 
     @property
     def missed_goals(self) -> dict[int, RobotError]:
-        """Errors of motors that are not where they were sent, by number."""
+        """Errors of motors off their goals, by number."""
         return {} if self.moved is None else missed_goals(self.moved.goals, self.moved.present)
 
     @property
     def speed_error(self) -> RobotError | None:
-        """Error for speeds that servos did not accept, from the last reply to a `.v`."""
+        """Error for rejected speeds in the last reply to a `.v`."""
         speeds = self.speeds
         return None if speeds is None else rejected_speeds(speeds.requested, speeds.held)
 
     def held_speed(self, motor: int) -> int | None:
-        """Return the speed that a servo reported last, or `UNREADABLE`. `None` if unknown."""
+        """Return a servo's last reported speed. `None` if unknown."""
         if self.speeds is None or motor >= len(self.speeds.held):
             return None
         return self.speeds.held[motor]
 
     @property
     def ends_at(self) -> float | None:
-        """End of the observed motion on the session's clock. `None` if there is none."""
+        """End of the observed motion on the session clock."""
         return None if self.moving is None else self.moving.time + self.moving.expected
 
     @property
     def moving_until(self) -> float | None:
-        """End of any motion, observed or not, on the session's clock."""
+        """End of any motion on the session clock."""
         return self.unobserved_until if self.moving is None else self.ends_at
 
     @property
     def may_be_moving(self) -> bool:
-        """Return whether a motion may run unobserved: no reply has shown that all motors stopped.
+        """True if a motion may run unobserved.
 
-        This includes the time before the first reply: another host may have moved the robot.
+        That includes the time before the first reply: another host may have moved the robot.
         """
         return self.moving is None and (self.moved is None or self.reply_lost)

@@ -1,4 +1,4 @@
-"""Limits and goals that the user sets for each motor."""
+"""Joint limits and goals of the user."""
 
 from collections.abc import Sequence
 
@@ -11,7 +11,7 @@ _KEY = "aracna/limits"
 
 
 class JointLimits(QObject):
-    """The limits of each joint, saved in the settings. The firmware enforces no limits."""
+    """Limits of each joint, saved in the preferences. The firmware has none."""
 
     changed = Signal()
 
@@ -21,7 +21,7 @@ class JointLimits(QObject):
         self._all = self._read()
 
     def of(self, motor: int) -> Limits:
-        """Return the limits of a motor (from 0). The default depends on its joint."""
+        """Return a motor's limits. The default depends on its joint."""
         if motor < len(self._all):
             return self._all[motor]
         return factory_limits(motor + 1)[motor]
@@ -34,7 +34,7 @@ class JointLimits(QObject):
         return self._all == factory_limits(len(self._all))
 
     def set(self, motor: int, low: int, high: int) -> None:
-        """Set the limits of a joint. BadRequest if out of order or outside 0-1023."""
+        """Set the limits of a joint. Raises BadRequest."""
         limits = Limits(low, high)
         if motor >= len(self._all):
             self._all += factory_limits(motor + 1)[len(self._all) :]
@@ -56,7 +56,7 @@ class JointLimits(QObject):
         self.changed.emit()
 
     def _read(self) -> tuple[Limits, ...]:
-        """Return the saved limits, or the default if they are invalid."""
+        """Return the saved limits, or the default for invalid text."""
         pairs = [word.split("-") for word in self._store.text(_KEY).split()]
         try:
             saved = tuple(Limits(int(low), int(high)) for low, high in pairs)
@@ -66,7 +66,7 @@ class JointLimits(QObject):
 
 
 class Targets(QObject):
-    """Goals of the motors on the sliders, sent or not. Always within the limits."""
+    """Goals on the sliders, sent or not, within the limits."""
 
     changed = Signal()
 

@@ -1,4 +1,4 @@
-"""Texts for joints, quantities and the robot's state."""
+"""Texts for joints, quantities and states of the robot."""
 
 from collections.abc import Sequence
 
@@ -13,7 +13,7 @@ from trex_gui.ui.translations import error_text
 
 
 def joint_text(motor: int) -> str:
-    """Return motor and joint, such as `0 inner`. An unknown joint is left out."""
+    """Return motor and joint, such as `0 inner`, or only the motor."""
     if motor >= MOTORS:
         return str(motor)
     return f"{motor} {tr('outer') if motor % 2 else tr('inner')}"
@@ -27,7 +27,7 @@ def spoken_joint(motor: int) -> str:
 
 
 def position_text(position: int | None) -> str:
-    """Return a position in units and degrees, such as `512 = 150.1°`."""
+    """Return units and degrees, such as `512 = 150.1°`."""
     return "–" if position is None else f"{position} = {Number(degrees(position)):.1f}°"
 
 
@@ -45,14 +45,14 @@ def assumed_text() -> str:
 
 
 def missed_goals_text(state: RobotState) -> str:
-    """Describe every motor that missed its goal. Empty if none did."""
+    """Return the errors of all motors off their goals, or empty."""
     if state.reply_lost:
         return tr("The reply was lost (or no motor responds): positions are not known.")
     return " ".join(map(error_text, state.missed_goals.values()))
 
 
 def difference_text(state: RobotState, motor: int, *, is_observed: bool = True) -> tuple[str, bool]:
-    """Return a motor's difference from its goal, or its problem, and whether it is alarming."""
+    """Return a motor's difference from its goal or its problem, and if it is alarming."""
     present = state.present[motor]
     difference = ""
     if present is not None and state.goals is not None:
@@ -71,7 +71,7 @@ def difference_text(state: RobotState, motor: int, *, is_observed: bool = True) 
 
 
 def activity_text(state: RobotState, left: float) -> tuple[str, bool]:
-    """Return the reported activity of a robot, and whether the user should beware.
+    """Return the activity of a robot, and True if the user must beware.
 
     `left`: seconds until a motion should end.
     """
@@ -95,7 +95,7 @@ def activity_text(state: RobotState, left: float) -> tuple[str, bool]:
 
 
 def ending_text(left: float) -> str:
-    """Return when a running motion should end. `left` is in seconds."""
+    """Return the expected end of a motion. `left`: seconds."""
     return tr("The motion ends by itself in about {0:.1f} s.").format(Number(left))
 
 
@@ -114,7 +114,7 @@ def _playing_text(state: RobotState) -> str:
 
 
 def waiting_text(motor: int | None) -> str:
-    """Return why a stuck robot reads nothing. `motor` is the awaited motor, if known."""
+    """Return the reason why a robot reads nothing. `motor`: awaited motor."""
     if motor is None:
         return tr("The robot does not respond.")
     return tr(ErrorCode.MOTOR_STUCK.value).format(motor)
@@ -140,7 +140,7 @@ def cropped_goals_text(goals: Sequence[int], cropped: Sequence[int]) -> str:
 
 
 def event_of(report: object, state: RobotState) -> tuple[EventKind, str] | None:
-    """Return the event for a report if it is worth logging. `state` includes the report."""
+    """Return the event for a report that is worth logging."""
     match report:
         case Restarted():
             text = tr("The board has restarted. Its servos continue to their goals.")

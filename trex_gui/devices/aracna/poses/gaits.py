@@ -1,11 +1,10 @@
-"""Poses and gaits that come with the program.
+"""Built-in poses and gaits.
 
-Ref: CreativeMachinesLab/aracna `RobotPi/PiConstants.py` (poses: an inner and an outer position, the
-same for all legs; several are outside the joints' limits there and are cropped when played),
-`RobotPi/commonGaits.py` (poses with a duration each, linear in between, from the last pose
-back to the first) and `RobotPi/RobotPi.py` (3 s to flat, then 3 s to stand). Gaits marked `ours`
-use the authors' poses, but are not by the authors. All poses are cropped to the limits that were
-tuned on the robot. The authors' programs also crop goals before they send them.
+Ref: CreativeMachinesLab/aracna `RobotPi/PiConstants.py` (poses: an inner and an outer position for
+all legs, several outside the joints' limits), `RobotPi/commonGaits.py` (poses with a duration each,
+linear in between, from the last pose back to the first) and `RobotPi/RobotPi.py` (3 s to flat, then
+3 s to stand). Gaits marked `ours` use the authors' poses, but are not by the authors. All poses are
+cropped to the limits that were tuned on the robot. The authors' programs also crop goals.
 """
 
 import math
@@ -16,11 +15,11 @@ from trex_gui.core.translation import tr_noop
 from trex_gui.devices.aracna.poses.project import Pose, Sequence, SequenceStep
 from trex_gui.devices.aracna.protocol.joints import MOTORS, crop, factory_limits
 
-SLOW_SECONDS = 3.0  # time of the authors' robot to flat, and from there to stand
+SLOW_SECONDS = 3.0  # of the authors' robot to flat, and from flat to stand
 
 
 def all_legs(name: str, inner: int, outer: int) -> Pose:
-    """Return a pose with the same positions for all legs. Even motors are inner joints."""
+    """Return a pose with equal legs. Even motors are inner joints."""
     return _within_limits(name, (inner, outer) * (MOTORS // 2))
 
 
@@ -47,18 +46,18 @@ BUILT_IN_POSES = (
 
 @dataclass(frozen=True, slots=True)
 class Gait(Sequence):
-    """A sequence with its own poses. It has at least one step."""
+    """Sequence of at least one step, with its own poses."""
 
     poses: tuple[Pose, ...] = ()
     about: str = ""
-    cyclic: bool = True  # can repeat, because its first step starts in its last pose
-    ours: bool = False  # not by the robot's authors
+    cyclic: bool = True  # True if the first step starts in the last pose
+    ours: bool = False  # True if not by the robot's authors
 
 
 def _gait(
     name: str, about: str, *stages: tuple[Pose, float], cyclic: bool = True, ours: bool = False
 ) -> Gait:
-    """Return a gait from poses and the seconds to reach each pose."""
+    """Return a gait. A stage is a pose and the seconds to reach it."""
     steps = tuple(SequenceStep(pose.name, round(1000 * seconds)) for pose, seconds in stages)
     return Gait(name, steps, tuple(pose for pose, _ in stages), about, cyclic, ours)
 
@@ -69,10 +68,10 @@ _SWING = 300
 
 
 def _star(swung: int) -> Gait:
-    """Return the star gait in which the outer joint of leg `swung` (0-3) swings to its low end.
+    """Return a star gait. The outer joint of leg `swung` (0-3) swings low.
 
     The authors number a star gait by the leg's inner motor, and have the gaits 2 and 6. The gaits
-    0 and 4 are the same one leg further, as the names suggest (inferred).
+    0 and 4 are inferred for the neighbouring legs.
     """
     opposite = (swung + 2) % 4
     standing = ((swung + 1) % 4, (swung + 3) % 4)

@@ -1,7 +1,4 @@
-"""Steps of a sequence or gait: their goals within the joints' limits, and their durations.
-
-A servo without load takes its distance divided by its speed, which cannot exceed its ceiling.
-"""
+"""Goals and durations of a sequence's or gait's steps."""
 
 from collections.abc import Iterable
 from collections.abc import Sequence as Many
@@ -13,17 +10,16 @@ from trex_gui.devices.aracna.poses.project import Pose, Sequence
 from trex_gui.devices.aracna.protocol.joints import CENTRE, Limits, crop, travel_seconds
 from trex_gui.devices.aracna.session.messages import Step
 
-Present = Many[int | None]  # position of each motor; `None` where unknown
-COMMAND_SECONDS = 0.1
-"""Shortest time of a step: `.v` and `.c` without motion take 42-55 and 33-37 ms."""
+Present = Many[int | None]  # position of each motor; `None`: unknown
+COMMAND_SECONDS = 0.1  # shortest step: `.v` and `.c` without motion take 42-55 and 33-37 ms
 
 
 def steps_of(
     played: Sequence, poses: Iterable[Pose], limits: Many[Limits], time_scale: float = 1.0
 ) -> tuple[Step, ...]:
-    """Return the steps of a sequence or gait, cropped to `limits`, which has one entry per motor.
+    """Return the steps of a sequence or gait, cropped to each motor's limits.
 
-    BadRequest: there are no steps, or poses are not defined.
+    BadRequest: steps or poses are missing.
     """
     return tuple(
         Step(cropped(pose, limits), seconds * time_scale, pose.name)
@@ -32,7 +28,7 @@ def steps_of(
 
 
 def mismatch(poses: Iterable[Pose], motors: int) -> str:
-    """Return a sentence if poses have another number of motors, else an empty text."""
+    """Return a sentence if poses have another number of motors."""
     counts = {len(pose.positions) for pose in poses} - {motors}
     if not counts:
         return ""
@@ -43,14 +39,14 @@ def mismatch(poses: Iterable[Pose], motors: int) -> str:
 
 
 def cropped(pose: Pose, limits: Many[Limits]) -> tuple[int, ...]:
-    """Return the positions of a pose within the limits, one for each motor."""
+    """Return the positions of a pose within each motor's limits."""
     return crop(pose.first(len(limits)), limits)
 
 
 def blend_in(
     played: Sequence, poses: Iterable[Pose], limits: Many[Limits], present: Present = ()
 ) -> tuple[Step, ...]:
-    """Return the slow step to the start. Empty if any start will do, or the robot is there.
+    """Return the slow step to the start. Empty if it is not necessary.
 
     A cyclic gait starts in its last pose, a sequence in its first. Raises as `steps_of` does.
     """
@@ -65,7 +61,7 @@ def blend_in(
 
 
 def blend_out(limits: Many[Limits], poses: Iterable[Pose] = ()) -> tuple[Step, ...]:
-    """Return the slow step to the pose `stand` of `poses`, else to the built-in `stand`."""
+    """Return the slow step to the pose `stand`, by default the built-in pose."""
     stand = next((pose for pose in poses if pose.name == STAND.name), STAND)
     return (Step(cropped(stand, limits), SLOW_SECONDS, stand.name),)
 
@@ -73,10 +69,10 @@ def blend_out(limits: Many[Limits], poses: Iterable[Pose] = ()) -> tuple[Step, .
 def late_motors(
     steps: Many[Step], start: Present = (), *, again: bool = False
 ) -> dict[int, dict[int, float]]:
-    """Return the seconds needed by motors that are too slow, by step and motor.
+    """Return the seconds that slow motors need, by step and motor.
 
-    A motor at an unknown position never counts as too slow. With `again`, the first step is also
-    checked from the end of the last step.
+    A motor at an unknown position is not slow. `again`: the first step also starts from the end of
+    the last step.
     """
     late = [_late_in(step, before) for before, step in _with_starts(steps, start)]
     if again:
@@ -85,7 +81,7 @@ def late_motors(
 
 
 def estimated_seconds(steps: Many[Step], start: Present = ()) -> float:
-    """Return the time for all steps. Each takes its own time, or its slowest motor's if longer."""
+    """Return the time for all steps, extended for slow motors."""
     return sum(
         max(step.seconds, COMMAND_SECONDS, *_late_in(step, before).values())
         for before, step in _with_starts(steps, start)

@@ -8,10 +8,10 @@
 Ref: CreativeMachinesLab/aracna `RaspberryPypose/project.py`. There the last of two items with the
 same name wins, missing positions are 512, wrong resolutions are 1024, and a line without prefix is
 a pose of an older version. `Nuke` belongs to code for legged robots that PyPose generated, and is
-retained. Blanks around a name are ignored, because PyPose strips the names in steps, and so does
-not find a pose with blanks around its name.
+retained. Blanks around a name are ignored: PyPose strips the names in steps, and so does not find a
+pose with blanks around its name.
 
-Lines that cannot be read are written back unchanged.
+Unreadable lines are written back unchanged.
 """
 
 import re
@@ -52,7 +52,7 @@ class PoseFile:
 
 
 def read_file(path: Path) -> PoseFile:
-    """Read a pose file. SettingsError if it cannot be read, is too large, or not text."""
+    """Read a pose file. SettingsError: unreadable, too large, or not text."""
     data = load(path, tr("poses"))
     found: list[Finding] = []
     content = data.removeprefix(BOM_UTF8)
@@ -74,9 +74,9 @@ def read_file(path: Path) -> PoseFile:
 
 
 def read_ppr(text: str) -> tuple[Project, tuple[Finding, ...]]:
-    """Return the project in a text, and findings for each line. No text is rejected.
+    """Return the project in a text, with findings. Rejects no text.
 
-    An error marks a line that is not used, and a warning marks an assumption.
+    An error marks an unused line, a warning marks an assumption.
     """
     separator = "\r" if "\r" in text and "\n" not in text else "\n"  # "\r": from an old Macintosh
     lines = text.split(separator)
@@ -107,7 +107,7 @@ def read_ppr(text: str) -> tuple[Project, tuple[Finding, ...]]:
 
 
 def write_ppr(project: Project) -> str:
-    """Return the text of a pose file in PyPose's format. Short poses are padded."""
+    """Return a pose file in PyPose's format. Short poses are padded."""
     lines = [":".join([project.name, str(project.motors), *map(str, project.resolutions)])]
     for pose in project.poses:
         positions = pose.first(max(project.motors, len(pose.positions)))
@@ -123,7 +123,7 @@ def _joined(values: Iterable[object]) -> str:
 
 
 class _Reader:
-    """Reads the lines of one file. Items are stored with their line numbers."""
+    """Reader of a file. Items are stored with their line numbers."""
 
     def __init__(self) -> None:
         self.poses: list[tuple[int, Pose]] = []
@@ -141,7 +141,7 @@ class _Reader:
         if count is None or not 1 <= count <= MOST_MOTORS:
             self.warn(1, _no_header())
             return name, (RESOLUTION,) * MOTORS
-        resolutions = tuple(one for one in map(_number, numbers[1:]) if one)
+        resolutions = tuple(number for number in map(_number, numbers[1:]) if number)
         if not len(numbers) - 1 == len(resolutions) == count:
             text = tr("{0} resolutions are expected; assuming {1} for every servo")
             self.warn(1, text.format(count, RESOLUTION))
@@ -179,9 +179,9 @@ class _Reader:
         self.poses.append((number, pose))
 
     def with_unique_names(self, items: list[tuple[int, ItemT]], kind: str) -> tuple[ItemT, ...]:
-        """Return the items with unique names. Of several with one name, the last retains it.
+        """Return the items with unique names. The last of several retains its name.
 
-        An item without blanks around its name has priority, because steps can refer only to it.
+        An item without blanks around its name has priority, because steps can name only this item.
         """
         taken = {item.name for _, item in items}
         by_priority = sorted(items, key=lambda placed: (placed[0] not in self._padded, placed[0]))
@@ -236,7 +236,7 @@ def _name(line: str, no_colon: str, kind: str) -> tuple[str, str]:
 
 
 def _fields(values: str) -> list[str]:
-    """Split values. A comma after the last value is ignored."""
+    """Split values. Ignores a comma after the last value."""
     fields = values.split(",")
     if not fields[-1].strip():
         fields.pop()

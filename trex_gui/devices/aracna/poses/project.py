@@ -1,4 +1,4 @@
-"""Content of a pose file: poses, sequences of poses, and their names."""
+"""Poses, sequences and names in a pose file."""
 
 from collections.abc import Collection, Iterable
 from collections.abc import Set as AbstractSet
@@ -10,16 +10,16 @@ from trex_gui.devices.aracna.protocol.joints import CENTRE, HIGHEST, MOTORS
 
 SHORTEST_MS = 1
 LONGEST_MS = 3_600_000  # an hour; PyPose itself offers up to 5000 ms
-DEFAULT_MS = 500  # pyPose's default for a step
-RESOLUTION = 1024  # positions that a servo distinguishes
+DEFAULT_MS = 500  # PyPose's default for a step
+RESOLUTION = 1024  # number of positions of a servo
 MOST_MOTORS = 253  # servos that a bus can address (identifiers 0-252)
 _LONGEST_NAME = 100
-_SEPARATORS = ":,|"  # characters that separate names and values in a pose file
+_SEPARATORS = ":,|"  # between names and values in a pose file
 
 
 @dataclass(frozen=True, slots=True)
 class Pose:
-    """Named positions (0-1023, motor 0 first). BadRequest: a colon or line end in the name."""
+    """Named positions (0-1023, motor 0 first). Raises BadRequest."""
 
     name: str
     positions: tuple[int, ...]
@@ -29,14 +29,14 @@ class Pose:
             raise BadRequest(f"no pose: {self!r}")
 
     def first(self, motors: int) -> tuple[int, ...]:
-        """Return positions for a number of motors. Missing positions are in the centre."""
+        """Return positions of `motors`. Missing positions are in the centre."""
         missing = max(motors - len(self.positions), 0)
         return self.positions[:motors] + (CENTRE,) * missing
 
 
 @dataclass(frozen=True, slots=True)
 class SequenceStep:
-    """Named pose and the time to reach it. BadRequest: not 1 ms to an hour, or an unusable name."""
+    """Named pose and the time to reach it, up to an hour. Raises BadRequest."""
 
     pose_name: str
     milliseconds: int = DEFAULT_MS
@@ -49,7 +49,7 @@ class SequenceStep:
 
 @dataclass(frozen=True, slots=True)
 class Sequence:
-    """Named steps. BadRequest: a colon or line end in the name."""
+    """Named steps. BadRequest for a colon or line end in the name."""
 
     name: str
     steps: tuple[SequenceStep, ...] = ()
@@ -59,26 +59,23 @@ class Sequence:
             raise BadRequest(f"no sequence: {self!r}")
 
     def missing(self, known: Collection[str]) -> tuple[str, ...]:
-        """Return the pose names that are not `known`, each once, in order."""
+        """Return the pose names that are not `known`, in order."""
         used = dict.fromkeys(step.pose_name for step in self.steps)
         return tuple(name for name in used if name not in known)
 
 
 @dataclass(frozen=True, slots=True)
 class Project:
-    """Poses and sequences of one robot.
+    """Poses and sequences of a robot, in the order of the file.
 
-    Attributes:
-        resolutions: number of positions that a servo distinguishes, one for each motor.
-        poses, sequences: in the order of the file, with unique names. Sequences may name poses that
-            are not defined.
+    Names are unique. Sequences may name poses that are not defined.
     """
 
     name: str = "Aracna"
-    resolutions: tuple[int, ...] = (RESOLUTION,) * MOTORS
+    resolutions: tuple[int, ...] = (RESOLUTION,) * MOTORS  # positions of each servo
     poses: tuple[Pose, ...] = ()
     sequences: tuple[Sequence, ...] = ()
-    rest: tuple[str, ...] = ()  # other lines, which are written back unchanged at the end
+    rest: tuple[str, ...] = ()  # other lines, which stay at the end
     line_end: str = "\n"
 
     @property
@@ -93,11 +90,11 @@ class Project:
         return next((pose for pose in self.poses if pose.name == name), None)
 
     def sequence(self, name: str) -> Sequence | None:
-        return next((one for one in self.sequences if one.name == name), None)
+        return next((sequence for sequence in self.sequences if sequence.name == name), None)
 
 
 def is_usable_in_step(pose_name: str) -> bool:
-    """Return whether a step of a file can name a pose. Commas and bars separate steps."""
+    """Return whether a step can name a pose. Commas and bars separate steps."""
     return not any(sign in pose_name for sign in ",|\r\n")
 
 
@@ -106,13 +103,13 @@ def _is_name(name: str) -> bool:
 
 
 def free_name(name: str, taken: Iterable[str]) -> str:
-    """Return the name, with the first free number added if it is taken."""
+    """Return the name, with a number if it is taken."""
     others = set(taken)
     return free_number(name, others)[0] if name in others else name
 
 
 def free_number(name: str, taken: AbstractSet[str], first: int = 2) -> tuple[str, int]:
-    """Return the name with the first free number from `first` on, and the number after it."""
+    """Return the name with the first free number, and the next number."""
     number = first
     while f"{name} {number}" in taken:
         number += 1
@@ -120,7 +117,7 @@ def free_number(name: str, taken: AbstractSet[str], first: int = 2) -> tuple[str
 
 
 def checked_name(name: str, taken: Iterable[str]) -> str:
-    """Return a name without blanks around it. BadRequest if it is taken or invalid."""
+    """Strip a name. BadRequest if it is taken or invalid."""
     found = name.strip()
     is_possible = found.isprintable() and not any(sign in _SEPARATORS for sign in found)
     if not is_possible or not 0 < len(found) <= _LONGEST_NAME:

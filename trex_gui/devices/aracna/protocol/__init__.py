@@ -1,1 +1,1 @@
-"""Lines, replies, units and joints of Aracna. No I/O, no clock."""
+"""Wire format of Aracna: commands, replies, units and joints."""

@@ -1,7 +1,7 @@
-"""Command lines to the robot, strictly formed, because the firmware does not reject malformed ones.
+"""Command lines to the robot, with one value of one to four digits per motor.
 
-Too few values restart it, an empty field counts as 10, and letters are computed with. So every
-line carries one value of one to four digits for each motor.
+The firmware does not reject invalid lines. Too few values restart it, an empty field counts as 10,
+and letters count as digits.
 """
 
 from collections.abc import Sequence
@@ -10,23 +10,22 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.aracna.protocol.joints import HIGHEST
 
-BAUD = 38_400  # its UART runs at 38400 8N1, without flow control
-QUERY = b".q\n"  # three bytes: as many as the chip keeps while the firmware is busy
-EMPTY = b"\n"  # ends an unfinished line in the firmware's buffer; has no other effect
+BAUD = 38_400  # 38400 8N1, without flow control
+QUERY = b".q\n"  # three bytes fit into the chip while the firmware is busy
+EMPTY = b"\n"  # ends an incomplete line in the firmware's buffer, without other effect
 
 
 def led(*, on: bool) -> bytes:
-    """Return the command that switches the debug LED of the board. It moves nothing."""
     return b".l1\n" if on else b".l0\n"
 
 
 def speeds(values: Sequence[int], motors: int) -> bytes:
-    """Return the command that sets every servo's speed, 0-1023 (0: unlimited)."""
+    """Return the command for the servos' speeds, 0-1023 (0: unlimited)."""
     return _line("v", tr_noop("the speed of motor {0} is 0 to {1}, not {2}"), values, motors)
 
 
 def positions(values: Sequence[int], motors: int) -> bytes:
-    """Return the command that moves every servo to a goal, 0-1023."""
+    """Return the command that moves the servos to goals, 0-1023."""
     return _line("c", tr_noop("the position of motor {0} is 0 to {1}, not {2}"), values, motors)
 
 

@@ -1,8 +1,8 @@
 """Eight joints: their places on the robot, limits, and units of their servos.
 
 Ref: CreativeMachinesLab/aracna `RobotPi/RobotPi.py` (even motors are inner joints),
-`RobotPi/PiConstants.py` (limits tuned on the robot), `RobotPi/SineModel.py` (which leg is where,
-given only for the nine-motor ancestor QuadraTot: assumed for Aracna); Robotis AX-12 and AX-18
+`RobotPi/PiConstants.py` (limits tuned on the robot), `RobotPi/SineModel.py` (places of the legs,
+given for the nine-motor ancestor QuadraTot and assumed for Aracna); Robotis AX-12 and AX-18
 documentation (units).
 """
 
@@ -14,16 +14,15 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr, tr_noop
 
 MOTORS = 8
-HIGHEST = 1023  # the highest position and the highest speed setting
-CENTRE = 512  # the middle of a servo's travel, 150 degrees
+HIGHEST = 1023  # highest position and highest speed setting
+CENTRE = 512  # middle of a servo's travel, 150 degrees
 DEGREES_PER_UNIT = 300 / 1023
 UNITS_PER_SECOND = 2.28  # position units per second for each unit of speed (0.1114 rpm)
 DEGREES_PER_SECOND = 0.669  # degrees per second for each unit of speed
 CEILING = 870
-"""Speed setting above which a servo gets no faster: 97 rpm, no load, AX-18A at 12 V.
+"""Highest effective speed setting: 97 rpm without load, AX-18A at 12 V.
 
-The published CAD of the robot uses AX-18A. An AX-12A ends at 59 rpm, a setting of about 530.
-"""
+The published CAD of the robot uses AX-18A. An AX-12A reaches 59 rpm, a setting of about 530."""
 
 
 LEGS = tr_noop("Front left"), tr_noop("Front right"), tr_noop("Back right"), tr_noop("Back left")
@@ -56,16 +55,15 @@ class Limits:
 
 
 FACTORY_LIMITS = (Limits(50, 600), Limits(0, 550))
-"""Limits of an inner and an outer joint. They protect body and screws; legs can still collide."""
+"""Limits of inner and outer joint. They protect body and screws, but legs can still collide."""
 
 
 def factory_limits(motors: int = MOTORS) -> tuple[Limits, ...]:
-    """Return the limits tuned on the robot, for each motor."""
     return tuple(FACTORY_LIMITS[motor % 2] for motor in range(motors))
 
 
 def crop(goals: Iterable[float], limits: Sequence[Limits]) -> tuple[int, ...]:
-    """Return the nearest allowed goals. A motor without limits keeps its goal."""
+    """Return the nearest allowed goals. Limits may be missing."""
     known = len(limits)
     return tuple(
         limits[motor].crop(goal) if motor < known else round(goal)
@@ -74,27 +72,25 @@ def crop(goals: Iterable[float], limits: Sequence[Limits]) -> tuple[int, ...]:
 
 
 def degrees(position: float) -> float:
-    """Convert a position (0-1023) to degrees (0-300)."""
     return position * DEGREES_PER_UNIT
 
 
 def position(angle: float) -> int:
-    """Convert degrees to the nearest position, not limited to 0-1023."""
+    """Convert degrees to a position, not limited to 0-1023."""
     return round(angle / DEGREES_PER_UNIT)
 
 
 def degrees_per_second(speed: int) -> float | None:
-    """Convert a speed setting to degrees per second. `None` for 0 (unlimited)."""
     return speed * DEGREES_PER_SECOND if speed else None
 
 
 def travel_seconds(distance: int, speed: int, ceiling: int = CEILING) -> float:
-    """Return the time for a distance in position units without load. Speed 0 is unlimited."""
+    """Return the seconds for a distance in units, without load."""
     return abs(distance) / (UNITS_PER_SECOND * min(speed or ceiling, ceiling))
 
 
 def speed_for(distance: int, seconds: float) -> int:
-    """Return the lowest speed (1-1023) that covers a distance in `seconds`, else the highest."""
+    """Return the lowest sufficient speed (1-1023), else the highest."""
     if seconds <= 0:
         return HIGHEST if distance else 1
     needed = math.ceil(abs(distance) / (UNITS_PER_SECOND * seconds) - 1e-9)

@@ -1,69 +1,67 @@
-"""Replies of the robot: whole lines, and a reply to `.c` that is still arriving."""
+"""Replies of the robot, including an incomplete reply to `.c`."""
 
 import re
 from dataclasses import dataclass
 
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS
 
-UNREADABLE = -1  # reported for a servo that does not answer
-MOST_MOTORS = 11
-"""The firmware's line buffer of 59 characters has no space for more values of four digits."""
+UNREADABLE = -1  # value of a servo without reply
+MOST_MOTORS = 11  # more values of four digits do not fit into the firmware's 59-character buffer
 
-_MOTORS_BY_VERSION = {0: 2}  # version → motors, for firmware that does not report their number
+_MOTORS_BY_VERSION = {0: 2}  # for firmware that does not report the number
 
 
 @dataclass(frozen=True, slots=True)
 class Hello:
-    """`.h`: the firmware has started. A pending command is void."""
+    """Reply `.h`: the firmware has started. A pending command is void."""
 
 
 @dataclass(frozen=True, slots=True)
 class Version:
-    """`.q`: firmware version and number of motors (`None` in builds before 22 Sep 2012)."""
+    """Reply to `.q`. `motors`: `None` in builds before 22 Sep 2012."""
 
     version: int
     motors: int | None
 
     @property
     def motor_count(self) -> int:
-        """Reported number of motors, else the known number of this version."""
+        """Reported number of motors, else the number of the version."""
         return self.motors or _MOTORS_BY_VERSION.get(self.version, MOTORS)
 
 
 @dataclass(frozen=True, slots=True)
 class Speeds:
-    """`.v`: the speed that each servo holds, or `UNREADABLE`."""
+    """Reply to `.v`: each servo's speed, or `UNREADABLE`."""
 
     values: tuple[int, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Positions:
-    """`.c`: the position of each servo, or `UNREADABLE`."""
+    """Reply to `.c`: each servo's position, or `UNREADABLE`."""
 
     values: tuple[int, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Led:
-    """`.l`: whether the debug LED is on."""
+    """Reply to `.l`: state of the debug LED."""
 
     on: bool
 
 
 @dataclass(frozen=True, slots=True)
 class Unrecognized:
-    """A line that is no known reply: truncated, corrupted, or from another device."""
+    """Line that is no reply: truncated, corrupted, or of another device."""
 
     line: bytes
 
 
 Reply = Hello | Version | Speeds | Positions | Led | Unrecognized
-ANSWERS: dict[str, type[Reply]] = {"q": Version, "v": Speeds, "c": Positions, "l": Led}
-"""Kind of reply, by the letter of the command."""
+ANSWERS: dict[str, type[Reply]] = {"q": Version, "v": Speeds, "c": Positions, "l": Led}  # by letter
 
-_LONGEST = 200  # most bytes without a line end; the longest reply of eight motors has 43
-_NUMBER = rb"-1|0|[1-9]\d{0,4}"  # as `%d` prints it: no padding, and no sign except in -1
+_LONGEST = 200  # bytes without a line end; the longest reply of eight motors has 43
+_NUMBER = rb"-1|0|[1-9]\d{0,4}"  # printed by `%d`: no padding, no sign except in -1
 _QUERY = re.compile(rb"\.q(0|[1-9]\d{0,4})(?:,([1-9]\d{0,2}))?")
 _VALUES = re.compile(rb"\.([vc])((?:%b)(?:,(?:%b))*)" % (_NUMBER, _NUMBER))
 _LED = re.compile(rb"\.l([01])")
@@ -90,7 +88,7 @@ def read_line(line: bytes) -> Reply:
 
 
 def read_lines(line: bytes) -> list[Reply]:
-    """Parse a line that may end in the `.h` of a restart. An empty line gives no reply."""
+    """Parse a line, empty or with the `.h` of a restart at its end."""
     if not line:
         return []
     reply = read_line(line)
@@ -100,14 +98,13 @@ def read_lines(line: bytes) -> list[Reply]:
 
 
 def _chunks(line: bytes) -> list[bytes]:
-    """Split a line into chunks of `_LONGEST` bytes. The last may be shorter."""
     return [line[at : at + _LONGEST] for at in range(0, max(len(line), 1), _LONGEST)]
 
 
 class Reader:
-    r"""Splits received bytes into lines, ended by `\r\n` or `\n`, and parses them.
+    r"""Parses received lines, which end in `\r\n` or `\n`.
 
-    The first line may be truncated at its beginning, and is then ignored.
+    The first line is ignored if its beginning is missing.
     """
 
     def __init__(self) -> None:
@@ -116,9 +113,9 @@ class Reader:
 
     @property
     def arrived(self) -> tuple[int, ...] | None:
-        """Positions so far in an unfinished `.c` reply. `None` if no such reply is arriving.
+        """Positions in an incomplete `.c` reply. `None` without such a reply.
 
-        A number counts once its comma has arrived: the firmware then waits for the next motor.
+        A number counts after its comma, when the firmware waits for the next motor.
         """
         match = _PARTIAL.fullmatch(self._rest)
         return None if match is None else tuple(map(int, match[1].split(b",")[:-1]))

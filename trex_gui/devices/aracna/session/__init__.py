@@ -1,1 +1,1 @@
-"""Session with an Aracna: one command in flight on one line."""
+"""Session with an Aracna."""

@@ -1,11 +1,11 @@
-"""One command in flight on a line to the robot.
+"""Client with one command in flight.
 
-The reply to `.c` arrives motor by motor, so no call waits until it is complete. The session sends
-a command, listens in short slices, and receives events.
+The reply to `.c` arrives motor by motor, so no call waits for all of it. The session sends a
+command, listens in short slices, and receives events.
 
-Only a single `.q` may be sent after an unanswered command: its three bytes survive in the chip
-while the firmware is busy. The reply to `.q` shows that the firmware is free again. A late reply
-to the command itself comes first.
+Only a single `.q` may follow a command without reply: the chip stores its three bytes while the
+firmware is busy. The reply to `.q` means that the firmware is free. A late reply to the command
+precedes it.
 """
 
 from collections.abc import Sequence
@@ -40,15 +40,15 @@ LINE = SerialFormat(commands.BAUD)
 
 REPLY_TIMEOUT = 1.0  # seconds for `.q` and `.v`; the slowest reply takes 0.06 s on a wire
 QUERY_RETRY = 5.0
-"""Seconds until `.q` is repeated after a reply that stopped halfway. The chip holds one `.q` and
-answers it once, however often it was sent."""
+"""Seconds until `.q` is repeated after an incomplete reply. The chip stores a single `.q`, so that
+a repetition is harmless."""
 
-_KEPT = 48  # bytes of unrecognized data to save for error messages
+_SAVED = 48  # received bytes saved for error messages
 
 
 @dataclass(frozen=True, slots=True)
 class SentCommand:
-    """A command on its way. `timeout` is in seconds from `sent`."""
+    """Pending command. `timeout`: seconds after `sent`."""
 
     letter: str
     values: tuple[int, ...]
@@ -58,7 +58,7 @@ class SentCommand:
 
 @dataclass(frozen=True, slots=True)
 class Answered:
-    """The complete reply has arrived."""
+    """Event: the complete reply has arrived."""
 
     command: SentCommand
     reply: Version | Speeds | Positions | Led
@@ -67,7 +67,7 @@ class Answered:
 
 @dataclass(frozen=True, slots=True)
 class ReplyLost:
-    """No reply will come. `robot_free`: the robot has answered a `.q` sent after the command."""
+    """Event: no reply will come. `robot_free`: a later `.q` was answered."""
 
     command: SentCommand
     error: RobotError
@@ -77,7 +77,7 @@ class ReplyLost:
 
 @dataclass(frozen=True, slots=True)
 class Voided:
-    """The firmware has started, so the pending command, if any, gets no reply."""
+    """Event: the firmware has started, so that a pending command is void."""
 
     command: SentCommand | None
     time: float
@@ -90,9 +90,9 @@ class AracnaClient:
     def __init__(self, transport: Transport, settings: PortSettings) -> None:
         self.transport = transport
         self.settings = settings.at(LINE)
-        self.motors = 0  # values of a command; 0 before the first reply to `.q`
+        self.motors = 0  # 0 before the first reply to `.q`
         self.pending: SentCommand | None = None
-        self.received = b""  # the first bytes that arrived, for a diagnosis
+        self.received = b""  # first bytes, for a diagnosis
         self.stats = LineStats()
         self._unrecognized = b""
         self._reader = Reader()
@@ -102,23 +102,23 @@ class AracnaClient:
 
     @property
     def extra_time(self) -> float:
-        """Seconds that a reply may be delayed by the line rather than by the robot."""
+        """Longest delay of a reply by the line, in seconds."""
         return self.transport.latency + self.settings.timeouts.extra
 
     @property
     def awaited_motor(self) -> int | None:
-        """Motor that an arriving `.c` reply is waiting for. `None` if no such reply is arriving."""
+        """Motor missing from an incomplete `.c` reply. `None` without such a reply."""
         arrived = self._reader.arrived
         return None if arrived is None else len(arrived)
 
     # --- Commands -----------------------------------------------------------------------
-    # Each raises PortUnavailable if the line is gone, and BadRequest while a command is pending.
+    # All raise PortUnavailable if the line is gone, and BadRequest while a command is pending.
 
     def query(self, timeout: float = REPLY_TIMEOUT) -> None:
         self._send("q", (), commands.QUERY, timeout)
 
     def set_speeds(self, values: Sequence[int]) -> None:
-        """Set the speeds of all servos. BadRequest: not one value of 0-1023 for each motor."""
+        """Set the speeds, 0-1023, of all motors. Raises BadRequest."""
         line = commands.speeds(values, self.motors)
         self._send("v", tuple(values), line, REPLY_TIMEOUT)
 
@@ -126,7 +126,7 @@ class AracnaClient:
         self._send("l", (int(on),), commands.led(on=on), REPLY_TIMEOUT)
 
     def move(self, goals: Sequence[int], timeout: float) -> None:
-        """Move all motors. BadRequest: not one goal of 0-1023 for each motor."""
+        """Move all motors to goals, 0-1023. Raises BadRequest."""
         line = commands.positions(goals, self.motors)
         self._send("c", tuple(goals), line, timeout)
 
@@ -147,13 +147,13 @@ class AracnaClient:
     def listen(self, seconds: float = 0.0) -> list[CommandEvent]:
         """Return new events. Wait up to `seconds` for the first byte."""
         data = self.transport.read(1, seconds) if seconds > 0 else b""
-        checked = self.transport.clock()  # data that arrives after this time is late
+        checked = self.transport.clock()  # later data is late
         try:
             data += self.transport.discard()
-        except BadReply:  # endless data is no reply, but a part of it identifies the sender
-            data += self.transport.read(_KEPT, 0.0)
+        except BadReply:  # endless data identifies its sender
+            data += self.transport.read(_SAVED, 0.0)
         now = self.transport.clock()
-        self.received = (self.received + data)[:_KEPT]
+        self.received = (self.received + data)[:_SAVED]
         events: list[CommandEvent] = []
         for reply in self._reader.feed(data):
             events += self._handle(reply, now)
@@ -181,7 +181,7 @@ class AracnaClient:
                 self._unrecognized = reply.line
             if command is not None and command.letter == "c":
                 late = max(command.sent + command.timeout, now)
-                self._send_query_behind(late + REPLY_TIMEOUT + self.extra_time)
+                self._send_query(late + REPLY_TIMEOUT + self.extra_time)
         return []
 
     def _matches(self, command: SentCommand, reply: Reply) -> bool:
@@ -194,7 +194,7 @@ class AracnaClient:
         if self.pending is None or self.pending.letter != "c" or arrived in {None, self._arrived}:
             return []
         self._arrived = arrived
-        if self._is_late:  # the next motor may be late, too
+        if self._is_late:  # the next motor may also be late
             self._is_late = False
             elapsed = now - self.pending.sent + REPLY_TIMEOUT + self.extra_time
             self.pending = replace(self.pending, timeout=max(self.pending.timeout, elapsed))
@@ -207,18 +207,18 @@ class AracnaClient:
         if self._query_deadline is not None and now >= self._query_deadline:
             if self.awaited_motor is None:
                 return [self._lose(now, robot_free=False)]
-            # The end of the line may be lost, and with it the reply to the `.q`.
+            # With the end of the line, the reply to the `.q` may be lost.
             self._query_deadline = None
-            self._send_query_behind(now + QUERY_RETRY)
+            self._send_query(now + QUERY_RETRY)
         if self._is_late or now < command.sent + command.timeout:
             return []
         if command.letter != "c":
             return [self._lose(now, robot_free=False)]
         self._is_late = True
-        self._send_query_behind(now + REPLY_TIMEOUT + self.extra_time)
+        self._send_query(now + REPLY_TIMEOUT + self.extra_time)
         return [Stuck(now, self.awaited_motor)]
 
-    def _send_query_behind(self, deadline: float) -> None:
+    def _send_query(self, deadline: float) -> None:
         if self._query_deadline is None:
             self._query_deadline = deadline
             self.transport.write(commands.QUERY)

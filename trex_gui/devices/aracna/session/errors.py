@@ -1,4 +1,4 @@
-"""Errors of a session with a robot: a code with fields, and the sentence for each code."""
+"""Errors of a session with a robot: codes, fields and sentences."""
 
 from collections.abc import Sequence
 from enum import Enum, unique
@@ -10,20 +10,19 @@ from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol import commands
 
 TOLERANCE = 12
-"""Largest difference between goal and reply that counts as reached, in position units: 3.5 degrees.
+"""Largest difference in units between a goal and a reached position: 3.5 degrees.
 
-A free servo stops on its goal, unless its compliance margin was changed from 0. A greater
-difference means a load on the servo, or a loss of power on its way.
-"""
+A free servo stops on its goal, unless its compliance margin is not 0. A greater difference means a
+load on the servo, or a loss of power during the motion."""
 
 FAR = 50
-"""Difference beyond which a motor has failed, as in the authors' self-test: it is blocked, or servo
-power was off."""
+"""Difference in units from which a motor has failed, as in the authors' self-test. The motor is
+blocked, or servo power was off."""
 
 
 @unique
 class ErrorCode(Enum):
-    """Error of a session. The value is the sentence with a place for each field."""
+    """Error of a session. The value is its sentence with placeholders."""
 
     NO_ROBOT = tr_noop(
         "No Aracna responds on {0}. It does not listen while it moves: if it is moving, wait until "
@@ -72,7 +71,7 @@ class ErrorCode(Enum):
 
 
 class RobotError(CodedError):
-    """An error of a session with a robot."""
+    """Error of a session with a robot."""
 
 
 class RobotBusyError(RobotError, BadRequest):
@@ -80,31 +79,31 @@ class RobotBusyError(RobotError, BadRequest):
 
 
 class RobotNoReplyError(RobotError, NoReply):
-    """The robot or one of its servos does not reply, or does not comply."""
+    """The robot or a servo does not reply, or does not comply."""
 
 
 class RobotBadReplyError(RobotError, BadReply):
-    """Bytes arrived that are no reply to the command."""
+    """The received bytes are no reply to the command."""
 
 
 class RobotInternalError(RobotError, InternalError):
-    """The session failed. The only field is the known detail of its error."""
+    """Bug in the session. The field is the text of the exception."""
 
 
 def diagnose(settings: PortSettings, received: bytes) -> RobotError:
-    """Return the error for a missing Aracna, judged by the first bytes received."""
+    """Return the error for a missing Aracna, based on received bytes."""
     where, query = settings.text(), commands.QUERY.strip()
     if not received.strip(b"\r\n"):
         return RobotNoReplyError(ErrorCode.NO_ROBOT, where)
     if query in received and not received.replace(query, b"").strip(b"\r\n\x00\xff"):
         return RobotNoReplyError(ErrorCode.ECHO, where)
-    if not received.replace(b".h", b"").strip(b"\r\nh"):  # it has reported its start only
+    if not received.replace(b".h", b"").strip(b"\r\nh"):  # only reports of a start
         return RobotNoReplyError(ErrorCode.BOOT_LOOP, where)
     return RobotBadReplyError(ErrorCode.OTHER_DEVICE, where, printable(received))
 
 
 def suggests_scan(error: BaseException) -> bool:
-    """Return whether a scan may help: another device, or none, may be on the port."""
+    """Return whether a scan of the port may help."""
     return isinstance(error, RobotError) and error.code in {
         ErrorCode.NO_ROBOT,
         ErrorCode.OTHER_DEVICE,
@@ -114,7 +113,7 @@ def suggests_scan(error: BaseException) -> bool:
 def missed_goals(
     goals: Sequence[int], present: Sequence[int], tolerance: int = TOLERANCE
 ) -> dict[int, RobotError]:
-    """Return the error of each motor that is not where it was sent, or cannot be read."""
+    """Return an error for each motor off its goal or unreadable."""
     found = {}
     for motor, (goal, position) in enumerate(zip(goals, present, strict=False)):
         if position < 0:
@@ -126,21 +125,21 @@ def missed_goals(
 
 
 def rejected_speeds(requested: tuple[int, ...], held: tuple[int, ...]) -> RobotError | None:
-    """Return the error for speeds that servos did not accept. `None` if all did."""
+    """Return the error for rejected speeds. `None`: all were accepted."""
     if held != requested and all(speed < 0 for speed in held):
         return RobotNoReplyError(ErrorCode.NO_SERVO_POWER)
     wrong = tuple(
-        RobotError(ErrorCode.SPEED_UNREADABLE, motor, wanted)
+        RobotError(ErrorCode.SPEED_UNREADABLE, motor, goal)
         if speed < 0
-        else RobotError(ErrorCode.SPEED_REJECTED, motor, wanted, speed)
-        for motor, (wanted, speed) in enumerate(zip(requested, held, strict=True))
-        if speed != wanted
+        else RobotError(ErrorCode.SPEED_REJECTED, motor, goal, speed)
+        for motor, (goal, speed) in enumerate(zip(requested, held, strict=True))
+        if speed != goal
     )
     return RobotNoReplyError(ErrorCode.SPEEDS_REJECTED, wrong) if wrong else None
 
 
 def printable(data: bytes) -> str:
-    """Return bytes as text if all are printable, else up to 12 as hexadecimal numbers."""
+    """Return printable text, or up to 12 bytes as hexadecimal numbers."""
     data = data.strip(b"\r\n")
     if data and all(0x20 <= byte < 0x7F for byte in data):
         return data.decode("ascii")

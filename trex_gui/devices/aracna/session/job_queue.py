@@ -1,4 +1,4 @@
-"""Requests of a session that have no outcome yet."""
+"""Requests of a session without an outcome."""
 
 from collections import deque
 from collections.abc import Callable
@@ -9,15 +9,14 @@ from trex_gui.core.session import Outcome
 from trex_gui.devices.aracna.session.errors import ErrorCode, RobotError
 from trex_gui.devices.aracna.session.messages import Move, Play, Report, Request, SetLed, SetSpeeds
 
-Job = Move | SetSpeeds | SetLed
-"""A request with one outcome. It is one command, for a `Move` possibly after its speeds."""
+Job = Move | SetSpeeds | SetLed  # one command; a `Move` may send its speeds first
 
 
 class JobQueue:
     """Queued jobs in order, and the job in flight.
 
-    Every job gets exactly one outcome, reported here. `is_setting_speeds`: only the speeds of the
-    motion in flight were sent.
+    Every job gets exactly one outcome. `is_setting_speeds`: only the speeds of the motion in flight
+    were sent.
     """
 
     def __init__(self, report: Callable[[Report], None]) -> None:
@@ -34,7 +33,7 @@ class JobQueue:
         return bool(self._queued)
 
     def add(self, job: Job) -> None:
-        """Queue a job in place of older speeds or goals. New speeds precede queued motions."""
+        """Queue a job in place of older speeds or goals. Speeds precede motions."""
         older = [each for each in self._queued if type(each) is type(job)]
         for each in older if isinstance(job, Move | SetSpeeds) else ():
             self._queued.remove(each)
@@ -53,7 +52,7 @@ class JobQueue:
     def send_next(self, send: Callable[[Job], bool]) -> None:
         """Send the first job. A BadRequest of `send` is its outcome.
 
-        `send` returns whether it sent only the speeds of a motion, which is then sent again.
+        `send` returns True if it sent only the speeds of a motion, which is then sent again.
         """
         self._in_flight = job = self._queued.popleft()
         try:
@@ -62,7 +61,7 @@ class JobQueue:
             self.finish(error=error)
 
     def on_speeds_set(self) -> None:
-        """Send the motion in flight next, unless a newer motion has replaced it."""
+        """Send the motion in flight next, unless it was replaced."""
         job, self._in_flight = self._in_flight, None
         self.is_setting_speeds = False
         if job is not None and any(isinstance(each, Move) for each in self._queued):
@@ -71,7 +70,7 @@ class JobQueue:
             self._queued.appendleft(job)
 
     def finish(self, value: object = None, error: StudioError | None = None) -> bool:
-        """End the request in flight. Return whether there was one."""
+        """End the job in flight. Return False without such a job."""
         job, self._in_flight = self._in_flight, None
         self.is_setting_speeds = False
         if job is not None:
@@ -79,12 +78,12 @@ class JobQueue:
         return job is not None
 
     def reject(self, request: Request | None, error: StudioError) -> None:
-        """Report the outcome of a request that was never queued, if it has one."""
+        """Report the error of a request that was not queued."""
         if isinstance(request, Job | Play):
             self._report(Outcome(request.id, error=error))
 
     def drop(self, reason: StudioError) -> None:
-        """Drop queued jobs, and a motion in flight if only its speeds were sent."""
+        """Drop queued jobs, and a motion that was not sent."""
         if self.is_setting_speeds:
             self.finish(error=reason)
         jobs, self._queued = self._queued, deque()

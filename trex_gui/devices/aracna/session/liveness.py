@@ -1,20 +1,17 @@
-"""Schedule of queries to the robot, and the decision that it does not respond."""
+"""Schedule of queries, and detection of a robot that does not respond."""
 
 from enum import Enum, auto
 
-KEEPALIVE_INTERVAL = 2.0  # seconds without a reply after which an idle robot is queried
-QUERY_INTERVAL = 0.5  # seconds between two queries while a reply is awaited
-RECONNECT_INTERVAL = 1.0  # seconds between two queries to a robot that is not responding
-BOOT_TIME = 1.1
-"""Seconds after `.h` in which the firmware reads nothing: 1 s of blinking, and a margin."""
-
-BOOT_TIMEOUT = 6.0  # seconds allowed for a restart: a boot loader may delay it
-CONNECT_TIMEOUT = 15.0
-"""Seconds after which connecting fails if the robot only reports its start."""
+KEEPALIVE_INTERVAL = 2.0  # seconds between a reply and the query of an idle robot
+QUERY_INTERVAL = 0.5  # seconds between queries while a reply is awaited
+RECONNECT_INTERVAL = 1.0  # seconds between queries of a robot that does not respond
+BOOT_TIME = 1.1  # seconds after `.h`: the firmware blinks for 1 s and reads nothing
+BOOT_TIMEOUT = 6.0  # seconds of a restart, which a boot loader may delay
+CONNECT_TIMEOUT = 15.0  # seconds of a connection attempt while the robot only reports its start
 
 
 class QueryReason(Enum):
-    """Reason to await the reply to `.q` before anything else is sent."""
+    """Reason to await the reply to `.q` before other commands."""
 
     CONNECTING = auto()
     RESTARTED = auto()
@@ -23,10 +20,7 @@ class QueryReason(Enum):
 
 
 class LivenessMonitor:
-    """Decides when to send `.q`.
-
-    `reason`: why a reply to `.q` is awaited, or `None` while the robot responds.
-    """
+    """Decides when to send `.q`. `reason`: `None` while the robot responds."""
 
     def __init__(self, now: float) -> None:
         self.reason: QueryReason | None = QueryReason.CONNECTING
@@ -40,7 +34,7 @@ class LivenessMonitor:
         return self.reason in {None, QueryReason.UNCERTAIN}
 
     def on_missing_reply(self, now: float) -> None:
-        """Schedule a query before anything else is sent."""
+        """Schedule a query before other commands."""
         if self.reason is None:
             self.reason = QueryReason.UNCERTAIN
             self._query_at = now
@@ -56,7 +50,7 @@ class LivenessMonitor:
             self.reason = QueryReason.RESTARTED
 
     def set_not_responding(self, now: float) -> None:
-        """Schedule queries at long intervals from now on."""
+        """Schedule queries at long intervals."""
         self.reason = QueryReason.NOT_RESPONDING
         self._query_at = now + RECONNECT_INTERVAL
 
@@ -73,7 +67,7 @@ class LivenessMonitor:
             self._query_at = now + RECONNECT_INTERVAL - QUERY_INTERVAL
 
     def seconds_to_query(self, now: float) -> float:
-        """Return the seconds until a query is due, if the line is free. 0 if it is already due."""
+        """Return the seconds until a query is due, at least 0."""
         return max(0.0, (self._keepalive_at if self.reason is None else self._query_at) - now)
 
     def timed_out(self, now: float) -> bool:

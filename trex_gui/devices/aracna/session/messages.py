@@ -1,7 +1,7 @@
-"""Requests to an Aracna session, and its reports, as small frozen values.
+"""Requests to an Aracna session, and its reports.
 
-Positions and speeds are tuples with one value for each motor, motor 0 first: positions 0-1023 in
-the servo's units, speeds 0-1023 (0: unlimited). Times are seconds on the session's clock.
+Positions and speeds are tuples with a value per motor, motor 0 first: positions 0-1023 in the
+servo's units, speeds 0-1023 (0: unlimited). Times are seconds on the session clock.
 """
 
 from dataclasses import dataclass
@@ -17,9 +17,9 @@ from trex_gui.devices.aracna.protocol.joints import Limits
 
 @dataclass(frozen=True, slots=True)
 class SetSpeeds:
-    """Set every servo's speed. The value of its `Outcome` is the `SpeedsHeld`.
+    """Set the servos' speeds. The outcome is the `SpeedsHeld`.
 
-    It replaces a queued `SetSpeeds`. Queued motions with speeds use the new speeds.
+    Replaces a queued `SetSpeeds`. Queued motions with speeds use the new speeds.
     """
 
     id: int
@@ -28,7 +28,7 @@ class SetSpeeds:
 
 @dataclass(frozen=True, slots=True)
 class SetLed:
-    """Switch the board's debug LED. The value of its `Outcome` is whether it is on afterwards."""
+    """Switch the debug LED. The outcome is its state."""
 
     id: int
     on: bool
@@ -36,11 +36,11 @@ class SetLed:
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """Move every motor to a goal, in place of a queued `Move`. Its `Outcome` has the `Moved`.
+    """Move every motor to a goal. The outcome is the `Moved`.
 
-    With `speeds`, the motion runs at these speeds or not at all. They are sent first unless the
-    servos are known to hold them. The outcome is an error if a servo does not accept its speed.
-    `dragged`: one of many moves in a row, which do not send speeds that are still trusted.
+    Replaces a queued `Move`. With `speeds`, the motion runs at these speeds or not at all. They are
+    sent first, unless the servos are known to have them. A speed that a servo does not accept is
+    an error. `dragged`: one of many moves in a row, without speeds that are still trusted.
     """
 
     id: int
@@ -51,14 +51,14 @@ class Move:
 
 @dataclass(frozen=True, slots=True)
 class SetLimits:
-    """Crop all goals sent from now on to the limits of each motor."""
+    """Set the limits of each motor for later goals."""
 
     limits: tuple[Limits, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class Step:
-    """One step of a sequence: reach `goals` in `seconds`, at suitable speeds."""
+    """Step of a sequence: reach `goals` in `seconds`."""
 
     goals: tuple[int, ...]
     seconds: float
@@ -67,9 +67,9 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class Play:
-    """Play steps `rounds` times (0: endless), between the blends. `PlayEnded` follows.
+    """Play steps `rounds` times (0: endless), between the blends.
 
-    If the steps are aborted, there is no blend-out. `time_scale` 2 is half as fast.
+    `PlayEnded` follows. Aborted steps have no blend-out. `time_scale` 2 is half as fast.
     """
 
     id: int
@@ -82,7 +82,7 @@ class Play:
 
 @dataclass(frozen=True, slots=True)
 class SetTimeScale:
-    """Change the time scale of the playing sequence from its next step on."""
+    """Change the playing sequence's time scale from the next step on."""
 
     time_scale: float
 
@@ -94,9 +94,9 @@ class EndPlay:
 
 @dataclass(frozen=True, slots=True)
 class Halt:
-    """Send nothing more: drop queued requests and the playing sequence.
+    """Drop queued requests and the playing sequence.
 
-    A running motion continues to its goal. No command stops it.
+    A running motion continues to its goal, since no command stops it.
     """
 
 
@@ -107,25 +107,25 @@ Request = SetSpeeds | SetLed | SetLimits | Move | Play | SetTimeScale | EndPlay 
 
 @dataclass(frozen=True, slots=True)
 class LineStats:
-    """Counts since the robot's first reply. Reported once a second at most, when they change."""
+    """Counts since the robot's first reply, reported once a second if changed."""
 
     requests: int = 0  # sent commands, including a pending command
     replies: int = 0
     timeouts: int = 0
-    corrupted: int = 0  # commands whose reply was lost or unusable
-    unrecognized: int = 0  # lines that are not replies of an Aracna
+    corrupted: int = 0  # commands with a lost or unusable reply
+    unrecognized: int = 0  # lines that are no replies of an Aracna
     restarts: int = 0
     slowest: float = 0.0  # longest round trip in seconds, without motions
 
     @property
     def finished(self) -> tuple[int, ...]:
-        """Counts that do not include a pending command."""
+        """Counts without a pending command."""
         return self.replies, self.timeouts, self.corrupted, self.unrecognized, self.restarts
 
 
 @dataclass(frozen=True, slots=True)
 class Connected:
-    """The robot has answered `.q`. `motors` is valid from now on."""
+    """The robot has replied to `.q`."""
 
     version: int
     motors: int
@@ -133,7 +133,7 @@ class Connected:
 
 @dataclass(frozen=True, slots=True)
 class Restarted:
-    """The board has restarted (`.h`): pending requests are void, but servos continue."""
+    """The board has restarted (`.h`). Pending requests are void, but servos continue."""
 
     time: float
     voided: bool
@@ -141,17 +141,17 @@ class Restarted:
 
 @dataclass(frozen=True, slots=True)
 class Moving:
-    """A `.c` was sent. Its reply should take `expected` seconds. Unknown starts are `None`."""
+    """A `.c` was sent. `expected`: seconds until its reply."""
 
     time: float
     goals: tuple[int, ...]
-    starts: tuple[int | None, ...]
+    starts: tuple[int | None, ...]  # `None`: unknown
     expected: float
 
 
 @dataclass(frozen=True, slots=True)
 class Passed:
-    """The reply to a `.c` so far. `present` has the motors before the awaited motor."""
+    """Incomplete reply to a `.c`. `present`: positions so far."""
 
     time: float
     present: tuple[int, ...]
@@ -159,7 +159,7 @@ class Passed:
 
 @dataclass(frozen=True, slots=True)
 class Moved:
-    """The reply to a `.c`. `present` has the position of each motor, -1 if unreadable or lost."""
+    """Reply to a `.c`. `present`: positions, -1 if unreadable or lost."""
 
     time: float
     goals: tuple[int, ...]
@@ -169,7 +169,7 @@ class Moved:
 
 @dataclass(frozen=True, slots=True)
 class SpeedsHeld:
-    """The reply to a `.v`. `held` has the speed of each servo, -1 if it does not respond."""
+    """Reply to a `.v`. `held`: speeds, -1 for a servo without reply."""
 
     time: float
     requested: tuple[int, ...]
@@ -178,20 +178,20 @@ class SpeedsHeld:
 
 @dataclass(frozen=True, slots=True)
 class Stuck:
-    """The reply to a `.c` is late: the robot waits for `motor`. `None` if nothing has arrived.
+    """The reply to a `.c` is late: the robot waits for `motor`.
 
-    The firmware waits forever for a servo that is blocked or does not respond. Reported once
-    for each command; `Moved` may still follow. Queued requests are dropped, and requests
-    that need an idle robot are rejected until it has answered.
+    The firmware waits for ever for a servo that is blocked or does not respond. Reported once per
+    command. `Moved` may still follow. Queued requests are dropped. Requests that need an idle robot
+    are rejected until it has replied.
     """
 
     time: float
-    motor: int | None
+    motor: int | None  # `None`: nothing has arrived
 
 
 @dataclass(frozen=True, slots=True)
 class NotResponding:
-    """The robot has stopped responding. It is queried until `Connected`."""
+    """The robot does not respond. It is queried until `Connected`."""
 
     time: float
     error: StudioError | None = None
@@ -201,7 +201,7 @@ class NotResponding:
 class StepBegun:
     """A step starts, `late` seconds behind schedule.
 
-    `index` within `part` (`in`, `steps` or `out`) and `round` count from 0.
+    `part`: `in`, `steps` or `out`. `index` within the part and `round` count from 0.
     """
 
     time: float
@@ -212,7 +212,7 @@ class StepBegun:
 
 
 class Ending(Enum):
-    """End of a sequence. The value is the sentence for the user."""
+    """End of a sequence. The value is a sentence for the user."""
 
     DONE = tr_noop("Played to the end.")
     ENDED = tr_noop("The sequence has ended after its step.")
@@ -226,7 +226,7 @@ class Ending(Enum):
 
 @dataclass(frozen=True, slots=True)
 class PlayEnded:
-    """The sequence has ended. Its `Outcome` follows."""
+    """The sequence has ended. Its outcome follows."""
 
     time: float
     why: Ending

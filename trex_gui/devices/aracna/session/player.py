@@ -1,8 +1,8 @@
-"""Player of a sequence: when each step is due, its speeds, goals and arrival.
+"""Player of a sequence of steps.
 
-Steps run on a clock that does not drift. A step is due when the ones before it should have ended,
-not when they did: the time for `.v`, `.c` and their replies counts towards a step's seconds. If the
-robot cannot keep up, the next step starts late and is shortened, by half its seconds at most.
+Steps run on a clock that does not drift. A step is due when the previous steps should have ended.
+The time for `.v`, `.c` and their replies counts towards a step's seconds. If the robot is too slow,
+the next step starts late and is shortened, by half its seconds at most.
 """
 
 import itertools
@@ -23,8 +23,8 @@ from trex_gui.devices.aracna.session.messages import (
 )
 from trex_gui.devices.aracna.session.servo_estimates import ServoEstimates
 
-REPLY_TIME = 0.04  # seconds that a `.c` takes without any motion: 33 to 37 ms on a wire
-_SHORTEST = 0.5  # part of a step's seconds that is left for its motion, however late it starts
+REPLY_TIME = 0.04  # seconds of a `.c` without motion: 33 to 37 ms on a wire
+_SHORTEST = 0.5  # least share of a step's seconds for its motion, after a late start
 _SCALES = (0.05, 20.0)
 
 
@@ -33,7 +33,7 @@ ScheduledStep = tuple[str, int, int, Step]
 
 
 def check_play(play: Play, motors: int) -> None:
-    """Raise a BadRequest for no steps, a wrong number of positions, or values out of range."""
+    """Raise BadRequest for a sequence that the robot cannot play."""
     steps = (*play.blend_in, *play.steps, *play.blend_out)
     is_possible = (
         ((play.rounds > 0 and bool(steps)) or (play.rounds == 0 and bool(play.steps)))
@@ -62,13 +62,13 @@ def _numbered(part: str, steps: Sequence[Step], number: int = 0) -> Iterator[Sch
 
 
 class SequencePlayer:
-    """The playing sequence and the state of its step: speeds, then goals, then arrival."""
+    """Playing sequence and the state of its step."""
 
     def __init__(self, report: Callable[[Report], None], servos: ServoEstimates) -> None:
         self._report = report
         self.servos = servos
         self._play: Play | None = None
-        self._goals: tuple[int, ...] | None = None  # of the running step, not sent yet
+        self._goals: tuple[int, ...] | None = None  # of the running step, if not sent yet
         self._is_moving = False
 
     @property
@@ -86,7 +86,7 @@ class SequencePlayer:
         self._goals, self._is_moving = None, False
 
     def end(self) -> None:
-        """Let only the blend-out follow the running step."""
+        """End the sequence after the running step, with the blend-out."""
         if self._play is None:
             return
         self._is_ending = True
@@ -94,7 +94,7 @@ class SequencePlayer:
             self._steps = _numbered("out", self._play.blend_out)
 
     def set_time_scale(self, time_scale: float) -> None:
-        """Change the time scale from the next step on, unless it is out of range."""
+        """Change the time scale from the next step on. Ignores an invalid scale."""
         if _is_scale(time_scale):
             self._time_scale = time_scale
 
@@ -106,13 +106,13 @@ class SequencePlayer:
             self._report(Outcome(play.id, None if error else why, error))
 
     def seconds_to_next(self, now: float) -> float:
-        """Return how long until something is to be sent. Infinity while nothing plays."""
+        """Return the seconds until the next command, infinite without one."""
         if self._play is None or self._is_moving:
             return math.inf
         return 0.0 if self._goals is not None else max(0.0, self._due - now)
 
     def next_speeds(self, now: float) -> tuple[int, ...] | None:
-        """Start the due step. Return the speeds it needs if they are to be set.
+        """Start the due step. Return its speeds if they must be set.
 
         After the last step, return the speeds from before the sequence. Otherwise the next move
         could take minutes, because a motor hardly had to move in the last step.
@@ -125,23 +125,23 @@ class SequencePlayer:
                 return before
             self.stop(now, Ending.ENDED if self._is_ending else Ending.DONE)
             return None
-        if not self._part:  # requests queued earlier have been sent by now
+        if not self._part:  # earlier requests have been sent
             speeds = tuple(speed for speed in self.servos.speeds if speed is not None)
             self._speeds_before = speeds if len(speeds) == len(self.servos.speeds) else None
             self._due = now
         self._part, index, number, step = scheduled
         seconds, late = step.seconds * self._time_scale, max(0.0, now - self._due)
-        if late > seconds:  # it could never catch up
+        if late > seconds:  # too late to catch up
             self._due = now
         self._due += seconds
         self._goals = self.servos.crop(step.goals)
         self._report(StepBegun(now, self._part, index, number, late))
-        # Leave time for the `.c`. `speeds_to` itself leaves time for the `.v`.
+        # Leaves time for the `.c`. `speeds_to` leaves time for the `.v`.
         left = max(self._due - now - REPLY_TIME, seconds * _SHORTEST)
         return self.servos.speeds_to(self._goals, left)
 
     def next_goals(self) -> tuple[int, ...] | None:
-        """Return the goals of the step once its speeds are set. `None`: nothing to send."""
+        """Return the goals of the step after its speeds. `None`: nothing to send."""
         goals, self._goals = self._goals, None
         self._is_moving = goals is not None
         return goals

@@ -1,6 +1,6 @@
-"""Estimates of each servo's position and speed, and of the time for a motion.
+"""Estimates of each servo's position and speed, and of motion times.
 
-Position and speed cannot be queried. They are known only from the replies to `.c` and `.v`.
+Position and speed cannot be queried. Only the replies to `.c` and `.v` contain them.
 """
 
 from collections.abc import Sequence
@@ -8,35 +8,31 @@ from collections.abc import Sequence
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, Limits, crop, speed_for, travel_seconds
 from trex_gui.devices.aracna.session.errors import missed_goals
 
-ASSUMED_SPEED = 100
-"""Speed assumed while a servo's speed is unknown. It is low: a timeout must not expire early."""
-
-SET_SPEEDS_TIME = 0.055
-"""Longest time of a `.v` in seconds: a pause of 25 ms, and reading back each servo's register."""
+ASSUMED_SPEED = 100  # for a servo of unknown speed; low, so that no timeout expires early
+SET_SPEEDS_TIME = 0.055  # longest time of a `.v` in s, with a pause of 25 ms and the read-back
 
 TRUST = 2.0
-"""Seconds for which the speeds in a `.v` reply count as known while dragging or playing.
+"""Seconds for which reported speeds are trusted during a drag or a sequence.
 
-A servo that lost power is unlimited afterwards, and only the reply to a `.v` shows it. So speeds
-are sent again this often, which takes `SET_SPEEDS_TIME`.
-"""
+A servo is unlimited after a loss of power, and only the reply to a `.v` shows it. Speeds are
+repeated this often, which takes `SET_SPEEDS_TIME`."""
 
-TRUST_BEFORE_MOVE = 0.5  # as `TRUST`, but before a single `Move`
+TRUST_BEFORE_MOVE = 0.5  # seconds, before a single `Move`
 
-_TOO_FAST = 1.05  # a speed may exceed the needed speed by this factor before it is set again
-_ARRIVED = 5  # units from its goal up to which a motor needs no motion
-MARGIN, ALLOWANCE = 1.25, 1.0  # a motion may take 25 % plus 1 s longer than without load
+_TOO_FAST = 1.05  # accepted ratio of a speed to the needed speed
+_ARRIVED = 5  # units; a motor this close to its goal needs no motion
+MARGIN, ALLOWANCE = 1.25, 1.0  # factor and seconds added to the time without load
 
 
 class ServoEstimates:
-    """Last known positions and speeds, `None` where unknown, and the joint limits in force."""
+    """Last known positions and speeds (`None`: unknown), and joint limits."""
 
     def __init__(self, motors: int = 0) -> None:
         self.limits: tuple[Limits, ...] = ()
         self.reset(motors)
 
     def reset(self, motors: int) -> None:
-        """Reset all but the limits, for another robot."""
+        """Reset positions and speeds for another robot."""
         self.present: tuple[int | None, ...] = (None,) * motors
         self.speeds: tuple[int | None, ...] = (None,) * motors
         self._speeds_reported_at = 0.0
@@ -48,11 +44,11 @@ class ServoEstimates:
         self.present = (None,) * len(self.present)
 
     def clear_speeds(self) -> None:
-        """Clear speeds: a servo may have lost power, or a new speed is unconfirmed."""
+        """Clear speeds after a possible loss of power or an unconfirmed speed."""
         self.speeds = (None,) * len(self.speeds)
 
     def clear(self) -> None:
-        """Clear positions and speeds: all servos may have lost power."""
+        """Clear positions and speeds after a possible loss of power."""
         self.clear_positions()
         self.clear_speeds()
 
@@ -63,8 +59,8 @@ class ServoEstimates:
     def on_positions(self, goals: Sequence[int], present: Sequence[int], now: float) -> None:
         """Record the reply to a `.c`.
 
-        All speeds become unknown if a motor cannot be read or has missed its goal: it may have
-        lost power on its way. They also become unknown after a long motion.
+        Speeds expire after a long motion. They become unknown if a motor is unreadable or off its
+        goal, since it may have lost power.
         """
         self.expire_speeds(now)
         if missed_goals(goals, present):
@@ -78,8 +74,8 @@ class ServoEstimates:
     def seconds_to(self, goals: Sequence[int]) -> float:
         """Return the time of the slowest motor, without load.
 
-        From an unknown position the longest distance counts. An unknown speed counts as the
-        slowest known speed, `ASSUMED_SPEED` at most.
+        An unknown position counts as the farthest. An unknown speed counts as the slowest known
+        speed, `ASSUMED_SPEED` at most.
         """
         slowest = min([ASSUMED_SPEED, *(speed for speed in self.speeds if speed)])
         return max(
@@ -88,10 +84,10 @@ class ServoEstimates:
         )
 
     def speeds_to(self, goals: Sequence[int], seconds: float) -> tuple[int, ...] | None:
-        """Return speeds at which every motor arrives in time. `None` if the present speeds will do.
+        """Return speeds for a motion in `seconds`. `None`: the present speeds suffice.
 
-        The time includes setting the speeds. A motor that has arrived keeps its speed. A motor at
-        an unknown position gets `ASSUMED_SPEED` at most.
+        The time includes setting the speeds. A motor on its goal keeps its speed. A motor at an
+        unknown position gets `ASSUMED_SPEED` at most.
         """
         remaining = max(seconds - SET_SPEEDS_TIME, seconds / 2)
         speeds: list[int] = []
@@ -114,5 +110,5 @@ def move_timeout(expected: float) -> float:
 
 
 def _distance(start: int | None, goal: int) -> int:
-    """Return the distance, or the longest possible distance if `start` is unknown."""
+    """Return the distance, from an unknown start the longest."""
     return max(goal, HIGHEST - goal) if start is None else abs(goal - start)

@@ -1,8 +1,8 @@
-"""The loop that owns a line to the robot: requests in, reports out, one command in flight.
+"""Session loop on a line to the robot: requests in, reports out.
 
-It uses neither threads nor Qt. Unprompted it sends only `.q`, because a TReX may be on the port,
-and no other line is harmless to a TReX at any settings. (With a newline before `.q`, a TReX at
-38400 baud with odd parity may take both for a command.) The robot has no stop command: after
+It uses neither threads nor Qt. Without a request it sends only `.q`, because a TReX may be on the
+port, and no other line is harmless to a TReX at any settings. (With a newline before `.q`, a TReX
+at 38400 baud with odd parity may take both for a command.) The robot has no stop command: after
 `Halt`, the loop only sends nothing more.
 """
 
@@ -66,9 +66,9 @@ from trex_gui.devices.aracna.session.servo_estimates import (
     move_timeout,
 )
 
-STATS_INTERVAL = 1.0  # seconds between two reports of the line's statistics
-_SLICE = 0.02  # seconds to wait for reply bytes before checking for requests
-_IDLE = 0.05  # seconds to wait for requests before checking the line for a `.h`
+STATS_INTERVAL = 1.0  # seconds between reports of the line's statistics
+_SLICE = 0.02  # seconds of a wait for reply bytes
+_IDLE = 0.05  # seconds of a wait for requests, before a check for `.h`
 
 
 class AracnaSession:
@@ -86,14 +86,14 @@ class AracnaSession:
         self._servos = ServoEstimates()
         self._jobs = JobQueue(report)
         self._player = SequencePlayer(report, self._servos)
-        self._is_stuck = False  # a late reply to a motion is still awaited
+        self._is_stuck = False  # True while a late reply to a motion is awaited
         self._reported_stats = LineStats()
         self._is_open = False
 
     def run(self) -> None:
         """Serve the line until it is lost or `Close` arrives, then report `Closed`.
 
-        Never raises. The port is always closed, and every request gets its outcome.
+        Never raises. Closes the port, and reports an outcome for every request.
         """
         error = run_until_closed(
             self._open, self._step, lambda detail: RobotInternalError(ErrorCode.INTERNAL, detail)
@@ -193,7 +193,7 @@ class AracnaSession:
             raise RobotNoReplyError(ErrorCode.STUCK)
 
     def _drop(self, now: float, why: Ending, reason: StudioError) -> None:
-        """Drop all queued requests. After a halt, the command in flight continues."""
+        """Drop queued requests. After a halt, the command in flight continues."""
         is_halt = why is Ending.HALTED
         if not is_halt:
             self._jobs.finish(error=reason)
@@ -203,9 +203,9 @@ class AracnaSession:
     # --- Sending ------------------------------------------------------------------------
 
     def _send(self, job: Job) -> bool:
-        """Send a job, or first the speeds of a motion. Return whether only speeds were sent.
+        """Send a job, or only the speeds of a motion. Return True for only speeds.
 
-        BadRequest: the values are not 0-1023, or not as many as the motors.
+        BadRequest: invalid values, or a wrong number of values.
         """
         match job:
             case Move(goals=goals, speeds=speeds, dragged=dragged):
@@ -279,7 +279,7 @@ class AracnaSession:
                 self._jobs.finish(on)
 
     def _on_speeds(self, speeds: SpeedsHeld) -> None:
-        """Start a motion only if every servo has accepted its speed."""
+        """Start a motion if every servo has accepted its speed."""
         error = rejected_speeds(speeds.requested, speeds.held)
         if self._jobs.is_setting_speeds:
             if error is None:
@@ -296,14 +296,14 @@ class AracnaSession:
         if motors != self._client.motors:
             self._client.motors = motors
             self._servos.reset(motors)
-            if was_responding:  # queued requests were meant for another robot
+            if was_responding:  # queued requests are for another robot
                 self._drop(now, Ending.LOST, RobotNoReplyError(ErrorCode.OTHER_ROBOT))
                 was_responding = False
         if not was_responding:
             self._report(Connected(reply.version, motors))
 
     def _on_stuck(self, stuck: Stuck) -> None:
-        """Drop queued requests. They must not start when a servo recovers, perhaps in an hour."""
+        """Drop queued requests, which must not start when a servo recovers."""
         self._is_stuck = True
         self._servos.clear_speeds()  # a servo without power loses its speed
         self._report(stuck)
@@ -343,13 +343,13 @@ class AracnaSession:
             return
         voided = self._player.is_playing or bool(self._jobs)
         voided |= command is not None and command.letter != "q"
-        # Servos keep position and speed over a reset but not over a power cut; `.h` follows both.
+        # Servos keep position and speed over a reset, but not over a power cut. `.h` follows both.
         self._servos.clear()
         self._report(Restarted(now, voided))
         self._drop(now, Ending.RESTARTED, RobotError(ErrorCode.RESTARTED))
 
     def _set_not_responding(self, error: StudioError) -> None:
-        """Report that the robot does not respond. Raise the diagnosis if it never has."""
+        """Report a robot that does not respond. Before a connection, raise the diagnosis."""
         if self._liveness.reason is QueryReason.CONNECTING:
             raise diagnose(self._settings, self._client.received)
         now = self._now()

@@ -1,4 +1,4 @@
-"""Decodes the lines between a host and an Aracna for the traffic log."""
+"""Decoder of Aracna lines for the traffic log."""
 
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.core.transport.traffic import Decoded, Decoder, Transaction
@@ -25,22 +25,21 @@ _COMMANDS = {
 
 class AracnaDecoder(Decoder):
     def shown(self, data: bytes) -> str:
-        r"""Return bytes as text, with line ends as `\r` and `\n`, and other bytes as `\x00`."""
+        r"""Return text with line ends as `\r` and `\n`, other bytes as `\x00`."""
         return data.decode("latin-1").encode("unicode_escape").decode("ascii")
 
     def bytes_of(self, shown: str) -> bytes:
         return shown.encode("ascii").decode("unicode_escape").encode("latin-1")
 
     def is_routine(self, sent: bytes) -> bool:
-        """Return whether the line is the keep-alive query."""
         return sent == b".q\n"
 
     def may_move(self, sent: bytes) -> bool:
-        """Return whether a line commands positions. Its first character does not matter."""
+        """Return whether a line sets positions. The first character is ignored."""
         return any(line[1:2] == b"c" for line in sent.split(b"\n"))
 
     def is_whole(self, transaction: Transaction) -> bool:
-        """Return whether a reply to the last command, or a restart, has arrived."""
+        """Return whether a reply to the last command or a restart has arrived."""
         lines = transaction.received.split(b"\n")[:-1]
         if not transaction.sent:
             return bool(lines)
@@ -48,7 +47,7 @@ class AracnaDecoder(Decoder):
         return any(line.startswith((last, b".h")) for line in lines)
 
     def goes_with(self, transaction: Transaction, sent: bytes) -> bool:
-        """Return whether a line is a query after a command that has no reply yet."""
+        """Return whether a line is a query after a command without reply."""
         is_late = transaction.sent[:2] in {b".c", b".v", b".l"} and not self.is_whole(transaction)
         return sent == b".q\n" and is_late
 
@@ -67,7 +66,7 @@ class AracnaDecoder(Decoder):
             texts.append(tr("incomplete reply") if rest else tr("no reply"))
             is_fault = True
         elif transaction.sent.strip() and not any(
-            _answers(one, transaction.sent) for one in replies
+            _answers(reply, transaction.sent) for reply in replies
         ):
             texts.append(tr("no reply to the command itself"))
             is_fault = True
@@ -97,14 +96,14 @@ class AracnaDecoder(Decoder):
 
 
 def _answers(reply: Reply, sent: bytes) -> bool:
-    """Return whether a reply answers or voids a command. True for an empty line."""
+    """Return whether a reply answers or voids a command."""
     kind = ANSWERS.get(sent[1:2].decode("latin-1"))
     return kind is None or isinstance(reply, kind | Hello)
 
 
 def _command(sent: bytes) -> str:
-    line, _, behind = sent.partition(b"\n")
-    if behind:
+    line, _, rest = sent.partition(b"\n")
+    if rest:
         return tr("{0}, then query whether it is free").format(_command(line))
     if (text := _COMMANDS.get(line)) is not None:
         return tr(text)

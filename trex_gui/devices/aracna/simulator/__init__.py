@@ -1,1 +1,1 @@
-"""The simulated Aracna: firmware, servos, UART and wire."""
+"""Simulated Aracna: firmware, servos, UART and wire."""

@@ -1,7 +1,6 @@
-"""The board's firmware as a generator that waits where the chip waits.
+"""Firmware of the board, as a generator that yields a `Request` for each wait.
 
-Ref: CreativeMachinesLab/aracna, `aracna-embedded-code` of 25 Sep 2012, as it is described. It
-has no clock: it yields a `Request` for each wait.
+Ref: CreativeMachinesLab/aracna, `aracna-embedded-code` of 25 Sep 2012, as described there.
 """
 
 from collections import Counter
@@ -12,20 +11,20 @@ from enum import Enum
 from trex_gui.devices.aracna.simulator.servos import Register, Servo
 
 BUFFER = 59  # characters of a line with its newline; the sixtieth byte ends the string
-BLINKING = 1.0  # seconds of blinking after `.h`, in which nothing is read
+BLINKING = 1.0  # seconds after `.h`, in which the firmware reads nothing
 _BLINKS = 10  # toggles of the LED while blinking; an even number leaves it off
 PARSING = 0.000038  # seconds from the end of a line to its reply, observed
-SPEED_PAUSE = 0.025  # seconds between writing the speeds and reading them back
+SPEED_PAUSE = 0.025  # seconds between writing and reading back the speeds
 WRITING = 0.0005
-"""Seconds of a packet that writes. Inferred, like `READING`, from the round trips: 42 to 55 ms for
+"""Seconds of a writing packet. Inferred, like `READING`, from the round trips: 42 to 55 ms for
 `.v`, 33 to 37 ms for `.c` without motion."""
 
-READING = 0.00095  # seconds of a packet that reads, with or without a reply
-_BATCH = 0.05  # seconds of polls that are simulated together if none can be the last
+READING = 0.00095  # seconds of a reading packet, with or without a reply
+_BATCH = 0.05  # seconds of polls that are simulated together
 
 
 _ARRAY = 4
-_SMASHED = 11  # characters in a field that destroy the stack
+_SMASHED = 11  # characters of a field that destroy the stack
 _UNUSED = 10
 _SEPARATORS = b",\n"
 
@@ -41,21 +40,21 @@ class State(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Pause:
-    """The program is busy and reads nothing."""
+    """Wait of a busy program, which reads nothing."""
 
     seconds: float
 
 
 @dataclass(frozen=True, slots=True)
 class Transmit:
-    """The program waits until the transmitter's buffer is free, and writes a byte into it."""
+    """Wait for the transmitter's buffer, then write of a byte."""
 
     byte: int
 
 
 @dataclass(frozen=True, slots=True)
 class Receive:
-    """The program waits for a byte, which is sent into the generator."""
+    """Wait for a byte, which is sent into the generator."""
 
 
 Request = Pause | Transmit | Receive
@@ -63,14 +62,14 @@ Program = Generator[Request, int, None]
 
 
 class Restart(Exception):  # noqa: N818 - an event, not an error
-    """The firmware has destroyed its stack and restarts."""
+    """Destruction of the stack, which restarts the firmware."""
 
 
 class Firmware:
-    """The firmware and its state. `boots` counts its starts."""
+    """Firmware and its state. `boots` counts its starts."""
 
     def __init__(self, servos: Sequence[Servo], version: int, boot_loader: float) -> None:
-        """Create a board without power. `boot_loader`: seconds before `.h`."""
+        """`boot_loader`: seconds before `.h`. The board has no power."""
         self.servos = tuple(servos)
         self.version = version
         self.reports_motors = True  # false before 22 Sep 2012
@@ -83,7 +82,7 @@ class Firmware:
         self._boot_loader = boot_loader
 
     def program(self) -> Program:
-        """Run from power-up. Certain invalid lines restart it."""
+        """Run from power-up. Some invalid lines restart the firmware."""
         while True:
             yield from self._boot()
             try:
@@ -105,7 +104,7 @@ class Firmware:
             yield Pause(BLINKING / _BLINKS)
 
     def _read_line(self) -> Generator[Request, int, bytes]:
-        """Read a line with its newline, or as much of it as fits into the buffer."""
+        """Read a line with its newline, up to the size of the buffer."""
         self.state = State.IDLE
         line = bytearray()
         while len(line) < BUFFER:
@@ -118,7 +117,7 @@ class Firmware:
         return bytes(line)
 
     def _execute(self, line: bytes) -> Program:
-        """Execute a line by its second character. The first is ignored."""
+        """Execute a line by its second character."""
         self.state = State.ANSWERING
         self.counters["commands"] += 1
         yield Pause(PARSING)
@@ -161,7 +160,7 @@ class Firmware:
 
     @staticmethod
     def _await(servo: Servo) -> Program:
-        """Poll the moving flag until it is 0. It is -1 if the servo does not reply."""
+        """Poll the moving flag until it is 0. Without a reply it is -1."""
         while True:
             yield Pause(READING)
             if servo.read(Register.MOVING) == 0:
@@ -176,28 +175,27 @@ class Firmware:
         yield from self._print(f"{value}\n" if is_last else f"{value},")
 
     def _print(self, text: str) -> Program:
-        r"""Send a text, with a carriage return before each newline."""
         for byte in text.replace("\n", "\r\n").encode("ascii"):
             yield Transmit(byte)
 
 
 def _values(line: bytes, motors: int) -> list[int]:
-    """Return the value of each motor, 0-65535, from a line with or without newline.
+    """Return the value of each motor, 0-65535.
 
-    The firmware's parser does not check for the end of the line. It reads until it has met a comma
-    or newline for each motor, and collects characters in an array of four bytes without a bound.
-    Characters after the last motor's value are ignored. The servos ignore invalid values.
+    The firmware does not check for the end of the line. It reads until it has met a comma or
+    newline for each motor, and collects characters in an array of four bytes without a bound.
+    Characters after the last value are ignored. The servos ignore invalid values.
 
     Raises:
-        Restart: a value is missing, or a field has eleven characters or more. With ten,
+        Restart: a value is missing, or a field has eleven or more characters. With ten,
             the original firmware replies half of the time, the simulator always.
     """
     fields: list[bytes] = []
-    begin = 2
-    for index in range(begin, len(line)):
+    start = 2
+    for index in range(start, len(line)):
         if len(fields) < motors and line[index] in _SEPARATORS:
-            fields.append(line[begin:index])
-            begin = index + 1
+            fields.append(line[start:index])
+            start = index + 1
     if len(fields) < motors or any(len(field) >= _SMASHED for field in fields):
         raise Restart
     return [_number(field) for field in fields]
@@ -207,8 +205,8 @@ def _number(field: bytes) -> int:
     """Convert a field as the firmware does.
 
     Inferred from known values (an empty field is 10, `abc` 49, `0x1F` 721, `1e3` 633, signs and
-    points give more than 1023): the array starts as four tens, each character stores its distance
-    from "0" in eight bits, trailing non-digits count as unused, and the result has sixteen bits.
+    points give more than 1023): the array starts as four tens. Each character stores its distance
+    from "0" in eight bits. Trailing non-digits count as unused. The result has sixteen bits.
     """
     digits = [(byte - ord("0")) & 0xFF for byte in field[:_ARRAY]]
     digits += [_UNUSED] * (_ARRAY - len(digits))

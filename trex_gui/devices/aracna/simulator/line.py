@@ -1,4 +1,4 @@
-"""A simulated Aracna on its line: the board in simulated time, its polled UART, its servos."""
+"""Simulated Aracna on its line: board, polled UART and servos."""
 
 from collections import deque
 from collections.abc import Callable, Sequence
@@ -19,25 +19,23 @@ from trex_gui.devices.aracna.simulator.firmware import (
 from trex_gui.devices.aracna.simulator.servos import Servo
 
 OWN = SerialFormat(38_400)  # settings of a matching host: 38400 8N1
-REAL_BAUD = 16_000_000 / 16 / 26  # the rate that the board derives from 16 MHz, 38461.5 bit/s
-HOLDS = 3
-"""Bytes that the UART holds while the program is busy: a buffer of two, and a shift register."""
+REAL_BAUD = 16_000_000 / 16 / 26  # 38461.5 bit/s, from a clock of 16 MHz
+HOLDS = 3  # bytes in the UART of a busy program: a buffer of two, and a shift register
 
-_OLD_MOTORS = 2  # motors of version 0, of 22 Sep 2012
+_OLD_MOTORS = 2  # number of motors of version 0, of 22 Sep 2012
 
 
 class RobotStation:
-    """One board with its firmware.
+    """Board with its firmware.
 
     The UART is polled, without interrupt: bytes are read only while the program waits for them.
     The transmitter is double-buffered, and the program waits only until its buffer is free. So it
-    reads again while the last two bytes of a reply are still being sent.
+    reads while the last two bytes of a reply are still being sent.
 
     Attributes:
-        keeps_last: whether the last byte is retained when more than three arrive, else the third.
-            The chip's data sheet says the last: a new byte replaces the byte in the shift register.
-            Observed: only with the last byte, a `.v` sent in reaction to `.h` restarts the firmware
-            repeatedly.
+        keeps_last: True if the last of more than three bytes is retained, else the third. The data
+            sheet says the last: a new byte replaces the byte in the shift register. Observed: only
+            with the last byte, a `.v` in reply to `.h` restarts the firmware repeatedly.
     """
 
     line_format = OWN
@@ -48,12 +46,12 @@ class RobotStation:
         self.powered = False
         self.held: deque[int] = deque()  # bytes received while the program was busy
         self.keeps_last = True
-        self.bytes_missed = 0  # bytes that were lost
+        self.bytes_missed = 0
         self._line = line
         self._program: Program | None = None
         self._is_waiting = False
-        self._moved_at = 0.0  # when the last byte goes from the transmitter's buffer to the wire
-        self._sent_at = 0.0  # when the last byte has left the wire
+        self._moved_at = 0.0  # time when the last byte enters the shift register
+        self._sent_at = 0.0  # time when the last byte has left the wire
         self._input = RateConverter(line.timeline, OWN, OWN.baud, self._receive_sampled)
         self._output: RateConverter | None = None
 
@@ -77,14 +75,14 @@ class RobotStation:
         self.firmware.led = False
 
     def reset(self) -> None:
-        """Pull the reset line. The servos are not affected."""
+        """Reset the board without its servos."""
         self.power_off()
         self.power_on()
 
     def receive(
         self, byte: int, host: SerialFormat | None, _error: ReceiveError | None, _begun: float
     ) -> None:
-        # Assumed: the firmware ignores framing errors and uses the byte as it is.
+        # Assumed: the firmware ignores framing errors and uses the byte.
         self._receive(self._line.faults.garble(byte) if _is_other_parity(host) else byte)
 
     def sample(self, byte: int, host: SerialFormat) -> None:
@@ -142,13 +140,13 @@ class RobotStation:
                 self._is_waiting = True
 
     def _is_still_running(self) -> Callable[[], bool]:
-        """Return a check that the board has not been reset since this call."""
+        """Return a check for a reset of the board since this call."""
         program = self._program
         return lambda: self._program is program
 
 
 class AracnaLine(SimulatedLine):
-    """One robot with its wire, just switched on. Servos and boot take time even if unpaced."""
+    """Robot with its wire, switched on. Servos and boot take time even if unpaced."""
 
     def __init__(
         self,
@@ -162,8 +160,8 @@ class AracnaLine(SimulatedLine):
     ) -> None:
         """Switch a robot on.
 
-        `version` of the firmware: 0 by default with two motors, else 1. `positions` of the servos:
-        the centre by default. `boot_loader`: seconds before each `.h`.
+        `version`: by default 0 with two motors, else 1. `positions`: by default the centre.
+        `boot_loader`: seconds before each `.h`.
         """
         super().__init__(paced=paced, seed=seed)
         if version is None:
@@ -175,5 +173,4 @@ class AracnaLine(SimulatedLine):
 
 
 def _is_other_parity(host: SerialFormat | None) -> bool:
-    """Return whether a host uses a parity bit. A second stop bit does not matter."""
     return host is not None and host.parity is not Parity.NONE

@@ -1,4 +1,4 @@
-"""The dock of the Demo Aracna: a simulated robot that can be operated like a real one."""
+"""Dock of the Demo Aracna, a simulated robot."""
 
 from PySide6.QtWidgets import QWidget
 
@@ -14,7 +14,7 @@ from trex_gui.ui.widgets.leds import Lamp
 
 RobotRows = Rows[RobotSnapshot]
 
-_MIN_WIDTH = 26  # pixels of a gauge
+_MIN_WIDTH = 26  # of a gauge in pixels
 
 
 class DemoRobotView(DemoPanelBody[RobotSnapshot]):
@@ -198,7 +198,7 @@ def state_text(snapshot: RobotSnapshot) -> str:
 
 
 def power_text(snapshot: RobotSnapshot) -> tuple[str, bool]:
-    """Return the effect of servo power, and whether it is urgent: it is off, or a servo moves."""
+    """Return the effect of servo power, and True if it is urgent."""
     if not snapshot.power:
         return tr("The robot's switch is off: board and servos have no power."), False
     if not snapshot.servo_power:
@@ -208,7 +208,7 @@ def power_text(snapshot: RobotSnapshot) -> tuple[str, bool]:
 
 
 def servo_text(servo: DemoServo, powered: bool) -> str:
-    """Return position and state of a servo: `512 = 150.1°, moving to 600`."""
+    """Return a servo's position and state: `512 = 150.1°, moving to 600`."""
     where = position_text(servo.position)
     if not powered:
         doing = tr("no power")

@@ -1,10 +1,10 @@
-"""Parts of the help about the pages and messages of an Aracna."""
+"""Help topics of the pages and messages of an Aracna."""
 
 from trex_gui.core.errors import PortFault
 from trex_gui.devices.aracna.session.errors import ErrorCode
 from trex_gui.ui.help.messages import MessageHelp, texts_of
 
-TOPICS = {
+TOPICS = {  # by object name
     "aracna_startPanel": "aracna.md",
     "aracnaRobotPage": "aracna.md#robot",
     "aracnaPosesPage": "aracna.md#poses",
@@ -15,7 +15,6 @@ TOPICS = {
     "aracnaDemoPanel": "simulators.md#the-simulated-aracna",
     "aracnaPlaybackWindow": "aracna.md#recordings",
 }
-"""Topics by object names."""
 
 
 def message_help() -> MessageHelp:

@@ -1,4 +1,4 @@
-"""Stop button, and row below the pages with the robot's activity and its duration."""
+"""Stop button, and row below the pages with the robot's activity."""
 
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QWidget
@@ -18,7 +18,7 @@ _REFRESH_MS = 100
 
 
 class StopSequenceButton(RedButton):
-    """Halts the robot, as Esc does. Also used in windows that may cover the pages."""
+    """Halts the robot, as Esc does. Also in windows that may cover the pages."""
 
     def __init__(self, robot: Robot, name: str, parent: QWidget | None = None) -> None:
         super().__init__(name, title_of(tr("&Stop sequence")), robot.halt, parent)
@@ -36,10 +36,9 @@ class StopSequenceButton(RedButton):
 
 
 class MotionBar(ActionBar):
-    """Explains the button, which ends what is being sent but not a running motion."""
+    """Row with the stop button, which does not end a running motion."""
 
     def __init__(self, robot: Robot, recording: QWidget, parent: QWidget) -> None:
-        """`recording` is shown beside the texts."""
         super().__init__(StopSequenceButton(robot, "aracnaStopButton"), parent)
         self._robot = robot
         self._timer = new_timer(self, _REFRESH_MS, self._update)
@@ -78,7 +77,7 @@ class MotionBar(ActionBar):
             self._timer.start() if is_counting else self._timer.stop()
 
     def _activity_text(self, left: float) -> tuple[str, bool]:
-        """Return the known activity, and whether it is alarming. `left` is in seconds."""
+        """Return the activity, and True if it is alarming. `left`: seconds."""
         if self._robot.link not in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}:
             ending = ending_text(left) if left > 0 else ""
             return f"{tr('No robot is connected.')} {ending}".rstrip(), left > 0

@@ -1,4 +1,4 @@
-"""Window of a recording of a robot."""
+"""Window of a robot's recording."""
 
 from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QIcon, QPixmap
@@ -31,7 +31,7 @@ _NONE = "–"
 
 
 class RobotPlaybackWindow(RecordingWindow):
-    """One recording of a robot. The stop button acts on the connected robot."""
+    """Recording of a robot. The stop button acts on the connected robot."""
 
     def __init__(self, playback: RobotPlayback, robot: Robot) -> None:
         plot_name = tr("Plot of the motors' positions against time")
@@ -75,7 +75,7 @@ class RobotPlaybackWindow(RecordingWindow):
     @Slot()
     def _show_moment(self) -> None:
         state = self.playback.state()
-        goals = state.goals  # the positions before the first goals
+        goals = state.goals  # `None` before the first goals
         if goals is None:
             goals = tuple(CENTRE if place is None else place for place in state.present)
         self._drawing.show_robot(state, goals)
@@ -90,9 +90,9 @@ class RobotPlaybackWindow(RecordingWindow):
 
 
 class JointValues(QTableWidget):
-    """One row per motor, with a check box for its curve. A dash is an unknown value."""
+    """Row per motor, with a check box for its curve."""
 
-    toggled = Signal(int, bool)  # a motor, and whether its curve is drawn
+    toggled = Signal(int, bool)  # motor, True if its curve is drawn
 
     def __init__(self, motors: int, parent: QWidget | None = None) -> None:
         headings = tr("Curve"), tr("Present"), tr("Goal"), tr("Difference"), tr("Speed")
@@ -114,7 +114,7 @@ class JointValues(QTableWidget):
 
     def _cell(self, row: int, column: int) -> QTableWidgetItem:
         cell = self.item(row, column)
-        assert cell is not None  # noqa: S101 - all are made at once
+        assert cell is not None  # noqa: S101 - all cells exist
         return cell
 
     def focus(self, motor: int) -> None:

@@ -1,4 +1,4 @@
-"""Page of the problems of a robot and its line."""
+"""Page of a robot's problems."""
 
 from collections.abc import Sequence
 from datetime import datetime
@@ -17,20 +17,20 @@ from trex_gui.ui.log import Log, LogEntry
 
 
 class RobotProblemsPage(ProblemsPage):
-    """Page of the problems in the log, each text once. The robot has no error bits."""
+    """Problems in the log, each text once. The robot has no error bits."""
 
     def __init__(self, robot: Robot, log: Log, message_help: MessageHelp, parent: QWidget) -> None:
         super().__init__("aracnaErrors", robot.traffic, parent)
         self._robot, self._log, self._message_help = robot, log, message_help
-        self._cleared = dict[str, datetime]()  # time of the newest cleared entry, by text
-        self._stats: LineStats | None = None  # line statistics shown
+        self._cleared = dict[str, datetime]()  # text → time of the newest cleared entry
+        self._stats: LineStats | None = None  # shown statistics
         log.added.connect(self.show_problems)
         robot.link_changed.connect(self.refresh)
         robot.changed.connect(self._on_changed)
 
     @Slot()
     def _on_changed(self) -> None:
-        """Refresh only if needed: while dragging, replies arrive 30 times a second."""
+        """Refresh if necessary. Replies arrive 30 times a second."""
         if self._robot.state.stats != self._stats:
             self._stats = self._robot.state.stats
             self.refresh()
@@ -83,4 +83,4 @@ class RobotProblemsPage(ProblemsPage):
         )
         open_links = {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}
         is_valid = stats.requests > 0 and self._robot.link in open_links
-        return readings if is_valid else [one.unknown() for one in readings]
+        return readings if is_valid else [reading.unknown() for reading in readings]

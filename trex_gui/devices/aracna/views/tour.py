@@ -1,4 +1,4 @@
-"""Screenshot tour of an Aracna: at rest and moving."""
+"""Screenshot tour of an Aracna."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -7,11 +7,11 @@ from trex_gui.devices.aracna.model.controller import AracnaController
 from trex_gui.devices.aracna.session.messages import Play, Step
 from trex_gui.ui.tour import Do, Tour
 
-_STEP_S = 2.5  # so long that every picture shows a motion
+_STEP_S = 2.5  # long enough for a motion in every picture
 
 
 def tour_steps(tour: Tour, controller: AracnaController) -> Iterator[Do]:
-    """Visit the pages at rest and during a sequence."""
+    """Yield actions that show the pages at rest and during a sequence."""
     robot = controller.robot
     pairs = robot.state.motors // 2
     steps = tuple(

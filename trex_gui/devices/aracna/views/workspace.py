@@ -1,4 +1,4 @@
-"""The workspace of an Aracna: its pages, the bar below them, and its menu actions."""
+"""Workspace of an Aracna: pages, motion bar and menu actions."""
 
 from collections.abc import Callable, Mapping
 from functools import partial
@@ -56,14 +56,14 @@ class AracnaRecordings(RecordingManager["RobotPlaybackWindow"]):
         self._robot = robot
 
     def create_window(self, recording: Recording[RobotHeader, Record]) -> "RobotPlaybackWindow":
-        # Imported when needed: the plotting library takes as long to load as all of Qt.
+        # Imported late: the plotting library loads as slowly as all of Qt.
         from trex_gui.devices.aracna.views.playback import RobotPlaybackWindow  # noqa: PLC0415
 
         return RobotPlaybackWindow(RobotPlayback(recording), self._robot)
 
 
 class AracnaWorkspace(Workspace):
-    """Everything in the window that is specific to an Aracna. Has no state of the robot."""
+    """Widgets and actions of an Aracna in the window."""
 
     def __init__(self, controller: AracnaController, frame: MainWindow) -> None:
         robot = controller.robot
@@ -96,8 +96,8 @@ class AracnaWorkspace(Workspace):
         self.recordings.accept_drops(frame, self)
         self.bar = MotionBar(robot, self.recordings.indicator, self)
         ui.column(tabs, into=self, margins=0)
-        make_demo, key = partial(DemoRobotView, controller), "aracna/demo_panel"
-        self._demo = DemoDock("aracnaDemoPanel", key, controller, make_demo, frame)
+        create_demo, key = partial(DemoRobotView, controller), "aracna/demo_panel"
+        self._demo = DemoDock("aracnaDemoPanel", key, controller, create_demo, frame)
         self._demo.setWindowTitle(tr("Demo Aracna"))
         self.stop_text = tr("&Stop sequence")  # this robot has no stop
         self.docks = (self._demo,)
@@ -254,7 +254,7 @@ class AracnaWorkspace(Workspace):
 
     @Slot()
     def _on_changed(self) -> None:
-        """Update the menus only if needed: while dragging, replies arrive 30 times a second."""
+        """Update the menus if necessary. Replies arrive 30 times a second."""
         if not self._actions:
             return
         recording = self.recordings.recorder.recording

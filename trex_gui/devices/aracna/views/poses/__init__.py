@@ -1,1 +1,1 @@
-"""Editing and playing poses, sequences and gaits."""
+"""Page of poses, sequences and gaits."""

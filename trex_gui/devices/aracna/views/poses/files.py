@@ -1,4 +1,4 @@
-"""New, open, save and save as for pose files."""
+"""Opening and saving pose files."""
 
 from collections.abc import Callable
 from functools import partial
@@ -21,14 +21,14 @@ from trex_gui.ui.widgets.document_saver import DocumentSaver
 
 _FOLDER = "aracna/folder"
 
-_MOST_FINDINGS = 8  # findings in a message, which has to fit into the window
+_MOST_FINDINGS = 8  # in a message, which has to fit into the window
 
 
 class PoseFiles(QObject):
-    """Opens and saves the file of a library, and asks before data is lost."""
+    """Opens and saves the file of a library. Prompts before data is lost."""
 
     opened = Signal()
-    used = Signal(object)  # the `Path` of a file that was opened or saved
+    used = Signal(object)  # `Path` of an opened or saved file
 
     def __init__(self, library: Library, notifier: Notifier, window: QWidget) -> None:
         super().__init__(window)
@@ -51,7 +51,7 @@ class PoseFiles(QObject):
             self.open_file(path)
 
     def open_file(self, path: Path) -> None:
-        """Open a pose file, after a question about unsaved edits. Emits `opened`."""
+        """Open a pose file, after a prompt about unsaved edits."""
         if self.may_close(partial(self.open_file, path)):
             in_background(
                 self,
@@ -62,8 +62,8 @@ class PoseFiles(QObject):
 
     def _on_read(self, path: Path, before: Project, file: PoseFile) -> None:
         if self._library.project != before:  # edited meanwhile
-            take = partial(self._on_read, path, self._library.project, file)
-            if not self.may_close(take):
+            retry = partial(self._on_read, path, self._library.project, file)
+            if not self.may_close(retry):
                 return
         self._library.set_file(path, file)
         self._record_used(path)
@@ -78,7 +78,7 @@ class PoseFiles(QObject):
 
     @Slot()
     def save(self) -> bool:
-        """Start saving the file. Return whether saving has started."""
+        """Start saving the file. Return False if that was cancelled."""
         set_typed()
         path = self._library.path
         if path is None:
@@ -103,7 +103,7 @@ class PoseFiles(QObject):
         self._notifier.info.emit(tr("Saved in {0}.").format(path))
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        """Ask before edits are lost. If the user saves them, `leave` is called afterwards."""
+        """Prompt before edits are lost. `leave` is called after they are saved."""
         set_typed()
         return self._saver.may_leave(self._saver.answer(), self.save, leave)
 

@@ -1,4 +1,4 @@
-"""Sequences and gaits: a list, and the steps of the current item."""
+"""Sequences and gaits, with the steps of the current item."""
 
 from collections.abc import Sequence as Many
 from dataclasses import replace
@@ -64,7 +64,7 @@ class StepColumn(IntEnum):
 class MotionBox(ui.Card):
     """Edits the sequences of a library, and shows the gaits."""
 
-    shown = Signal()  # another item is current, or its steps have changed
+    shown = Signal()  # another current item, or changed steps
 
     def __init__(self, library: Library, notifier: Notifier, parent: QWidget | None = None) -> None:
         super().__init__(tr("Sequences and gaits"), parent)
@@ -98,7 +98,7 @@ class MotionBox(ui.Card):
         self.table.selectionModel().currentChanged.connect(self._update_buttons)
         self.table.shown.connect(self._update_buttons)
         self.table.shown.connect(self.shown)
-        self._list.select(ItemKey(GAITS[0].name, built_in=True))  # something that can be played
+        self._list.select(ItemKey(GAITS[0].name, built_in=True))  # playable at once
         self._update_buttons()
 
     @property
@@ -107,7 +107,7 @@ class MotionBox(ui.Card):
 
     @property
     def played(self) -> Sequence | None:
-        """The current sequence or gait in playable form."""
+        """Current sequence or gait."""
         return self._library.playable(self._list.current)
 
     def show_pose(self, name: str) -> None:
@@ -147,7 +147,7 @@ class MotionBox(ui.Card):
 
 
 class _Delegate(QStyledItemDelegate):
-    """Edits a pose in a combo box, and a time in milliseconds in a spin box."""
+    """Editor of a pose in a combo box, and of a time (ms) in a spin box."""
 
     def __init__(self, library: Library, parent: QWidget) -> None:
         super().__init__(parent)
@@ -165,7 +165,7 @@ class _Delegate(QStyledItemDelegate):
                 ],
                 on_activate=self._on_activated,
             )
-            if combo.findText(str(index.data())) < 0:  # an undefined pose stays available
+            if combo.findText(str(index.data())) < 0:  # an undefined pose
                 combo.insertItem(0, str(index.data()))
             return combo
         return ui.spin_box(
@@ -194,14 +194,14 @@ class _Delegate(QStyledItemDelegate):
 
 
 class StepTable(QTableWidget):
-    """Edits the steps of a sequence, and shows those of a gait."""
+    """Edits the steps of a sequence. Shows the steps of a gait."""
 
-    shown = Signal()  # another item is shown, or its steps have changed
+    shown = Signal()  # another item, or changed steps
 
     def __init__(self, library: Library, parent: QWidget | None = None) -> None:
         super().__init__(0, len(StepColumn), parent)
         self._library = library
-        self._key: ItemKey | None = None  # sequence or gait, which the library may have lost
+        self._key: ItemKey | None = None  # may be missing from the library
         self.steps: tuple[SequenceStep, ...] = ()
         self._notes: dict[int, str] = {}
         self._running: int | None = None
@@ -252,7 +252,7 @@ class StepTable(QTableWidget):
             self._fill()
 
     def select(self, row: int) -> None:
-        """Make a row current. An index beyond the end selects the last row."""
+        """Make a row current, at most the last row."""
         column = max(self.currentColumn(), int(StepColumn.POSE))
         self.setCurrentCell(min(row, self.rowCount() - 1), column)
 

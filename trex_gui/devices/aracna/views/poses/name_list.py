@@ -1,4 +1,4 @@
-"""A list of poses or sequences that is edited in place, and its buttons."""
+"""Editable list of poses or sequences, and its buttons."""
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtGui import QAction, QPaintEvent
@@ -22,7 +22,7 @@ class NameList(QListWidget):
     F2 renames an item, Del deletes it, Alt+arrows move it.
     """
 
-    chosen = Signal()  # another item is current
+    chosen = Signal()  # the current item has changed
 
     def __init__(
         self,
@@ -32,7 +32,7 @@ class NameList(QListWidget):
         empty: str,
         parent: QWidget | None = None,
     ) -> None:
-        """Show the items of one kind. `empty` is shown while there are none."""
+        """`empty`: text of an empty list."""
         super().__init__(parent)
         self._library = library
         self._kind = kind
@@ -75,7 +75,7 @@ class NameList(QListWidget):
         return self._keys[row] if 0 <= row < len(self._keys) else None
 
     def select(self, key: ItemKey | None) -> None:
-        """Make an item current. No item is current if `key` is not in the list."""
+        """Make an item current, or none if `key` is not in the list."""
         self.setCurrentRow(self._keys.index(key) if key in self._keys else -1)
 
     def select_and_edit(self, name: str) -> None:
@@ -106,7 +106,6 @@ class NameList(QListWidget):
 
     @Slot()
     def _on_delete(self) -> None:
-        """Delete the current item and select the next item."""
         if (key := self.current) is not None and not key.built_in:
             row = self.currentRow()
             self._library.delete(self._kind, key.name)
@@ -130,11 +129,11 @@ class NameList(QListWidget):
             self._library.rename(self._kind, name, item.text())
         except BadRequest as error:
             self._notifier.error.emit(tr("Not renamed: {0}.").format(error))
-        self._show_names()  # the library may have refused or trimmed the name
+        self._show_names()  # the library may have rejected or trimmed the name
 
     @Slot()
     def _show_names(self) -> None:
-        """Show the items of the library. The current one stays current, unless it is gone."""
+        """Show the library's items. The current item stays current if possible."""
         keys, chosen = self._keys_in_library(), self._chosen
         with QSignalBlocker(self):
             is_renamed = len(keys) == len(self._keys) and chosen not in keys
@@ -153,7 +152,7 @@ class NameList(QListWidget):
     def _keys_in_library(self) -> list[ItemKey]:
         if self._kind is ItemKind.POSE:
             return [ItemKey(name) for name in self._library.project.pose_names]
-        sequences = [ItemKey(one.name) for one in self._library.project.sequences]
+        sequences = [ItemKey(sequence.name) for sequence in self._library.project.sequences]
         return sequences + [ItemKey(gait.name, built_in=True) for gait in GAITS]
 
     def _show_item(self, item: QListWidgetItem, key: ItemKey) -> None:
@@ -187,7 +186,7 @@ def small_button(
     icon: str = "",
     on_click: ui.Handler | None = None,
 ) -> QToolButton:
-    """Create a tool button that takes the focus when it is clicked."""
+    """Create a tool button that gets the focus when clicked."""
     button = ui.tool_button(
         parent, name, text, icon=icon, tip=tip, accessible=tip, on_click=on_click
     )
@@ -198,11 +197,13 @@ def small_button(
 def row_action(
     view: QAbstractItemView, text: str, shortcut: str, slot: ui.Trigger, icon: str = ""
 ) -> QAction:
-    """Create an action for the current row of a view that has the focus."""
+    """Create an action for the current row of a focused view."""
     context = Qt.ShortcutContext.WidgetShortcut
-    made = ui.action(view, "", text, icon=icon, shortcut=shortcut, context=context, on_trigger=slot)
-    view.addAction(made)
-    return made
+    added = ui.action(
+        view, "", text, icon=icon, shortcut=shortcut, context=context, on_trigger=slot
+    )
+    view.addAction(added)
+    return added
 
 
 def action_button(

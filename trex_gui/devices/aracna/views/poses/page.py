@@ -1,4 +1,4 @@
-"""The poses page: edit, save and play poses, sequences and gaits."""
+"""Page to edit, save and play poses, sequences and gaits."""
 
 from PySide6.QtCore import Slot
 from PySide6.QtGui import QResizeEvent
@@ -19,8 +19,6 @@ from trex_gui.ui.widgets.labels import PAGE_MARGINS, PageHead
 
 
 class PosesPage(QWidget):
-    """Edits a library beside a drawing of the robot that plays it."""
-
     def __init__(self, robot: Robot, library: Library, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("aracnaPosesPage")

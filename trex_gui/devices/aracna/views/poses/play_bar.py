@@ -1,4 +1,4 @@
-"""Controls that play a sequence or gait: rounds, speed, blending, and a preview."""
+"""Controls that play a sequence or gait, and a preview."""
 
 from collections.abc import Mapping
 
@@ -34,8 +34,6 @@ _SLOWEST, _FASTEST = 10, 400  # percent
 
 
 class PlayBar(QWidget):
-    """Plays the current sequence or gait: options, a preview and the button."""
-
     def __init__(
         self, robot: Robot, library: Library, motions: MotionBox, parent: QWidget | None = None
     ) -> None:
@@ -44,9 +42,9 @@ class PlayBar(QWidget):
         self._robot = robot
         self._library = library
         self._motions = motions
-        self._request: Play | None = None  # if the current sequence or gait can be played
-        self._limits: tuple[Limits, ...] = ()  # at the last preview
-        self._present: Present = ()  # positions at the last preview
+        self._request: Play | None = None  # `None` if nothing can be played
+        self._limits: tuple[Limits, ...] = ()  # of the last preview
+        self._present: Present = ()  # of the last preview
         self._played: ItemKey | None = None
 
         self._rounds = ui.spin_box(
@@ -134,7 +132,7 @@ class PlayBar(QWidget):
 
     @Slot()
     def _on_robot_changed(self) -> None:
-        """Renew the preview only if needed: while dragging, replies arrive 30 times a second."""
+        """Update the preview if necessary. Replies arrive 30 times a second."""
         state = self._robot.state
         has_moved = state.play is None and state.present != self._present
         if has_moved or self._robot.limits.first(state.motors) != self._limits:
@@ -144,7 +142,7 @@ class PlayBar(QWidget):
 
     @Slot()
     def _update_preview(self) -> None:
-        """Show the preview, or the reason why nothing can be played."""
+        """Show the preview, or the reason why there is none."""
         state, played = self._robot.state, self._motions.played
         self._limits, self._present = self._robot.limits.first(state.motors), state.present
         limits, present, poses = self._limits, self._present, self._library.project.poses
@@ -186,7 +184,7 @@ class PlayBar(QWidget):
     def _show_preview(
         self, text: str, *, alarming: bool = False, notes: dict[int, str] | None = None
     ) -> None:
-        """Show a text. `notes` are remarks by step index."""
+        """Show a text. `notes`: remarks by step index."""
         self._motions.table.show_notes(notes or {})
         self._summary.show_note(text, alarming=alarming)
         self._summary.setAccessibleName(text)
@@ -204,7 +202,6 @@ class PlayBar(QWidget):
 
 
 def _notes(late: Mapping[int, dict[int, float]]) -> dict[int, str]:
-    """Return remarks on late motors by step index."""
     text = tr("needs {0:.2f} s: motor {1}")
     return {
         step: text.format(Number(max(needed.values())), ", ".join(map(str, needed)))
@@ -214,9 +211,9 @@ def _notes(late: Mapping[int, dict[int, float]]) -> dict[int, str]:
 
 def _length_text(steps: int, seconds: float, rounds: int) -> str:
     count, text = tr("%n step(s)", "", steps), tr("{0:.1f} s")
-    one, total = text.format(Number(seconds)), text.format(Number(seconds * rounds))
+    each, total = text.format(Number(seconds)), text.format(Number(seconds * rounds))
     if rounds == 1:
-        return tr("{0}, {1}.").format(count, one)
+        return tr("{0}, {1}.").format(count, each)
     if rounds == 0:
-        return tr("{0}, {1} per round, until stopped.").format(count, one)
-    return tr("{0}, {1} per round, {2} in total.").format(count, one, total)
+        return tr("{0}, {1} per round, until stopped.").format(count, each)
+    return tr("{0}, {1} per round, {2} in total.").format(count, each, total)

@@ -1,4 +1,4 @@
-"""The poses: a list, the positions of the current pose, and its actions."""
+"""List of poses, the positions of the current pose, and its actions."""
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal, Slot
 from PySide6.QtWidgets import QSpinBox, QWidget
@@ -81,7 +81,7 @@ class PoseBox(ui.Card):
 
     @property
     def current_name(self) -> str:
-        """Name of the current pose. Empty if no pose is current."""
+        """Name of the current pose, or empty."""
         key = self._list.current
         return "" if key is None else key.name
 
@@ -128,7 +128,7 @@ class PoseBox(ui.Card):
 
     @Slot()
     def capture(self) -> None:
-        """Save the robot's position as a new pose, and let the user type its name."""
+        """Save the robot's position as a new pose, whose name is then edited."""
         set_typed()
         present = self._robot.state.present
         known = tuple(each for each in present if each is not None)

@@ -1,1 +1,1 @@
-"""The page on which the robot is seen and moved."""
+"""Page on which the user moves the robot."""

@@ -1,8 +1,8 @@
-"""Drawing of the robot from above: reported positions in solid lines, goals dashed.
+"""Sketch of the robot from above: reported positions in solid lines, goals dashed.
 
-No publication describes how the angle of a servo turns a leg. So this is a sketch without
-kinematics: every angle is drawn flat, reduced so that legs do not overlap, and mirrored so that
-equal angles look alike on both sides.
+No publication describes how a servo's angle turns a leg, so there is no kinematics. Every angle is
+drawn flat, reduced so that legs do not overlap, and mirrored so that equal angles look alike on
+both sides.
 """
 
 import math
@@ -22,21 +22,21 @@ from trex_gui.ui.widgets.circuit import paint_chassis, write
 from trex_gui.ui.widgets.painted import Painted, Painter
 
 _CENTRE = 150.0
-_REDUCTION = 0.35  # drawn angle per angle of a servo
-_BODY = 0.24  # half the edge of the body; both axes of the picture span -1 to 1
+_REDUCTION = 0.35  # drawn angle divided by the servo's angle
+_BODY = 0.24  # half an edge of the body; both axes of the picture span -1 to 1
 _HIP = 0.26
 _UPPER = 0.33
 _LOWER = 0.34
 _LEG = 0.08  # width
 _RADIUS = 0.075
-_REACH = 0.13  # distance within which the mouse points at a joint
-_WIDEST = 130  # largest width of the widget beside the drawing, in average characters
+_REACH = 0.13  # largest distance between the mouse and a joint that it points at
+_WIDEST = 130  # width of the widget beside the drawing, in average characters
 Point = tuple[float, float]
 
 
 @dataclass(frozen=True, slots=True)
 class DrawnLeg:
-    """Positions of the joints and the foot: x to the right and y down, -1 to 1."""
+    """Joints and foot of a leg: x to the right and y down, -1 to 1."""
 
     inner: Point
     outer: Point
@@ -44,7 +44,7 @@ class DrawnLeg:
 
 
 def drawn_legs(positions: tuple[float, ...]) -> tuple[DrawnLeg, ...]:
-    """Return the legs whose two motors both have a position (units), in motor order."""
+    """Return the legs with two known positions (units), in motor order."""
     return tuple(
         _drawn_leg(motor // 2, positions[motor], positions[motor + 1])
         for motor in range(0, min(len(positions), MOTORS) - 1, 2)
@@ -67,10 +67,10 @@ def _along(start: Point, angle: float, length: float) -> Point:
 
 
 class RobotDrawing(Painted):
-    """Drawing that identifies each joint and shows its angle. Takes no focus."""
+    """Drawing with the number and angle of each joint. Gets no focus."""
 
-    pointed = Signal(int)  # the motor whose joint the mouse points at; -1 for none
-    chosen = Signal(int)  # the motor whose joint was clicked
+    pointed = Signal(int)  # motor of the joint below the mouse, or -1
+    chosen = Signal(int)  # motor of the clicked joint
 
     def __init__(self, state: RobotState, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -98,13 +98,13 @@ class RobotDrawing(Painted):
 
     @Slot(int)
     def mark(self, motor: int) -> None:
-        """Highlight the joint of a motor. -1 for none."""
+        """Highlight a motor's joint. -1: none."""
         if motor != self._marked:
             self._marked = motor
             self.update()
 
     def joint_place(self, motor: int) -> QPointF:
-        """Return the position of a joint in pixels of this widget."""
+        """Return a joint's position in pixels."""
         leg = self._solid()[motor // 2]
         return self._place(leg.outer if motor % 2 else leg.inner)
 
@@ -124,7 +124,7 @@ class RobotDrawing(Painted):
         self.pointed.emit(-1)
 
     def _joint_at(self, point: QPointF) -> int:
-        """Return the motor of the joint at a point. -1 for none."""
+        """Return the motor of the joint at a point, or -1."""
         found, nearest = -1, _REACH * self._scale()
         for motor in range(2 * len(self._solid())):
             away = point - self.joint_place(motor)
@@ -134,7 +134,7 @@ class RobotDrawing(Painted):
         return found
 
     def _solid(self) -> tuple[DrawnLeg, ...]:
-        """Return the legs at reported positions. A goal replaces an unknown position."""
+        """Return the legs at reported positions, or at goals if unknown."""
         pairs = zip(self._state.present, self._goals, strict=False)
         return drawn_legs(tuple(goal if present is None else present for present, goal in pairs))
 
@@ -193,7 +193,7 @@ class RobotDrawing(Painted):
 
 
 class RobotCard(Card):
-    """Drawing of a robot with a remark. It gets the width that `beside` does not use."""
+    """Drawing of a robot with a remark, in the space left by `beside`."""
 
     def __init__(self, robot: Robot, remark: str, beside: QWidget, parent: QWidget) -> None:
         super().__init__(parent=parent)
@@ -217,7 +217,7 @@ class RobotCard(Card):
         self._beside.setMaximumWidth(max(widest, self._beside.minimumSizeHint().width()))
 
     def show_in(self, width: int) -> None:
-        """Show the card if `width` pixels have space for it, else hide it."""
+        """Show the card if `width` (pixels) has space for it."""
         needed = self.drawing.minimumSizeHint().width() + 3 * CARD_PADDING
         self.setVisible(width >= self._beside.minimumSizeHint().width() + needed)
 

@@ -1,4 +1,4 @@
-"""Table of joints: slider, goal, present position, difference, speed, limits."""
+"""Table of joints, with a row per motor."""
 
 from PySide6.QtCore import QEvent, QObject, QPointF, QRect, QSignalBlocker, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QPainter, QPen, QPolygonF
@@ -29,7 +29,7 @@ _WEDGE = 7
 
 
 class JointSlider(PressSlider):
-    """Slider 0-1023: the handle is the goal, the wedge below is the present position.
+    """Slider 0-1023. The handle is the goal, the wedge the present position.
 
     Outside the limits the groove is thin and grey.
     """
@@ -88,7 +88,7 @@ class JointSlider(PressSlider):
 
 
 class SpeedBox(ui.SpinBox):
-    """Box for a speed setting, 0-1023, with its meaning. 0 is unlimited."""
+    """Box for a speed setting, 0-1023 (0: unlimited), with its meaning."""
 
     def __init__(self, name: str, accessible: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -108,12 +108,12 @@ class SpeedBox(ui.SpinBox):
 
     @Slot()
     def update_suffix(self) -> None:
-        """Show the meaning of a value that was set with signals blocked."""
+        """Show the meaning of the value, also if its signals were blocked."""
         self.setSuffix(f" = {speed_text(self.value())}")
 
 
 class JointRow(QObject):
-    """Widgets of one motor in the grid of the table."""
+    """Widgets of a motor in the table's grid."""
 
     def __init__(self, robot: Robot, motor: int, parent: "JointTable") -> None:
         super().__init__(parent)
@@ -127,7 +127,7 @@ class JointRow(QObject):
 
         def position_box(kind: str, accessible: str) -> QSpinBox:
             box = ui.spin_box(parent, f"aracna{kind}{motor}", name(accessible), 0, HIGHEST)
-            ui.strip_style(box, str(HIGHEST))  # without buttons, since the slider is beside the box
+            ui.strip_style(box, str(HIGHEST))  # the slider replaces the buttons
             return box
 
         self.name = ui.label(parent, f"aracnaName{motor}", joint_text(motor))
@@ -201,7 +201,7 @@ class JointRow(QObject):
     def show_state(self) -> None:
         state = self._robot.state
         if self.speed.value() != (speed := self._robot.speeds[self._motor]):
-            self.speed.setValue(speed)  # setting an equal value would replace unfinished input
+            self.speed.setValue(speed)  # setting an equal value would replace typed text
         held = state.held_speed(self._motor)
         text = "" if held is None else tr("the servo holds {0}").format(speed_text(held))
         self.speed.setAccessibleDescription(text)
@@ -230,7 +230,7 @@ class JointRow(QObject):
             self._robot.set_speeds(speeds)
 
     def _on_limit_edited(self) -> None:
-        """Set the limits. A limit that crosses the other limit moves it along."""
+        """Set the limits. A limit that crosses the other limit shifts it."""
         before = self._robot.limits.of(self._motor)
         low, high = self.low.value(), self.high.value()
         if low > high:
@@ -240,12 +240,12 @@ class JointRow(QObject):
 
 
 class JointTable(QWidget):
-    """Table that shows and changes the targets, speeds and limits of a robot."""
+    """Table of a robot's targets, speeds and limits."""
 
     goal_edited = Signal()  # by the user
-    grabbed = Signal()  # the user holds a slider
+    grabbed = Signal()  # a slider was pressed
     released = Signal()
-    pointed = Signal(int)  # the motor with the mouse or the focus; -1 for none
+    pointed = Signal(int)  # motor with the mouse or the focus, or -1
 
     def __init__(self, robot: Robot, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -287,7 +287,7 @@ class JointTable(QWidget):
         return any(row.slider.held for row in self._rows)
 
     def show_limits(self, *, shown: bool) -> None:
-        """Show the limits in place of the speeds, or the speeds again."""
+        """Show the limits or the speeds."""
         self._limits_shown = shown
         for column, head in self._heads.items():
             head.setVisible(column not in _ALTERNATING or shown is (column != _SPEED))
@@ -295,7 +295,7 @@ class JointTable(QWidget):
 
     @Slot(int)
     def mark(self, motor: int) -> None:
-        """Highlight the name of a motor. -1 for none."""
+        """Highlight a motor's name. -1: none."""
         for number, row in enumerate(self._rows):
             set_text_color(row.name, "accent" if number == motor else "")
 

@@ -1,4 +1,4 @@
-"""The robot page: a drawing, the joints in rows, and controls for all joints."""
+"""Robot page: drawing, table of joints, and controls for all joints."""
 
 from collections.abc import Callable, Sequence
 
@@ -29,12 +29,12 @@ from trex_gui.ui.widgets.labels import PAGE_MARGINS, PageHead
 
 
 class RobotPage(QWidget):
-    """Sliders set the goals. The robot moves on Move, or while a slider is dragged."""
+    """Page with sliders for goals, which are sent by Move or during a drag."""
 
     def __init__(
         self, robot: Robot, start: Callable[[QWidget], QWidget], parent: QWidget | None = None
     ) -> None:
-        """`start` creates the panel that is shown without a connection, until `set_up_offline`."""
+        """`start` creates the panel for the time without a connection."""
         super().__init__(parent)
         self.setObjectName("aracnaRobotPage")
         self._robot = robot
@@ -43,7 +43,7 @@ class RobotPage(QWidget):
         self._head = PageHead("", self._content)
         self._head.title.setObjectName("aracnaTitle")
         joints = ui.Card(parent=self._content)
-        set_look(joints, "compact")  # so that table and controls fit a low screen
+        set_look(joints, "compact")  # fits a low screen
         table = JointTable(robot, joints)
         self.controls = Controls(robot, table, joints)
         ui.column((table, 1), self.controls, into=joints, spacing=4)
@@ -66,7 +66,7 @@ class RobotPage(QWidget):
         self._drawn.show_in(self.contentsRect().width())
 
     def set_up_offline(self) -> None:
-        """Show goals and limits instead of the start panel, until the next connection."""
+        """Show goals and limits until the next connection."""
         self._is_set_up_offline = True
         self._on_changed()
 
@@ -83,7 +83,7 @@ class RobotPage(QWidget):
         self._head.show_state(more)
 
     def _report_text(self) -> tuple[str, str, bool]:
-        """Return the state of the robot, the details, and whether it is a warning."""
+        """Return the state, its details, and True for a warning."""
         state = self._robot.state
         if self._robot.link not in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}:
             return tr("No robot is connected."), tr("Goals and limits can be set already."), False
@@ -113,26 +113,26 @@ class RobotPage(QWidget):
 
 
 def _parts(text: str) -> tuple[str, str]:
-    """Return the first sentence of a text, and the rest."""
+    """Return the first sentence of a text and the rest."""
     first, dot, more = text.partition(". ")
     return f"{first}{dot}".rstrip(), more
 
 
 class CommonSpeedBox(SpeedBox):
-    """Speed of all motors. If speeds differ, shows that until the user selects a speed."""
+    """Speed of all motors, or a remark that the speeds differ."""
 
     _DIFFER = -1
 
     def __init__(self, name: str, accessible: str, parent: QWidget | None = None) -> None:
         super().__init__(name, accessible, parent)
-        self.setMinimumWidth(self.sizeHint().width())  # does not change when the speeds differ
+        self.setMinimumWidth(self.sizeHint().width())  # also for differing speeds
 
     @property
     def differ(self) -> bool:
         return self.value() == self._DIFFER
 
     def show_speeds(self, speeds: Sequence[int]) -> None:
-        """Show the speeds of all motors without a signal. Unchanged speeds keep typed text."""
+        """Show the speeds without a signal. Equal speeds do not replace typed text."""
         value = speeds[0] if len(set(speeds)) == 1 else self._DIFFER
         lowest = min(value, 0)
         if (value, lowest) == (self.value(), self.minimum()):
@@ -150,15 +150,13 @@ class CommonSpeedBox(SpeedBox):
             self.setValue(steps * self.singleStep())
 
     def focusInEvent(self, event: QFocusEvent) -> None:
-        """Select the text of differing speeds for overtyping, also after a click."""
+        """Select the text of differing speeds, also after a click."""
         super().focusInEvent(event)
         if self.differ:
             QTimer.singleShot(0, self, self.selectAll)
 
 
 class Controls(QWidget):
-    """Controls for all joints: move, live mode, sliders, speed, limits."""
-
     def __init__(self, robot: Robot, table: JointTable, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._robot = robot
@@ -244,7 +242,7 @@ class Controls(QWidget):
 
     @Slot()
     def _on_goal_edited(self) -> None:
-        """Send the goals in live mode. A key or a spin box counts as a drag of one step."""
+        """Send the goals in live mode. A key or spin box counts as a drag."""
         robot = self._robot
         if self._is_live and robot.dragging:
             robot.drag(robot.targets.goals)
@@ -288,5 +286,5 @@ class Controls(QWidget):
             button.setEnabled(is_idle)
         self._factory.setEnabled(not robot.limits.are_factory)
         if robot.link is ConnectionState.DISCONNECTED:
-            self._live.setChecked(False)  # has to be selected again for each robot
+            self._live.setChecked(False)  # must be selected for each robot
         self._speed.show_speeds(robot.speeds)
