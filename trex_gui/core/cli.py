@@ -196,8 +196,6 @@ json_option = click.option("--json", "as_json", is_flag=True, help="JSON instead
 
 
 def all_options(*options: Callable[[FunctionT], FunctionT]) -> Callable[[FunctionT], FunctionT]:
-    """Return a decorator that adds options in this order."""
-
     def add(function: FunctionT) -> FunctionT:
         for option in reversed(options):
             function = option(function)

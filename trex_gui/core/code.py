@@ -66,7 +66,6 @@ _ASCII = str.maketrans({"µ": "u", "μ": "u", "−": "-", "–": "-", "—": "-"
 
 
 def _aligned(rows: str) -> str:
-    """Align the comments of C++ rows. Drop empty comments."""
     pairs = [line.partition(" // ")[::2] for line in rows.splitlines()]
     width = min(max(len(code) for code, _ in pairs), _COMMENT_COLUMN)
     lines = [f"{code:{width}} // {comment}" if comment else code for code, comment in pairs]

@@ -38,7 +38,6 @@ def file_exists(path: Path) -> bool:
 
 
 def log_folder() -> Path:
-    """Return the folder of the log and the crash report."""
     return data_folder() / "log"
 
 
@@ -51,8 +50,6 @@ class Severity(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """Error or warning about a settings file."""
-
     line: int | None  # from 1; `None`: the file as a whole
     key: str | None  # spelt as in the file
     message: str  # expected and found value

@@ -75,7 +75,6 @@ class ProgramLog:
 
 
 def terminal_handler(*, is_verbose: bool) -> logging.Handler:
-    """Return a handler for warnings, or for everything if verbose."""
     handler = logging.StreamHandler()
     handler.setLevel(logging.DEBUG if is_verbose else logging.WARNING)
     if is_verbose:

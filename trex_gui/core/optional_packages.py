@@ -5,7 +5,6 @@ from pathlib import Path
 
 
 def install_command(package: str) -> str:
-    """Return the shell command that installs an optional package."""
     if (Path(sys.prefix) / "pipx_metadata.json").exists():
         return f"pipx inject trex-gui {package}"
     return f'"{sys.executable}" -m pip install {package}'

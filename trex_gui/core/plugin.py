@@ -27,8 +27,6 @@ class Lazy(Generic[T_co]):
 
 @dataclass(frozen=True, slots=True)
 class CommandInfo:
-    """Command of trexcmd, with its line in the command list."""
-
     command: "Lazy[click.Command]"
     help: str
 

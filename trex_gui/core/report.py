@@ -68,8 +68,6 @@ class ReportFile:
 
 @dataclass(frozen=True, slots=True)
 class Mask:
-    """Personal names to replace in every file."""
-
     home: str = ""
     user: str = ""
     computer: str = ""

@@ -16,7 +16,6 @@ if sys.platform != "win32":
 
 
 def crash_file() -> Path:
-    """Return the path of the last crash report, with thread stacks."""
     return log_folder() / "crash.txt"
 
 
@@ -41,7 +40,6 @@ class RunFile:
             faulthandler.enable(self._file)
 
     def close(self) -> None:
-        """Remove the file at the end of the run."""
         if self._file is not None:
             faulthandler.disable()
             with suppress(OSError):

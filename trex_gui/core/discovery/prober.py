@@ -107,8 +107,6 @@ Recall = Callable[[Transport, PortSettings, str], FoundDevice | None]
 
 @dataclass(frozen=True, slots=True)
 class ProberInfo:
-    """Search functions of one device kind."""
-
     name: str
     create: CreateProber
     announces_at: SerialFormat | None = None  # line settings of a device's start message

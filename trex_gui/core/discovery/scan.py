@@ -152,7 +152,6 @@ def _probe_in_order(
 
 
 def order(parts: Mapping[str, Sequence[int]], first: str | None) -> list[tuple[str, int]]:
-    """Return the parts of all kinds in the order of the scan."""
     keys = sorted(parts, key=lambda key: key != first)
     most = max((len(each) for each in parts.values()), default=0)
     return [(key, number) for number in range(most) for key in keys if number < len(parts[key])]

@@ -59,8 +59,6 @@ def joined_stops(stops: Sequence[StopSequence]) -> StopSequence:
 
 @dataclass(frozen=True, slots=True)
 class SharedPort:
-    """Open port that a child process inherits."""
-
     kind: str  # `serial`, `socket` or `telnet`
     number: int  # its file descriptor; on Windows a handle
 

@@ -401,7 +401,6 @@ class Watchdog:
             self._replies.write(f"{word}\n".encode("ascii"))
 
     def _log(self, outcome: str, text: str) -> None:
-        """Write a line to the log (see `logged_stops`) and the console."""
         line = f"{time.strftime('%Y-%m-%d %H:%M:%S')} {outcome}: {text}\n"
         with suppress(OSError):
             os.makedirs(os.path.dirname(self._log_file), exist_ok=True)  # noqa: PTH103, PTH120

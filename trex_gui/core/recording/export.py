@@ -105,7 +105,6 @@ def _write_mcap(
     header: Mapping[str, Value],
     progress: ProgressCallback,
 ) -> None:
-    """Write a topic per sample kind, with JSON messages."""
     from mcap.writer import Writer  # noqa: PLC0415 - optional
 
     writer = Writer(file)

@@ -38,7 +38,6 @@ class Replay(Generic[HeaderT, RecordT, StateT]):
     def read_next(
         self, process: Callable[[StateT, Sequence[RecordT]], ResultT]
     ) -> tuple[Sequence[RecordT], ResultT]:
-        """Read the next chunk. Return its records and `process`'s result."""
         index = len(self._starts)
         records = self._read(index)
         state = copy(self._states[-1])

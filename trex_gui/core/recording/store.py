@@ -158,7 +158,6 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
                 self._database.execute("COMMIT")
 
     def sync(self) -> None:
-        """Commit, and flush to the disk."""
         self.commit()
         with reported(self._path, NOT_WRITTEN):
             self._database.execute("PRAGMA wal_checkpoint(PASSIVE)")
@@ -183,7 +182,6 @@ def _connect(path: str | Path) -> sqlite3.Connection:
 
 
 def _companions(path: Path) -> Iterator[Path]:
-    """Yield the paths of SQLite's files beside a database."""
     for suffix in ("-wal", "-shm", "-journal"):
         yield path.with_name(path.name + suffix)
 
@@ -272,7 +270,6 @@ class Recording(Generic[HeaderT, RecordT]):
             raise
 
     def _uris(self) -> Iterator[str]:
-        """Yield the SQLite URIs of the recording, best first."""
         path = Path(os.path.realpath(self.path))
         yield f"{path.as_uri()}?mode=ro"
         # SQLite cannot read the log of an unfinished recording in a read-only folder.
@@ -468,7 +465,6 @@ class Recording(Generic[HeaderT, RecordT]):
 
 
 def _wrong_type(columns: Mapping[str, _Content], types: Sequence[type]) -> str:
-    """Return the problem of a value of a wrong type, or empty."""
     _number, clock, *values = types
     if clock is not float:
         return tr("its time is not a number")

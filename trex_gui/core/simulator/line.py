@@ -90,7 +90,6 @@ class WireFaults:
         return bytes((byte,))
 
     def garble(self, byte: int) -> int:
-        """Return another byte, as with another parity setting."""
         self.counters["garbled"] += 1
         return byte ^ self._random.randrange(1, 256)
 
@@ -101,7 +100,6 @@ class WireFaults:
         return True
 
     def _is_cut_off(self, byte: int) -> bool:
-        """Return whether a cut, which ends with the text line, loses a byte."""
         if self.to_cut:
             self.to_cut -= 1
             return False
@@ -158,7 +156,6 @@ class _Frame:
         )
 
     def level(self, moment: float) -> int:
-        """Return the sender's level: low in a start bit, high when idle."""
         index = int((moment - self.start) * self.baud)
         bits = levels(self.value, self.sender)
         return bits[index] if 0 <= index < len(bits) and moment >= self.start else 1
@@ -260,7 +257,6 @@ class SimulatedLine:
         self.advance_to(self.now + seconds)
 
     def advance_to(self, moment: float) -> None:
-        """Advance to a moment. Ignores a past moment."""
         while self.timeline.step(moment):
             pass
         self.timeline.move_to(moment)
@@ -272,7 +268,6 @@ class SimulatedLine:
     # --- From the host to the stations --------------------------------------------------
 
     def _deliver(self, byte: int, host: SerialFormat | None, begun: float) -> None:
-        """Deliver a byte to stations at the host's rate."""
         if (arriving := self.faults.on_way_to_device(byte, begun)) is not None:
             for station in self.stations:
                 station.receive(arriving[0], host, arriving[1], begun)
@@ -280,7 +275,6 @@ class SimulatedLine:
     def _start_other_rate(
         self, byte: int, host: SerialFormat, end: float, is_current: Callable[[], bool]
     ) -> None:
-        """Start a byte for stations of which at least one has another rate."""
         if (arriving := self.faults.on_way_to_device(byte, self.now)) is None:
             return
         byte, error = arriving

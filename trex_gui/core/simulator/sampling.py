@@ -44,7 +44,6 @@ class SampledByte:
 
 
 def is_other_rate(baud: float, other: float) -> bool:
-    """Return whether UARTs at these rates cannot communicate."""
     return abs(baud / other - 1) > _RATE_TOLERANCE
 
 
@@ -136,8 +135,6 @@ class Receiver:
 
 
 class RateConverter:
-    """Receives bytes that arrive at another rate, in virtual time."""
-
     def __init__(
         self,
         timeline: Timeline,

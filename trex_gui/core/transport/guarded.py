@@ -117,7 +117,6 @@ class GuardedTransport:
             self._below.discard()  # replies to the guardian
 
     def _restart(self, seconds: float) -> None:
-        """Start a guardian that must be ready within `seconds`."""
         self._guardian.end()
         self._guardian = self._below.start_guardian(self._silence)
         self._sequence = None

@@ -55,7 +55,6 @@ def other_user_of(url: str) -> str | None:
 
 
 def _has_terminals(process: Path) -> bool:
-    """Return whether a process has the other end of a pseudo-terminal."""
     return any(link.readlink().name == "ptmx" for link in (process / "fd").iterdir())
 
 

@@ -412,7 +412,6 @@ def _errno(error: Exception) -> int | None:
 
 
 def _plain(error: Exception) -> str:
-    """Return the system's message without Python's additions."""
     number = _errno(error)
     if number is not None and number > 0:
         with contextlib.suppress(ValueError):

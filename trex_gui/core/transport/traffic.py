@@ -29,8 +29,6 @@ class TrafficDirection(Enum):
 
 @dataclass(frozen=True, slots=True)
 class TrafficEvent:
-    """Bytes on the line, or an event of the line."""
-
     time: float  # line's clock (s); received bytes may be older
     direction: TrafficDirection
     data: bytes = b""
@@ -61,8 +59,6 @@ class TrafficLog:
 
 
 class LoggingTransport:
-    """Transport that records the bytes of the transport `below`."""
-
     def __init__(
         self, below: Transport, settings: PortSettings, record: Callable[[TrafficEvent], None]
     ) -> None:

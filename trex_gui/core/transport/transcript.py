@@ -26,7 +26,6 @@ LARGEST = 16 * 1024 * 1024  # bytes; a hundred thousand transactions
 
 
 def head() -> str:
-    """Return the comments and the column names."""
     written = datetime.now(UTC).astimezone().isoformat(sep=" ", timespec="seconds")
     columns = "\t".join(COLUMNS)
     return f"# TReX Studio {__version__}: traffic on the line\n# written {written}\n{columns}\n"

@@ -69,7 +69,6 @@ class Address:
         return f"[{self.host}]" if ":" in self.host else self.host
 
     def endpoint(self, *, encrypted: bool) -> str:
-        """Return the address in the format of the network engine."""
         return f"{'tls' if encrypted else 'tcp'}/{self._host}:{self.port}"
 
     @property
@@ -82,7 +81,6 @@ class Address:
 
 
 def known_hosts() -> tuple[Address, ...]:
-    """Return the hosts with a saved secret, each with its user."""
     return tuple(Address.of_host(host) for host, _ in _secrets())
 
 

@@ -69,8 +69,6 @@ class FoundRobot:
 
 
 class AracnaProber:
-    """Probes a line for a robot. `found`: empty before a reply."""
-
     parts = (PROBES,)
 
     def __init__(self, settings: PortSettings, *, full: bool = False, known: bool = False) -> None:
@@ -99,7 +97,6 @@ class AracnaProber:
         progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
-        """Send the probe until the robot replies, `PROBES` times at most."""
         del part  # the only part
         extra = self._settings.timeouts.extra
         if not wire.is_configurable and not self._known:

@@ -115,7 +115,6 @@ class CommandSession:
         return reply.held
 
     def set_led(self, *, on: bool) -> bool:
-        """Switch the debug LED. Return its reported state."""
         return bool(self._result(SetLed(next(self._ids), on)))
 
     def report_faults(self) -> None:

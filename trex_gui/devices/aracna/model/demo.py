@@ -40,8 +40,6 @@ class DemoServo:
 
 @dataclass(frozen=True, slots=True)
 class RobotSnapshot:
-    """State of the simulated robot. `boots`: starts of its firmware."""
-
     state: FirmwareState
     boots: int
     led: bool
@@ -105,7 +103,6 @@ class DemoRobot(DemoDevice[RobotSnapshot]):
         self._send(f"line {fault}")
 
     def repair(self) -> None:
-        """Clear all faults but an unplugged cable."""
         self._unsent.clear()
         for motor in range(len(self.snapshot.servos) if self.snapshot is not None else 0):
             self.set_dead(motor, dead=False)

@@ -77,7 +77,6 @@ class Library(QObject):
 
     @Slot()
     def new(self) -> None:
-        """Create a project with the built-in poses and no file."""
         self._load(Project(poses=BUILT_IN_POSES), None, None)
 
     def set_file(self, path: Path, file: PoseFile) -> None:
@@ -105,7 +104,6 @@ class Library(QObject):
     # --- Edits of poses and sequences ---------------------------------------------------
 
     def rename(self, kind: ItemKind, name: str, new_name: str) -> None:
-        """Rename an item, also in the steps of sequences."""
         items, place = self._find(kind, name)
         new_name = checked_name(new_name, [item.name for item in items if item.name != name])
         after = self._with(kind, place, [replace(items[place], name=new_name)])
@@ -115,7 +113,6 @@ class Library(QObject):
         self._edit(tr("Rename {0}").format(name), after)
 
     def duplicate(self, kind: ItemKind, name: str) -> str:
-        """Insert a copy after an item. Return the copy's name."""
         items, place = self._find(kind, name)
         copy = replace(items[place], name=free_name(name, [item.name for item in items]))
         self._edit(tr("Duplicate {0}").format(name), self._with(kind, place, [items[place], copy]))
@@ -127,14 +124,12 @@ class Library(QObject):
         self._edit(tr("Delete {0}").format(name), self._with(kind, place, []))
 
     def move(self, kind: ItemKind, name: str, place: int) -> None:
-        """Move an item to a place from 0. A greater place is the end."""
         items, old = self._find(kind, name)
         others = [*items[:old], *items[old + 1 :]]
         others.insert(min(max(place, 0), len(others)), items[old])
         self._edit(tr("Move {0}").format(name), self._with_items(kind, others))
 
     def add_pose(self, positions: Many[int], name: str = "") -> str:
-        """Append a pose with a position (0-1023) per motor. Return its name."""
         taken = self.project.pose_names
         name = checked_name(name.strip() or free_name(tr("pose"), taken), taken)
         poses = (*self.project.poses, Pose(name, tuple(positions)))
@@ -189,7 +184,6 @@ class Library(QObject):
         raise BadRequest(f"there is nothing called {name}")
 
     def _with(self, kind: ItemKind, place: int, replacement: Many[Any]) -> Project:
-        """Return the project with an item replaced."""
         items: tuple[Any, ...] = getattr(self.project, kind.value)
         return self._with_items(kind, (*items[:place], *replacement, *items[place + 1 :]))
 
@@ -198,7 +192,6 @@ class Library(QObject):
         return replace(self.project, **changes)
 
     def _edit(self, text: str, after: Project, run: object = None) -> None:
-        """Add an undo step, unless the edit changes nothing."""
         if after != self.project:
             self.undo.push(Edit(text, self._set_project, None, self.project, after, run=run))
 
@@ -208,7 +201,6 @@ class Library(QObject):
 
 
 def _with_poses(sequence: Sequence, names: Mapping[str, str]) -> Sequence:
-    """Return a sequence with replaced pose names."""
     steps = tuple(
         replace(step, pose_name=names.get(step.pose_name, step.pose_name))
         for step in sequence.steps

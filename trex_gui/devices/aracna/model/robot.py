@@ -159,7 +159,6 @@ class Robot(DeviceConnection[PortSettings]):
 
     @Slot()
     def _send_limits(self) -> None:
-        """Send the limits, which also apply to a playing sequence."""
         self.submit(SetLimits(self.limits.first(self.state.motors)))
 
     # --- Commands -----------------------------------------------------------------------
@@ -176,7 +175,6 @@ class Robot(DeviceConnection[PortSettings]):
         return self._request_move(cropped, dragged=False)
 
     def _request_move(self, goals: tuple[int, ...], *, dragged: bool) -> bool:
-        """Send goals after a running motion, unless replaced by newer goals."""
         speeds, self._is_holding = self.speeds, False
         is_sent = self.request(
             lambda number: Move(number, goals, speeds, dragged), self._on_move_done
@@ -196,7 +194,6 @@ class Robot(DeviceConnection[PortSettings]):
             self._request_move(self.limits.crop(goals), dragged=True)
 
     def end_drag(self) -> None:
-        """End dragging. The newest goals are still sent."""
         if self.dragging:
             self.dragging = False
             self.changed.emit()
@@ -214,7 +211,6 @@ class Robot(DeviceConnection[PortSettings]):
         self.changed.emit()
 
     def set_led(self, *, on: bool) -> None:
-        """Switch the debug LED of the board, between motions."""
         if self.link is ConnectionState.CONNECTED:
             self.request(lambda number: SetLed(number, on), self._on_led_done)
 
@@ -299,7 +295,6 @@ class Robot(DeviceConnection[PortSettings]):
         return self.link is ConnectionState.CONNECTED and not is_busy and not is_about_to
 
     def aim_at_present(self) -> None:
-        """Set the targets to the present positions, for the next move."""
         pairs = zip(self.state.present, self.targets.goals, strict=False)
         self.targets.set_all([goal if present is None else present for present, goal in pairs])
 

@@ -102,12 +102,10 @@ class RobotState:
 
     @property
     def missed_goals(self) -> dict[int, RobotError]:
-        """Errors of motors off their goals, by number."""
         return {} if self.moved is None else missed_goals(self.moved.goals, self.moved.present)
 
     @property
     def speed_error(self) -> RobotError | None:
-        """Error for rejected speeds in the last reply to a `.v`."""
         speeds = self.speeds
         return None if speeds is None else rejected_speeds(speeds.requested, speeds.held)
 
@@ -119,7 +117,6 @@ class RobotState:
 
     @property
     def ends_at(self) -> float | None:
-        """End of the observed motion on the session clock."""
         return None if self.moving is None else self.moving.time + self.moving.expected
 
     @property

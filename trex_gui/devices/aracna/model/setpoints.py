@@ -21,7 +21,6 @@ class JointLimits(QObject):
         self._all = self._read()
 
     def of(self, motor: int) -> Limits:
-        """Return a motor's limits. The default depends on its joint."""
         if motor < len(self._all):
             return self._all[motor]
         return factory_limits(motor + 1)[motor]
@@ -56,7 +55,6 @@ class JointLimits(QObject):
         self.changed.emit()
 
     def _read(self) -> tuple[Limits, ...]:
-        """Return the saved limits, or the default for invalid text."""
         pairs = [word.split("-") for word in self._store.text(_KEY).split()]
         try:
             saved = tuple(Limits(int(low), int(high)) for low, high in pairs)
@@ -77,7 +75,6 @@ class Targets(QObject):
         limits.changed.connect(self._on_limits_changed)
 
     def set_count(self, motors: int) -> None:
-        """Set the number of motors. New motors are in the centre."""
         missing = (CENTRE,) * (motors - len(self.goals))
         self.set_all((*self.goals[:motors], *missing))
 

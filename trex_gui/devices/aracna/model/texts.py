@@ -45,7 +45,6 @@ def assumed_text() -> str:
 
 
 def missed_goals_text(state: RobotState) -> str:
-    """Return the errors of all motors off their goals, or empty."""
     if state.reply_lost:
         return tr("The reply was lost (or no motor responds): positions are not known.")
     return " ".join(map(error_text, state.missed_goals.values()))
@@ -95,7 +94,6 @@ def activity_text(state: RobotState, left: float) -> tuple[str, bool]:
 
 
 def ending_text(left: float) -> str:
-    """Return the expected end of a motion. `left`: seconds."""
     return tr("The motion ends by itself in about {0:.1f} s.").format(Number(left))
 
 
@@ -114,7 +112,6 @@ def _playing_text(state: RobotState) -> str:
 
 
 def waiting_text(motor: int | None) -> str:
-    """Return the reason why a robot reads nothing. `motor`: awaited motor."""
     if motor is None:
         return tr("The robot does not respond.")
     return tr(ErrorCode.MOTOR_STUCK.value).format(motor)
@@ -140,7 +137,6 @@ def cropped_goals_text(goals: Sequence[int], cropped: Sequence[int]) -> str:
 
 
 def event_of(report: object, state: RobotState) -> tuple[EventKind, str] | None:
-    """Return the event for a report that is worth logging."""
     match report:
         case Restarted():
             text = tr("The board has restarted. Its servos continue to their goals.")

@@ -39,7 +39,6 @@ def mismatch(poses: Iterable[Pose], motors: int) -> str:
 
 
 def cropped(pose: Pose, limits: Many[Limits]) -> tuple[int, ...]:
-    """Return the positions of a pose within each motor's limits."""
     return crop(pose.first(len(limits)), limits)
 
 
@@ -81,7 +80,6 @@ def late_motors(
 
 
 def estimated_seconds(steps: Many[Step], start: Present = ()) -> float:
-    """Return the time for all steps, extended for slow motors."""
     return sum(
         max(step.seconds, COMMAND_SECONDS, *_late_in(step, before).values())
         for before, step in _with_starts(steps, start)

@@ -123,8 +123,6 @@ def _joined(values: Iterable[object]) -> str:
 
 
 class _Reader:
-    """Reader of a file. Items are stored with their line numbers."""
-
     def __init__(self) -> None:
         self.poses: list[tuple[int, Pose]] = []
         self.sequences: list[tuple[int, Sequence]] = []

@@ -59,7 +59,6 @@ class Sequence:
             raise BadRequest(f"no sequence: {self!r}")
 
     def missing(self, known: Collection[str]) -> tuple[str, ...]:
-        """Return the pose names that are not `known`, in order."""
         used = dict.fromkeys(step.pose_name for step in self.steps)
         return tuple(name for name in used if name not in known)
 
@@ -103,7 +102,6 @@ def _is_name(name: str) -> bool:
 
 
 def free_name(name: str, taken: Iterable[str]) -> str:
-    """Return the name, with a number if it is taken."""
     others = set(taken)
     return free_number(name, others)[0] if name in others else name
 

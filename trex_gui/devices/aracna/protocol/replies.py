@@ -45,8 +45,6 @@ class Positions:
 
 @dataclass(frozen=True, slots=True)
 class Led:
-    """Reply to `.l`: state of the debug LED."""
-
     on: bool
 
 
@@ -69,7 +67,6 @@ _PARTIAL = re.compile(rb"\.c((?:(?:%b),)*)(?:-|%b)?\r?" % (_NUMBER, _NUMBER))
 
 
 def read_line(line: bytes) -> Reply:
-    """Parse a line without its line end."""
     if line == b".h":
         return Hello()
     if match := _QUERY.fullmatch(line):

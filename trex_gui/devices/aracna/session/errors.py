@@ -103,7 +103,6 @@ def diagnose(settings: PortSettings, received: bytes) -> RobotError:
 
 
 def suggests_scan(error: BaseException) -> bool:
-    """Return whether a scan of the port may help."""
     return isinstance(error, RobotError) and error.code in {
         ErrorCode.NO_ROBOT,
         ErrorCode.OTHER_DEVICE,

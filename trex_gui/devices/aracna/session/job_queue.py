@@ -78,7 +78,6 @@ class JobQueue:
         return job is not None
 
     def reject(self, request: Request | None, error: StudioError) -> None:
-        """Report the error of a request that was not queued."""
         if isinstance(request, Job | Play):
             self._report(Outcome(request.id, error=error))
 

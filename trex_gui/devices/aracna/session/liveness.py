@@ -41,7 +41,6 @@ class LivenessMonitor:
             self._deadline = now + QUERY_INTERVAL
 
     def on_restart(self, now: float) -> None:
-        """Wait for the firmware to boot after `.h`."""
         self._query_at = now + BOOT_TIME
         self._deadline = now + BOOT_TIMEOUT
         if self.reason is QueryReason.CONNECTING:
@@ -50,7 +49,6 @@ class LivenessMonitor:
             self.reason = QueryReason.RESTARTED
 
     def set_not_responding(self, now: float) -> None:
-        """Schedule queries at long intervals."""
         self.reason = QueryReason.NOT_RESPONDING
         self._query_at = now + RECONNECT_INTERVAL
 

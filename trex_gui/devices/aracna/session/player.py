@@ -62,8 +62,6 @@ def _numbered(part: str, steps: Sequence[Step], number: int = 0) -> Iterator[Sch
 
 
 class SequencePlayer:
-    """Playing sequence and the state of its step."""
-
     def __init__(self, report: Callable[[Report], None], servos: ServoEstimates) -> None:
         self._report = report
         self.servos = servos
@@ -94,7 +92,6 @@ class SequencePlayer:
             self._steps = _numbered("out", self._play.blend_out)
 
     def set_time_scale(self, time_scale: float) -> None:
-        """Change the time scale from the next step on. Ignores an invalid scale."""
         if _is_scale(time_scale):
             self._time_scale = time_scale
 

@@ -32,7 +32,6 @@ class ServoEstimates:
         self.reset(motors)
 
     def reset(self, motors: int) -> None:
-        """Reset positions and speeds for another robot."""
         self.present: tuple[int | None, ...] = (None,) * motors
         self.speeds: tuple[int | None, ...] = (None,) * motors
         self._speeds_reported_at = 0.0
@@ -110,5 +109,4 @@ def move_timeout(expected: float) -> float:
 
 
 def _distance(start: int | None, goal: int) -> int:
-    """Return the distance, from an unknown start the longest."""
     return max(goal, HIGHEST - goal) if start is None else abs(goal - start)

@@ -279,7 +279,6 @@ class AracnaSession:
                 self._jobs.finish(on)
 
     def _on_speeds(self, speeds: SpeedsHeld) -> None:
-        """Start a motion if every servo has accepted its speed."""
         error = rejected_speeds(speeds.requested, speeds.held)
         if self._jobs.is_setting_speeds:
             if error is None:

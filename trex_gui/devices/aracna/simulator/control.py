@@ -25,7 +25,6 @@ from trex_gui.devices.aracna.simulator.servos import Register, Servo
 
 
 def control(line: AracnaLine, text: str) -> str:
-    """Execute a control line. Return `ok …` or `error …`."""
     commands = {name: (usage, partial(run, line)) for name, (usage, run) in _COMMANDS.items()}
     return execute(text, commands)
 
@@ -141,7 +140,6 @@ _COMMANDS: dict[str, Command] = {
 
 
 def simulate(*, motors: int | None = None, paced: bool = True, seed: int = 0) -> Simulation:
-    """Create a robot, by default with all motors."""
     line = AracnaLine(motors or MOTORS, paced=paced, seed=seed)
     return Simulation(line, partial(control, line))
 

@@ -104,7 +104,6 @@ class Firmware:
             yield Pause(BLINKING / _BLINKS)
 
     def _read_line(self) -> Generator[Request, int, bytes]:
-        """Read a line with its newline, up to the size of the buffer."""
         self.state = State.IDLE
         line = bytearray()
         while len(line) < BUFFER:

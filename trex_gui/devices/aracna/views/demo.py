@@ -198,7 +198,6 @@ def state_text(snapshot: RobotSnapshot) -> str:
 
 
 def power_text(snapshot: RobotSnapshot) -> tuple[str, bool]:
-    """Return the effect of servo power, and True if it is urgent."""
     if not snapshot.power:
         return tr("The robot's switch is off: board and servos have no power."), False
     if not snapshot.servo_power:
@@ -208,7 +207,6 @@ def power_text(snapshot: RobotSnapshot) -> tuple[str, bool]:
 
 
 def servo_text(servo: DemoServo, powered: bool) -> str:
-    """Return a servo's position and state: `512 = 150.1°, moving to 600`."""
     where = position_text(servo.position)
     if not powered:
         doing = tr("no power")

@@ -77,7 +77,6 @@ class MotionBar(ActionBar):
             self._timer.start() if is_counting else self._timer.stop()
 
     def _activity_text(self, left: float) -> tuple[str, bool]:
-        """Return the activity, and True if it is alarming. `left`: seconds."""
         if self._robot.link not in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}:
             ending = ending_text(left) if left > 0 else ""
             return f"{tr('No robot is connected.')} {ending}".rstrip(), left > 0

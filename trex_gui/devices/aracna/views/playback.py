@@ -90,8 +90,6 @@ class RobotPlaybackWindow(RecordingWindow):
 
 
 class JointValues(QTableWidget):
-    """Row per motor, with a check box for its curve."""
-
     toggled = Signal(int, bool)  # motor, True if its curve is drawn
 
     def __init__(self, motors: int, parent: QWidget | None = None) -> None:

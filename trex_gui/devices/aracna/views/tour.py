@@ -11,7 +11,6 @@ _STEP_S = 2.5  # long enough for a motion in every picture
 
 
 def tour_steps(tour: Tour, controller: AracnaController) -> Iterator[Do]:
-    """Yield actions that show the pages at rest and during a sequence."""
     robot = controller.robot
     pairs = robot.state.motors // 2
     steps = tuple(

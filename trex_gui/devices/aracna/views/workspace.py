@@ -63,8 +63,6 @@ class AracnaRecordings(RecordingManager["RobotPlaybackWindow"]):
 
 
 class AracnaWorkspace(Workspace):
-    """Widgets and actions of an Aracna in the window."""
-
     def __init__(self, controller: AracnaController, frame: MainWindow) -> None:
         robot = controller.robot
         super().__init__(controller.plugin.key, robot.notifier, frame.stack)

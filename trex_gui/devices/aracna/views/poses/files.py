@@ -51,7 +51,6 @@ class PoseFiles(QObject):
             self.open_file(path)
 
     def open_file(self, path: Path) -> None:
-        """Open a pose file, after a prompt about unsaved edits."""
         if self.may_close(partial(self.open_file, path)):
             in_background(
                 self,

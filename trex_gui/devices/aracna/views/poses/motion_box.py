@@ -62,8 +62,6 @@ class StepColumn(IntEnum):
 
 
 class MotionBox(ui.Card):
-    """Edits the sequences of a library, and shows the gaits."""
-
     shown = Signal()  # another current item, or changed steps
 
     def __init__(self, library: Library, notifier: Notifier, parent: QWidget | None = None) -> None:
@@ -107,7 +105,6 @@ class MotionBox(ui.Card):
 
     @property
     def played(self) -> Sequence | None:
-        """Current sequence or gait."""
         return self._library.playable(self._list.current)
 
     def show_pose(self, name: str) -> None:
@@ -147,8 +144,6 @@ class MotionBox(ui.Card):
 
 
 class _Delegate(QStyledItemDelegate):
-    """Editor of a pose in a combo box, and of a time (ms) in a spin box."""
-
     def __init__(self, library: Library, parent: QWidget) -> None:
         super().__init__(parent)
         self._library = library
@@ -194,8 +189,6 @@ class _Delegate(QStyledItemDelegate):
 
 
 class StepTable(QTableWidget):
-    """Edits the steps of a sequence. Shows the steps of a gait."""
-
     shown = Signal()  # another item, or changed steps
 
     def __init__(self, library: Library, parent: QWidget | None = None) -> None:
@@ -252,7 +245,6 @@ class StepTable(QTableWidget):
             self._fill()
 
     def select(self, row: int) -> None:
-        """Make a row current, at most the last row."""
         column = max(self.currentColumn(), int(StepColumn.POSE))
         self.setCurrentCell(min(row, self.rowCount() - 1), column)
 

@@ -75,7 +75,6 @@ class NameList(QListWidget):
         return self._keys[row] if 0 <= row < len(self._keys) else None
 
     def select(self, key: ItemKey | None) -> None:
-        """Make an item current, or none if `key` is not in the list."""
         self.setCurrentRow(self._keys.index(key) if key in self._keys else -1)
 
     def select_and_edit(self, name: str) -> None:
@@ -197,7 +196,6 @@ def small_button(
 def row_action(
     view: QAbstractItemView, text: str, shortcut: str, slot: ui.Trigger, icon: str = ""
 ) -> QAction:
-    """Create an action for the current row of a focused view."""
     context = Qt.ShortcutContext.WidgetShortcut
     added = ui.action(
         view, "", text, icon=icon, shortcut=shortcut, context=context, on_trigger=slot

@@ -142,7 +142,6 @@ class PlayBar(QWidget):
 
     @Slot()
     def _update_preview(self) -> None:
-        """Show the preview, or the reason why there is none."""
         state, played = self._robot.state, self._motions.played
         self._limits, self._present = self._robot.limits.first(state.motors), state.present
         limits, present, poses = self._limits, self._present, self._library.project.poses

@@ -81,7 +81,6 @@ class PoseBox(ui.Card):
 
     @property
     def current_name(self) -> str:
-        """Name of the current pose, or empty."""
         key = self._list.current
         return "" if key is None else key.name
 
@@ -128,7 +127,6 @@ class PoseBox(ui.Card):
 
     @Slot()
     def capture(self) -> None:
-        """Save the robot's position as a new pose, whose name is then edited."""
         set_typed()
         present = self._robot.state.present
         known = tuple(each for each in present if each is not None)

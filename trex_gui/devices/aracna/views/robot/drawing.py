@@ -67,8 +67,6 @@ def _along(start: Point, angle: float, length: float) -> Point:
 
 
 class RobotDrawing(Painted):
-    """Drawing with the number and angle of each joint. Gets no focus."""
-
     pointed = Signal(int)  # motor of the joint below the mouse, or -1
     chosen = Signal(int)  # motor of the clicked joint
 
@@ -217,7 +215,6 @@ class RobotCard(Card):
         self._beside.setMaximumWidth(max(widest, self._beside.minimumSizeHint().width()))
 
     def show_in(self, width: int) -> None:
-        """Show the card if `width` (pixels) has space for it."""
         needed = self.drawing.minimumSizeHint().width() + 3 * CARD_PADDING
         self.setVisible(width >= self._beside.minimumSizeHint().width() + needed)
 

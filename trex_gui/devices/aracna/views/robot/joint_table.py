@@ -88,8 +88,6 @@ class JointSlider(PressSlider):
 
 
 class SpeedBox(ui.SpinBox):
-    """Box for a speed setting, 0-1023 (0: unlimited), with its meaning."""
-
     def __init__(self, name: str, accessible: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         ui.named(self, name, accessible=accessible)
@@ -113,8 +111,6 @@ class SpeedBox(ui.SpinBox):
 
 
 class JointRow(QObject):
-    """Widgets of a motor in the table's grid."""
-
     def __init__(self, robot: Robot, motor: int, parent: "JointTable") -> None:
         super().__init__(parent)
         self._table = parent
@@ -240,8 +236,6 @@ class JointRow(QObject):
 
 
 class JointTable(QWidget):
-    """Table of a robot's targets, speeds and limits."""
-
     goal_edited = Signal()  # by the user
     grabbed = Signal()  # a slider was pressed
     released = Signal()
@@ -287,7 +281,6 @@ class JointTable(QWidget):
         return any(row.slider.held for row in self._rows)
 
     def show_limits(self, *, shown: bool) -> None:
-        """Show the limits or the speeds."""
         self._limits_shown = shown
         for column, head in self._heads.items():
             head.setVisible(column not in _ALTERNATING or shown is (column != _SPEED))
@@ -295,7 +288,6 @@ class JointTable(QWidget):
 
     @Slot(int)
     def mark(self, motor: int) -> None:
-        """Highlight a motor's name. -1: none."""
         for number, row in enumerate(self._rows):
             set_text_color(row.name, "accent" if number == motor else "")
 

@@ -29,8 +29,6 @@ from trex_gui.ui.widgets.labels import PAGE_MARGINS, PageHead
 
 
 class RobotPage(QWidget):
-    """Page with sliders for goals, which are sent by Move or during a drag."""
-
     def __init__(
         self, robot: Robot, start: Callable[[QWidget], QWidget], parent: QWidget | None = None
     ) -> None:
@@ -83,7 +81,6 @@ class RobotPage(QWidget):
         self._head.show_state(more)
 
     def _report_text(self) -> tuple[str, str, bool]:
-        """Return the state, its details, and True for a warning."""
         state = self._robot.state
         if self._robot.link not in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}:
             return tr("No robot is connected."), tr("Goals and limits can be set already."), False
@@ -113,7 +110,6 @@ class RobotPage(QWidget):
 
 
 def _parts(text: str) -> tuple[str, str]:
-    """Return the first sentence of a text and the rest."""
     first, dot, more = text.partition(". ")
     return f"{first}{dot}".rstrip(), more
 
