@@ -1,4 +1,4 @@
-"""Standard streams of a command: encodings, control characters, closed and full ones."""
+"""Standard streams of a command."""
 
 import io
 import os

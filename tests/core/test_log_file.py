@@ -1,4 +1,4 @@
-"""The log file of the program: what is in it, how large it gets, and what a bad disk does."""
+"""Log file of the program: content, size and disk errors."""
 
 import logging
 import os
@@ -17,7 +17,7 @@ log = logging.getLogger("trex_gui.tests")
 
 
 def written(*, is_verbose: bool = False, say: Callable[[], object]) -> str:
-    """Return what a program that does this has in its log afterwards."""
+    """Return the log of a program that runs these statements."""
     program_log = ProgramLog(log_file(), is_verbose=is_verbose)
     say()
     assert program_log.close()

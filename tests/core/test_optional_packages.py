@@ -1,5 +1,3 @@
-"""Python packages that the program can do without."""
-
 import sys
 from pathlib import Path
 

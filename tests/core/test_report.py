@@ -1,4 +1,4 @@
-"""The report for support: what is in it, and what is not."""
+"""Support report."""
 
 import zipfile
 from pathlib import Path

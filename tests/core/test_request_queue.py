@@ -1,4 +1,4 @@
-"""The inbox of a session, between two threads."""
+"""Request queue between two threads."""
 
 import threading
 
@@ -10,14 +10,14 @@ from trex_gui.devices.trex.driving.requests import Stop
 
 
 class WatchedCondition(threading.Condition):
-    """A condition that shows whether a thread has begun to wait on it."""
+    """Condition that shows whether a thread waits."""
 
     def __init__(self) -> None:
         super().__init__()
         self.has_waiter = threading.Event()
 
     def wait(self, timeout: float | None = None) -> bool:
-        self.has_waiter.set()  # its lock, which `put` needs, is free once it waits
+        self.has_waiter.set()  # `wait` releases the lock that `put` needs
         return super().wait(timeout)
 
 
@@ -59,7 +59,7 @@ def test_requests_are_taken_in_order() -> None:
 @pytest.mark.realtime
 @pytest.mark.parametrize("seconds", [1e-9, 1e-5])
 def test_very_short_wait_ends(seconds: float) -> None:
-    """A new one, and one that a request has come through, which is what a session waits at."""
+    """The queue is new, or has passed a request."""
     rounds = 4000
     ended: list[int] = []
 

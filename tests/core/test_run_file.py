@@ -1,4 +1,4 @@
-"""Whether the last run ended properly."""
+"""Crash detection."""
 
 import os
 import signal
@@ -30,7 +30,7 @@ def run(what: str) -> "subprocess.Popen[str]":
 
 
 def found_crash(what: str = "close") -> bool:
-    """Let a process run to its end; return whether it found that another one had crashed."""
+    """Run a process to its end. Return whether it found a crash."""
     with run(what) as process:
         return process.communicate(timeout=60)[0] == "True\n"
 

@@ -1,4 +1,4 @@
-"""Settings files on disk, and what a person reads when the disk says no."""
+"""Settings files on disk, and error messages."""
 
 import os
 import sys
@@ -15,7 +15,7 @@ posix = pytest.mark.skipif(sys.platform == "win32", reason="Windows has other pe
 
 
 def sentence(path: Path, text: str | None = None) -> str:
-    """Return what is said when a file cannot be read, or written with a text."""
+    """Return the error message for reading a file, or writing a text to it."""
     with pytest.raises(SettingsError) as caught:
         load(path) if text is None else save(path, text)
     assert caught.value.name == str(path)

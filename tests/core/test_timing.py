@@ -1,5 +1,3 @@
-"""Estimates of time."""
-
 import pytest
 
 from trex_gui.core.timing import seconds_left

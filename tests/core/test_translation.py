@@ -1,4 +1,4 @@
-"""Texts and numbers of packages without Qt in the language of the window."""
+"""Translation of texts and numbers in packages without Qt."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -32,7 +32,7 @@ def _english(text: str, _comment: str, _count: int) -> str:
 def german() -> Iterator[None]:
     use_translations(lambda text, _comment, _count: _WORDS.get(text, text), ",")
     yield
-    use_translations(partial(QCoreApplication.translate, CONTEXT))  # as the other tests want it
+    use_translations(partial(QCoreApplication.translate, CONTEXT))  # the default of other tests
 
 
 def timeout() -> ParameterSpec:

@@ -1,4 +1,4 @@
-"""Looking for devices of any kind on one port: in which order, and what is told in the end."""
+"""Scan of one port for devices of any kind."""
 
 import logging
 from collections.abc import Callable
@@ -28,7 +28,7 @@ VIRTUAL = PortSettings("virtual", SerialFormat(9600))
 
 
 class Deaf:
-    """Looks for a kind of device that is never there; notes what it is asked to do."""
+    """Prober that finds nothing and records its calls."""
 
     parts = (2, 3)
     found = ()
@@ -207,7 +207,7 @@ def test_search_ends_with_flush_byte_and_default_settings() -> None:
     search(wire, {"one": nobody([], "One")})
     assert bytes(wire.sent) == FLUSH_BYTE
     assert wire.tuned[-1] == SerialFormat()
-    # At another rate it would leave a board that was found with an error.
+    # At another rate the found board would have an error.
     wire = wire_of(a_board())
     search(wire, {"trex": TREX_PROBER})
     assert not bytes(wire.sent).endswith(FLUSH_BYTE)

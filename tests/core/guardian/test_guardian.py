@@ -1,4 +1,4 @@
-"""The guardian process: when it stops the motors, what it sends, and that it leaves nothing."""
+"""Guardian process: stops, confirmations and its end."""
 
 import ast
 import os
@@ -37,7 +37,7 @@ LONG_TIMEOUT = 25.0
 
 
 class Board:
-    """The other end of a line: replies to each status query with the next of its statuses."""
+    """Far end of a line that replies to status queries from a list."""
 
     def __init__(self, line: socket.socket, *, telnet: bool = False) -> None:
         self.line = line
@@ -65,7 +65,7 @@ Ends = tuple[socket.socket, socket.socket]
 
 @pytest.fixture
 def ends() -> Iterator[Ends]:
-    """The program's and the board's end of a line."""
+    """Return the program's and the board's end of a line."""
     ours, theirs = socket.socketpair()
     yield ours, theirs
     ours.close()
@@ -86,7 +86,7 @@ def board(ends: Ends) -> Board:
 
 @pytest.fixture
 def guardian(ends: Ends, board: Board) -> GuardianProcess:
-    """A guardian of a board whose motors may move."""
+    """Return a guardian of a board whose motors may move."""
     guardian = started(ends[0])
     guardian.watch(STOP)
     return guardian
@@ -100,7 +100,7 @@ def wait_until(happened: Callable[[], bool]) -> None:
 
 
 def die(guardian: GuardianProcess) -> None:
-    """Close its input, as the end of the program does."""
+    """Close the input, as at the end of the program."""
     assert guardian._process is not None
     assert guardian._process.stdin is not None
     guardian._process.stdin.close()
@@ -122,7 +122,11 @@ def test_motors_are_stopped_when_the_program_ends_while_they_may_move(
 
 
 def test_every_board_of_the_line_has_to_confirm(guardian: GuardianProcess, board: Board) -> None:
-    board.statuses = [b"\x00", b"\x01", b"\x00"]  # the second board has missed the first round
+    board.statuses = [
+        b"\x00",
+        b"\x01",
+        b"\x00",
+    ]  # the second board does not reply in the first round
     both = replace(STOP, packets=STOP.packets * 2, queries=(b"\x84", b"\x84"))
     guardian.watch(both)
     die(guardian)
@@ -133,7 +137,7 @@ def test_every_board_of_the_line_has_to_confirm(guardian: GuardianProcess, board
 
 
 def logged(guardian: GuardianProcess) -> StopResult:
-    """Return what a guardian that has stopped motors says in its log."""
+    """Return the log entry of a guardian that has stopped motors."""
     wait_until(lambda: has_ended(guardian))
     _, stops = logged_stops(0)
     return stops[-1][1]
@@ -168,7 +172,7 @@ def test_guardian_whose_pipe_the_program_has_closed_goes_on_stopping(
     assert guardian._process is not None
     assert guardian._process.stdin is not None
     nothing = os.open(os.devnull, os.O_RDONLY)
-    os.dup2(nothing, guardian._process.stdin.fileno())  # a number that nothing else gets
+    os.dup2(nothing, guardian._process.stdin.fileno())  # an unused descriptor
     os.close(nothing)
     guardian.watch(STOP)
     assert guardian.has_acted
@@ -222,7 +226,7 @@ def test_bytes_that_another_process_has_taken_are_no_failure(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     master, slave = os.openpty()
-    with monkeypatch.context() as patched:  # what came is taken between `select` and `read`
+    with monkeypatch.context() as patched:  # another reader is faster between `select` and `read`
         patched.setattr(select, "select", lambda *_: ([slave], [], []))
         assert process.FilePort(slave).receive(OFTEN) == b""
     os.write(master, b"\x00\n")
@@ -329,7 +333,7 @@ def test_echo_is_not_taken_for_the_status(board: Board, ends: Ends) -> None:
 
 
 def test_request_that_comes_back_byte_by_byte_confirms_nothing(ends: Ends) -> None:
-    """Wires that touch, where no echo was expected."""
+    """The wires touch, although no echo is expected."""
 
     def come_back() -> None:
         with suppress(OSError):
@@ -354,7 +358,7 @@ def test_telnet_commands_are_no_status(board: Board, ends: Ends) -> None:
     assert board.received.startswith(escaped + b"\xff" + escaped + b"\xff" + STOP.queries[0])
 
 
-@pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")  # pyserial's, not ours
+@pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")  # a warning of pyserial
 @pytest.mark.parametrize("place", ["--link", "--tcp", "--rfc2217"])
 def test_replies_go_to_the_guardian_of_a_session_that_hangs(
     place: str, start_simulator: StartSimulator, tmp_path: Path
@@ -367,7 +371,7 @@ def test_replies_go_to_the_guardian_of_a_session_that_hangs(
         assert isinstance(guardian, GuardianProcess)
         guardian.wait_until_ready(LONG_TIMEOUT)
         guardian.watch(STOP)
-        wait_until(lambda: guardian.has_ended)  # the session does nothing meanwhile
+        wait_until(lambda: guardian.has_ended)  # the session is suspended
         assert guardian.end(), "confirmed"
         assert line.discard() == b""
         line.write(STOP.queries[0])
@@ -417,7 +421,7 @@ def test_process_imports_the_standard_library_only() -> None:
 def test_executables_run_as_the_guardian(
     board: Board, ends: Ends, module: str, tmp_path: Path
 ) -> None:
-    """A frozen application has no Python interpreter beside it: it starts itself."""
+    """A frozen application runs itself as the guardian, without a Python interpreter."""
     executable = tmp_path / "trex"
     executable.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m {module} "$@"\n')
     executable.chmod(0o755)

@@ -1,5 +1,3 @@
-"""Reading the log of guardian processes."""
-
 from pathlib import Path
 
 import pytest

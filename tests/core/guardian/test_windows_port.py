@@ -1,4 +1,4 @@
-"""The port of the guardian on Windows, with a double of what Windows does."""
+"""Guardian's port on Windows, with a fake system."""
 
 # ruff: noqa: N802 - the names are those of Windows
 
@@ -17,7 +17,7 @@ SHORT = 0.005  # seconds
 
 
 class Operation:
-    """One read or write, which goes on until it has transferred all, or is cancelled."""
+    """Overlapped read or write, which ends when it is complete or cancelled."""
 
     def __init__(self, data: bytes, *, is_pending: bool) -> None:
         self.event = self
@@ -37,13 +37,13 @@ class Operation:
 
 
 class Windows:
-    """A port without time-outs.
+    """Port without timeouts.
 
     Attributes:
-        received: what the port has received.
-        sent: what was written to it.
-        room: bytes that one write takes; a write of more goes on.
-        state: the settings of the line, a DCB.
+        received: bytes that the port has received.
+        sent: bytes written to the port.
+        room: bytes that one write accepts at once.
+        state: line settings, a DCB.
     """
 
     def __init__(self) -> None:
@@ -98,7 +98,7 @@ def windows() -> Windows:
 
 @pytest.fixture
 def port(windows: Windows, monkeypatch: pytest.MonkeyPatch) -> Any:
-    """The port, from the module as Windows loads it."""
+    """Return the port class of the module as loaded on Windows."""
     monkeypatch.setitem(sys.modules, "_winapi", windows.module())
     monkeypatch.setattr(ctypes, "windll", SimpleNamespace(kernel32=windows), raising=False)
     monkeypatch.setattr(sys, "platform", "win32")

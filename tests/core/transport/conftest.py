@@ -6,7 +6,7 @@ import pytest
 
 @pytest.fixture
 def terminal() -> Iterator[tuple[int, str]]:
-    """A pseudo-terminal with nobody behind it: its master end, and the path of the other."""
+    """Return the master end of a pseudo-terminal, and the path of the slave."""
     master, slave = os.openpty()
     yield master, os.ttyname(slave)
     for end in (master, slave):

@@ -1,5 +1,3 @@
-"""Knowing a USB adapter again."""
-
 import pytest
 
 from trex_gui.core.transport.adapters import Adapter

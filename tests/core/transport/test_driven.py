@@ -1,4 +1,4 @@
-"""Boards that were left running: their files, and what opening their port does."""
+"""Boards that were left running."""
 
 import fcntl
 import logging
@@ -38,7 +38,7 @@ STOP = "d07f7ff000 84 1 1 0 0.05"
 
 
 def left(url: str, line: SerialFormat = LINE) -> Path:
-    """Write the file that is left of a board at a port."""
+    """Write the file of a board that was left at a port."""
     file = driven_file(url)
     file.parent.mkdir(parents=True, exist_ok=True)
     note = driven_note("TReX 1.2", PortSettings(url, line))
@@ -199,7 +199,7 @@ def test_suspended_guardian_is_woken_and_stops_the_motors(start_simulator: Start
     assert guardian._process.stdin is not None
     guardian._process.send_signal(signal.SIGSTOP)
     nothing = os.open(os.devnull, os.O_RDONLY)
-    os.dup2(nothing, guardian._process.stdin.fileno())  # as the death of the program does
+    os.dup2(nothing, guardian._process.stdin.fileno())  # as after the death of the program
     os.close(nothing)
     os.close(port)
     while "(stopped)" not in Path(f"/proc/{guardian._process.pid}/status").read_text():
@@ -207,5 +207,5 @@ def test_suspended_guardian_is_woken_and_stops_the_motors(start_simulator: Start
     SerialTransport(PortSettings(simulator.url, SerialFormat(19200))).close()
     assert simulator.show()["motors"][0]["direction"] == "brake"
     assert not file.exists()
-    guardian._process.wait()  # the program opens its port meanwhile
+    guardian._process.wait()  # the program opens the port
     assert len(logged_stops(0)[1]) == 2, "of the guardian, and of the line"

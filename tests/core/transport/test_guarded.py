@@ -1,4 +1,4 @@
-"""When heartbeats go to the guardian, and what a session that did not respond may still send."""
+"""Heartbeats to the guardian, and writes of a session after a suspension."""
 
 from collections.abc import Collection
 
@@ -16,7 +16,7 @@ SILENCE = 0.5
 
 
 class Line:
-    """A line on which time passes only while the session waits for it."""
+    """Line whose time passes only while the session waits."""
 
     latency = 0.0
     is_configurable = True
@@ -57,7 +57,7 @@ class Line:
 
 
 class Session:
-    """Uses a guarded line; `stop` is the present stop while motors may be moving."""
+    """Session on a guarded line. `stop`: present stop while motors may be moving."""
 
     def __init__(self) -> None:
         self.line = Line()
@@ -126,7 +126,7 @@ def test_setpoint_is_not_sent_by_a_session_that_did_not_respond(session: Session
     with pytest.raises(NoReply):
         session.transport.write(SETPOINT)
     session.transport.write(STOP.packets[:2])
-    session.transport.write(SETPOINT)  # from now on it is up to the session what it sends
+    session.transport.write(SETPOINT)  # the session may send anything again
     assert session.line.written == [STOP.packets[:2], SETPOINT]
 
 
@@ -150,7 +150,7 @@ def test_take_over_that_is_noticed_otherwise_keeps_setpoints_back_too(
 
 
 def test_port_that_fails_under_the_guardian_is_no_lost_line(session: Session) -> None:
-    """Both read from it for a moment, and one of them gets nothing."""
+    """For a moment both read from the port, and one reader gets nothing."""
     session.stop = STOP
     session.transport.beat()
     guardian = session.line.guardians[0]
@@ -223,7 +223,7 @@ def test_motors_are_stopped_where_nothing_replaces_a_lost_guardian(
     with pytest.raises(NoReply):
         session.transport.write(SETPOINT)
     session.transport.write(STOP.packets)
-    session.transport.write(SETPOINT)  # by a user who knows
+    session.transport.write(SETPOINT)  # by the user
     assert not session.transport.is_guarded
     assert len(session.line.guardians) == 2
 

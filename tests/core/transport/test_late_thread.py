@@ -1,4 +1,4 @@
-"""A line whose own thread is without the processor for a while, and finds the line as it was."""
+"""Line whose thread is suspended for a while."""
 
 import os
 import select
@@ -23,7 +23,7 @@ pytestmark = [
 
 @pytest.fixture
 def ends() -> Iterator[tuple[int, SerialTransport]]:
-    """The far end of a pseudo-terminal, and a line on the near one."""
+    """Return the far end of a pseudo-terminal, and a line on the near end."""
     far, near = os.openpty()
     tty.setraw(near)
     transport = SerialTransport(ConnectionSettings(os.ttyname(near)))
@@ -34,7 +34,7 @@ def ends() -> Iterator[tuple[int, SerialTransport]]:
 
 
 class _Late:
-    """A module of the system of which one function is changed."""
+    """System module with one replaced function."""
 
     def __init__(self, module: object, **changed: object) -> None:
         self._module = module
@@ -51,7 +51,7 @@ def test_write_succeeds_although_its_thread_is_late(
 
     def write(descriptor: int, data: bytes) -> int:
         count = os.write(descriptor, data)
-        time.sleep(1.1)  # somebody else has the processor
+        time.sleep(1.1)  # another thread runs
         return count
 
     monkeypatch.setattr(serialposix, "os", _Late(os, write=write))
@@ -66,8 +66,8 @@ def test_timely_reply_is_read_although_thread_is_late(
 
     def wait(*arguments: Any) -> Any:
         found = select.select(*arguments)
-        os.write(far, b"answer")  # right behind the last look
-        # A pseudo-terminal hands bytes over a little later: wait until they have come in time.
+        os.write(far, b"answer")  # after the last check
+        # A pseudo-terminal delivers bytes late: wait for them.
         select.select(arguments[0], [], [], 10)
         return found
 

@@ -1,4 +1,4 @@
-"""Which program has a port open."""
+"""Programs that have a port open."""
 
 import os
 import subprocess
@@ -38,7 +38,7 @@ def test_port_opened_by_own_program_has_no_holder(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("kind", ["guardian", "terminal"])
 def test_what_belongs_to_an_open_port_is_no_other_program(tmp_path: Path, kind: str) -> None:
-    """Such as the guardian, which inherits it, and the simulator behind a pseudo-terminal."""
+    """The guardian inherits the port. The simulator is behind a pseudo-terminal."""
     port = tmp_path / "port"
     master, slave = os.openpty()
     name, inherited = (kind, ()) if kind == "guardian" else ("sleeper", (master,))
@@ -66,7 +66,7 @@ sys.stdin.readline()
 
 
 def test_lock_left_by_dead_program_is_about_to_end(tmp_path: Path) -> None:
-    """Its guardian has the port open, and with it the lock."""
+    """The guardian has the port open and holds the lock."""
     port = tmp_path / "port"
     reading, writing = os.pipe()
     command = [sys.executable, "-c", _LOCK, str(port), str(reading)]

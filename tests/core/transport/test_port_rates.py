@@ -1,4 +1,4 @@
-"""Which baud rates a port can do, and changing them while it is open."""
+"""Supported baud rates, and changes of an open port."""
 
 import array
 import errno
@@ -29,7 +29,7 @@ linux = pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells")
 
 
 def no_time() -> float:
-    """A clock that stands still: no driver is too slow."""
+    """Return a constant time, so that no driver is too slow."""
     return 0.0
 
 
@@ -72,7 +72,7 @@ def test_pseudo_terminal_can_be_reconfigured_repeatedly(terminal: tuple[int, str
 
 
 class Adapter:
-    """A port whose driver takes the nearest rate that it has."""
+    """Port whose driver uses its nearest rate."""
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch, *possible: int) -> None:
         self.words = array.array("I", [0] * 11)
@@ -112,7 +112,7 @@ def test_rates_are_unknown_when_driver_rejects_settings_or_is_slow(
     moments = iter((0.0, 0.05, 0.11, 0.2))
     assert rates_of(adapter, [9600, 19200, 38400], lambda: next(moments)) is None
     adapter.failure = OSError(errno.EINVAL, "Invalid argument")
-    assert rates_of(adapter, [9600]) is None  # nor can it be set back
+    assert rates_of(adapter, [9600]) is None  # restoring also fails
 
 
 def test_rates_are_unknown_of_a_closed_port_and_on_other_systems(

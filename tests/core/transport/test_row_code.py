@@ -1,4 +1,4 @@
-"""Rows of the traffic as code: it runs, and sends the same bytes."""
+"""Traffic rows as source code."""
 
 import pytest
 
@@ -17,7 +17,7 @@ ROWS = (
 
 
 class Port:
-    """A port that notes what is done with it."""
+    """Port that records its calls."""
 
     def __init__(self) -> None:
         self.done: list[object] = []

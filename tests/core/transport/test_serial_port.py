@@ -1,4 +1,4 @@
-"""Real ports: a pseudo-terminal, a TCP port, and every way in which they fail."""
+"""Real ports: a pseudo-terminal, a TCP port, and their failures."""
 
 import errno
 import itertools
@@ -47,7 +47,7 @@ LONG_TIMEOUT = 15.0
 
 
 def patient(transport: SerialTransport, url: str) -> TrexClient:
-    """Return a client that waits for a simulator which stands still."""
+    """Return a client that waits for a suspended simulator."""
     return TrexClient(transport, ConnectionSettings(url, timeouts=Timeouts(extra=LONG_TIMEOUT)))
 
 
@@ -71,7 +71,7 @@ Open = Callable[..., SerialTransport]
 
 
 def refusal(url: str, line: LineSettings = LINE) -> str:
-    """Return why a port does not open."""
+    """Return the error of a port that does not open."""
     with pytest.raises(PortUnavailable) as caught:
         SerialTransport(ConnectionSettings(url, line))
     return str(caught.value)
@@ -99,12 +99,12 @@ def test_bytes_taken_by_another_program_are_no_lost_line(
     os.close(thief)
 
 
-# --- Talking ----------------------------------------------------------------------------
+# --- Data -------------------------------------------------------------------------------
 
 
 def test_board_replies_over_pseudo_terminal(quick_simulator: SimulatedDevice, opened: Open) -> None:
     transport = opened(quick_simulator.url)
-    # No echo comes, so a patient one would wait for it in vain.
+    # A client with a long timeout would wait for an echo in vain.
     assert TrexClient(transport, ConnectionSettings(quick_simulator.url)).detect_echo() is False
     client = patient(transport, quick_simulator.url)
     assert str(client.request(GetSignature())) == "TReX 1.2"
@@ -124,7 +124,7 @@ def test_board_replies_over_tcp(
     assert client.request(GetMode()) is Mode.SERIAL_RC
 
 
-@pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")  # pyserial's, not ours
+@pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")  # a warning of pyserial
 def test_rfc2217_port_applies_parity(start_simulator: Start, opened: Open) -> None:
     url = start_simulator("--rfc2217", "127.0.0.1:0").url
     line = LineSettings(19200, Detection.EVEN)
@@ -138,7 +138,7 @@ def test_rfc2217_port_applies_parity(start_simulator: Start, opened: Open) -> No
 def test_garbage_of_an_rfc2217_server_is_a_port_failure(
     start_simulator: Start, opened: Open, damaged: str
 ) -> None:
-    """Pyserial's thread fails on the end of a suboption that did not begin."""
+    """A suboption that ends without a start raises an error in pyserial's thread."""
     target = start_simulator("--rfc2217", "127.0.0.1:0").url.rpartition(":")[2]
     with socket.create_server(("127.0.0.1", 0)) as server:
         url = f"rfc2217://127.0.0.1:{server.getsockname()[1]}"
@@ -160,7 +160,7 @@ def test_garbage_of_an_rfc2217_server_is_a_port_failure(
 
 
 def relay_one(server: socket.socket, target: int, garbage: threading.Event) -> None:
-    """Pass on a connection to a port of this computer; send garbage when that is wanted."""
+    """Relay a connection to a local port, or send garbage."""
     client, _ = server.accept()
     with client, socket.create_connection(("127.0.0.1", target)) as device:
         ends = {client: device, device: client}
@@ -208,7 +208,7 @@ def test_all_byte_values_pass_unchanged(terminal: tuple[int, str], opened: Open)
     everything = bytes(range(256))
     transport.write(everything)
     passed = b""
-    while len(passed) < len(everything):  # a terminal may pass them on in pieces
+    while len(passed) < len(everything):  # a terminal may deliver them in pieces
         passed += os.read(master, 512)
     assert passed == everything
     os.write(master, everything)
@@ -220,9 +220,9 @@ def test_all_byte_values_pass_unchanged(terminal: tuple[int, str], opened: Open)
 def test_incomplete_read_ends_at_timeout(terminal: tuple[int, str], opened: Open) -> None:
     master, path = terminal
     transport = opened(path)
-    for _ in range(20):  # a busy computer adds to some
+    for _ in range(20):  # a busy computer may add more
         os.write(master, b"xab")
-        assert transport.read(1, LONG_TIMEOUT) == b"x"  # so the rest is here as well
+        assert transport.read(1, LONG_TIMEOUT) == b"x"  # so the rest has arrived
         begun = transport.clock()
         assert transport.read(3, 0.1) == b"ab"
         took = transport.clock() - begun
@@ -236,7 +236,7 @@ def test_discard_returns_and_removes_bytes(terminal: tuple[int, str], opened: Op
     master, path = terminal
     transport = opened(path)
     os.write(master, b"xstale")
-    assert transport.read(1, LONG_TIMEOUT) == b"x"  # so the rest is here as well
+    assert transport.read(1, LONG_TIMEOUT) == b"x"  # so the rest has arrived
     assert transport.discard() == b"stale"
     assert transport.discard() == b""
     os.write(master, b"new")
@@ -270,7 +270,7 @@ def test_port_is_opened_exclusively(terminal: tuple[int, str], opened: Open) -> 
 
 @contextmanager
 def other_program(opening: str) -> Iterator[int]:
-    """Run a program that has evaluated an expression until the end; return its number."""
+    """Run a program that evaluates an expression and waits. Return its process ID."""
     code = f"import serial, sys; port = {opening}; print('open', flush=True); sys.stdin.read()"
     command, pipe = [sys.executable, "-c", code], subprocess.PIPE
     with subprocess.Popen(command, stdin=pipe, stdout=pipe) as program:
@@ -303,7 +303,7 @@ def test_open_waits_for_own_connection_that_is_closing(
     closing = threading.Timer(0.2, first.close)
     closing.start()
     try:
-        opened(terminal[1], clock=lambda: 0.0)  # however busy the computer is
+        opened(terminal[1], clock=lambda: 0.0)  # on a busy computer
     finally:
         closing.join()
 
@@ -318,7 +318,7 @@ def test_guardian_that_still_stops_motors_is_named(
     assert isinstance(guardian, GuardianProcess)
     assert guardian._process is not None
     guardian.wait_until_ready(LONG_TIMEOUT)
-    guardian._process.send_signal(signal.SIGSTOP)  # it never gets done
+    guardian._process.send_signal(signal.SIGSTOP)  # never complete
     try:
         assert "another line of this program" in refusal(url), "its guardian only watches"
         line.close()
@@ -356,7 +356,7 @@ def test_invalid_url_is_rejected_with_message(url: str) -> None:
     assert refusal(url)
 
 
-# --- The sentences ----------------------------------------------------------------------
+# --- Messages ------------------------------------------------------------------------
 
 
 def test_permission_error_names_group_of_port(terminal: tuple[int, str]) -> None:
@@ -380,7 +380,7 @@ def test_permission_error_of_missing_port_names_dialout() -> None:
 
 
 def wrapped(number: int) -> serial.SerialException:
-    """Return an error of the system as pyserial wraps some: as a cause."""
+    """Return a system error as the cause of pyserial's error."""
     error = serial.SerialException("could not open port")
     error.__cause__ = OSError(number, os.strerror(number))
     return error

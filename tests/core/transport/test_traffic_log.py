@@ -1,4 +1,4 @@
-"""What is noted of a line is all that went over it, in order, and changes nothing."""
+"""Traffic log of a line."""
 
 from collections.abc import Callable
 
@@ -36,7 +36,7 @@ def texts_of(pieces: list[TrafficEvent]) -> list[str]:
 
 
 def run_taped(stage: Stage, seconds: float) -> list[TrafficEvent]:
-    """Run a session whose line is noted; return what was noted."""
+    """Run a session on a logged line. Return the log."""
     log = TrafficLog()
     stage.script.at(seconds, lambda: None)
     open_taped = logged(log.record, lambda _settings: stage.transport, stage.transport.clock)

@@ -1,4 +1,4 @@
-"""Question and answer find each other again, however the bytes come."""
+"""Pairs of request and reply."""
 
 import pytest
 from hypothesis import given
@@ -80,7 +80,7 @@ def test_trex_exchange_is_decoded(said: Said, text: str, is_fault: bool) -> None
 @examples(40)
 @given(st.lists(st.sampled_from(TREX), max_size=8), st.integers(1, 3))
 def test_fragmented_bytes_decode_to_same_rows(talk: list[tuple[Said, str, bool]], cut: int) -> None:
-    # Bytes behind an answer that is whole begin a row of their own, wherever they were cut.
+    # Bytes after a complete reply start a row of their own, at any chunk boundary.
     said = [one[0] for one in talk if one[0][0] and not one[2]]
     whole = reports(TrexDecoder(), pieces_of(said))
     assert reports(TrexDecoder(), pieces_of(said, cut)) == whole
@@ -163,7 +163,7 @@ def test_echo_is_not_taken_for_reply(sent: bytes) -> None:
 
 def test_row_is_decoded_while_another_thread_clears_the_cache() -> None:
     class ForgottenMeanwhile(Transaction):
-        """A row whose meaning is forgotten right behind each look at it."""
+        """Row whose cached meaning is cleared after each read."""
 
         def __getattribute__(self, name: str) -> object:
             value = super().__getattribute__(name)

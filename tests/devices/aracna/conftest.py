@@ -1,5 +1,3 @@
-"""Simulated robots."""
-
 import pytest
 
 from tests.support.aracna import AracnaStage

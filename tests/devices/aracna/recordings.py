@@ -1,4 +1,4 @@
-"""Recordings of a robot to write and read: arbitrary ones, and a plausible session."""
+"""Recordings of a robot for tests."""
 
 from collections.abc import Iterator
 from datetime import UTC, datetime
@@ -62,7 +62,7 @@ records: st.SearchStrategy[Record] = st.one_of(
 def session(moves: int = 20, *, seconds: float = 2.0, pause: float = 1.0) -> Iterator[Record]:
     """Yield the records of a robot that moves from goal to goal.
 
-    After half of them the board restarts, and does not respond for the duration of a motion.
+    After half of the moves, the board restarts and does not respond for the time of a motion.
     """
     random, time = Random(1), T0 + pause
     starts: tuple[int | None, ...] = (None,) * MOTORS
@@ -89,7 +89,7 @@ def session(moves: int = 20, *, seconds: float = 2.0, pause: float = 1.0) -> Ite
 
 
 def write(path: Path, what: list[Record], header: RobotHeader = HEADER) -> int:
-    """Write a recording; return its size."""
+    """Write a recording. Return its size."""
     writer = RecordingWriter[RobotHeader, Record](path, FORMAT, header)
     for at in range(0, len(what), 7):
         writer.write(what[at : at + 7])
@@ -100,12 +100,11 @@ def write(path: Path, what: list[Record], header: RobotHeader = HEADER) -> int:
 
 
 def open_recording(path: Path) -> Recording[RobotHeader, Record]:
-    """Open a recording of a robot."""
     return Recording(path, FORMAT)
 
 
 def read_all(path: Path) -> tuple[list[Record], list[str]]:
-    """Return all records of a file in order, and its problems."""
+    """Return all records of a file, and its problems."""
     recording = open_recording(path)
     numbers = range(1, recording.count + 1, CHUNK)
     found = [record for first in numbers for record in recording.read(first, first + CHUNK - 1)]

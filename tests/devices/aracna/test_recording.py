@@ -1,4 +1,4 @@
-"""Recordings of a robot: read as written; exports have units and last values."""
+"""Recordings of a robot and their exports."""
 
 import csv
 import json
@@ -35,7 +35,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def rows(folder: Path, *what: Record) -> list[dict[str, str]]:
-    """Return what a spreadsheet reads of these records."""
+    """Return the rows that a spreadsheet reads."""
     write(folder / "a.trexrec", list(what), HEADER)
     recording = open_recording(folder / "a.trexrec")
     target = folder / "a.csv"

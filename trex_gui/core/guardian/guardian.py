@@ -148,7 +148,7 @@ class GuardianProcess:
         if self._unread < _MOST_UNREAD or not self._started.is_set() or self.has_acted:
             return False
         is_late = time.monotonic() - self._unread_since > _UNREAD_S
-        return is_late and self._unread >= _MOST_UNREAD  # may have changed meanwhile
+        return is_late and self._unread >= _MOST_UNREAD  # the count may have changed meanwhile
 
     @property
     def has_ended(self) -> bool:

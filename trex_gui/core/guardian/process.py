@@ -34,7 +34,7 @@ if sys.platform != "win32":
 
 _GIVE_UP_S = 5.0  # longest duration of a stop in seconds
 _GRACE_S = 0.02  # seconds for a heartbeat on its way
-_LATE_S = 0.05  # excess in s of a wait during which this process was suspended
+_LATE_S = 0.05  # excess of a wait in s that indicates a suspension of this process
 _LATE_GRACE_S = 0.1  # seconds for messages sent during a suspension
 _CLEAN_ROUNDS = 2  # consecutive rounds of clean replies that confirm a stop
 _QUIET_S = 0.03

@@ -1,4 +1,4 @@
-"""trexcmd aracna: query, speeds, pose, play; list and find; bytes of the robot take no time."""
+"""Commands of `trexcmd aracna`, with a robot whose bytes take no time."""
 
 import json
 import re
@@ -24,13 +24,12 @@ Seq=ghost: nowhere|300
 
 @pytest.fixture
 def start(virtual_time: VirtualRuntime, robot: SimulatedDevice) -> StartCommand:
-    """Start `trexcmd` on the robot's port."""
     return lambda *words: VirtualCommand(virtual_time, words, {"TREX_PORT": robot.url})
 
 
 @pytest.fixture
 def trexcmd(start: StartCommand) -> RunCommand:
-    """Run `trexcmd` to its end; it ends well where a test does not say otherwise."""
+    """Run `trexcmd` to its end, by default without an error."""
     return lambda *words, exits=0: start(*words).ends(exits)
 
 

@@ -1,4 +1,4 @@
-"""The window with an Aracna, for journeys."""
+"""Window with an Aracna."""
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -9,12 +9,12 @@ from trex_gui.ui.program import Program
 
 @pytest.fixture
 def window(program: Program, qtbot: QtBot) -> RobotWindow:
-    """The window, with nothing connected."""
+    """Return a window without a connection."""
     return RobotWindow(program, qtbot)
 
 
 @pytest.fixture
 def connected_window(window: RobotWindow) -> RobotWindow:
-    """The window, connected to the Demo Aracna."""
+    """Return a window connected to the Demo Aracna."""
     window.choose_demo()
     return window

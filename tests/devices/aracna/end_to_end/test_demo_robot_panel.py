@@ -1,4 +1,4 @@
-"""The panel of the Demo Aracna: it shows the simulated robot, and handles it like a real one."""
+"""Panel of the Demo Aracna."""
 
 from dataclasses import replace
 
@@ -18,8 +18,6 @@ from trex_gui.ui.widgets.sliders import StickSlider
 
 
 class DemoRobotPanel(WidgetDriver):
-    """The panel, in a window."""
-
     def __init__(self, window: RobotWindow) -> None:
         self.dock = window.find(QDockWidget, "aracnaDemoPanel")
         super().__init__(self.dock, window.qtbot)
@@ -28,7 +26,7 @@ class DemoRobotPanel(WidgetDriver):
 
     @property
     def snapshot(self) -> RobotSnapshot:
-        """The state that the simulated robot has reported last."""
+        """Last reported state of the simulated robot."""
         snapshot = aracna(self.window.program).controller.demo_robot.snapshot
         assert snapshot is not None
         return snapshot
@@ -46,7 +44,7 @@ class DemoRobotPanel(WidgetDriver):
             QTest.keyClick(slider, Qt.Key.Key_Right)
 
     def begin_to_move(self, goal: int = 100, speed: int = 40) -> None:
-        """Send all motors far away and slowly: 4.5 s at this speed."""
+        """Start a slow motion of all motors, which takes 4.5 s."""
         self.robot.set_speeds((speed,) * self.robot.state.motors)
         self.robot.move((goal,) * self.robot.state.motors)
         self.wait(lambda: self.snapshot.state is FirmwareState.MOVING and self.snapshot.is_moving)
@@ -54,7 +52,7 @@ class DemoRobotPanel(WidgetDriver):
 
 @pytest.fixture
 def panel(connected_window: RobotWindow) -> DemoRobotPanel:
-    """The panel of a Demo Aracna that is connected."""
+    """Return the panel of a connected Demo Aracna."""
     panel = DemoRobotPanel(connected_window)
     panel.wait(panel.dock.isVisible)
     panel.wait(lambda: aracna(connected_window.program).controller.demo_robot.snapshot is not None)
@@ -149,7 +147,7 @@ def test_unplugged_cable_and_other_faults_last_until_they_are_repaired(
     assert panel.text("aracnaDemoNoiseValue") == "2.5\u00a0%"
     panel.wait(
         lambda: panel.robot.link is ConnectionState.NOT_RESPONDING
-    )  # else it may be called so once mended
+    )  # else the text may be out of date
 
     panel.click("aracnaDemoRepair")
     panel.wait(lambda: not any(servo.dead or servo.blocked for servo in panel.snapshot.servos))

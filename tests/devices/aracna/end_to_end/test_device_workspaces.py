@@ -1,4 +1,4 @@
-"""One window for a TReX and an Aracna: workspace and list of ports are those of the device."""
+"""Window for a TReX and an Aracna."""
 
 import pytest
 from PySide6.QtCore import Qt
@@ -101,13 +101,12 @@ NONE = "Not connected"
 
 
 def choose(window: RobotWindow, label: str) -> None:
-    """Choose an entry of the list of ports."""
     combo = window.combo("portCombo")
     window.select("portCombo", combo.itemData(combo.findText(label, Qt.MatchFlag.MatchExactly)))
 
 
 def test_connect_uses_selected_demo(computer: list[ListPortInfo], window: RobotWindow) -> None:
-    computer.append(ListPortInfo("/dev/ttyNothing9"))  # the only port: what is offered first
+    computer.append(ListPortInfo("/dev/ttyNothing9"))  # the only port, which is offered first
     window.program.ports.refresh()
     assert window.port == "/dev/ttyNothing9"
     window.choose_demo()

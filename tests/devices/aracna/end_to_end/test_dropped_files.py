@@ -1,4 +1,4 @@
-"""Files that are dropped on the window or named at the start: each goes where it belongs."""
+"""Files dropped on the window, or given as arguments."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -19,8 +19,6 @@ Make = Callable[[str, str], Path]
 
 @pytest.fixture
 def make(tmp_path: Path) -> Make:
-    """Write a file."""
-
     def make(name: str, text: str) -> Path:
         path = tmp_path / name
         path.write_text(text, encoding="utf-8")

@@ -1,4 +1,4 @@
-"""The page of the robot, operated with mouse and keys at the Demo Aracna."""
+"""Robot page with the Demo Aracna, by mouse and keyboard."""
 
 from pathlib import Path
 
@@ -154,7 +154,7 @@ def test_bar_shows_playback_until_it_is_stopped(connected_window: RobotWindow) -
     window.wait_for_text("aracnaMotionLabel", "ends by itself in about 0.")
     assert not window.is_enabled("aracnaMoveButton")
     stop = window.button("aracnaStopButton")
-    QTest.mousePress(stop, LEFT)  # at the press, not at its end
+    QTest.mousePress(stop, LEFT)  # on press, not on release
     window.wait(lambda: robot.state.play is None and robot.state.moving is None)
     QTest.mouseRelease(stop, LEFT)
     assert window.text("aracnaMotionLabel") == "At rest: nothing is sent."
@@ -195,14 +195,14 @@ def test_problems_page_counts_replies_and_shows_what_went_wrong(
 
 
 def move_by_key(window: RobotWindow) -> None:
-    """Move as Ctrl+M does; the focus stays where it is."""
+    """Move as Ctrl+M does, without a change of focus."""
     count = len(window.goals)
     window.trigger("aracna_move")
     window.wait_for_motion(count)
 
 
 def click_without_focus(window: RobotWindow, name: str) -> None:
-    """Click a button as on a Mac, where a click takes no focus."""
+    """Click a button without focus, as on a Mac."""
     window.button(name).setFocusPolicy(Qt.FocusPolicy.TabFocus)
     window.click(name)
 
@@ -237,7 +237,7 @@ def test_typed_values_are_used_before_enter(connected_window: RobotWindow, tmp_p
     click_without_focus(window, "aracnaCentreButton")
     assert window.goal_box(0).text() == "512"
 
-    # A position of a pose is saved and moved to.
+    # A position is saved as a pose, then the robot moves to the pose.
     library = aracna(window.program).library
     save_now(library, library.content, path)
     window.show_page(POSES_PAGE)
@@ -255,5 +255,5 @@ def test_typed_values_are_used_before_enter(connected_window: RobotWindow, tmp_p
     click_without_focus(window, "aracnaGoTo")
     window.wait_for_motion(count)
     assert window.goals[count][0] == 400
-    window.trigger("aracna_save")  # else the window asks whether to when it closes
+    window.trigger("aracna_save")  # else the window prompts when it closes
     window.wait_for_files()

@@ -1,4 +1,4 @@
-"""Poses are captured and gone to, and gaits are played, with a robot connected."""
+"""Poses and gaits with a connected robot."""
 
 from collections.abc import Iterator
 
@@ -16,9 +16,7 @@ from trex_gui.ui.runtime import now
 @pytest.fixture
 def window(connected_window: RobotWindow) -> Iterator[RobotWindow]:
     yield connected_window
-    aracna(
-        connected_window.program
-    ).library.new()  # else the window asks whether to save when it closes
+    aracna(connected_window.program).library.new()  # else the window prompts when it closes
 
 
 def test_gait_plays_until_stopped(window: RobotWindow, qapp: QApplication, qtbot: QtBot) -> None:
@@ -43,7 +41,7 @@ def test_gait_plays_until_stopped(window: RobotWindow, qapp: QApplication, qtbot
     reports: list[object] = []
     robot.reported.connect(reports.append)
     window.press_escape()
-    stopped = now()  # what was sent before may be reported later
+    stopped = now()  # an earlier command may be reported later
     window.wait(lambda: robot.state.play is None and robot.state.moving is None)
     motions = [report for report in reports if isinstance(report, Moving)]
     assert len([motion for motion in motions if motion.time > stopped]) <= 1

@@ -1,4 +1,4 @@
-"""The robot is recorded; recordings are opened from the menu or dropped, without the robot."""
+"""Recording of a robot, and recordings without a robot."""
 
 import sys
 from pathlib import Path

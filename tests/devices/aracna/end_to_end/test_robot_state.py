@@ -1,4 +1,4 @@
-"""The window says no more of the robot than is known, also when the program halts it by itself."""
+"""State of the robot in the window, also after an automatic halt."""
 
 import re
 from collections.abc import Callable, Iterator
@@ -18,7 +18,7 @@ UNSEEN = "Nothing is sent. Whether it is moving is not known before its first mo
 
 
 def begin_long_motion(window: RobotWindow, goal: int = 200) -> None:
-    """Let every motor go far and slowly: for about 90 s."""
+    """Start a motion of every motor for about 90 s."""
     window.robot.set_speeds((5,) * 8)
     window.robot.move((goal,) * 8)
     window.wait(lambda: window.robot.state.moving is not None and window.servos_turn())
@@ -111,7 +111,7 @@ def test_motion_is_shown_as_continuing_after_disconnect(connected_window: RobotW
     begin_long_motion(window)
     window.press_disconnect()
     window.connect_port(window.program.ports.demo_of("aracna"))
-    window.control("reset")  # as boards do when their port is opened; their servos go on
+    window.control("reset")  # as by opening the port; servos continue
     window.wait_until_up()
     assert window.servos_turn()
     left_running = "Unknown: a motion may continue"
@@ -156,7 +156,7 @@ def reasons(causes: Causes) -> list[tuple[str, Callable[[], None]]]:
 
 
 def creep(window: RobotWindow) -> None:
-    """Send every motor on a way of some minutes."""
+    """Start a motion of every motor for some minutes."""
     window.robot.set_speeds((1,) * 8)
     window.robot.move((300,) * 8)
     window.wait(lambda: window.robot.remaining() > 0)
@@ -168,7 +168,7 @@ def test_automatic_halt_at_rest_reports_that_nothing_is_sent(
     window = connected_window
     causes.lock_the_screen()
     goes_on = "Nothing more is sent. A running motion continues to its goal."
-    window.wait(lambda: causes.banner == f"{LOCKED}. {goes_on}")  # before any answer
+    window.wait(lambda: causes.banner == f"{LOCKED}. {goes_on}")  # before any reply
 
     window.move()
     for reason, cause in reasons(causes):

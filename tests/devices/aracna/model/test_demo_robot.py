@@ -1,4 +1,4 @@
-"""The Demo Aracna: its panel reaches the simulator and shows its state."""
+"""Demo Aracna: control lines and state."""
 
 import sys
 from dataclasses import replace
@@ -26,7 +26,7 @@ def snapshot_of(stage: AracnaStage) -> RobotSnapshot:
     return read_snapshot(control(stage.line, "show").removeprefix("ok "))
 
 
-# --- What is read -----------------------------------------------------------------------
+# --- Snapshots --------------------------------------------------------------------------
 
 
 def test_new_robot_is_idle_limp_and_centred() -> None:
@@ -70,7 +70,7 @@ def test_blocked_or_unpowered_servos_do_not_count_as_moving() -> None:
     assert not snapshot_of(stage).is_moving
 
 
-# --- What is said -----------------------------------------------------------------------
+# --- Texts ------------------------------------------------------------------------------
 
 
 def test_firmware_state_is_described_as_text() -> None:
@@ -128,7 +128,7 @@ def test_servo_state_is_described_as_text(servo: DemoServo, powered: bool, words
     assert servo_text(servo, powered) == words
 
 
-# --- What hands do ----------------------------------------------------------------------
+# --- Control lines ----------------------------------------------------------------------
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")

@@ -1,4 +1,4 @@
-"""The library: everything is one step to undo, and nothing of a file is lost."""
+"""Library of poses and sequences: undo steps and files."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -24,7 +24,7 @@ def library() -> Library:
 
 
 def opened(library: Library, path: Path) -> tuple[Finding, ...]:
-    """Show a pose file, and return its findings."""
+    """Open a pose file. Return its findings."""
     file = read_file(path)
     library.set_file(path, file)
     return file.findings

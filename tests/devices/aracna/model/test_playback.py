@@ -1,4 +1,4 @@
-"""Looking at the recording of a robot without one."""
+"""Playback of a robot's recording."""
 
 import math
 from pathlib import Path
@@ -36,7 +36,7 @@ def loaded(path: Path, qtbot: QtBot, *what: Record) -> RobotPlayback:
 
 
 def sequential(what: list[Record], time: float) -> RobotState:
-    """Return the state after all records up to a time."""
+    """Return the state after all records until a time."""
     moment = RobotState(MOTORS)
     for record in what:
         if record.time <= time:

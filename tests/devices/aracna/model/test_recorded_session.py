@@ -1,4 +1,4 @@
-"""A session with the simulated robot is recorded and opened again: everything comes back equal."""
+"""Recording of a session with the simulated robot."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -39,7 +39,7 @@ RECORDED = (
 
 
 class Session(RobotHarness):
-    """A connected robot, its recorder, and all that it has reported while it recorded."""
+    """Connected robot with its recorder and its reports during the recording."""
 
     def __init__(self, qtbot: QtBot, path: Path, simulator: SimulatedDevice) -> None:
         super().__init__(simulator, qtbot)
@@ -52,14 +52,13 @@ class Session(RobotHarness):
     def _on_reported(self, report: object) -> None:
         if self.recorder.recording and isinstance(report, RECORDED):
             if isinstance(report, NotResponding):
-                report = replace(report, error=None)  # which is not recorded
+                report = replace(report, error=None)  # not recorded
             self.reported.append(report)
 
     def wait_for(self, link: ConnectionState) -> None:
         self.wait(lambda: self.robot.link is link)
 
     def stop(self) -> list[Record]:
-        """End the recording and return its records."""
         with self.qtbot.waitSignal(self.recorder.ended, timeout=LONG_TIMEOUT):
             self.recorder.stop()
         found, problems = read_all(self.path)
@@ -140,7 +139,7 @@ def test_recording_contains_faults_and_rejected_move(session: Session) -> None:
 def test_late_recording_starts_with_known_state(session: Session) -> None:
     session.move((500,) * 8)
     session.robot.set_speeds((40,) * 8)
-    assert session.robot.move((100,) * 8)  # 4.4 s, in which the recording has to begin
+    assert session.robot.move((100,) * 8)  # 4.4 s, during which the recording starts
     session.wait(lambda: session.robot.state.moving is not None)
     moving, speeds = session.robot.state.moving, session.robot.state.speeds
     assert moving is not None

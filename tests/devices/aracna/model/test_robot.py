@@ -1,4 +1,4 @@
-"""The robot as the window sees it, at the simulated one in a process of its own."""
+"""Robot model with a simulated robot in another process."""
 
 import threading
 from collections.abc import Callable, Iterator
@@ -24,7 +24,7 @@ HIGH = (400,) * 8
 
 
 class RobotHarness:
-    """A robot, its simulator, and all its reports and messages."""
+    """Robot with its simulator, reports and messages."""
 
     def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
         self.simulator = simulator
@@ -54,8 +54,8 @@ class RobotHarness:
         self.wait(lambda: len(self.of(Moved)) > before)
 
     def lose_motor_3(self, goals: tuple[int, ...]) -> None:
-        """Let a motor die on its way: one that is dead before does not even take its speed."""
-        self.simulator.do("servo 3 block")  # it is on its way for as long as that
+        """Kill a motor during its motion. Before, it would not accept its speed."""
+        self.simulator.do("servo 3 block")  # the motion takes longer
         assert self.robot.move(goals)
         self.wait(lambda: self.robot.state.moving is not None)
         self.simulator.do("servo 3 dead", "servo 3 free")
@@ -66,7 +66,7 @@ class RobotHarness:
         self.wait(lambda: len(self.of(Moved)) > before)
 
     def end(self) -> None:
-        """Give the line back, which may take longer than a program waits that ends."""
+        """Close the line, which may take longer than at the end of the program."""
         self.robot.close()
         self.wait(lambda: self.robot.link is ConnectionState.DISCONNECTED)
         assert self.robot.shut_down()
@@ -76,7 +76,7 @@ class RobotHarness:
 
     @property
     def sent(self) -> list[tuple[int, ...]]:
-        """The goals of every motion that went out."""
+        """Goals of all sent motions."""
         return [report.goals for report in self.of(Moving)]
 
     @property
@@ -175,7 +175,7 @@ def test_move_that_failed_is_reported(robot: Robot, harness: RobotHarness) -> No
 def test_commands_while_motor_is_stuck_are_never_sent(robot: Robot, harness: RobotHarness) -> None:
     harness.move((512,) * 8)
     harness.lose_motor_3((500,) * 8)
-    robot.move((300,) * 8)  # waits, and is dropped
+    robot.move((300,) * 8)  # queued, then dropped
     harness.wait(lambda: robot.state.stuck is not None)
     assert not robot.move((350,) * 8)
     assert not robot.play(Play(0, steps(HIGH, LOW)))
@@ -270,7 +270,7 @@ def test_halt_ends_playback_and_holds_reported_positions(
     halted = now()
     harness.wait(lambda: robot.state.play is None and robot.state.moving is None)
     sent_after = [each for each in harness.of(Moving) if each.time > halted]
-    assert len(sent_after) <= 1  # one may have been on its way
+    assert len(sent_after) <= 1  # one may have been sent already
     assert robot.targets.goals == robot.state.present
     assert harness.messages == []
 

@@ -1,4 +1,4 @@
-"""What is known of a robot's motions, from one report to the next."""
+"""State of a robot during and after motions."""
 
 import pytest
 

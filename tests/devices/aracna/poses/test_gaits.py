@@ -1,4 +1,4 @@
-"""The built-in poses and gaits are those that the robot's authors describe."""
+"""Built-in poses and gaits, as the robot's authors describe them."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Played steps stay within the joints' limits, and late motors are reported."""
+"""Steps within the joints' limits, and late motors."""
 
 import pytest
 from hypothesis import given

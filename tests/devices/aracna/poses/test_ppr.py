@@ -1,4 +1,4 @@
-"""Pose files: read as PyPose reads them, written as it writes them, and nothing lost."""
+"""Pose files in PyPose's format."""
 
 from collections.abc import Iterable
 from pathlib import Path

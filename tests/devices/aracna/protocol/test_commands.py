@@ -1,5 +1,3 @@
-"""Only complete, strictly formed lines are sent."""
-
 import pytest
 
 from trex_gui.core.errors import BadRequest

@@ -1,4 +1,4 @@
-"""Units and joints, against the figures of Robotis and of the robot's authors."""
+"""Units and joints, compared with Robotis's and the authors' figures."""
 
 import pytest
 from hypothesis import given

@@ -1,5 +1,3 @@
-"""Replies of the robot, however they are split on the way."""
-
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st

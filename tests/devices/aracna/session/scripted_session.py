@@ -1,4 +1,4 @@
-"""A session with a simulated robot that runs from a script in virtual time."""
+"""Scripted session with a simulated robot in virtual time."""
 
 from collections import deque
 from collections.abc import Callable
@@ -16,9 +16,9 @@ Action = Request | Callable[[], object] | str
 
 
 class ScriptedSession:
-    """Runs a session with a simulated robot, and actions at times since its start, then closes it.
+    """Runs a session with actions at times since its start, then closes it.
 
-    An action is a request, a control line of the robot, or a function to call.
+    An action is a request, a control line of the robot, or a function.
     """
 
     def __init__(self, *, booted: bool = True, **options: Any) -> None:
@@ -34,33 +34,31 @@ class ScriptedSession:
         self._closed = False
 
     def at(self, time: float, action: Action) -> "ScriptedSession":
-        """Add an action so many seconds after the start; times must not decrease."""
+        """Add an action at a time (s) after the start. Times must not decrease."""
         self._actions.append((self.begun + time, action))
         return self.until(time)
 
     def on(self, matches: Callable[[Report], bool], action: Action) -> "ScriptedSession":
-        """Add an action for the next report that matches; several are used in order."""
+        """Add an action for the next matching report. Actions are used in order."""
         self._when.append((matches, action))
         return self
 
     def until(self, time: float) -> "ScriptedSession":
-        """Keep the session open at least until then."""
+        """Extend the session to this time."""
         self._end = max(self._end, self.begun + time)
         return self
 
     def run(self) -> "ScriptedSession":
-        """Run the script to its end."""
         AracnaSession(
             PortSettings("virtual"), self, self._record, lambda _settings: self.stage.transport
         ).run()
         return self
 
     def of(self, kind: type[KindT]) -> list[KindT]:
-        """Return the reports of a kind."""
         return [report for report in self.reports if isinstance(report, kind)]
 
     def when(self, kind: type) -> list[float]:
-        """Return when the reports of a kind came, in seconds since the session began."""
+        """Return the times of reports of a kind, in seconds since the start."""
         return [
             time - self.begun
             for time, report in zip(self.times, self.reports, strict=True)
@@ -69,7 +67,7 @@ class ScriptedSession:
 
     @property
     def kinds(self) -> list[str]:
-        """Return the names of all reports, in order, except `LineStats`."""
+        """Return the names of all reports in order, except `LineStats`."""
         return [
             type(report).__name__ for report in self.reports if not isinstance(report, LineStats)
         ]

@@ -1,4 +1,4 @@
-"""One command in flight, and what may follow one that is not answered."""
+"""Client with one command in flight."""
 
 import pytest
 
@@ -26,7 +26,7 @@ def client_of(stage: AracnaStage, motors: int = 8) -> AracnaClient:
 
 
 def received(client: AracnaClient, seconds: float) -> list[CommandEvent]:
-    """Listen in small slices for so long."""
+    """Listen in small slices for a duration."""
     end = client.transport.clock() + seconds
     events: list[CommandEvent] = []
     while client.transport.clock() < end:

@@ -1,4 +1,4 @@
-"""Finding a robot, alone or together with a TReX, and moving neither of them on the way."""
+"""Search for a robot, alone or with a TReX, without motion."""
 
 from collections.abc import Iterable, Sequence
 
@@ -28,7 +28,6 @@ __all__ = ["orders"]  # a fixture
 
 
 def search(stage: AracnaStage) -> PortScan:
-    """Search for an Aracna alone."""
     settings = ConnectionSettings("virtual", LineSettings(9600, Detection.ODD), device_number=9)
     return scan_port(settings, ARACNA, open_wire=lambda _settings: stage.transport)
 
@@ -48,7 +47,7 @@ def diagnosis(stage: AracnaStage) -> str:
     return found.text
 
 
-# --- What is found, and how soon ------------------------------------------------------------
+# --- Found devices --------------------------------------------------------------------------
 
 
 def test_robot_is_found_at_its_only_line_setting() -> None:
@@ -94,7 +93,7 @@ def test_aracna_reset_by_opening_port_is_found_after_boot(
     stage = AracnaStage(booted=False, keeps_last=keeps_last)
     stage.line.advance(ago)
     if ago:
-        stage.line.receive()  # opening a port commonly discards what came before
+        stage.line.receive()  # opening a port usually discards earlier bytes
     result = search_both(stage.transport, first)
     assert result.device == "aracna"
     assert ("has reset the board" in result.found[0].note) == (ago == 0.0)
@@ -146,7 +145,7 @@ def test_echo_is_reported_for_both_devices() -> None:
 
 
 def test_reply_to_aracna_probe_is_reported_first() -> None:
-    """A moving robot answers once it stops, which may be among the probes for a TReX."""
+    """A moving robot replies after its motion, perhaps between probes for a TReX."""
     stage = unpowered()
     sent = 0
     write = stage.transport.write
@@ -178,12 +177,12 @@ def test_fixed_rate_port_is_probed_for_aracna_only_if_known() -> None:
     assert search_both(stage.transport, "aracna").device == "aracna"
 
 
-# --- What moves -----------------------------------------------------------------------------
+# --- Motion ---------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("mute", [False, True])
 def test_search_does_not_move_aracna(*, mute: bool) -> None:
-    """Neither one for a TReX, which does not find it, nor one for both, which does."""
+    """The search may be for a TReX or for both devices."""
     stage = AracnaStage(positions=tuple(range(100, 900, 100)))
     stage.line.faults.mute = mute
     wire = stage.transport
@@ -225,10 +224,9 @@ def orders_obeyed(
     *,
     rinsed: bool,
 ) -> set[str]:
-    """Return every order that a board may obey, for these questions in any order and number.
+    """Return every order that a board may obey, for probes in any order and number.
 
-    Takes every device number for the board's own and every checksum for the right one, so that
-    it stands for all of both.
+    Every device number and every checksum counts as valid.
     """
     obeyed: set[str] = set()
     for crc in (False, True) if own.detection is Detection.NONE else (False,):
@@ -249,7 +247,7 @@ def orders_obeyed(
 
 
 def test_probe_and_session_query_cannot_form_trex_motor_command() -> None:
-    """For any device number, any polynomial, and whatever the board received before the probe."""
+    """Any device number, any polynomial, and any bytes before the probe."""
     for own in OWN:
         assert not orders_obeyed([(PROBE, LINE)], own, [(), *BEGUN], rinsed=True), own.text()
         assert not orders_obeyed([(QUERY, LINE)], own, [()], rinsed=False), own.text()
@@ -257,7 +255,7 @@ def test_probe_and_session_query_cannot_form_trex_motor_command() -> None:
 
 @pytest.mark.parametrize("own", sampled(OWN, every=3), ids=lambda own: own.text())
 def test_mixed_probes_cannot_form_motor_command(own: LineSettings) -> None:
-    """For any order and number of probes, any device number and any polynomial."""
+    """Any order and number of probes, any device number and any polynomial."""
     probes = [(each.data, each.line) for each in attempts() if each.line != own]
     assert not orders_obeyed([*probes, (PROBE, LINE)], own, [()], rinsed=True)
 
@@ -268,6 +266,6 @@ def test_probe_without_flush_byte_would_start_trex_motor() -> None:
 
 
 def test_probe_at_fixed_rate_would_start_trex_motor() -> None:
-    """Why such ports are not probed: the flush byte has no effect at another rate."""
+    """The flush byte has no effect at another rate."""
     questions = [(FLUSH_BYTE, LINE), (PROBE, LINE)]
     assert "c5 05" in orders_obeyed(questions, LineSettings(28800), [()], rinsed=False)

@@ -1,4 +1,4 @@
-"""What goes wrong in mid-command: restarts, servos that die, lines that are cut, silence."""
+"""Faults during a command: restarts, dead servos, cut lines and silence."""
 
 from enum import Enum
 
@@ -46,7 +46,7 @@ def _assert_goes_on_after_a_restart(session: ScriptedSession, *, voided: bool) -
     assert restarted.voided is voided
     wait = session.when(Connected)[1] - session.when(Restarted)[0]
     assert BOOT_TIME <= wait < BOOT_TIME + 0.2
-    assert session.line.station.firmware.boots == 2  # no second one, of what was sent too early
+    assert session.line.station.firmware.boots == 2  # no second report about the early command
     assert not session.of(NotResponding)
 
 
@@ -130,7 +130,7 @@ def test_servo_failing_in_motion_is_reported_stuck_once() -> None:
     session.at(8.0, Move(4, HERE)).until(10.0).run()
     [stuck] = session.of(Stuck)
     assert stuck.motor == 3
-    # 88 units at 100 a quarter longer, a second, and what the wire may take
+    # 88 units at speed 100, a quarter longer, plus a second and the wire's delay
     assert session.when(Stuck)[0] - session.when(Moving)[1] == pytest.approx(
         88 / 228 * 1.25 + 1.0, abs=0.06
     )
@@ -181,10 +181,10 @@ def test_stuck_motor_ends_playback() -> None:
     assert "motor 6" in str(session.of(Outcome)[0].error)
     assert session.when(Moving)[-1] < session.when(Stuck)[0]
     reports = [report for report in session.reports if not isinstance(report, LineStats)]
-    assert isinstance(reports[-2], Moved)  # reported after all
+    assert isinstance(reports[-2], Moved)  # reported late
 
 
-# --- A line that damages --------------------------------------------------------------------
+# --- Corrupted lines ------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("lost", [1, 20, 33, 34])
@@ -252,7 +252,7 @@ def test_second_failed_servo_is_reported_stuck_too() -> None:
 
 
 def test_move_sent_right_after_lost_reply_succeeds() -> None:
-    """The move waits until the robot answers `.q` instead of being rejected."""
+    """The move waits until the robot replies to `.q`."""
     session = (
         ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.4, Move(2, HERE)).at(0.6, Move(3, THERE))
     )

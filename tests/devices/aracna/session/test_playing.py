@@ -1,4 +1,4 @@
-"""What is played: steps on a clock, at speeds that make them arrive in time."""
+"""Sequences: steps on a clock, at speeds that arrive in time."""
 
 import itertools
 from typing import Any
@@ -43,7 +43,7 @@ def step(position: int, seconds: float, *others: int) -> Step:
 
 
 def placed(positions: tuple[int, ...] = HERE, **options: Any) -> ScriptedSession:
-    """A robot whose positions are known by half a second."""
+    """Return a robot whose positions are known after half a second."""
     session = ScriptedSession(positions=positions, **options)
     return session.at(0.1, SetSpeeds(90, (1023,) * 8)).at(0.3, Move(91, positions))
 
@@ -64,7 +64,7 @@ def described(session: ScriptedSession) -> list[tuple[str, int, int]]:
 def test_steps_arrive_in_time_and_begin_on_schedule(
     seconds: list[float], positions: list[int], factor: float
 ) -> None:
-    # What can be reached: at the ceiling 1984 units a second, half of a step's time at least
+    # Reachable: 1984 units/s at the ceiling, in at least half of a step's time
     steps = tuple(step(place, time) for time, place in zip(seconds, positions, strict=False))
     distances = [
         abs(a - b) for a, b in zip([512, *positions], positions[: len(steps)], strict=False)
@@ -137,7 +137,7 @@ def test_late_steps_are_reported_and_none_is_skipped() -> None:
     session = placed().at(1.0, Play(1, steps, rounds=5)).until(10.0).run()
     assert described(session) == [("steps", index, turn) for turn in range(5) for index in (0, 1)]
     assert max(begun.late for begun in session.of(StepBegun)) > 0.3
-    # The clock is set anew: what is late does not add up endless.
+    # The clock restarts, so that delays do not accumulate.
     assert session.of(StepBegun)[-1].late < 1.0
     starts, ends = session.when(Moving), session.when(Moved)
     assert all(end <= start for end, start in zip(ends, starts[1:], strict=False))
@@ -149,7 +149,7 @@ def test_first_step_from_unknown_position_is_slow() -> None:
     assert [ended.why for ended in session.of(PlayEnded)] == [Ending.DONE]
 
 
-# --- What is played -------------------------------------------------------------------------
+# --- Sequences ------------------------------------------------------------------------------
 
 
 def test_end_finishes_current_step_and_plays_blend_out() -> None:

@@ -1,6 +1,6 @@
-"""Servo power is cut and given back, which is how people stop this robot: it stays as it was.
+"""Cuts of servo power, which users cut to stop the robot.
 
-A servo that was without power is unlimited be; nothing on the link tells of it.
+After a power cut a servo is unlimited, and the link does not report it.
 """
 
 import pytest
@@ -24,7 +24,7 @@ FASTEST = 2.28 * 30 * 1.25
 
 
 def watched(session: ScriptedSession, begin: float, seconds: float) -> list[float]:
-    """Return how fast motor 0 is in units a second, looked at every 20 ms from then on."""
+    """Return the speed of motor 0 in units/s, sampled every 20 ms."""
     seen: list[float] = []
     places: list[float] = []
 

@@ -1,4 +1,4 @@
-"""Random requests and faults in any order: every request gets its outcome."""
+"""Random requests and faults in any order."""
 
 from collections.abc import Callable
 
@@ -53,7 +53,7 @@ MENDING = ("line mute off", "line drop 0", "line drop 0 sent", "servo 3 alive", 
     acts=st.lists(st.tuples(st.floats(0, 1.5), REQUESTS | FAULTS), max_size=25),
     keeps_last=st.booleans(),
 )
-# Shrinking takes longer than a test may.
+# Shrinking takes too long for a test.
 @examples(40, phases=(Phase.explicit, Phase.generate))
 def test_every_request_has_one_outcome_and_robot_recovers(
     acts: list[tuple[float, Callable[[int], Request] | str]], *, keeps_last: bool
@@ -83,7 +83,7 @@ def test_every_request_has_one_outcome_and_robot_recovers(
 
 
 def _assert_it_makes_sense(session: ScriptedSession) -> None:
-    """Nothing is sent to a robot that is not there, nor while it moves; what is played ends."""
+    """Check that only an idle robot gets commands and that sequences end."""
     is_there, moves = False, False
     begun = ended = 0
     for report in session.reports:

@@ -1,4 +1,4 @@
-"""A session with a simulated robot in virtual time: opening, asking, moving, halting, ending."""
+"""Session with a simulated robot in virtual time."""
 
 from itertools import pairwise
 
@@ -107,7 +107,7 @@ def test_move_reports_each_arrival_and_then_completion() -> None:
     assert held.requested == held.held == SLOW
     [moving] = session.of(Moving)
     assert moving.starts == (None,) * 8
-    assert moving.expected == pytest.approx(600 / 228)  # as far as it may have to go
+    assert moving.expected == pytest.approx(600 / 228)  # the longest possible distance
     assert [len(passed.present) for passed in session.of(Passed)] == list(range(8))
     [moved] = session.of(Moved)
     assert moved.present == (600,) * 8

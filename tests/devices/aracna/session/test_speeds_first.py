@@ -1,4 +1,4 @@
-"""The session sends no motion at a wrong speed or to an outdated goal."""
+"""Speeds before each motion, and outdated goals."""
 
 import re
 
@@ -30,7 +30,7 @@ FAST = (700,) * 8
 
 
 def lines(session: ScriptedSession, letter: str) -> list[str]:
-    """Return the commands of a letter that were sent, values that are all the same as one."""
+    """Return the sent commands of a letter. Equal values are merged."""
     sent = bytes(session.stage.transport.sent).decode().splitlines()
     return [re.sub(r"^(\d+)(,\1)+$", r"\1", line[2:]) for line in sent if line[1:2] == letter]
 

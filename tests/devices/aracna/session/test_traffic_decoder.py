@@ -1,5 +1,3 @@
-"""What goes over the line to a robot, in words."""
-
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st

@@ -1,4 +1,4 @@
-"""The control lines: what they answer, what they do, what they refuse."""
+"""Control lines: replies, effects and errors."""
 
 from tests.support.aracna import AracnaStage
 from trex_gui.core.simulator.control_lines import GOODBYE

@@ -1,4 +1,4 @@
-"""A board that is busy reads nothing: three bytes survive in the chip."""
+"""Busy board that reads nothing but three bytes."""
 
 from collections.abc import Callable, Sequence
 
@@ -11,11 +11,11 @@ from trex_gui.devices.aracna.simulator.line import HOLDS, OWN
 VERSION = b".q1,8\r\n"
 SPEEDS = b".v100,100,100,100,100,100,100,100\n"
 GOALS = b".c600,600,600,600,600,600,600,600\n"
-MOMENT = 0.0002  # seconds; less than anything takes
+MOMENT = 0.0002  # seconds, shorter than any state
 
 
 def until(stage: AracnaStage, reached: Callable[[], bool]) -> None:
-    """Let time pass until the board is where it is wanted."""
+    """Advance time until the board is in a state."""
     end = stage.now + 5
     while not reached():
         assert stage.now < end
@@ -76,7 +76,7 @@ def named(functions: Sequence[Callable[[AracnaStage], None]]) -> pytest.MarkDeco
 
 
 def is_free(stage: AracnaStage) -> bytes:
-    """Let the board get done with what it is at; return what came."""
+    """Advance time until the board is idle. Return the received bytes."""
     stage.do("servo 5 alive")
     stage.line.advance(3)
     return stage.line.receive()
@@ -156,7 +156,7 @@ def test_next_line_completes_truncated_command_and_restarts(
 def test_next_command_completes_truncated_one_with_enough_values() -> None:
     stage = AracnaStage(keeps_last=False)
     moves(stage)
-    stage.line.send(GOALS)  # leaves ".c6", which with the next makes ".c6.c600,…"
+    stage.line.send(GOALS)  # leaves ".c6", which the next line extends to ".c6.c600,…"
     stage.line.advance(0.0095)
     is_free(stage)
     assert stage.ask(GOALS) == b".c600,600,600,600,600,600,600,600\r\n"

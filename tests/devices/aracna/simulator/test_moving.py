@@ -1,4 +1,4 @@
-"""The answer to `.c` as it comes, against the travel times of the servos' documentation."""
+"""Reply to `.c`, compared with documented travel times."""
 
 import pytest
 
@@ -17,7 +17,7 @@ def line(letter: str, values: list[int]) -> bytes:
 
 
 def stamps(stage: AracnaStage, goals: list[int]) -> tuple[list[float], bytes]:
-    """Send goals; return when each motor's value was complete, and the reply."""
+    """Send goals. Return when each motor's value was complete, and the reply."""
     request = line("c", goals)
     stage.line.send(request)
     begun = stage.now + len(request) * stage.line.byte_time
@@ -53,9 +53,9 @@ def test_reply_gives_each_value_once_motor_has_arrived() -> None:
         (1023, 0, 1023 / (UNITS_A_SECOND * CEILING)),
         (0, 0, 1023 / (UNITS_A_SECOND * CEILING)),
         (870, 0, 1023 / (UNITS_A_SECOND * CEILING)),
-        (530, 0, 0.85),  # an AX-12A's end
+        (530, 0, 0.85),  # top speed of an AX-12A
         (100, 0, 4.5),
-        (1, 1000, 450 * 23 / 1023),  # the whole takes 450 s
+        (1, 1000, 450 * 23 / 1023),  # the whole travel takes 450 s
     ],
 )
 def test_travel_takes_documented_time(speed: int, start: int, seconds: float) -> None:

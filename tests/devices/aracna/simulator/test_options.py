@@ -1,4 +1,4 @@
-"""Options of trex-sim that are for an Aracna alone, or not for it."""
+"""Options of trex-sim for an Aracna."""
 
 import pytest
 from click.testing import CliRunner
@@ -6,7 +6,7 @@ from click.testing import CliRunner
 from trex_gui.cli.simulator import main
 
 REJECTED = [
-    # the default, but somebody meant something by it
+    # the default, but given explicitly
     ("--aracna --model trex", "--model does not apply to the device aracna"),
     ("--aracna --mix", "--mix does not apply to the device aracna"),
     ("--aracna --eeprom somewhere", "--eeprom does not apply to the device aracna"),

@@ -1,7 +1,7 @@
-"""What the firmware does with a line, one row a line: the document's tables of replies and harm.
+"""Reactions of the firmware to a line, as in the document's tables.
 
-Eight servos stand at 300, content only at their goals, and are as fast as they can be. A row is
-a name, what is sent, what comes back, and what the servos then hold as goals or speeds.
+Eight servos are at 300, with the highest speed. A row is a name, the sent bytes, the received
+bytes, and the goals or speeds of the servos afterwards.
 """
 
 import pytest
@@ -112,7 +112,7 @@ def test_too_few_values_or_long_field_restart_firmware(stage: AracnaStage, line:
     assert stage.goals == (START,) * 8
     assert stage.speeds == (0,) * 8
     assert stage.line.station.firmware.boots == 2
-    assert stage.ask(b"\n.q\n") == VERSION  # the newline: the rest of a cut line may wait
+    assert stage.ask(b"\n.q\n") == VERSION  # the newline ends the rest of a cut line
 
 
 FIELDS = [

@@ -1,4 +1,4 @@
-"""Servos that are dead, blocked, without power, or miss a question."""
+"""Servos that are dead, blocked or without power, or miss a request."""
 
 import pytest
 
@@ -22,7 +22,7 @@ def test_dead_servo_stalls_reply_in_mid_line_until_it_recovers(stage: AracnaStag
     stage.do("servo 3 dead")
     assert stage.ask(GOALS, 60) == b".c520,520,520,"
     stage.do("servo 3 alive")
-    assert stage.ask(b"") == b"512,520,520,520,520\r\n"  # it has never heard of the goal
+    assert stage.ask(b"") == b"512,520,520,520,520\r\n"  # the servo has not received the goal
     assert stage.ask(b".q\n") == b".q1,8\r\n"
 
 

@@ -1,4 +1,4 @@
-"""Switching on, restarting, and what the servos make of it."""
+"""Power-up and restart of the board."""
 
 import pytest
 
@@ -82,7 +82,7 @@ def test_unpowered_servos_lose_all_but_position(stage: AracnaStage) -> None:
 def test_reset_truncates_reply(stage: AracnaStage) -> None:
     stage.line.send(b".q\n")
     assert stage.line.read(3, 1) == b".q1"
-    stage.line.advance(stage.line.byte_time / 2)  # in mid-byte
+    stage.line.advance(stage.line.byte_time / 2)  # within a byte
     stage.do("reset")
     assert stage.ask(b"") == HELLO
 

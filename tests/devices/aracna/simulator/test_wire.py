@@ -1,4 +1,4 @@
-"""The wire: its pace, hosts that are set otherwise, faults, the cable."""
+"""Wire: timing, host settings, faults and cable."""
 
 import pytest
 
@@ -83,7 +83,7 @@ def test_drop_unsent_discards_queued_bytes(stage: AracnaStage) -> None:
     assert stage.ask(b"\n.q\n").endswith(VERSION)
 
 
-# --- An answer that is cut ----------------------------------------------------------------
+# --- Cut replies --------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("passing", [0, 1, 6, 7])

@@ -1,4 +1,4 @@
-"""The sketch of the robot: symmetrical where numbers are alike, and within its picture."""
+"""Sketch of the robot: symmetry and bounds."""
 
 import pytest
 from hypothesis import given

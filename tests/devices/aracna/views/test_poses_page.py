@@ -1,4 +1,4 @@
-"""The page of poses on a library, driven with mouse and keyboard: poses, sequences, files."""
+"""Poses page with a library: poses, sequences and files."""
 
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -33,7 +33,7 @@ EIGHT = (100, 200, 101, 201, 102, 202, 103, 203)
 
 
 class StagedRobot(Robot):
-    """A robot whose state is set by a test, and which keeps what it is requested to do.
+    """Robot whose state is set by a test and that records requests.
 
     Attributes:
         plays, goals, scales: the requests, in order.
@@ -58,7 +58,7 @@ class StagedRobot(Robot):
 
 
 class StagedPageDriver(WidgetDriver):
-    """A page on a library of its own, and on a robot whose state is set here.
+    """Page with a library and a staged robot.
 
     Attributes:
         messages: its messages and rejections, in order.
@@ -92,7 +92,7 @@ class StagedPageDriver(WidgetDriver):
 
     @property
     def file(self) -> str:
-        """Return what the head says about the pose file."""
+        """Text of the page head."""
         return self.find_all(ElidedLabel)[-1].text()
 
     @property
@@ -100,7 +100,6 @@ class StagedPageDriver(WidgetDriver):
         return self.text("aracnaPlaySummary")
 
     def choose_row(self, list_name: str, text: str) -> None:
-        """Click on the row with a text."""
         view = self.names(list_name)
         index = self.index_of(view, text)
         view.scrollTo(index)
@@ -117,12 +116,12 @@ class StagedPageDriver(WidgetDriver):
         raise AssertionError(text)
 
     def type_name(self, list_name: str, name: str) -> None:
-        """Type into the editor that is open in a list."""
+        """Type into the open editor of a list."""
         row = WidgetDriver(self.names(list_name), self.qtbot)
         editor = row.find_only(QLineEdit)
         editor.setText(name)
         QTest.keyClick(editor, Qt.Key.Key_Return)
-        self.wait(lambda: not row.find_all(QLineEdit))  # Qt takes it later
+        self.wait(lambda: not row.find_all(QLineEdit))  # Qt handles it later
 
     def open_file(self, path: Path) -> None:
         self.page.files.open_file(path)
@@ -407,7 +406,7 @@ def test_play_uses_typed_values_before_enter(driver: StagedPageDriver, qtbot: Qt
 
 
 def answering(monkeypatch: pytest.MonkeyPatch, answer: file_questions.SaveAnswer) -> list[str]:
-    """Answer the question about edits that are not saved; return the names of the files."""
+    """Answer the prompt about unsaved edits. Return the file names."""
     names: list[str] = []
 
     def before_closing(_window: QWidget, name: str) -> file_questions.SaveAnswer:

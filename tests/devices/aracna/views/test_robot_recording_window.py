@@ -1,4 +1,4 @@
-"""The window that shows the recording of a robot, and files that are damaged or unusual."""
+"""Window of a robot's recording, also of a damaged file."""
 
 import contextlib
 import sqlite3
@@ -37,7 +37,7 @@ SAMPLE_SESSION: list[Record] = [
 
 
 class RecordingWindow(WidgetDriver):
-    """A window that shows the recording in a file, which is being loaded."""
+    """Window that shows a recording, which may still be loading."""
 
     def __init__(self, path: Path, qtbot: QtBot) -> None:
         self.window = RobotPlaybackWindow(loading(RobotPlayback(open_recording(path))), Robot())
@@ -51,11 +51,11 @@ class RecordingWindow(WidgetDriver):
         return self.find(JointValues, "aracnaRecordedJoints")
 
     def value(self, motor: int, column: str) -> str:
-        """Return what the table says of a motor."""
+        """Return the table's text about a motor."""
         return str(self.joints.model().index(motor, COLUMNS.index(column)).data())
 
     def curve_box(self, motor: int) -> QPoint:
-        """Return where the check box of a curve is."""
+        """Return the position of a curve's check box."""
         table = self.joints
         row = table.visualRect(table.model().index(motor, 0))
         return QPoint(row.left() + 8, row.center().y())
