@@ -51,7 +51,7 @@ def write_to(path: Path) -> None:
         file.write(b"new")
 
 
-def test_pipe_device_or_folder_is_not_written_to(tmp_path: Path) -> None:
+def test_pipe_device_or_folder_is_not_overwritten(tmp_path: Path) -> None:
     others = [Path(os.devnull), tmp_path]
     if hasattr(os, "mkfifo"):
         others.append(tmp_path / "pipe")
@@ -62,7 +62,7 @@ def test_pipe_device_or_folder_is_not_written_to(tmp_path: Path) -> None:
         assert not other.is_file()
 
 
-def test_draft_of_a_killed_program_is_removed_when_it_is_old(tmp_path: Path) -> None:
+def test_old_draft_of_killed_program_is_removed(tmp_path: Path) -> None:
     abandoned, recent = (tmp_path / f".a.csv.0000000{n}.trexdraft" for n in (1, 2))
     foreign = tmp_path / ".a.csv.tmp"
     for path in (abandoned, recent, foreign):
@@ -74,7 +74,7 @@ def test_draft_of_a_killed_program_is_removed_when_it_is_old(tmp_path: Path) -> 
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs named pipes")
-def test_file_replaced_by_a_pipe_is_not_waited_for(
+def test_file_replaced_by_pipe_does_not_block(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = tmp_path / "a.csv"

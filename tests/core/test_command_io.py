@@ -46,12 +46,14 @@ def written(stream: Stream, text: str, replace: Replace) -> bytes:
 
 
 @pytest.mark.parametrize("encoding", ["ascii", "cp1252", "cp437", "cp850", "cp932", "utf-16"])
-def test_output_that_is_no_terminal_is_utf_8(encoding: str, replace: Replace) -> None:
+def test_redirected_output_is_utf_8(encoding: str, replace: Replace) -> None:
     assert written(Stream(encoding), "5 → 7 µs …", replace) == "5 → 7 µs …\n".encode()
 
 
 @pytest.mark.parametrize("encoding", ["ascii", "cp437", "cp932"])
-def test_terminal_gets_a_stand_in_for_what_it_cannot_show(encoding: str, replace: Replace) -> None:
+def test_terminal_gets_substitutes_for_unsupported_characters(
+    encoding: str, replace: Replace
+) -> None:
     shown = written(Stream(encoding, is_terminal=True), "5 → 7 ⇥", replace).decode(encoding)
     assert shown == "5 -> 7 ?\n"
 
@@ -63,7 +65,7 @@ def test_control_characters_are_shown_as_escapes(is_terminal: bool, replace: Rep
     assert shown == rb"a\u001b]0;b\u0007\u009bc\u000dd" + b"\te\r\nf\n"
 
 
-def test_name_that_is_not_utf_8_keeps_its_bytes(replace: Replace) -> None:
+def test_name_in_another_encoding_keeps_its_bytes(replace: Replace) -> None:
     assert written(Stream("cp1252"), os.fsdecode(b"\xe9t"), replace) == b"\xe9t\n"
 
 
@@ -73,15 +75,13 @@ def test_full_output_ends_the_command_with_a_sentence(replace: Replace) -> None:
     assert caught.value.exit_code == 1
 
 
-def test_full_stream_for_messages_does_not_end_the_command(replace: Replace) -> None:
+def test_full_message_stream_does_not_end_the_command(replace: Replace) -> None:
     replace("stderr", Stream("utf-8", fails=True))
     with standard_streams():
         click.echo("message", err=True)
 
 
-def test_closed_streams_matter_when_they_are_used(
-    replace: Replace, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_closed_streams_fail_when_used(replace: Replace, monkeypatch: pytest.MonkeyPatch) -> None:
     opened: list[str] = []
 
     def opens(path: str, _flags: int) -> int:

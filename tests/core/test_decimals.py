@@ -43,7 +43,7 @@ def test_separator_before_three_digits_is_ambiguous(text: str, readings: str) ->
         "\N{ARABIC-INDIC DIGIT ONE}",
     ],
 )
-def test_what_is_no_number_is_rejected(text: str) -> None:
+def test_invalid_number_is_rejected(text: str) -> None:
     with pytest.raises(BadRequest):
         decimal(text)
 
@@ -55,7 +55,9 @@ def test_what_is_no_number_is_rejected(text: str) -> None:
         *(("2 kHz", "Hz", 2000), ("5", "", 5), ("5 m", "", None), ("5 m", "s", None)),
     ],
 )
-def test_quantity_takes_any_prefix_of_its_unit(text: str, unit: str, number: float | None) -> None:
+def test_quantity_accepts_any_prefix_of_its_unit(
+    text: str, unit: str, number: float | None
+) -> None:
     assert quantity(text, unit) == number
 
 

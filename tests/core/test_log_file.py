@@ -116,7 +116,7 @@ def _full_disk() -> None:
 @pytest.mark.parametrize(
     "prepare", [_folder_in_place, _file_in_place_of_folder, _pipe_in_place, _full_disk]
 )
-def test_log_that_cannot_be_written_loses_lines_only(
+def test_unwritable_log_loses_only_lines(
     prepare: Callable[[], None], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     if prepare is _full_disk:
@@ -128,7 +128,7 @@ def test_log_that_cannot_be_written_loses_lines_only(
     assert capsys.readouterr().err == "of level 40\n"
 
 
-def test_log_goes_on_once_the_folder_can_be_written() -> None:
+def test_log_continues_once_the_folder_is_writable() -> None:
     _file_in_place_of_folder()
     program_log = ProgramLog(log_file())
     log.info("lost")
@@ -140,7 +140,7 @@ def test_log_goes_on_once_the_folder_can_be_written() -> None:
     assert list(data_folder().iterdir()) == [log_folder()]
 
 
-def test_hanging_disk_holds_up_neither_the_program_nor_its_end(
+def test_hanging_disk_delays_neither_the_program_nor_its_end(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     answers = threading.Event()

@@ -59,7 +59,7 @@ def test_common_and_short_names_are_words() -> None:
     assert Mask("/", "me", "").clean("some /me") == "some /me"
 
 
-def test_report_has_parts_and_says_what_failed(tmp_path: Path) -> None:
+def test_report_has_parts_and_names_failures(tmp_path: Path) -> None:
     def fail() -> str:
         raise StudioError("No TReX responds on /home/mary/port.")
 
@@ -79,7 +79,7 @@ def test_report_has_parts_and_says_what_failed(tmp_path: Path) -> None:
         assert archive.read("log.txt") == b"by <user>\n"
 
 
-def test_report_has_the_end_of_the_log_over_its_files(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_report_has_the_newest_entries_of_all_log_files(monkeypatch: pytest.MonkeyPatch) -> None:
     def program_log() -> str:
         files = create_report({}, MASK)
         return next((file.text for file in files if file.name == "program.txt"), "")

@@ -49,7 +49,7 @@ def test_request_wakes_waiting_reader() -> None:
     assert taken == [Stop(1)]
 
 
-def test_requests_are_taken_in_order() -> None:
+def test_requests_are_returned_in_order() -> None:
     inbox = RequestQueue()
     for number in range(3):
         inbox.put(Stop(number))

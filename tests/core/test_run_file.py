@@ -46,7 +46,7 @@ def test_crash_is_found_once_with_its_traceback() -> None:
     assert "in crash_here" in text
 
 
-def test_run_that_goes_on_is_no_crash_until_it_is_killed() -> None:
+def test_running_program_is_no_crash_until_killed() -> None:
     with run("wait") as process:
         assert process.stdout is not None
         assert process.stdout.readline() == "False\n"
@@ -55,7 +55,7 @@ def test_run_that_goes_on_is_no_crash_until_it_is_killed() -> None:
     assert found_crash()
 
 
-def test_folder_that_cannot_be_written_is_no_crash() -> None:
+def test_unwritable_folder_is_no_crash() -> None:
     log_folder().write_text("mine", encoding="utf-8")
     run_file = RunFile()
     run_file.close()

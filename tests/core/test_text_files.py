@@ -64,7 +64,7 @@ def test_save_keeps_permissions_of_a_file_and_gives_a_new_one_the_default(tmp_pa
     assert path.stat().st_mode & 0o777 == 0o640
 
 
-def test_name_of_no_file_is_reported(tmp_path: Path) -> None:
+def test_invalid_file_name_is_reported(tmp_path: Path) -> None:
     assert sentence(tmp_path / "none.txt") == "there is no such file"
     folder = tmp_path / "none"
     assert sentence(folder / "bench.txt", "new\n") == f"there is no folder {folder.resolve()}"

@@ -11,5 +11,5 @@ from trex_gui.core.texts import title_of
         ("Comparer a&vec\N{NO-BREAK SPACE}:", "Comparer avec"),
     ],
 )
-def test_name_has_neither_letter_nor_dots(text: str, name: str) -> None:
+def test_title_has_no_mnemonic_and_no_ellipsis(text: str, name: str) -> None:
     assert title_of(text) == name

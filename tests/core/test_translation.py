@@ -63,7 +63,7 @@ def test_names_of_errors_in_a_reason_are_translated() -> None:
 
 
 @pytest.mark.usefixtures("german")
-def test_every_shown_value_can_be_typed_back() -> None:
+def test_every_shown_value_can_be_entered() -> None:
     trex, junior = (parameters_of(model, "1.2").readable for model in ("trex", "trexjr"))
     for spec in (*trex, *(spec for spec in junior if spec not in trex)):
         some = {min(spec.valid), spec.default, max(spec.valid), *sorted(spec.valid)[::9]}
@@ -72,7 +72,7 @@ def test_every_shown_value_can_be_typed_back() -> None:
 
 
 @pytest.mark.usefixtures("german")
-def test_settings_files_are_alike_in_every_language() -> None:
+def test_settings_files_are_equal_in_every_language() -> None:
     trex = device_table().model("trex")
     settings = Settings(trex, "1.2", {"serial_timeout": 15})
     text = write_settings(settings)
@@ -82,7 +82,7 @@ def test_settings_files_are_alike_in_every_language() -> None:
     assert timeout().text(0) == "aus"
 
 
-def test_parameters_are_in_english_again_after_another_language(german: None) -> None:
+def test_parameters_return_to_english_after_another_language(german: None) -> None:
     assert timeout().text(0) == "aus"
     use_translations(_english)
     assert timeout().text(0) == "off"

@@ -71,7 +71,7 @@ def search(wire: Wire, probers: dict[str, ProberInfo], first: str | None = None)
     return scan_port(VIRTUAL, probers, first=first, open_wire=lambda _settings: wire)
 
 
-def test_likely_settings_come_first_and_those_of_the_expected_kind_before() -> None:
+def test_likely_settings_of_the_expected_kind_come_first() -> None:
     parts = {"common": (5, 83), "rare": (5, 9)}
     as_listed = [("common", 0), ("rare", 0), ("common", 1), ("rare", 1)]
     assert order(parts, None) == order(parts, "common") == order(parts, "forgotten") == as_listed
@@ -125,7 +125,7 @@ def test_trex_at_unlikely_rate_is_found_after_other_probes() -> None:
     assert noted == ["Other 0"]
 
 
-def test_unsolicited_data_is_heard_at_rate_declared_by_kind() -> None:
+def test_unsolicited_data_is_received_at_rate_of_kind() -> None:
     noted: list[str] = []
     probers = {"trex": TREX_PROBER, "talker": nobody(noted, "Talker")}
     board = a_board()

@@ -121,12 +121,12 @@ def test_motors_are_stopped_when_the_program_ends_while_they_may_move(
     assert logged(guardian) is StopResult.CONFIRMED
 
 
-def test_every_board_of_the_line_has_to_confirm(guardian: GuardianProcess, board: Board) -> None:
+def test_every_board_must_confirm_the_stop(guardian: GuardianProcess, board: Board) -> None:
     board.statuses = [
         b"\x00",
         b"\x01",
         b"\x00",
-    ]  # the second board does not reply in the first round
+    ]  # the second board misses round 1
     both = replace(STOP, packets=STOP.packets * 2, queries=(b"\x84", b"\x84"))
     guardian.watch(both)
     die(guardian)
@@ -144,7 +144,7 @@ def logged(guardian: GuardianProcess) -> StopResult:
 
 
 @pytest.mark.parametrize("confirms", [True, False])
-def test_file_says_that_motors_may_be_moving_until_a_stop_is_confirmed(
+def test_file_exists_until_a_stop_is_confirmed(
     board: Board, confirms: bool, ends: Ends, tmp_path: Path
 ) -> None:
     file = tmp_path / "driven" / "port.txt"
@@ -165,7 +165,7 @@ def test_file_says_that_motors_may_be_moving_until_a_stop_is_confirmed(
     assert confirms or not is_locked(file)
 
 
-def test_guardian_whose_pipe_the_program_has_closed_goes_on_stopping(
+def test_guardian_with_closed_pipe_continues_to_stop(
     guardian: GuardianProcess, board: Board
 ) -> None:
     board.statuses = [b""]
@@ -214,7 +214,7 @@ def test_session_replaces_a_suspended_guardian(start_simulator: StartSimulator) 
         transport.close()
 
 
-def test_line_that_is_gone_ends_the_guardian(ends: Ends) -> None:
+def test_lost_line_ends_the_guardian(ends: Ends) -> None:
     guardian = started(ends[0])
     guardian.watch(STOP)
     ends[1].close()
@@ -222,7 +222,7 @@ def test_line_that_is_gone_ends_the_guardian(ends: Ends) -> None:
     assert logged(guardian) is StopResult.UNCONFIRMED
 
 
-def test_bytes_that_another_process_has_taken_are_no_failure(
+def test_bytes_read_by_another_process_are_no_failure(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     master, slave = os.openpty()
@@ -235,7 +235,7 @@ def test_bytes_that_another_process_has_taken_are_no_failure(
     os.close(slave)
 
 
-def test_pipe_in_place_of_the_log_does_not_keep_the_guardian(ends: Ends) -> None:
+def test_pipe_in_place_of_log_does_not_block_the_guardian(ends: Ends) -> None:
     Board(ends[1])
     log_file().parent.mkdir(parents=True, exist_ok=True)
     os.mkfifo(log_file())
@@ -254,7 +254,7 @@ def test_motors_are_stopped_when_the_heartbeat_is_missing(board: Board, ends: En
     assert not guardian.is_ready
 
 
-def test_guardian_that_was_suspended_itself_does_not_act(board: Board, ends: Ends) -> None:
+def test_suspended_guardian_does_not_act_afterwards(board: Board, ends: Ends) -> None:
     guardian = started(ends[0], silence=2.0)
     assert guardian._process is not None
     guardian.watch(STOP)
@@ -271,7 +271,7 @@ def test_guardian_that_was_suspended_itself_does_not_act(board: Board, ends: End
     assert board.received == b""
 
 
-def test_nothing_is_sent_if_no_motor_may_move(board: Board, ends: Ends) -> None:
+def test_idle_guardian_sends_nothing(board: Board, ends: Ends) -> None:
     guardian = started(ends[0])
     guardian.watch(STOP)
     guardian.watch(None)
@@ -281,13 +281,13 @@ def test_nothing_is_sent_if_no_motor_may_move(board: Board, ends: Ends) -> None:
     assert not guardian.has_acted
 
 
-def test_end_frees_the_line_without_a_byte(guardian: GuardianProcess, board: Board) -> None:
+def test_end_frees_the_line_and_sends_nothing(guardian: GuardianProcess, board: Board) -> None:
     assert not guardian.end()
     wait_until(lambda: has_ended(guardian))
     assert board.received == b""
 
 
-def test_errors_on_the_line_do_not_confirm_a_stop_and_faults_of_motors_do(
+def test_line_errors_do_not_confirm_a_stop_but_motor_faults_do(
     guardian: GuardianProcess, board: Board
 ) -> None:
     board.statuses = [b"\x01", b"\xf0", b"\x01", b"\xf0"]
@@ -295,7 +295,7 @@ def test_errors_on_the_line_do_not_confirm_a_stop_and_faults_of_motors_do(
     assert board.received.count(STOP.queries[0]) == 5
 
 
-def test_silent_board_gets_the_stop_repeated_until_the_session_is_back(
+def test_stop_of_silent_board_is_repeated_until_session_returns(
     guardian: GuardianProcess, board: Board
 ) -> None:
     board.statuses = [b""]
@@ -305,7 +305,7 @@ def test_silent_board_gets_the_stop_repeated_until_the_session_is_back(
     assert logged(guardian) is StopResult.REPEATED
 
 
-def test_guardian_whose_write_is_blocked_has_time_to_break_off(
+def test_end_waits_for_guardian_with_blocked_write(
     ends: Ends, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     guardian = started(ends[0])
@@ -321,7 +321,7 @@ def test_guardian_whose_write_is_blocked_has_time_to_break_off(
     assert waits[0] > process._GIVE_UP_S
 
 
-def test_echo_is_not_taken_for_the_status(board: Board, ends: Ends) -> None:
+def test_echo_does_not_count_as_status(board: Board, ends: Ends) -> None:
     echo = STOP.packets + STOP.queries[0]
     board.statuses = [echo + b"\x01", echo + b"\x00"]
     guardian = started(ends[0])
@@ -332,7 +332,7 @@ def test_echo_is_not_taken_for_the_status(board: Board, ends: Ends) -> None:
     assert board.received.count(STOP.queries[0]) == 3
 
 
-def test_request_that_comes_back_byte_by_byte_confirms_nothing(ends: Ends) -> None:
+def test_request_echoed_byte_by_byte_confirms_nothing(ends: Ends) -> None:
     """The wires touch, although no echo is expected."""
 
     def come_back() -> None:
@@ -348,7 +348,7 @@ def test_request_that_comes_back_byte_by_byte_confirms_nothing(ends: Ends) -> No
     wait_until(lambda: has_ended(guardian))
 
 
-def test_telnet_commands_are_no_status(board: Board, ends: Ends) -> None:
+def test_telnet_commands_do_not_count_as_status(board: Board, ends: Ends) -> None:
     negotiation = bytes([255, 251, 3, 255, 250, 44, 107, 255, 255, 0, 255, 240])
     board.statuses = [negotiation + b"\x00"]
     guardian = started(ends[0], kind="telnet")
@@ -360,7 +360,7 @@ def test_telnet_commands_are_no_status(board: Board, ends: Ends) -> None:
 
 @pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")  # a warning of pyserial
 @pytest.mark.parametrize("place", ["--link", "--tcp", "--rfc2217"])
-def test_replies_go_to_the_guardian_of_a_session_that_hangs(
+def test_guardian_of_hanging_session_gets_replies(
     place: str, start_simulator: StartSimulator, tmp_path: Path
 ) -> None:
     where = str(tmp_path / "port") if place == "--link" else "127.0.0.1:0"
@@ -380,14 +380,14 @@ def test_replies_go_to_the_guardian_of_a_session_that_hangs(
         line.close()
 
 
-def test_signals_that_end_programs_do_not_end_it(guardian: GuardianProcess) -> None:
+def test_ending_signals_do_not_end_the_guardian(guardian: GuardianProcess) -> None:
     assert guardian._process is not None
     for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         os.kill(guardian._process.pid, number)
     assert guardian.stop(LONG_TIMEOUT)
 
 
-def test_guardian_that_was_killed_is_not_ready(ends: Ends) -> None:
+def test_killed_guardian_is_not_ready(ends: Ends) -> None:
     guardian = started(ends[0])
     assert guardian._process is not None
     guardian._process.kill()

@@ -16,7 +16,7 @@ def log() -> Path:
     return log_file()
 
 
-def test_stops_behind_what_was_seen_are_found(log: Path) -> None:
+def test_stops_after_seen_bytes_are_returned(log: Path) -> None:
     log.write_bytes(LINES)
     size = len(LINES)
     assert [logged_stops(seen) for seen in (0, len(FIRST), size)] == [
@@ -26,7 +26,7 @@ def test_stops_behind_what_was_seen_are_found(log: Path) -> None:
     ]
 
 
-def test_log_that_became_shorter_counts_as_new(log: Path) -> None:
+def test_shorter_log_counts_as_new(log: Path) -> None:
     log.write_bytes(LINES)
     assert logged_stops(1_000_000) == (len(LINES), [OLDEST, NEWEST])
 
@@ -41,10 +41,10 @@ def test_damaged_log_is_read_as_far_as_possible(log: Path, damage: bytes) -> Non
     assert logged_stops(0) == (len(damage), [])
 
 
-def test_missing_log_is_empty() -> None:
+def test_missing_log_counts_as_empty() -> None:
     assert logged_stops(5) == (0, [])
 
 
-def test_folder_in_place_of_the_log_is_empty(log: Path) -> None:
+def test_folder_in_place_of_log_counts_as_empty(log: Path) -> None:
     log.mkdir()
     assert logged_stops(0) == (0, [])

@@ -110,20 +110,20 @@ def port(windows: Windows, monkeypatch: pytest.MonkeyPatch) -> Any:
     return module.open_port("serial", HANDLE)
 
 
-def test_received_bytes_are_read_until_none_comes(port: Any, windows: Windows) -> None:
+def test_read_returns_all_received_bytes(port: Any, windows: Windows) -> None:
     windows.received = b"\x07\x08"
     assert [port.receive(SHORT) for _ in range(3)] == [b"\x07", b"\x08", b""]
     port.close()
     assert windows.is_closed
 
 
-def test_write_goes_on_until_everything_is_sent(port: Any, windows: Windows) -> None:
+def test_write_continues_until_everything_is_sent(port: Any, windows: Windows) -> None:
     windows.room = 3
     port.write(b"12345678")
     assert windows.sent == b"12345678"
 
 
-def test_port_that_takes_nothing_is_given_up(
+def test_blocked_port_times_out(
     port: Any, windows: Windows, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     windows.room = 0
@@ -133,7 +133,7 @@ def test_port_that_takes_nothing_is_given_up(
         port.write(b"1")
 
 
-def test_changed_settings_of_the_line_are_restored(port: Any, windows: Windows) -> None:
+def test_changed_line_settings_are_restored(port: Any, windows: Windows) -> None:
     remembered, windows.state = windows.state, bytes(28)
     port.restore_settings()
     assert windows.state == remembered

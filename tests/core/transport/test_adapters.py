@@ -21,7 +21,7 @@ SOLD_ALIKE = Adapter("10c4:ea60", "0001", "1-2")
         (SOLD_ALIKE, Adapter("10c4:ea60", "0001", "1-3"), False),
     ],
 )
-def test_adapter_is_known_by_its_number_or_else_its_socket(
+def test_adapter_is_identified_by_serial_number_or_socket(
     one: Adapter, other: Adapter, is_same: bool
 ) -> None:
     assert one.is_same(other) is is_same

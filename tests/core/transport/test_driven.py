@@ -79,7 +79,7 @@ def test_adapter_is_found_at_another_port(monkeypatch: pytest.MonkeyPatch) -> No
 
 
 @pytest.mark.filterwarnings("ignore::ResourceWarning")  # the process ends with its file open
-def test_later_attempt_to_stop_keeps_the_time_since_which_the_board_was_driven() -> None:
+def test_later_stop_attempt_preserves_start_of_driving() -> None:
     file = left("/dev/ttyUSB0")
     found = driven_boards()
     board = found[file]
@@ -92,7 +92,7 @@ def test_later_attempt_to_stop_keeps_the_time_since_which_the_board_was_driven()
     assert file.read_text().count("since: ") == 1
 
 
-def test_port_that_fails_at_the_stop_is_closed_and_said_to_be_left_running(
+def test_port_failure_during_stop_reports_running_board(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     def fail(_line: SerialTransport, _data: bytes) -> None:
@@ -107,7 +107,7 @@ def test_port_that_fails_at_the_stop_is_closed_and_said_to_be_left_running(
     assert not port.is_open
 
 
-def test_guardian_that_replaces_another_one_asks_for_no_ports(
+def test_replacement_guardian_lists_no_ports(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     transport = SerialTransport(PortSettings("loop://"))
@@ -116,7 +116,7 @@ def test_guardian_that_replaces_another_one_asks_for_no_ports(
     transport.close()
 
 
-def test_board_of_a_living_program_was_not_left() -> None:
+def test_board_of_running_program_is_not_reported() -> None:
     with left("/dev/ttyUSB0").open("rb") as file:
         fcntl.flock(file, fcntl.LOCK_EX)
         assert driven_boards() == {}
@@ -132,7 +132,7 @@ def test_damaged_file_warns_of_motors(text: str, caplog: pytest.LogCaptureFixtur
     assert f"Motors may still be turning: {file} says" in caplog.text
 
 
-def test_board_is_found_at_a_link_that_leads_elsewhere(tmp_path: Path) -> None:
+def test_board_is_found_at_changed_link(tmp_path: Path) -> None:
     link = tmp_path / "robot"
     link.symlink_to("/dev/pts/1")
     file = left(str(link))
@@ -161,7 +161,7 @@ def test_board_is_logged_once(caplog: pytest.LogCaptureFixture) -> None:
 
 @pytest.mark.realtime
 @pytest.mark.parametrize("rate", [19200, 57600])
-def test_opening_a_port_stops_the_board_that_was_left_running_there(
+def test_opening_a_port_stops_its_running_board(
     rate: int, start_simulator: StartSimulator, caplog: pytest.LogCaptureFixture
 ) -> None:
     simulator = start_simulator()
@@ -183,7 +183,9 @@ def test_opening_a_port_stops_the_board_that_was_left_running_there(
 
 
 @pytest.mark.realtime
-def test_suspended_guardian_is_woken_and_stops_the_motors(start_simulator: StartSimulator) -> None:
+def test_suspended_guardian_is_resumed_and_stops_the_motors(
+    start_simulator: StartSimulator,
+) -> None:
     simulator = start_simulator()
     file = driven_file(simulator.url)
     port = os.open(simulator.url, os.O_RDWR | os.O_NOCTTY)

@@ -95,7 +95,7 @@ def test_guardian_knows_the_stop_before_the_first_setpoint_is_sent(session: Sess
 
 
 @pytest.mark.parametrize("wait", ["wait", "read"])
-def test_heartbeats_go_on_during_a_long_wait(session: Session, wait: str) -> None:
+def test_heartbeats_continue_during_long_wait(session: Session, wait: str) -> None:
     session.stop = STOP
     if wait == "wait":
         session.transport.wait(3.0)
@@ -115,7 +115,7 @@ def test_changed_stop_is_sent_at_once_and_end_of_motion_once(session: Session) -
     assert session.watched == [STOP, changed, None]
 
 
-def test_setpoint_is_not_sent_by_a_session_that_did_not_respond(session: Session) -> None:
+def test_suspended_session_sends_no_setpoint(session: Session) -> None:
     session.stop = STOP
     session.transport.beat()
     session.line.now += SILENCE
@@ -131,9 +131,7 @@ def test_setpoint_is_not_sent_by_a_session_that_did_not_respond(session: Session
 
 
 @pytest.mark.parametrize("use", ["wait", "read", "discard"])
-def test_take_over_that_is_noticed_otherwise_keeps_setpoints_back_too(
-    use: str, session: Session
-) -> None:
+def test_takeover_detected_late_also_blocks_setpoints(use: str, session: Session) -> None:
     session.stop = STOP
     session.transport.beat()
     session.line.now += SILENCE
@@ -149,7 +147,7 @@ def test_take_over_that_is_noticed_otherwise_keeps_setpoints_back_too(
     assert (session.taken_over, session.line.written) == ([False], [])
 
 
-def test_port_that_fails_under_the_guardian_is_no_lost_line(session: Session) -> None:
+def test_port_failure_during_takeover_is_no_lost_line(session: Session) -> None:
     """For a moment both read from the port, and one reader gets nothing."""
     session.stop = STOP
     session.transport.beat()
@@ -168,14 +166,14 @@ def test_port_that_fails_under_the_guardian_is_no_lost_line(session: Session) ->
 
 
 @pytest.mark.parametrize("may_move", [True, False])
-def test_reply_is_not_awaited_for_long_when_a_stop_is_due(session: Session, may_move: bool) -> None:
+def test_due_stop_shortens_wait_for_reply(session: Session, may_move: bool) -> None:
     session.stop = STOP if may_move else None
     session.stop_is_due = True
     session.transport.read(1, 60.0)
     assert session.line.now < 0.5 if may_move else session.line.now >= 60.0
 
 
-def test_stop_is_sent_by_a_session_that_did_not_respond(session: Session) -> None:
+def test_suspended_session_sends_its_stop(session: Session) -> None:
     session.stop = STOP
     session.transport.beat()
     session.line.now += SILENCE
@@ -183,7 +181,7 @@ def test_stop_is_sent_by_a_session_that_did_not_respond(session: Session) -> Non
     assert session.line.written == [STOP.packets[:2]]
 
 
-def test_guardian_that_has_acted_is_replaced_before_the_line_is_used(session: Session) -> None:
+def test_acting_guardian_is_replaced_before_line_is_used(session: Session) -> None:
     session.stop = STOP
     session.transport.beat()
     guardian = session.line.guardians[0]
@@ -208,7 +206,7 @@ def test_lost_guardian_is_replaced_at_once(stop: StopSequence | None, session: S
     assert session.taken_over == []
 
 
-def test_motors_are_stopped_where_nothing_replaces_a_lost_guardian(
+def test_motors_are_stopped_if_lost_guardian_is_not_replaced(
     session: Session, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     session.transport.wait_for_guardian()

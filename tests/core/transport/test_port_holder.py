@@ -37,7 +37,7 @@ def test_port_opened_by_own_program_has_no_holder(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("kind", ["guardian", "terminal"])
-def test_what_belongs_to_an_open_port_is_no_other_program(tmp_path: Path, kind: str) -> None:
+def test_guardian_and_simulator_are_no_other_program(tmp_path: Path, kind: str) -> None:
     """The guardian inherits the port. The simulator is behind a pseudo-terminal."""
     port = tmp_path / "port"
     master, slave = os.openpty()
@@ -65,7 +65,7 @@ sys.stdin.readline()
 """
 
 
-def test_lock_left_by_dead_program_is_about_to_end(tmp_path: Path) -> None:
+def test_lock_of_dead_program_does_not_count(tmp_path: Path) -> None:
     """The guardian has the port open and holds the lock."""
     port = tmp_path / "port"
     reading, writing = os.pipe()

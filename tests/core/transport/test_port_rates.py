@@ -115,7 +115,7 @@ def test_rates_are_unknown_when_driver_rejects_settings_or_is_slow(
     assert rates_of(adapter, [9600]) is None  # restoring also fails
 
 
-def test_rates_are_unknown_of_a_closed_port_and_on_other_systems(
+def test_rates_of_closed_port_and_other_systems_are_unknown(
     monkeypatch: pytest.MonkeyPatch, terminal: tuple[int, str]
 ) -> None:
     transport = SerialTransport(ConnectionSettings(terminal[1]))

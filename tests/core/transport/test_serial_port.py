@@ -46,7 +46,7 @@ LONG_TIMEOUT = 15.0
 """Seconds after which what should have happened will not, however loaded the machine."""
 
 
-def patient(transport: SerialTransport, url: str) -> TrexClient:
+def slow_client(transport: SerialTransport, url: str) -> TrexClient:
     """Return a client that waits for a suspended simulator."""
     return TrexClient(transport, ConnectionSettings(url, timeouts=Timeouts(extra=LONG_TIMEOUT)))
 
@@ -70,14 +70,14 @@ def opened() -> Iterator[Callable[[str], SerialTransport]]:
 Open = Callable[..., SerialTransport]
 
 
-def refusal(url: str, line: LineSettings = LINE) -> str:
+def open_failure(url: str, line: LineSettings = LINE) -> str:
     """Return the error of a port that does not open."""
     with pytest.raises(PortUnavailable) as caught:
         SerialTransport(ConnectionSettings(url, line))
     return str(caught.value)
 
 
-def test_bytes_taken_by_another_program_are_no_lost_line(
+def test_bytes_read_by_another_program_are_no_lost_line(
     terminal: tuple[int, str], opened: Open, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     master, path = terminal
@@ -106,7 +106,7 @@ def test_board_replies_over_pseudo_terminal(quick_simulator: SimulatedDevice, op
     transport = opened(quick_simulator.url)
     # A client with a long timeout would wait for an echo in vain.
     assert TrexClient(transport, ConnectionSettings(quick_simulator.url)).detect_echo() is False
-    client = patient(transport, quick_simulator.url)
+    client = slow_client(transport, quick_simulator.url)
     assert str(client.request(GetSignature())) == "TReX 1.2"
     assert client.request(SetParameter(7, 9)) is ResultCode.OK
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 9
@@ -119,7 +119,7 @@ def test_board_replies_over_tcp(
     assert url.startswith("socket://")
     transport = opened(url)
     assert transport.latency > opened(terminal[1]).latency
-    client = patient(transport, url)
+    client = slow_client(transport, url)
     assert client.detect_echo() is True
     assert client.request(GetMode()) is Mode.SERIAL_RC
 
@@ -147,7 +147,7 @@ def test_garbage_of_an_rfc2217_server_is_a_port_failure(
         relay.start()
         if damaged == "at once":
             garbage.set()
-            message = refusal(url)
+            message = open_failure(url)
         else:
             transport = opened(url)
             garbage.set()
@@ -256,14 +256,14 @@ def test_clock_jump_while_reading_loses_no_bytes(terminal: tuple[int, str], open
 
 
 def test_missing_port_is_reported_with_available_ports() -> None:
-    said = refusal("/dev/ttyNothing9")
+    said = open_failure("/dev/ttyNothing9")
     assert said.startswith("There is no port /dev/ttyNothing9.")
     assert "Ports of this computer:" in said
 
 
 def test_port_is_opened_exclusively(terminal: tuple[int, str], opened: Open) -> None:
     opened(terminal[1])
-    said = refusal(terminal[1])
+    said = open_failure(terminal[1])
     assert "is in use" in said
     assert "Close it there, then connect again." in said
 
@@ -286,17 +286,17 @@ def test_owner_of_port_lock_is_named_before_other_users(
 ) -> None:
     with other_program(f"open({terminal[1]!r})"):
         opened(terminal[1])
-        assert "in use by another line of this program" in refusal(terminal[1])
+        assert "in use by another line of this program" in open_failure(terminal[1])
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells who holds a port")
 def test_process_that_holds_port_is_named(terminal: tuple[int, str]) -> None:
     with other_program(f"serial.Serial({terminal[1]!r}, exclusive=True)") as number:
-        assert f"(process {number})" in refusal(terminal[1])
+        assert f"(process {number})" in open_failure(terminal[1])
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells who holds a port")
-def test_open_waits_for_own_connection_that_is_closing(
+def test_open_waits_for_closing_connection_of_own_program(
     terminal: tuple[int, str], opened: Open
 ) -> None:
     first = opened(terminal[1])
@@ -309,7 +309,7 @@ def test_open_waits_for_own_connection_that_is_closing(
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells who holds a port")
-def test_guardian_that_still_stops_motors_is_named(
+def test_guardian_that_is_stopping_motors_is_named(
     quick_simulator: SimulatedDevice, opened: Open
 ) -> None:
     url = quick_simulator.url
@@ -320,9 +320,9 @@ def test_guardian_that_still_stops_motors_is_named(
     guardian.wait_until_ready(LONG_TIMEOUT)
     guardian._process.send_signal(signal.SIGSTOP)  # never complete
     try:
-        assert "another line of this program" in refusal(url), "its guardian only watches"
+        assert "another line of this program" in open_failure(url), "its guardian only watches"
         line.close()
-        assert "The guardian process is still stopping the motors" in refusal(url)
+        assert "The guardian process is still stopping the motors" in open_failure(url)
     finally:
         guardian.end()
     opened(url)
@@ -343,17 +343,17 @@ def test_closed_port_can_be_closed_again_and_reopened_but_not_used(
 def test_regular_file_is_rejected_as_port(tmp_path: Path) -> None:
     path = tmp_path / "notes.txt"
     path.write_text("no port")
-    assert str(path) in refusal(str(path))
+    assert str(path) in open_failure(str(path))
     assert path.read_text() == "no port"
 
 
 def test_unserved_network_port_is_reported_unreachable() -> None:
-    assert "port socket://127.0.0.1:9 cannot be reached" in refusal("socket://127.0.0.1:9")
+    assert "port socket://127.0.0.1:9 cannot be reached" in open_failure("socket://127.0.0.1:9")
 
 
 @pytest.mark.parametrize("url", ["", "nonsense://x", "socket://nowhere", "rfc2217://", "a\0b"])
 def test_invalid_url_is_rejected_with_message(url: str) -> None:
-    assert refusal(url)
+    assert open_failure(url)
 
 
 # --- Messages ------------------------------------------------------------------------
@@ -407,7 +407,7 @@ def wrapped(number: int) -> serial.SerialException:
         ),
     ],
 )
-def test_sentence_says_why_a_port_does_not_open(error: Exception, words: str) -> None:
+def test_message_explains_why_port_does_not_open(error: Exception, words: str) -> None:
     assert words in str(open_error("/dev/ttyX", LINE, error))
 
 
@@ -436,7 +436,7 @@ def test_unplugged_cable_is_detected_at_once(
 
 def test_lost_network_connection_is_detected(start_simulator: Start, opened: Open) -> None:
     simulator = start_simulator("--tcp", "127.0.0.1:0")
-    client = patient(opened(simulator.url), simulator.url)
+    client = slow_client(opened(simulator.url), simulator.url)
     client.request(GetMode())
     simulator.end()
     with pytest.raises(PortUnavailable, match="is gone"):

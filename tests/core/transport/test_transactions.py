@@ -140,7 +140,7 @@ def test_polls_are_distinguished_from_user_requests() -> None:
 
 
 @pytest.mark.parametrize("sent", [b"\x84", b"\x85", b"\x8d"])
-def test_echo_is_not_taken_for_reply(sent: bytes) -> None:
+def test_echo_does_not_count_as_reply(sent: bytes) -> None:
     assembler = TransactionAssembler(TrexDecoder())
     assembler.settings, assembler.echo = ConnectionSettings("virtual"), True
     (row,) = assembler.feed(

@@ -86,7 +86,7 @@ def test_last_goals_positions_and_speeds_fill_later_rows(folder: Path) -> None:
     assert silent["motor_1_present_units"] == silent["motor_0_speed_units"] == ""
 
 
-def test_partial_answer_keeps_last_known_positions_and_unreadable_one_leaves_cells_empty(
+def test_partial_reply_keeps_positions_and_unreadable_position_is_empty(
     folder: Path,
 ) -> None:
     _, _, passed, moved = rows(

@@ -209,7 +209,7 @@ def test_play_reports_error_of_early_step_at_the_end(
         (("--sequence", "nod", "--loop", "--rounds", "3"), 2, "not both"),
     ],
 )
-def test_play_rejects_what_it_cannot_play(
+def test_play_rejects_invalid_sequence(
     trexcmd: RunCommand, file: str, words: tuple[str, ...], code: int, says: str
 ) -> None:
     assert says in trexcmd("aracna", "play", file, *words, exits=code).stderr

@@ -43,7 +43,7 @@ class DemoRobotPanel(WidgetDriver):
         for _ in range(steps):
             QTest.keyClick(slider, Qt.Key.Key_Right)
 
-    def begin_to_move(self, goal: int = 100, speed: int = 40) -> None:
+    def start_motion(self, goal: int = 100, speed: int = 40) -> None:
         """Start a slow motion of all motors, which takes 4.5 s."""
         self.robot.set_speeds((speed,) * self.robot.state.motors)
         self.robot.move((goal,) * self.robot.state.motors)
@@ -68,7 +68,7 @@ def test_panel_shows_servo_positions_before_robot_reports_them(panel: DemoRobotP
     assert "limp" in panel.gauge(0).toolTip()
     panel.wait_for_text("aracnaDemoState", "Idle")
 
-    panel.begin_to_move()
+    panel.start_motion()
     assert "Moving" in panel.text("aracnaDemoState")
     gauge = panel.gauge(7)
     panel.wait(lambda: 110 < gauge.value() < 500)
@@ -97,7 +97,7 @@ def test_panel_shows_servo_positions_before_robot_reports_them(panel: DemoRobotP
 
 def test_board_can_be_restarted_and_switched_off(panel: DemoRobotPanel) -> None:
     window, robot = panel.window, panel.robot
-    panel.begin_to_move(speed=15)
+    panel.start_motion(speed=15)
     window.wait_for_silence(lambda: panel.click("aracnaDemoRestart"))
     panel.wait_for_text("aracnaDemoBoots", "Starts: 2")
     assert panel.snapshot.is_moving, "the servos go on"
@@ -117,11 +117,11 @@ def test_board_can_be_restarted_and_switched_off(panel: DemoRobotPanel) -> None:
 # --- The cable --------------------------------------------------------------------------
 
 
-def test_unplugged_cable_and_other_faults_last_until_they_are_repaired(
+def test_faults_last_until_they_are_repaired(
     panel: DemoRobotPanel,
 ) -> None:
     window = panel.window
-    panel.begin_to_move()
+    panel.start_motion()
     panel.click("aracnaDemoCable")
     panel.wait(lambda: panel.robot.link is ConnectionState.DISCONNECTED)
     panel.wait(lambda: not panel.snapshot.line.plugged)

@@ -100,7 +100,7 @@ DEMO_TREX, DEMO_ARACNA = "Demo TReX (no hardware)", "Demo Aracna (no hardware)"
 NONE = "Not connected"
 
 
-def choose(window: RobotWindow, label: str) -> None:
+def select_port(window: RobotWindow, label: str) -> None:
     combo = window.combo("portCombo")
     window.select("portCombo", combo.itemData(combo.findText(label, Qt.MatchFlag.MatchExactly)))
 
@@ -140,7 +140,7 @@ def test_port_list_keeps_selected_port(
     computer += [here, gone]
     ports.refresh()
     assert window.port == NONE
-    choose(window, "/dev/ttyNothing9")
+    select_port(window, "/dev/ttyNothing9")
     assert window.is_idle()
     window.click("connectButton")
     window.wait(window.is_idle)
@@ -155,11 +155,11 @@ def test_port_list_keeps_selected_port(
     assert window.port == "/dev/ttyNothing9"
 
     window.connect(quick_simulator.url)
-    choose(window, quick_simulator.url)
+    select_port(window, quick_simulator.url)
     assert window.button("connectButton").text() == "Dis&connect"
-    choose(window, "/dev/ttyNothing8")
+    select_port(window, "/dev/ttyNothing8")
     assert window.button("connectButton").text() == "&Connect"
-    choose(window, NONE)
+    select_port(window, NONE)
     ports.refresh()
     assert window.port == NONE
     assert window.device.link is ConnectionState.CONNECTED
@@ -170,7 +170,7 @@ def test_port_list_keeps_selected_port(
     window.wait(lambda: combo.view().isVisible())
     assert window.is_idle()
     combo.hidePopup()
-    choose(window, quick_simulator.url)
+    select_port(window, quick_simulator.url)
     connect = window.button("connectButton")
     window.wait(lambda: window.find(ConfirmButton, "connectButton").takes_clicks)
     QTest.mouseClick(connect, LEFT)

@@ -14,17 +14,17 @@ POSES = "Test:8:1024:1024:1024:1024:1024:1024:1024:1024\nPose=low:100,100,100,10
 OTHER_POSES = POSES.replace("low", "other")
 SETTINGS = "product: TReX\nserial_timeout: 5\n"
 
-Make = Callable[[str, str], Path]
+WriteFile = Callable[[str, str], Path]
 
 
 @pytest.fixture
-def make(tmp_path: Path) -> Make:
-    def make(name: str, text: str) -> Path:
+def write_file(tmp_path: Path) -> WriteFile:
+    def write_file(name: str, text: str) -> Path:
         path = tmp_path / name
         path.write_text(text, encoding="utf-8")
         return path
 
-    return make
+    return write_file
 
 
 def shows_robot(window: RobotWindow) -> bool:
@@ -40,7 +40,7 @@ def banner(window: RobotWindow) -> str:
 
 
 def test_dropped_files_open_in_their_workspace(
-    window: RobotWindow, make: Make, monkeypatch: pytest.MonkeyPatch
+    window: RobotWindow, write_file: WriteFile, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     questions: list[str] = []
 
@@ -49,51 +49,53 @@ def test_dropped_files_open_in_their_workspace(
         return QMessageBox.StandardButton.Cancel
 
     for name in ("photo.png", "noname"):
-        assert window.drop(make(name, "what"))
+        assert window.drop(write_file(name, "what"))
         reason = f"{name} was not opened: its type is not supported."
         window.wait_for_text("bannerText", reason)
         assert "a settings file of a TReX (.txt, .yaml, .yml)" in banner(window)
         assert "a pose file of an Aracna (.ppr)" in banner(window)
 
-    assert window.drop(make("a.ppr", POSES), make("b.ppr", POSES))
+    assert window.drop(write_file("a.ppr", POSES), write_file("b.ppr", POSES))
     reason = "2 files were dropped, and none was opened: drop one at a time."
     window.wait_for_text("bannerText", reason)
 
     monkeypatch.setattr(QMessageBox, "question", cancel)
     aracna(window.program).library.add_pose([200] * 8, "mine")
-    window.drop(make("walk.ppr", POSES))
+    window.drop(write_file("walk.ppr", POSES))
     window.wait(lambda: questions)
     assert "changes that are not saved" in questions[0]
     assert "mine" in poses(window)
     aracna(window.program).library.undo.undo()
 
-    assert window.drop(make("walk.ppr", POSES))
+    assert window.drop(write_file("walk.ppr", POSES))
     window.wait(lambda: poses(window) == ["low"])
     assert len(questions) == 1
     assert shows_robot(window)
     assert aracna(window.program).workspace.pages.currentIndex() == POSES_PAGE
     assert banner(window) == "walk.ppr was opened."
 
-    assert window.drop(make("rover.yaml", SETTINGS))
+    assert window.drop(write_file("rover.yaml", SETTINGS))
     window.wait(lambda: len(trex(window.program).workspace.files.editors) == 1)
     assert not shows_robot(window)
     trex(window.program).workspace.files.close_all()
 
 
-def test_dropped_file_of_other_device_is_rejected(window: RobotWindow, make: Make) -> None:
+def test_dropped_file_of_other_device_is_rejected(
+    window: RobotWindow, write_file: WriteFile
+) -> None:
     window.choose_demo()
-    assert window.drop(make("walk.PPR", POSES))
+    assert window.drop(write_file("walk.PPR", POSES))
     window.wait(lambda: poses(window) == ["low"])
     assert window.robot.link is ConnectionState.CONNECTED
 
-    assert window.drop(make("rover.txt", SETTINGS))
+    assert window.drop(write_file("rover.txt", SETTINGS))
     window.wait_for_text("bannerText", "rover.txt is a settings file of a TReX.")
     assert window.robot.link is ConnectionState.CONNECTED
     assert shows_robot(window)
     assert trex(window.program).workspace.files.editors == []
 
     window.choose_demo("trex")
-    assert window.drop(make("other.ppr", OTHER_POSES))
+    assert window.drop(write_file("other.ppr", OTHER_POSES))
     window.wait_for_text("bannerText", "other.ppr is a pose file of an Aracna.")
     assert "connected to TReX: disconnect, then open it again" in banner(window)
     assert window.device.link is ConnectionState.CONNECTED
@@ -101,11 +103,13 @@ def test_dropped_file_of_other_device_is_rejected(window: RobotWindow, make: Mak
     assert poses(window) == ["low"]
 
 
-def test_file_arguments_open_while_robot_connects(window: RobotWindow, make: Make) -> None:
+def test_file_arguments_open_while_robot_connects(
+    window: RobotWindow, write_file: WriteFile
+) -> None:
     program = window.program
     program.connect_to_demo("aracna")
-    program.open_named(make("walk.ppr", POSES), connecting=True)
-    program.open_named(make("rover.txt", SETTINGS), connecting=True)
+    program.open_named(write_file("walk.ppr", POSES), connecting=True)
+    program.open_named(write_file("rover.txt", SETTINGS), connecting=True)
     window.wait_for_files()
     assert len(trex(program).workspace.files.editors) == 1
     window.wait_until_up()
@@ -114,17 +118,19 @@ def test_file_arguments_open_while_robot_connects(window: RobotWindow, make: Mak
     trex(program).workspace.files.close_all()
 
 
-def test_pose_file_argument_opens_only_without_trex(window: RobotWindow, make: Make) -> None:
+def test_pose_file_argument_opens_only_without_trex(
+    window: RobotWindow, write_file: WriteFile
+) -> None:
     program, before = window.program, poses(window)
     program.connect_to_demo("trex")
-    program.open_named(make("walk.ppr", POSES), connecting=True)
+    program.open_named(write_file("walk.ppr", POSES), connecting=True)
     window.wait_until_up("trex")
     window.wait_for_text("bannerText", "walk.ppr is a pose file of an Aracna.")
     assert poses(window) == before
 
     window.press_disconnect()
     assert not shows_robot(window)
-    program.open_named(make("walk.ppr", POSES), connecting=False)
+    program.open_named(write_file("walk.ppr", POSES), connecting=False)
     window.wait_for_files()
     assert poses(window) == ["low"]
     assert shows_robot(window)

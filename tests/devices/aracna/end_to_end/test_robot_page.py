@@ -168,7 +168,7 @@ def test_bar_shows_playback_until_it_is_stopped(connected_window: RobotWindow) -
     assert robot.link is ConnectionState.CONNECTED
 
 
-def test_problems_page_counts_replies_and_shows_what_went_wrong(
+def test_problems_page_shows_reply_counts_and_problems(
     connected_window: RobotWindow,
 ) -> None:
     window = connected_window

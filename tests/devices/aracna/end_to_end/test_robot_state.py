@@ -17,7 +17,7 @@ AT_REST = "At rest: nothing is sent."
 UNSEEN = "Nothing is sent. Whether it is moving is not known before its first move."
 
 
-def begin_long_motion(window: RobotWindow, goal: int = 200) -> None:
+def start_long_motion(window: RobotWindow, goal: int = 200) -> None:
     """Start a motion of every motor for about 90 s."""
     window.robot.set_speeds((5,) * 8)
     window.robot.move((goal,) * 8)
@@ -34,18 +34,18 @@ def test_positions_are_unknown_after_reset_or_silence(connected_window: RobotWin
 
     texts: list[str] = []
 
-    def note() -> None:
+    def record_text() -> None:
         texts.append(window.text("statusLabel"))
 
     for cause, end in (("reset", ""), ("line mute on", "line mute off")):
         assert window.is_enabled("aracnaCapture"), cause
         assert window.text("aracnaMotionLabel") == AT_REST, cause
-        robot.changed.connect(note)
+        robot.changed.connect(record_text)
         window.wait_for_silence(lambda: window.control(cause))  # noqa: B023
         if end:
             window.control(end)
         window.wait_until_up()
-        robot.changed.disconnect(note)
+        robot.changed.disconnect(record_text)
         assert robot.state.present == (None,) * 8, cause
         assert window.text("aracnaPresent0") == "–", cause
         assert window.text("aracnaMotionLabel") == UNSURE, cause
@@ -108,7 +108,7 @@ def test_motion_is_shown_as_continuing_after_disconnect(connected_window: RobotW
     window.wait(lambda: window.text("aracnaMotionLabel") == "No robot is connected.")
 
     window.press_connect()
-    begin_long_motion(window)
+    start_long_motion(window)
     window.press_disconnect()
     window.connect_port(window.program.ports.demo_of("aracna"))
     window.control("reset")  # as by opening the port; servos continue
@@ -120,16 +120,16 @@ def test_motion_is_shown_as_continuing_after_disconnect(connected_window: RobotW
 
 def test_motion_is_shown_as_continuing_after_reset(connected_window: RobotWindow) -> None:
     window, robot = connected_window, connected_window.robot
-    begin_long_motion(window)
+    start_long_motion(window)
     texts: list[tuple[ConnectionState, str]] = []
 
-    def note() -> None:
+    def record_text() -> None:
         texts.append((robot.link, window.text("aracnaMotionLabel")))
 
-    robot.changed.connect(note)
+    robot.changed.connect(record_text)
     window.wait_for_silence(lambda: window.control("reset"))
     window.wait_until_up()
-    robot.changed.disconnect(note)
+    robot.changed.disconnect(record_text)
     *_, last = [text for link, text in texts if link is ConnectionState.NOT_RESPONDING]
     assert last.startswith("Unknown: a motion may continue")
     assert window.servos_turn()

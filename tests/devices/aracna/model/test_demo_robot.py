@@ -42,7 +42,7 @@ def test_new_robot_is_idle_limp_and_centred() -> None:
     assert not snapshot.line.mute
 
 
-def test_faults_and_lack_of_power_are_read_for_each_servo() -> None:
+def test_faults_and_missing_power_are_read_for_each_servo() -> None:
     stage = AracnaStage()
     stage.do("servo 1 dead", "servo 2 block", "servo 3 load 0.25", "line noise 0.5")
     snapshot = snapshot_of(stage)

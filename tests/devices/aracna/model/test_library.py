@@ -218,7 +218,7 @@ def test_failed_save_keeps_old_file_and_edits(library: Library, tmp_path: Path) 
     assert list(tmp_path.iterdir()) == [path]
 
 
-def test_edits_made_while_it_is_saved_stay_unsaved(library: Library, tmp_path: Path) -> None:
+def test_edits_during_save_stay_unsaved(library: Library, tmp_path: Path) -> None:
     content = library.content()
     library.add_pose(EIGHT)
     content.record_saved(tmp_path / "mine.ppr")
@@ -229,7 +229,7 @@ def test_edits_made_while_it_is_saved_stay_unsaved(library: Library, tmp_path: P
     assert library.on_disk == content.text.encode()
 
 
-def test_file_that_was_left_while_it_was_saved_is_not_taken_for_the_next(
+def test_late_save_of_previous_file_does_not_affect_next_file(
     library: Library, tmp_path: Path
 ) -> None:
     content = library.content()

@@ -36,9 +36,9 @@ class RobotHarness:
         self.links: list[tuple[ConnectionState, str]] = []
         for signal in (self.robot.notifier.info, self.robot.notifier.error):
             signal.connect(self.messages.append)
-        self.robot.link_changed.connect(self._note_link)
+        self.robot.link_changed.connect(self._record_link)
 
-    def _note_link(self) -> None:
+    def _record_link(self) -> None:
         self.links.append((self.robot.link, self.robot.status))
 
     def connect(self) -> None:
@@ -164,7 +164,7 @@ def test_unreadable_position_is_reported_as_missed_goal(
     assert "Motor 2 did not report its position (−1)." in [event.text for event in robot.events.all]
 
 
-def test_move_that_failed_is_reported(robot: Robot, harness: RobotHarness) -> None:
+def test_failed_move_is_reported(robot: Robot, harness: RobotHarness) -> None:
     harness.simulator.do("servo power off")
     assert robot.move((440,) * 8)
     harness.wait(lambda: any("Not moved" in text for text in harness.messages))
@@ -202,9 +202,7 @@ def test_drag_with_rejected_speed_is_reported_once(robot: Robot, harness: RobotH
     assert "Motor 5 did not accept speed 200" in harness.messages[0]
 
 
-def test_log_has_one_line_for_a_move_and_one_for_a_lost_reply(
-    robot: Robot, harness: RobotHarness
-) -> None:
+def test_move_and_lost_reply_are_logged_once(robot: Robot, harness: RobotHarness) -> None:
     harness.move(LOW)
     logged = [event.text for event in robot.events.all]
     assert logged.count(f"Move to {', '.join(['300'] * 8)}.") == 1
@@ -335,7 +333,7 @@ def test_two_motor_robot_has_two_goals_and_speeds(
     harness.end()
 
 
-def test_closing_drops_the_connection_to_come(
+def test_close_cancels_pending_connection(
     robot: Robot, harness: RobotHarness, virtual_time: VirtualRuntime
 ) -> None:
     robot.open(PortSettings(harness.simulator.url))

@@ -42,7 +42,7 @@ def test_carriage_return_line_ends_are_kept() -> None:
 
 
 @pytest.mark.parametrize("first", ["Pose=a: 1, 2, 3, 4, 5, 6, 7, 8\n", "Aracna:8\n"])
-def test_byte_order_mark_is_no_part_of_the_first_line(tmp_path: Path, first: str) -> None:
+def test_byte_order_mark_is_removed_from_first_line(tmp_path: Path, first: str) -> None:
     path = tmp_path / "marked.ppr"
     path.write_text(f"{first}Pose=b: 1, 2, 3, 4, 5, 6, 7, 8\n", encoding="utf-8-sig")
     project = read_file(path).project

@@ -87,13 +87,13 @@ def test_invalid_line_is_unrecognized() -> None:
 
 
 @pytest.mark.parametrize("tail", [b"h\r\n", b"\r\n", b"\n", b",8\r\n", b"12,-1,5\r\n", b"\xff\n"])
-def test_rest_of_partial_first_line_is_ignored_unless_of_hello(tail: bytes) -> None:
+def test_partial_first_line_is_ignored_unless_hello(tail: bytes) -> None:
     reader = Reader()
     assert reader.feed(tail) == [Hello()] * tail.startswith(b"h")
     assert reader.feed(b".q1,8\r\n") == [Version(1, 8)]
 
 
-def test_hello_is_read_behind_truncated_reply() -> None:
+def test_hello_is_read_after_truncated_reply() -> None:
     reader = Reader()
     reader.feed(b"\r\n.c520,5")
     assert reader.feed(b".h\r\n") == [Unrecognized(b".c520,5"), Hello()]

@@ -74,7 +74,7 @@ def test_only_queries_follow_late_move_until_it_is_answered() -> None:
     assert client.pending is None
 
 
-def test_line_is_busy_until_query_behind_late_move_is_answered() -> None:
+def test_line_is_busy_until_query_after_late_move_is_answered() -> None:
     stage = AracnaStage()
     stage.do("servo 1 block")
     client = client_of(stage)

@@ -122,7 +122,7 @@ def test_silent_port_is_reported_for_both_devices() -> None:
     assert "power" in aracna
 
 
-def test_robot_that_boots_but_never_answers_is_reported() -> None:
+def test_booting_robot_without_reply_is_reported() -> None:
     stage = unpowered()
     stage.line.inject(b".h\r\n")
     assert "restarting repeatedly" in diagnosis(stage)

@@ -109,7 +109,7 @@ def test_session_reconnects_once_after_repeated_restarts() -> None:
     assert session.line.station.firmware.boots == 5
 
 
-def test_session_awaited_motor_boot_loader_after_restart() -> None:
+def test_session_waits_for_boot_loader_after_restart() -> None:
     session = ScriptedSession(boot_loader=3.0).at(1.0, "reset").until(9.0).run()
     assert len(session.of(Connected)) == 2
     assert session.line.station.firmware.boots == 2
@@ -233,7 +233,7 @@ def test_session_survives_noise_and_every_request_has_outcome(seed: int) -> None
     assert sorted(one.id for one in session.of(Outcome)) == [*range(20), 99]
 
 
-def test_robot_mute_since_mid_motion_is_reported_silent() -> None:
+def test_robot_muted_during_motion_is_reported_silent() -> None:
     session = (
         ScriptedSession().at(0.2, SetSpeeds(1, SLOW)).at(0.4, Move(2, HERE)).at(0.6, Move(3, THERE))
     )

@@ -48,7 +48,7 @@ def test_robot_reset_by_opening_port_connects_after_boot(boot_loader: float) -> 
 
 
 @pytest.mark.parametrize("stump", [b".", b".c", b".c512,5", b".v1,2,3,4,5,6,7", b"x" * 58])
-def test_session_connects_behind_unfinished_command(stump: bytes) -> None:
+def test_session_connects_after_incomplete_command(stump: bytes) -> None:
     session = ScriptedSession().until(5.0)
     session.line.send(stump)
     session.line.advance(0.5)
@@ -209,7 +209,7 @@ def test_move_succeeds_after_truncated_command(stump: bytes) -> None:
     assert session.stage.positions == (600,) * 8
 
 
-def test_silent_robot_is_polled_until_it_answers() -> None:
+def test_silent_robot_is_polled_until_it_replies() -> None:
     session = ScriptedSession().at(1.0, "line mute on")
     session.at(6.0, Move(1, THERE)).at(10.0, "line mute off").until(13.0).run()
     assert session.kinds == ["Connected", "NotResponding", "Outcome", "Connected", "Closed"]
@@ -268,7 +268,7 @@ def test_unanswered_queries_are_counted_as_silence() -> None:
     assert last(session).corrupted == 0
 
 
-def test_invalid_reply_is_counted_as_damaged_and_strange() -> None:
+def test_invalid_reply_is_counted_as_corrupted_and_unrecognized() -> None:
     session = ScriptedSession()
 
     def garble() -> None:

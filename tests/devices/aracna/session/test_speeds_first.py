@@ -131,7 +131,7 @@ def test_latest_speed_applies_to_next_motion() -> None:
     assert errors(session)[4] == ""
 
 
-def test_newer_move_replaces_older_one_that_waits() -> None:
+def test_newer_move_replaces_queued_move() -> None:
     session = ScriptedSession().at(0.2, Move(1, THERE, SLOW)).at(0.5, Move(2, (300,) * 8, SLOW))
     session.at(0.6, Move(3, HERE, SLOW)).until(6.0).run()
     assert lines(session, "c") == ["600", "512"]
@@ -139,7 +139,7 @@ def test_newer_move_replaces_older_one_that_waits() -> None:
     assert "A newer request" in errors(session)[2]
 
 
-def test_newer_move_replaces_one_whose_speeds_are_being_set() -> None:
+def test_newer_move_replaces_move_during_its_speeds() -> None:
     session = ScriptedSession().at(0.2, Move(1, THERE, SLOW)).at(0.21, Move(2, HERE, SLOW))
     session.until(3.0).run()
     assert lines(session, "c") == ["512"]

@@ -83,7 +83,7 @@ def is_free(stage: AracnaStage) -> bytes:
 
 
 @pytest.mark.parametrize("glued", [b".l0\n.l1\n", b".l0\n\n.l1\n"])
-def test_command_is_heard_while_the_last_two_bytes_of_a_reply_leave(
+def test_command_is_received_during_last_two_bytes_of_reply(
     stage: AracnaStage, glued: bytes
 ) -> None:
     stage.line.advance(2)
@@ -102,7 +102,7 @@ def test_command_is_heard_while_the_last_two_bytes_of_a_reply_leave(
         (b".l\n.l1\n.q\n.l0\n", b".l0\r\n.l1\r\n.q1,8\r\n"),
     ],
 )
-def test_command_is_truncated_while_the_one_before_is_parsed(
+def test_command_is_truncated_during_parsing_of_previous_command(
     stage: AracnaStage, glued: bytes, replies: bytes
 ) -> None:
     stage.transport.reconfigure(OWN)
@@ -162,7 +162,7 @@ def test_next_command_completes_truncated_one_with_enough_values() -> None:
     assert stage.ask(GOALS) == b".c600,600,600,600,600,600,600,600\r\n"
 
 
-def test_command_sent_right_behind_speeds_is_truncated(stage: AracnaStage) -> None:
+def test_command_sent_right_after_speeds_is_truncated(stage: AracnaStage) -> None:
     stage.line.send(SPEEDS + b".l1\n")  # ".l" and the newline survive
     stage.line.advance(1)
     assert stage.line.receive() == SPEEDS.replace(b"\n", b"\r\n") + b".l0\r\n"

@@ -80,7 +80,7 @@ def test_round_trip_without_motion_takes_documented_time(
     assert least <= (stage.now - begun) * 1000 <= most
 
 
-def test_first_reply_bytes_come_before_any_motor_arrives() -> None:
+def test_first_reply_bytes_precede_any_arrival() -> None:
     stage = AracnaStage()
     stage.ask(line("v", [1] * 8))
     assert stage.ask(line("c", [1023] * 8), 1) == b".c"

@@ -11,7 +11,7 @@ FAR = b".c740,740,740,740,740,740,740,740\n"
 ARRIVED = b".c740,740,740,740,740,740,740,740\r\n"
 
 
-def test_dead_servo_reports_and_takes_no_speed(stage: AracnaStage) -> None:
+def test_dead_servo_reports_and_accepts_no_speed(stage: AracnaStage) -> None:
     stage.do("servo 3 dead")
     assert stage.ask(SPEEDS) == b".v50,50,50,-1,50,50,50,50\r\n"
     stage.do("servo 3 alive")

@@ -10,7 +10,7 @@ SPEEDS = b".v50,50,50,50,50,50,50,50\n"
 GOALS = b".c800,800,800,800,800,800,800,800\n"
 
 
-def test_board_says_hello_then_ignores_host_for_a_second() -> None:
+def test_board_sends_hello_then_ignores_host_for_a_second() -> None:
     stage = AracnaStage(booted=False)
     assert stage.line.read(4, 1) == HELLO
     assert stage.now == pytest.approx(0.001, abs=0.0005)

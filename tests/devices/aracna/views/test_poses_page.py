@@ -99,7 +99,7 @@ class StagedPageDriver(WidgetDriver):
     def summary(self) -> str:
         return self.text("aracnaPlaySummary")
 
-    def choose_row(self, list_name: str, text: str) -> None:
+    def select_row(self, list_name: str, text: str) -> None:
         view = self.names(list_name)
         index = self.index_of(view, text)
         view.scrollTo(index)
@@ -177,7 +177,7 @@ def test_positions_are_captured_and_named_once_they_are_known(driver: StagedPage
 
 
 def test_keys_rename_and_delete_pose_and_undo_restores_it(driver: StagedPageDriver) -> None:
-    driver.choose_row("aracnaPoses", "flat")
+    driver.select_row("aracnaPoses", "flat")
     view = driver.names("aracnaPoses")
     QTest.keyClick(view, Qt.Key.Key_F2)
     driver.type_name("aracnaPoses", "stand")
@@ -195,13 +195,13 @@ def test_keys_rename_and_delete_pose_and_undo_restores_it(driver: StagedPageDriv
     assert driver.pose_names()[0] == "low"
     driver.library.undo.redo()
     assert "low" not in driver.pose_names()
-    driver.choose_row("aracnaPoses", "self-test b")
+    driver.select_row("aracnaPoses", "self-test b")
     QTest.keyClick(view, Qt.Key.Key_Delete)
     assert view.currentIndex().data() == "self-test a"
 
 
 def test_pose_is_moved_with_alt_arrow_keys(driver: StagedPageDriver) -> None:
-    driver.choose_row("aracnaPoses", "flat")
+    driver.select_row("aracnaPoses", "flat")
     view = driver.names("aracnaPoses")
     for _ in range(2):
         QTest.keyClick(view, Qt.Key.Key_Down, Qt.KeyboardModifier.AltModifier)
@@ -212,7 +212,7 @@ def test_pose_is_moved_with_alt_arrow_keys(driver: StagedPageDriver) -> None:
 
 
 def test_go_to_requests_positions_when_robot_is_connected(driver: StagedPageDriver) -> None:
-    driver.choose_row("aracnaPoses", "stand")
+    driver.select_row("aracnaPoses", "stand")
     assert not driver.button("aracnaGoTo").isEnabled()
     driver.connect()
     driver.click("aracnaGoTo")
@@ -221,7 +221,7 @@ def test_go_to_requests_positions_when_robot_is_connected(driver: StagedPageDriv
 
 def test_position_field_edits_pose_and_shows_clamped_value(driver: StagedPageDriver) -> None:
     driver.library.set_positions("stand", (512, 680) * 4)
-    driver.choose_row("aracnaPoses", "stand")
+    driver.select_row("aracnaPoses", "stand")
     field = driver.spin("aracnaPosition3")
     assert field.value() == 680
     assert "sent as 550" in field.toolTip()
@@ -238,9 +238,9 @@ def test_position_field_edits_pose_and_shows_clamped_value(driver: StagedPageDri
 def test_add_step_appends_selected_pose_to_new_sequence(driver: StagedPageDriver) -> None:
     driver.click("aracnaNewSequence")
     driver.type_name("aracnaMotions", "bob")
-    driver.choose_row("aracnaPoses", "stand")
+    driver.select_row("aracnaPoses", "stand")
     driver.click("aracnaAddStep")
-    driver.choose_row("aracnaPoses", "half-stand")
+    driver.select_row("aracnaPoses", "half-stand")
     driver.click("aracnaAddStep")
     sequence = driver.library.project.sequence("bob")
     assert sequence is not None
@@ -253,7 +253,7 @@ def test_add_step_appends_selected_pose_to_new_sequence(driver: StagedPageDriver
 
 def test_step_pose_and_time_are_edited_in_table(driver: StagedPageDriver, qtbot: QtBot) -> None:
     driver.library.add_sequence("bob", [SequenceStep("gone", 500)])
-    driver.choose_row("aracnaMotions", "bob")
+    driver.select_row("aracnaMotions", "bob")
     view = driver.steps
     view.setCurrentIndex(view.model().index(0, 1))
     view.edit(view.currentIndex())
@@ -276,7 +276,7 @@ def test_play_requests_clamped_steps_with_chosen_options(driver: StagedPageDrive
     driver.library.add_sequence("up", [SequenceStep("flat", 3000), SequenceStep("stand", 2000)])
     driver.connect()
     driver.show_present(*(300,) * 8)
-    driver.choose_row("aracnaMotions", "up")
+    driver.select_row("aracnaMotions", "up")
     driver.spin("aracnaRounds").setValue(3)
     driver.spin("aracnaSpeedScale").setValue(50)
     driver.check("aracnaBlendOut", True)
@@ -298,7 +298,7 @@ def test_play_requests_clamped_steps_with_chosen_options(driver: StagedPageDrive
 
 def test_loop_without_blending_plays_only_steps_endlessly(driver: StagedPageDriver) -> None:
     driver.connect()
-    driver.choose_row("aracnaMotions", "push-ups (built in)")
+    driver.select_row("aracnaMotions", "push-ups (built in)")
     driver.spin("aracnaRounds").setValue(0)
     assert driver.spin("aracnaRounds").text() == "repeating"
     driver.check("aracnaBlendIn", False)
@@ -309,7 +309,7 @@ def test_loop_without_blending_plays_only_steps_endlessly(driver: StagedPageDriv
 
 def test_late_motors_are_named_at_their_step(driver: StagedPageDriver) -> None:
     driver.library.add_sequence("hasty", [SequenceStep("flat", 3000), SequenceStep("stand", 100)])
-    driver.choose_row("aracnaMotions", "hasty")
+    driver.select_row("aracnaMotions", "hasty")
     assert "too slow" in driver.summary
     remark = driver.steps.model().index(1, 3).data()
     assert remark.startswith("needs 0.26 s: motor 1, 3, 5, 7")
@@ -320,7 +320,7 @@ def test_late_motors_are_named_at_their_step(driver: StagedPageDriver) -> None:
 def test_sequence_is_playable_only_with_all_poses_defined(driver: StagedPageDriver) -> None:
     driver.connect()
     driver.library.add_sequence("gait", [SequenceStep("p1", 500)])
-    driver.choose_row("aracnaMotions", "gait")
+    driver.select_row("aracnaMotions", "gait")
     assert not driver.button("aracnaPlay").isEnabled()
     assert "p1" in driver.summary
     assert driver.steps.model().index(0, 3).data() == "not defined"
@@ -329,7 +329,7 @@ def test_sequence_is_playable_only_with_all_poses_defined(driver: StagedPageDriv
 
 
 def test_during_playback_step_is_marked_and_only_speed_can_change(driver: StagedPageDriver) -> None:
-    driver.choose_row("aracnaMotions", "push-ups (built in)")
+    driver.select_row("aracnaMotions", "push-ups (built in)")
     driver.page.play()
     assert driver.robot.plays == [], "there is no robot"
     driver.connect()
@@ -349,7 +349,7 @@ def test_during_playback_step_is_marked_and_only_speed_can_change(driver: Staged
 
 
 def test_disabled_buttons_show_reason_in_tooltip(driver: StagedPageDriver) -> None:
-    driver.choose_row("aracnaPoses", "stand")
+    driver.select_row("aracnaPoses", "stand")
     driver.robot.state.stuck = Stuck(0.0, 3)
     driver.connect()
     for name in ("aracnaPlay", "aracnaGoTo"):
@@ -358,7 +358,7 @@ def test_disabled_buttons_show_reason_in_tooltip(driver: StagedPageDriver) -> No
 
 
 def test_duplicated_gait_becomes_editable_sequence(driver: StagedPageDriver) -> None:
-    driver.choose_row("aracnaMotions", "star 6 (built in)")
+    driver.select_row("aracnaMotions", "star 6 (built in)")
     assert not driver.button("aracnaDeleteSequence").isEnabled()
     assert not driver.names("aracnaMotions").currentIndex().flags() & Qt.ItemFlag.ItemIsEditable
     assert not driver.steps.model().index(0, 2).flags() & Qt.ItemFlag.ItemIsEditable
@@ -378,7 +378,7 @@ def test_panel_survives_deletion_of_library(driver: StagedPageDriver, qtbot: QtB
 
 def test_play_uses_typed_values_before_enter(driver: StagedPageDriver, qtbot: QtBot) -> None:
     driver.library.add_sequence("bob", [SequenceStep("stand", 500)])
-    driver.choose_row("aracnaMotions", "bob")
+    driver.select_row("aracnaMotions", "bob")
     driver.connect()
     driver.show_present(*(512,) * 8)
     driver.check("aracnaBlendIn", False)
@@ -490,7 +490,7 @@ def test_slow_disk_loses_no_edits(
     assert disk.stalls == []
 
 
-def test_second_save_writes_the_file_it_was_meant_for(
+def test_second_save_writes_its_own_file(
     driver: StagedPageDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = tmp_path / "mine.ppr"
@@ -544,15 +544,15 @@ def test_save_as_adds_suffix_and_asks_before_overwriting(
 @pytest.mark.parametrize(
     ("name", "renamed"), [("a, b", "a b"), ("sp", "")], ids=["comma", "blanks around it"]
 )
-def test_step_is_added_with_a_name_that_the_file_can_have(
+def test_new_step_uses_a_valid_pose_name(
     driver: StagedPageDriver, tmp_path: Path, name: str, renamed: str
 ) -> None:
     path = tmp_path / "names.ppr"
     lines = f"Aracna:8\nPose= {name} :512\nPose=c:512\nSeq=s: c|500\n"
     path.write_text(lines, encoding="utf-8")
     driver.open_file(path)
-    driver.choose_row("aracnaMotions", "s")
-    driver.choose_row("aracnaPoses", name)
+    driver.select_row("aracnaMotions", "s")
+    driver.select_row("aracnaPoses", name)
     if renamed:
         assert not driver.button("aracnaAddStep").isEnabled()
         assert "remove comma and bar" in driver.button("aracnaAddStep").toolTip()
@@ -561,7 +561,7 @@ def test_step_is_added_with_a_name_that_the_file_can_have(
         combo = driver.combo("aracnaStepPose")
         assert [combo.itemText(place) for place in range(combo.count())] == ["c"]
         driver.library.rename(ItemKind.POSE, name, renamed)
-        driver.choose_row("aracnaPoses", renamed)
+        driver.select_row("aracnaPoses", renamed)
     driver.click("aracnaAddStep")
     driver.page.files.save()
     driver.wait_for_files()
