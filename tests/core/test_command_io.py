@@ -51,9 +51,7 @@ def test_redirected_output_is_utf_8(encoding: str, replace: Replace) -> None:
 
 
 @pytest.mark.parametrize("encoding", ["ascii", "cp437", "cp932"])
-def test_terminal_gets_substitutes_for_unsupported_characters(
-    encoding: str, replace: Replace
-) -> None:
+def test_terminal_replaces_unsupported_characters(encoding: str, replace: Replace) -> None:
     shown = written(Stream(encoding, is_terminal=True), "5 → 7 ⇥", replace).decode(encoding)
     assert shown == "5 -> 7 ?\n"
 

@@ -122,11 +122,7 @@ def test_motors_are_stopped_when_the_program_ends_while_they_may_move(
 
 
 def test_every_board_must_confirm_the_stop(guardian: GuardianProcess, board: Board) -> None:
-    board.statuses = [
-        b"\x00",
-        b"\x01",
-        b"\x00",
-    ]  # the second board misses round 1
+    board.statuses = [b"\x00", b"\x01", b"\x00"]  # the second board misses round 1
     both = replace(STOP, packets=STOP.packets * 2, queries=(b"\x84", b"\x84"))
     guardian.watch(both)
     die(guardian)

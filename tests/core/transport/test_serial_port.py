@@ -256,16 +256,16 @@ def test_clock_jump_while_reading_loses_no_bytes(terminal: tuple[int, str], open
 
 
 def test_missing_port_is_reported_with_available_ports() -> None:
-    said = open_failure("/dev/ttyNothing9")
-    assert said.startswith("There is no port /dev/ttyNothing9.")
-    assert "Ports of this computer:" in said
+    message = open_failure("/dev/ttyNothing9")
+    assert message.startswith("There is no port /dev/ttyNothing9.")
+    assert "Ports of this computer:" in message
 
 
 def test_port_is_opened_exclusively(terminal: tuple[int, str], opened: Open) -> None:
     opened(terminal[1])
-    said = open_failure(terminal[1])
-    assert "is in use" in said
-    assert "Close it there, then connect again." in said
+    message = open_failure(terminal[1])
+    assert "is in use" in message
+    assert "Close it there, then connect again." in message
 
 
 @contextmanager
@@ -363,13 +363,13 @@ def test_permission_error_names_group_of_port(terminal: tuple[int, str]) -> None
     import grp
 
     denied = serial.SerialException(errno.EACCES, "could not open: Permission denied")
-    said = str(open_error(terminal[1], LINE, denied))
+    message = str(open_error(terminal[1], LINE, denied))
     group = grp.getgrgid(Path(terminal[1]).stat().st_gid).gr_name
-    assert said.startswith(f"Permission denied for {terminal[1]}.")
-    assert "sudo" in said
+    assert message.startswith(f"Permission denied for {terminal[1]}.")
+    assert "sudo" in message
     if group != "root":
-        assert f"sudo usermod -aG {group} $USER" in said
-    assert f"sudo chmod a+rw {terminal[1]}" in said
+        assert f"sudo usermod -aG {group} $USER" in message
+    assert f"sudo chmod a+rw {terminal[1]}" in message
 
 
 def test_permission_error_of_missing_port_names_dialout() -> None:
