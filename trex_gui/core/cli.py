@@ -94,8 +94,8 @@ class Interruption:
     """Records requests to end the program (Ctrl-C, SIGTERM, a closed terminal).
 
     The command reads the request between two transactions. A second request ends the program at
-    once, except during `precious` work. Ctrl-Z also ends precious work instead of suspending it,
-    and terminal access from the background does not suspend it. Signals that were ignored at the
+    once, except during `precious` work. Such work is never suspended: Ctrl-Z ends it, and it
+    continues after terminal access from the background. Signals that were ignored at the
     start (`nohup`) stay ignored.
     """
 

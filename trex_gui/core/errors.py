@@ -20,8 +20,8 @@ class BadRequest(StudioError, ValueError):  # noqa: N818
 class PortUnavailable(StudioError):  # noqa: N818
     """Port that is in use, missing or forbidden.
 
-    The text says how to fix that. `command`: shell command that grants permission, or empty.
-    `is_missing`: the user has to plug in an adapter.
+    The text explains the remedy. `command`: shell command that grants permission, or empty.
+    `is_missing`: the user must plug in an adapter.
     """
 
     def __init__(self, text: str, *, command: str = "", is_missing: bool = False) -> None:

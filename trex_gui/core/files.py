@@ -93,7 +93,7 @@ def reason_of(error: StudioError) -> str:
 
 
 class NotOrdinaryFileError(OSError):
-    """Folder, pipe, socket or device, whose use may block for ever."""
+    """Folder, pipe, socket or device, which may block for ever."""
 
     def __init__(self, path: Path, mode: int) -> None:
         reason = tr("it is not an ordinary file")
@@ -130,7 +130,7 @@ def _check_mode(path: Path, mode: int) -> None:
 
 _DRAFT = re.compile(r"\..*\.[0-9a-f]{8}\.trexdraft", re.DOTALL)
 
-_ABANDONED_S = 600.0  # age in s of a draft whose program was killed
+_ABANDONED_S = 600.0  # seconds; an older draft was left by a killed program
 
 
 @cache

@@ -19,7 +19,7 @@ _OLDER = 3  # older files beside the newest
 _LONGEST = 20_000  # characters of one entry, with its traceback
 _MOST_WAITING = 10_000  # entries queued for a slow disk
 _REPEATED_S = 60.0
-"""Seconds during which a repeated entry is only counted.
+"""Period in seconds in which a repeated entry is only counted.
 
 Otherwise an error that repeats thirty times a second would displace all other entries."""
 

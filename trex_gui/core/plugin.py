@@ -46,7 +46,7 @@ class PortReports:
 
     Attributes:
         identify: probes a port (URL, options of the command) without moving anything. The answer
-            has an empty text if there is nothing to report. Raises PortUnavailable.
+            has an empty text without a device. Raises PortUnavailable.
         describe: returns sentences about a found device.
         row: returns the fields of a found device that `find --json` adds to its connection.
     """

@@ -117,7 +117,7 @@ def create_report(
 ) -> tuple[ReportFile, ...]:
     """Return the non-empty files of a report: `parts` and the program's own files.
 
-    May take seconds. A part that fails has its error in the file.
+    May take seconds. The file of a failed part contains the error.
     """
     mask = mask or Mask.of_this_computer()
     own: dict[str, Callable[[], str]] = {

@@ -48,7 +48,7 @@ class RunFile:
 
 
 def _handle_abandoned() -> bool:
-    """Rename files of dead processes to `crash_file`. Return whether any existed."""
+    """Rename files of dead processes to `crash_file`. Return True if any existed."""
     found = False
     for path in log_folder().glob("run-*.txt"):
         with suppress(OSError):  # on Windows an open file cannot be renamed

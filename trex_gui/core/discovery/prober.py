@@ -16,12 +16,12 @@ class ScanProgress:
     done: int
     total: int
     line: SerialFormat
-    number: int | None = None  # probed device number, once a board has responded
+    number: int | None = None  # probed device number, after a response
     kind: str = ""  # name of the probed device kind
 
 
 class Evidence(IntEnum):
-    """Evidence of a device that was not found."""
+    """Strength of the evidence for a device."""
 
     SILENCE = 0
     ECHO = 1
@@ -31,7 +31,7 @@ class Evidence(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Diagnosis:
-    """Report of attempts, received bytes and checks, without a found device."""
+    """Report on a failed search: attempts, received bytes, checks."""
 
     evidence: Evidence
     text: str
@@ -102,7 +102,7 @@ class CreateProber(Protocol):
 
 
 Recall = Callable[[Transport, PortSettings, str], FoundDevice | None]
-"""Function that probes only the packed settings of a known device. Raises PortUnavailable."""
+"""Probes only the packed settings of a device. Raises PortUnavailable."""
 
 
 @dataclass(frozen=True, slots=True)

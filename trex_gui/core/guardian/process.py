@@ -33,12 +33,12 @@ if sys.platform != "win32":
     import termios
 
 _GIVE_UP_S = 5.0  # longest duration of a stop in seconds
-_GRACE_S = 0.02  # seconds for a heartbeat on its way
+_GRACE_S = 0.02  # allowance in seconds for a heartbeat on its way
 _LATE_S = 0.05  # excess of a wait in s that indicates a suspension of this process
-_LATE_GRACE_S = 0.1  # seconds for messages sent during a suspension
+_LATE_GRACE_S = 0.1  # allowance in seconds for messages after a suspension
 _CLEAN_ROUNDS = 2  # consecutive rounds of clean replies that confirm a stop
 _QUIET_S = 0.03
-"""Seconds of silence that end a reply.
+"""Silence in seconds that ends a reply.
 
 Three bytes at 1200 baud take less, and usual adapters delay less. An echoed request continues
 after its first byte, so that it does not count as a reply."""
@@ -165,7 +165,7 @@ if sys.platform == "win32":
         them. A transfer that takes too long is cancelled.
         """
 
-        _STATE_SIZE = 28  # bytes of a DCB, whose first word is its size
+        _STATE_SIZE = 28  # bytes of a DCB; the first word is the size
 
         def __init__(self, handle: int) -> None:
             self._handle = handle
@@ -423,7 +423,7 @@ def main(arguments: list[str]) -> int:
             signal.signal(number, signal.SIG_IGN)
     kind, number, silence, *files = arguments
     port = open_port(kind, int(number))
-    # Unbuffered: a buffer that a thread reads keeps the interpreter from ending.
+    # Unbuffered: with a buffer, a reading thread would prevent the exit.
     Watchdog(port, float(silence), files, FileIO(0), FileIO(1, "w")).run()
     return 0
 

@@ -15,7 +15,7 @@ CAPACITY = 100_000  # records: nine minutes at full rate, some 15 MB
 class Backlog(Generic[RecordT]):
     """Passes records to another thread without blocking the sender.
 
-    A full queue drops new records. A marker replaces them once there is space.
+    A full queue drops new records. A marker replaces them later.
     """
 
     def __init__(self, condition: Condition | None = None, capacity: int = CAPACITY) -> None:

@@ -13,7 +13,7 @@ from trex_gui.core.errors import StudioError
 
 Value = int | float | str | None
 
-SOURCE = "board"  # column with the board, in a recording of several boards
+SOURCE = "board"  # column that identifies the board, if there are several
 
 LONGEST_TEXT = 60_000  # characters of a text; the settings of a board take 4,000
 

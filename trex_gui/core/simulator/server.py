@@ -22,17 +22,20 @@ from trex_gui.core.simulator.endpoint import Endpoint, EndpointError, HostSettin
 from trex_gui.core.simulator.plugin import Simulation
 from trex_gui.core.transport.settings import SerialFormat
 
-_IDLE = 0.1  # seconds between updates of an idle line, whose devices still change
+_IDLE = 0.1  # seconds between updates of an idle line
 _SUSPENDED = 2.0  # seconds; a longer gap, after a suspension of the process, is skipped
 _MAX_AHEAD = 0.02
-"""Seconds of bytes queued on the line. The server holds later bytes, and discards them when the
-host disconnects or reconfigures its port."""
+"""Longest queue on the line in seconds.
+
+The server holds later bytes, and discards them when the host disconnects or reconfigures its
+port."""
 
 _MAX_UNSENT = 65_536  # bytes from the host that the server holds; more are lost
 _CHUNK = 16  # bytes queued on the line at a time
 _BATCH = 0.001
-"""Seconds of a host's stream that are processed together. One wake-up per byte would use a whole
-core at 115200 baud."""
+"""Interval in seconds between wake-ups during a stream from the host.
+
+One wake-up per byte would use a whole core at 115200 baud."""
 
 
 class Server:

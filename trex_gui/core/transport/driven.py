@@ -1,7 +1,7 @@
 """Boards left running: program and guardian died before a confirmed stop.
 
 The guardian writes and locks a file while motors may move (`guardian.process`). An unlocked
-file belongs to a board whose stop was never confirmed.
+file belongs to a board without a confirmed stop.
 """
 
 import logging

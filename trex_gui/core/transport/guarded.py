@@ -9,7 +9,7 @@ from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import SerialFormat
 
-_READY_S = 1.0  # seconds to wait for the guardian, which usually starts much faster
+_READY_S = 1.0  # timeout in seconds for the start of a guardian
 
 _REPLACED_S = 0.4  # seconds to replace a lost guardian before the motors are stopped
 
@@ -18,7 +18,7 @@ _SHORT_TIMEOUT_S = 0.2
 
 The board does not listen while it replies, and a late reply could be mistaken for the next."""
 
-_LAST_STOP_S = 0.4  # seconds for the guardian's stop on a line that the session has lost
+_LAST_STOP_S = 0.4  # timeout in seconds of the guardian's stop on a lost line
 
 
 class GuardedTransport:
@@ -36,7 +36,7 @@ class GuardedTransport:
         silence: see `Timeouts.guardian`.
         stop_sequence: returns the present stop, or `None` if no motor may be moving.
         taken_over: called in the thread of the session; must not use the line.
-        stop_is_due: returns whether the session has to stop the motors as soon as possible.
+        stop_is_due: returns whether the session must stop the motors.
     """
 
     def __init__(

@@ -66,7 +66,7 @@ def _name_of(number: int) -> str:
 def is_locked_elsewhere(url: str) -> bool:
     """Return whether another program has locked a port. True if unknown.
 
-    Ignores the lock of a dead program, whose guardian is about to end.
+    Ignores the lock of a dead program.
     """
     with contextlib.suppress(OSError):
         number = _locking(Path(url))
@@ -78,7 +78,7 @@ def is_locked_elsewhere(url: str) -> bool:
 def is_left_to_guardian(url: str) -> bool:
     """Return whether only a guardian still has a locked port open.
 
-    The guardian of a program that has closed its port is stopping motors.
+    Such a guardian is stopping motors.
     """
     path = Path(url)
     with contextlib.suppress(OSError):

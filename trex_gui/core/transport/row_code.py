@@ -11,8 +11,8 @@ from trex_gui.version import __version__
 def rows_as_code(rows: Sequence[Transaction], decoder: Decoder, language: Language) -> str:
     """Return source code that sends the requests of these rows.
 
-    The code waits for each reply. Line events and unsolicited bytes become comments. A warning says
-    whether motors may move.
+    The code waits for each reply. Line events and unsolicited bytes become comments. A comment
+    warns of motor commands.
     """
     line = next((row.settings.line.text() for row in rows if row.settings is not None), "")
     return render(

@@ -53,8 +53,8 @@ PORT_ERRORS: tuple[type[Exception], ...] = (
 if sys.platform != "win32":
     PORT_ERRORS += (termios.error,)
 
-_SLICE = 0.02  # seconds of one blocking read, which may exceed a deadline
-_LONGEST_STALE = 0.05  # seconds of unsolicited bytes before `discard` fails
+_SLICE = 0.02  # timeout in seconds of one blocking read
+_LONGEST_STALE = 0.05  # timeout in seconds of `discard` on a line that sends on its own
 
 _MANY_READS = 10
 """Reads before `discard` fails. After a suspension, one or two reads return everything."""
@@ -69,7 +69,7 @@ _BUSY = frozenset({errno.EBUSY, errno.EAGAIN})
 _CLOSING_S = 1.5
 """Seconds to wait for a port that another line of this program is closing.
 
-The last attempts to stop the motors take no longer."""
+Attempts to stop the motors take no longer."""
 
 
 def latency_of(url: str) -> float:

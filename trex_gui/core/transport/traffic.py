@@ -194,7 +194,7 @@ class Decoder(ABC):
         """Return whether the reply is complete. Later bytes are unsolicited."""
 
     def goes_with(self, transaction: Transaction, sent: bytes) -> bool:
-        """Return whether bytes sent later belong to the pending row.
+        """Return whether new bytes belong to the pending row.
 
         Received bytes may then be the reply to either request.
         """
@@ -206,7 +206,7 @@ class Decoder(ABC):
         """Return the meaning of a transaction that has bytes."""
 
     def is_fault(self, transaction: Transaction) -> bool:
-        """Return whether a transaction has failed. Needed for every row."""
+        """Return whether a transaction has failed."""
         return self.decoded(transaction).is_fault
 
     def decoded(self, transaction: Transaction) -> Decoded:

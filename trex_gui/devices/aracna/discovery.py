@@ -72,7 +72,7 @@ class AracnaProber:
     parts = (PROBES,)
 
     def __init__(self, settings: PortSettings, *, full: bool = False, known: bool = False) -> None:
-        """`full` has no effect, since there is only one line setting."""
+        """`full` has no effect: there is a single line setting."""
         del full
         self.found: list[FoundRobot] = []
         self._settings = settings.at(LINE)

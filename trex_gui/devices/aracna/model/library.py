@@ -156,7 +156,7 @@ class Library(QObject):
     def add_gait(self, gait: Gait) -> str:
         """Append a gait as a sequence, with its poses. Return its name.
 
-        A pose whose name exists with other positions gets another name.
+        A pose with an existing name but other positions gets a new name.
         """
         poses, names = list(self.project.poses), {}
         for own in gait.poses:

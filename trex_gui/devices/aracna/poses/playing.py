@@ -70,8 +70,7 @@ def late_motors(
 ) -> dict[int, dict[int, float]]:
     """Return the seconds that slow motors need, by step and motor.
 
-    A motor at an unknown position is not slow. `again`: the first step also starts from the end of
-    the last step.
+    A motor at an unknown position is not slow. `again`: the first step follows the last step.
     """
     late = [_late_in(step, before) for before, step in _with_starts(steps, start)]
     if again:

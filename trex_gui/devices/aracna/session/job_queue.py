@@ -52,7 +52,7 @@ class JobQueue:
     def send_next(self, send: Callable[[Job], bool]) -> None:
         """Send the first job. A BadRequest of `send` is its outcome.
 
-        `send` returns True if it sent only the speeds of a motion, which is then sent again.
+        `send` returns True if it sent only speeds. The motion is then sent again.
         """
         self._in_flight = job = self._queued.popleft()
         try:

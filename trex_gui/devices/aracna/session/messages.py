@@ -39,8 +39,8 @@ class Move:
     """Move every motor to a goal. The outcome is the `Moved`.
 
     Replaces a queued `Move`. With `speeds`, the motion runs at these speeds or not at all. They are
-    sent first, unless the servos are known to have them. A speed that a servo does not accept is
-    an error. `dragged`: one of many moves in a row, without speeds that are still trusted.
+    sent first, unless the servos already have them. A rejected speed is an error. `dragged`: one of
+    many moves in a row, without speeds that are still trusted.
     """
 
     id: int

@@ -23,8 +23,8 @@ from trex_gui.devices.aracna.session.messages import (
 )
 from trex_gui.devices.aracna.session.servo_estimates import ServoEstimates
 
-REPLY_TIME = 0.04  # seconds of a `.c` without motion: 33 to 37 ms on a wire
-_SHORTEST = 0.5  # least share of a step's seconds for its motion, after a late start
+REPLY_TIME = 0.04  # duration in seconds of a `.c` without motion: 33 to 37 ms on a wire
+_SHORTEST = 0.5  # minimum share of a late step's time for its motion
 _SCALES = (0.05, 20.0)
 
 

@@ -12,7 +12,7 @@ ASSUMED_SPEED = 100  # for a servo of unknown speed; low, so that no timeout exp
 SET_SPEEDS_TIME = 0.055  # longest time of a `.v` in s, with a pause of 25 ms and the read-back
 
 TRUST = 2.0
-"""Seconds for which reported speeds are trusted during a drag or a sequence.
+"""Validity of reported speeds during a drag or a sequence, in seconds.
 
 A servo is unlimited after a loss of power, and only the reply to a `.v` shows it. Speeds are
 repeated this often, which takes `SET_SPEEDS_TIME`."""

@@ -67,8 +67,8 @@ from trex_gui.devices.aracna.session.servo_estimates import (
 )
 
 STATS_INTERVAL = 1.0  # seconds between reports of the line's statistics
-_SLICE = 0.02  # seconds of a wait for reply bytes
-_IDLE = 0.05  # seconds of a wait for requests, before a check for `.h`
+_SLICE = 0.02  # timeout in seconds of a read
+_IDLE = 0.05  # timeout in seconds of a wait for requests, before a check for `.h`
 
 
 class AracnaSession:

@@ -1,6 +1,6 @@
 """Firmware of the board, as a generator that yields a `Request` for each wait.
 
-Ref: CreativeMachinesLab/aracna, `aracna-embedded-code` of 25 Sep 2012, as described there.
+Ref: CreativeMachinesLab/aracna, `aracna-embedded-code` of 25 Sep 2012.
 """
 
 from collections import Counter
@@ -16,11 +16,13 @@ _BLINKS = 10  # toggles of the LED while blinking; an even number leaves it off
 PARSING = 0.000038  # seconds from the end of a line to its reply, observed
 SPEED_PAUSE = 0.025  # seconds between writing and reading back the speeds
 WRITING = 0.0005
-"""Seconds of a writing packet. Inferred, like `READING`, from the round trips: 42 to 55 ms for
-`.v`, 33 to 37 ms for `.c` without motion."""
+"""Duration of a write packet in seconds.
 
-READING = 0.00095  # seconds of a reading packet, with or without a reply
-_BATCH = 0.05  # seconds of polls that are simulated together
+Inferred, like `READING`, from round trips: 42 to 55 ms for `.v`, 33 to 37 ms for `.c` without
+motion."""
+
+READING = 0.00095  # duration of a read packet in seconds, with or without a reply
+_BATCH = 0.05  # period in seconds of polls that are simulated together
 
 
 _ARRAY = 4
