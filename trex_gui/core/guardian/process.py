@@ -297,8 +297,8 @@ class Watchdog:
 
     def run(self) -> None:
         self._reply("ready")
-        if (why := self._supervise()) is not None:
-            self._act(*why)
+        if (due := self._supervise()) is not None:
+            self._act(*due)
         self._notes.put(None)
         self._writer.join(2.0)  # a disk may hang
 

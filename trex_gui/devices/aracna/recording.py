@@ -161,7 +161,7 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
             "play_end",
             PlayEnded,
             (Column("reason", "TEXT", ", ".join(ending.name.lower() for ending in Ending)),),
-            lambda r: (r.why.name.lower(),),
+            lambda r: (r.ending.name.lower(),),
             lambda time, reason: PlayEnded(time, Ending[reason.upper()]),
         ),
         SampleKind(

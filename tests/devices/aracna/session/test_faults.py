@@ -87,7 +87,7 @@ def test_restart_ends_playback(delay: float) -> None:
     session.at(0.52 + delay, "reset").until(6.0).run()
     _assert_goes_on_after_a_restart(session, voided=True)
     [ended] = session.of(PlayEnded)
-    assert ended.why is Ending.RESTARTED
+    assert ended.ending is Ending.RESTARTED
     [outcome] = session.of(Outcome)
     assert code(outcome.error) is ErrorCode.RESTARTED
     sent_last = max([0.0, *session.when(Moving)])
@@ -176,7 +176,7 @@ def test_slightly_slow_servo_is_not_reported_stuck(load: float) -> None:
 def test_stuck_motor_ends_playback() -> None:
     session = ScriptedSession().at(0.2, Play(1, STEPS, rounds=0)).at(4.0, "servo 6 block")
     session.at(12.0, "servo 6 free").until(14.0).run()
-    assert [ended.why for ended in session.of(PlayEnded)] == [Ending.STUCK]
+    assert [ended.ending for ended in session.of(PlayEnded)] == [Ending.STUCK]
     assert session.of(Stuck)[0].motor == 6
     assert "motor 6" in str(session.of(Outcome)[0].error)
     assert session.when(Moving)[-1] < session.when(Stuck)[0]

@@ -77,7 +77,7 @@ def test_steps_arrive_in_time_and_begin_on_schedule(
     session.until(4.0 + factor * sum(seconds)).run()
     begun = [report.time for report in session.of(StepBegun)]
     moved = [report.time for report in session.of(Moved)][1:]
-    assert [ended.why for ended in session.of(PlayEnded)] == [Ending.DONE]
+    assert [ended.ending for ended in session.of(PlayEnded)] == [Ending.DONE]
     late = [report.late for report in session.of(StepBegun)]
     if not reachable:
         return
@@ -146,7 +146,7 @@ def test_late_steps_are_reported_and_none_is_skipped() -> None:
 def test_first_step_from_unknown_position_is_slow() -> None:
     session = ScriptedSession().at(0.5, Play(1, (step(600, 0.1),))).until(8.0).run()
     assert session.of(SpeedsHeld)[0].requested == SLOW
-    assert [ended.why for ended in session.of(PlayEnded)] == [Ending.DONE]
+    assert [ended.ending for ended in session.of(PlayEnded)] == [Ending.DONE]
 
 
 # --- Sequences ------------------------------------------------------------------------------
@@ -157,7 +157,7 @@ def test_end_finishes_current_step_and_plays_blend_out() -> None:
     session = placed().at(1.0, play).at(2.7, EndPlay()).until(8.0).run()
     assert described(session)[-2:] == [("steps", 1, 1), ("out", 0, 0)]
     assert session.when(StepBegun)[-1] == pytest.approx(3.0, abs=0.1)
-    assert [ended.why for ended in session.of(PlayEnded)] == [Ending.ENDED]
+    assert [ended.ending for ended in session.of(PlayEnded)] == [Ending.ENDED]
     assert session.stage.goals == HERE
 
 
@@ -166,7 +166,7 @@ def test_halt_sends_no_further_step_and_reports_motion_end(time: float) -> None:
     session = placed().at(1.0, Play(1, (step(600, 0.5), step(400, 0.5)), 0)).at(time, Halt())
     session.until(4.0).run()
     [ended] = session.of(PlayEnded)
-    assert ended.why is Ending.HALTED
+    assert ended.ending is Ending.HALTED
     assert session.when(PlayEnded)[0] == pytest.approx(time, abs=0.03)
     assert all(start <= session.when(PlayEnded)[0] for start in session.when(Moving))
     assert len(session.of(Moved)) == len(session.of(Moving))

@@ -89,7 +89,7 @@ def test_sequence_does_not_resume_when_power_returns() -> None:
     session.at(0.5, Move(1, (300,) * 8, (100,) * 8)).at(1.5, Play(2, steps, 0))
     session.at(5.8, "servo power off").at(7.3, "servo power on").until(20.0).run()
     [ended] = session.of(PlayEnded)
-    assert ended.why is Ending.MISSED
+    assert ended.ending is Ending.MISSED
     assert not [when for when in session.when(Moving) if when > 7.3]
     [error] = [one.error for one in session.of(Outcome) if one.id == 2]
     assert "from its goal 300" in str(error)
@@ -101,4 +101,4 @@ def test_single_unreadable_position_does_not_end_sequence() -> None:
     steps = (Step((300,) * 8, 0.6), Step((400,) * 8, 0.6))
     session.at(0.5, Move(1, (300,) * 8, (100,) * 8)).at(1.5, Play(2, steps, 3))
     session.at(2.3, "servo 2 lose position 1").until(12.0).run()
-    assert [ended.why for ended in session.of(PlayEnded)] == [Ending.DONE]
+    assert [ended.ending for ended in session.of(PlayEnded)] == [Ending.DONE]

@@ -112,7 +112,7 @@ def test_halt_during_speed_command_prevents_motion() -> None:
 def test_rejected_step_speed_ends_playback() -> None:
     session = ScriptedSession().at(0.1, Move(1, HERE, FAST))
     session.at(2.0, "servo 5 dead").at(2.0, Play(2, (Step(THERE, 1.0),), 0)).until(5.0).run()
-    assert [ended.why for ended in session.of(PlayEnded)] == [Ending.SPEEDS]
+    assert [ended.ending for ended in session.of(PlayEnded)] == [Ending.SPEEDS]
     assert "Motor 5 did not accept speed" in errors(session)[2]
     assert lines(session, "c") == ["512"]
 

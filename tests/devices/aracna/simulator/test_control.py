@@ -62,8 +62,8 @@ REJECTED = [
 
 def test_invalid_control_line_is_explained_and_ignored(stage: AracnaStage) -> None:
     before = state(stage.line)
-    for text, why in REJECTED:
-        assert control(stage.line, text).startswith(f"error {why}")
+    for text, message in REJECTED:
+        assert control(stage.line, text).startswith(f"error {message}")
         assert state(stage.line) == before
 
 

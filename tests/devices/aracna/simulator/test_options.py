@@ -15,11 +15,11 @@ REJECTED = [
 ]
 
 
-@pytest.mark.parametrize(("words", "why"), REJECTED)
-def test_option_of_other_device_and_invalid_motor_count_are_rejected(words: str, why: str) -> None:
+@pytest.mark.parametrize(("words", "text"), REJECTED)
+def test_option_of_other_device_and_invalid_motor_count_are_rejected(words: str, text: str) -> None:
     result = CliRunner().invoke(main, words.split())
     assert result.exit_code == 2
-    assert why in result.output
+    assert text in result.output
 
 
 def test_help_lists_aracna_option() -> None:

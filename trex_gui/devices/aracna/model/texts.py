@@ -147,6 +147,6 @@ def event_of(report: object, state: RobotState) -> tuple[EventKind, str] | None:
             return EventKind.FAULT, error_text(state.speed_error)
         case Stuck(motor=motor):
             return EventKind.FAULT, stuck_text(motor)
-        case PlayEnded(why=why):
-            return EventKind.NOTE, tr(why.value)
+        case PlayEnded(ending=ending):
+            return EventKind.NOTE, tr(ending.value)
     return None

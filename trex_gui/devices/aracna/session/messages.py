@@ -229,7 +229,7 @@ class PlayEnded:
     """The sequence has ended. Its outcome follows."""
 
     time: float
-    why: Ending
+    ending: Ending
 
 
 Report = (

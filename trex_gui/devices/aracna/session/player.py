@@ -95,12 +95,12 @@ class SequencePlayer:
         if _is_scale(time_scale):
             self._time_scale = time_scale
 
-    def stop(self, now: float, why: Ending, error: StudioError | None = None) -> None:
+    def stop(self, now: float, ending: Ending, error: StudioError | None = None) -> None:
         play, self._play = self._play, None
         self._goals, self._is_moving = None, False
         if play is not None:
-            self._report(PlayEnded(now, why))
-            self._report(Outcome(play.id, None if error else why, error))
+            self._report(PlayEnded(now, ending))
+            self._report(Outcome(play.id, None if error else ending, error))
 
     def seconds_to_next(self, now: float) -> float:
         """Return the seconds until the next command, infinite without one."""

@@ -192,12 +192,12 @@ class AracnaSession:
         if self._is_stuck:
             raise RobotNoReplyError(ErrorCode.STUCK)
 
-    def _drop(self, now: float, why: Ending, reason: StudioError) -> None:
+    def _drop(self, now: float, ending: Ending, reason: StudioError) -> None:
         """Drop queued requests. After a halt, the command in flight continues."""
-        is_halt = why is Ending.HALTED
+        is_halt = ending is Ending.HALTED
         if not is_halt:
             self._jobs.finish(error=reason)
-        self._player.stop(now, why, None if is_halt else reason)
+        self._player.stop(now, ending, None if is_halt else reason)
         self._jobs.drop(reason)
 
     # --- Sending ------------------------------------------------------------------------

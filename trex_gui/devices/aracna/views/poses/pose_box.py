@@ -34,12 +34,12 @@ class PoseBox(ui.Card):
             "aracnaPoses",
             accessible=title_of(tr("Pos&es")),
         )
-        self._take = small_button(
+        self._set_to_present = small_button(
             self,
             "aracnaTakePosition",
             tr("Set this pose to the robot's position"),
             icon="edited",
-            on_click=self._on_take_clicked,
+            on_click=self._on_set_to_present_clicked,
         )
         buttons = self._list.buttons(self)
         self._fields = [self._field(motor) for motor in range(MOTORS)]
@@ -55,7 +55,7 @@ class PoseBox(ui.Card):
             fields.addWidget(field, line, 2 * column + 1)
         ui.column(
             (self._list, 1),
-            ui.row(self._take, *buttons, 1),
+            ui.row(self._set_to_present, *buttons, 1),
             fields,
             ui.row(self._capture, self._go_to),
             into=self,
@@ -117,7 +117,7 @@ class PoseBox(ui.Card):
         self._capture.setEnabled(is_known)
         tip = tr("Save the robot's position as a new pose.") if is_known else _unknown_text()
         self._capture.setToolTip(ui.plain(tip))
-        self._take.setEnabled(is_known and is_chosen)
+        self._set_to_present.setEnabled(is_known and is_chosen)
         blocker = self._robot.move_blocker
         self._go_to.setEnabled(is_chosen and not blocker)
         poses = [] if self._pose is None else [self._pose]
@@ -142,7 +142,7 @@ class PoseBox(ui.Card):
             self._robot.move(pose.first(self._robot.state.motors))
 
     @Slot()
-    def _on_take_clicked(self) -> None:
+    def _on_set_to_present_clicked(self) -> None:
         if (pose := self._pose) is not None:
             known = tuple(each for each in self._robot.state.present if each is not None)
             self._library.set_positions(pose.name, known + pose.positions[len(known) :])
