@@ -381,7 +381,7 @@ def test_writing_continues_while_prompt_is_open(asking: AskingWindow) -> None:
     assert not asking.window.close()
     assert "Settings are still being written. Close anyway?" in asking.question.text
     assert asking.is_shown()
-    asking.wait(lambda: asking.find(ConfirmButton, "closeYes").takes_clicks)
+    asking.wait(lambda: asking.find(ConfirmButton, "closeYes").accepts_clicks)
     asking.may_store = True  # closing waits for what is being stored
     asking.click("closeYes")
     assert not asking.is_shown()

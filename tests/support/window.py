@@ -128,7 +128,7 @@ class WidgetDriver:
         self.wait(button.isVisible)
         assert button.isEnabled(), f"{name} is disabled"
         if isinstance(button, ConfirmButton):
-            self.wait(lambda: button.takes_clicks)
+            self.wait(lambda: button.accepts_clicks)
         self.scroll_to(button)
         place = QPoint(min(8, button.width() // 2), button.height() // 2)
         QTest.mouseClick(button, LEFT, pos=place)

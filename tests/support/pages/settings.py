@@ -78,7 +78,7 @@ class ReviewDialog(ComparisonDialog):
     def open(self) -> None:
         self._window.click("applyButton")
         self.wait(self.root.isVisible)
-        self.wait(lambda: self.find(ConfirmButton, "writeButton").takes_clicks)
+        self.wait(lambda: self.find(ConfirmButton, "writeButton").accepts_clicks)
 
     def write(self) -> None:
         """Open the review, write what is checked and wait for the result."""

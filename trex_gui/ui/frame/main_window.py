@@ -37,7 +37,7 @@ from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.theme.theme import restore_choices
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import EnterWatch
-from trex_gui.ui.widgets.messages import Banner, InlinePrompt, MessageRoom
+from trex_gui.ui.widgets.messages import Banner, InlinePrompt, MessageSpace
 from trex_gui.ui.widgets.placement import fit_on_screen, restore_geometry, save_geometry
 
 if TYPE_CHECKING:
@@ -96,7 +96,7 @@ class MainWindow(QMainWindow):
         self._banner = banner = Banner(frame, notifier, self._topic_of)
         banner.chosen.connect(self.apply_remedy)
         banner.help_wanted.connect(self.show_help)
-        messages = MessageRoom(frame, self.question, banner, floats=True)
+        messages = MessageSpace(frame, self.question, banner, floats=True)
         self._bars = QStackedWidget(frame)
         parts = self.connection, (self.stack, 1), messages, self._bars
         ui.column(*parts, into=frame, margins=0, spacing=0)

@@ -22,7 +22,7 @@ from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.theme.icons import application_icon
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.messages import Banner, MessageRoom
+from trex_gui.ui.widgets.messages import Banner, MessageSpace
 from trex_gui.ui.widgets.placement import fit_on_screen, restore_geometry, save_geometry
 
 _REDRAW_DELAY_MS = 100
@@ -108,7 +108,7 @@ class RecordingWindow(QMainWindow):
         ui.tab_order(*controls, self._cancel, left, right, stop, self._transport)
         frame = QWidget(self)
         ui.column(
-            MessageRoom(frame, self.banner),
+            MessageSpace(frame, self.banner),
             top,
             ui.row((self._progress, 1), self._cancel),
             (halves, 1),

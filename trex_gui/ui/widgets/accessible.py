@@ -9,7 +9,7 @@ from shiboken6.Shiboken import VoidPtr, getCppPointer
 
 
 class SpokenRange(NamedTuple):
-    """A value between two ends, in the unit that the user sees."""
+    """Value and limits in the displayed unit."""
 
     lowest: float
     value: float
@@ -17,33 +17,30 @@ class SpokenRange(NamedTuple):
 
 
 class Spoken:
-    """Mixin for a widget whose state is read when a screen reader requests it.
+    """Mixin that computes its texts when a screen reader requests them.
 
-    Qt's own properties send an event with each change, here with each sample. The state is the
-    description, followed by the `accessibleDescription` or the tool tip.
+    Qt's own properties would send an event with each sample. The description is the state and
+    the `accessibleDescription` or the tool tip.
     """
 
     spoken_role = QAccessible.Role.Graphic
 
     def spoken_name(self) -> str:
-        """Return a changing name. If it is empty, `accessibleName` is the name."""
+        """Return a name that changes. Empty to use `accessibleName`."""
         return ""
 
     def spoken_state(self) -> str:
-        """Return what the widget shows now."""
         return ""
 
     def spoken_range(self) -> SpokenRange | None:
-        """Return the value of a widget that shows more than text."""
+        """Return the displayed value. `None` for text only."""
         return None
 
     def set_spoken_value(self, value: float) -> None:
-        """Set a value from a screen reader. A widget without input ignores it."""
+        """Handle input from a screen reader. Does nothing by default."""
 
 
 class _Interface(QAccessibleWidget):
-    """Belongs to its widget, but holds no reference to it."""
-
     def state(self) -> QAccessible.State:
         state, widget = super().state(), self.widget()
         if isinstance(widget, QAbstractButton):
@@ -51,18 +48,19 @@ class _Interface(QAccessibleWidget):
         return state
 
     def text(self, kind: QAccessible.Text, /) -> str:
-        said, widget = super().text(kind), self.widget()
+        default, widget = super().text(kind), self.widget()
         if not isinstance(widget, Spoken):
-            return said
+            return default
         if kind is QAccessible.Text.Name:
-            return widget.spoken_name() or said
+            return widget.spoken_name() or default
         if kind is QAccessible.Text.Value:
             shown = widget.spoken_range()
             return f"{shown.value:g}" if shown else widget.spoken_state()
         if kind is QAccessible.Text.Description:
-            said = "" if said == widget.accessibleName() else said  # a tool tip may repeat it
-            return "\n".join(part for part in (widget.spoken_state(), said) if part)
-        return said
+            if default == widget.accessibleName():  # a tool tip may repeat the name
+                default = ""
+            return "\n".join(filter(None, (widget.spoken_state(), default)))
+        return default
 
 
 class _RangeInterface(_Interface, QAccessibleValueInterface):
@@ -71,7 +69,7 @@ class _RangeInterface(_Interface, QAccessibleValueInterface):
         QAccessibleValueInterface.__init__(self)
 
     def interface_cast(self, kind: QAccessible.InterfaceType, /) -> Any:
-        """Return a pointer. The type in the stubs, and `None` for a null pointer, crash Qt."""
+        """Return a pointer. Qt crashes on `None` and on the return type of the stub."""
         if kind is QAccessible.InterfaceType.ValueInterface:
             return VoidPtr(getCppPointer(self)[-1])
         return super().interface_cast(kind) or VoidPtr(0)

@@ -1,4 +1,4 @@
-"""The track of live bars, and the signs and limits of values."""
+"""Bars of live values, and their limits."""
 
 from collections.abc import Sequence
 from enum import Enum
@@ -12,11 +12,11 @@ NO_VALUE = "\N{EN DASH}"
 MINUS = "\N{MINUS SIGN}"
 
 WARNING_SIGN = "⚠"
-_NEAR = 0.8  # share of a limit from which a value is near it
+_NEAR = 0.8  # fraction of a limit from which a value counts as near
 
 
 class LimitState(Enum):
-    """Position of a value relative to its limit: a colour of the theme, or empty."""
+    """Theme colour of a value near or over its limit."""
 
     BELOW = ""
     NEAR = "warning"
@@ -24,7 +24,7 @@ class LimitState(Enum):
 
 
 def limit_state(value: float | None, limit: float | None) -> LimitState:
-    """Return the state of a value of at least 0. Without a limit it is `BELOW`."""
+    """Return the state of a value of at least 0. `BELOW` without a limit."""
     if not limit or value is None or value < _NEAR * limit:
         return LimitState.BELOW
     return LimitState.NEAR if value <= limit else LimitState.OVER
@@ -39,7 +39,7 @@ def paint_track(
     *,
     fill: str = "bar",
 ) -> None:
-    """Paint a value as a bar from the middle mark, or as a needle if there are no marks."""
+    """Paint a bar from the middle mark, or a needle without marks."""
     color, radius = theme().color, track.height() / 2
 
     def x_of(at: int) -> float:

@@ -1,4 +1,4 @@
-"""Behaviour that widgets share: focus, headers, held controls, typed values."""
+"""Shared behaviour of widgets: focus, headers, held controls, typed values."""
 
 from collections.abc import Callable, Iterator
 from functools import wraps
@@ -37,9 +37,9 @@ _LOSSES = {
 
 
 class EnterWatch(QObject):
-    """Lets Enter press the button with the focus, as Space does, in every window.
+    """Makes Enter press the focused button, as Space does.
 
-    Qt lets Enter press the default button of a dialog, and no button in other windows.
+    In Qt, Enter presses the default button of a dialog, and no button in other windows.
     """
 
     def __init__(self, app: QApplication, parent: QObject) -> None:
@@ -64,12 +64,12 @@ class EnterWatch(QObject):
 
 
 class ReusedDialog(QDialog):
-    """A dialog that is kept while it is hidden, and opens the same way each time.
+    """Dialog that always opens with the focus on its default button.
 
-    Opens with the focus on its default button. Qt would leave the focus where it was.
+    Qt would restore the previous focus when a hidden dialog opens again.
     """
 
-    stays_on_stop = False  # True: an Esc that stops motors does not close it
+    stays_on_stop = False  # True if Esc stops motors without closing the dialog
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -90,20 +90,20 @@ class ReusedDialog(QDialog):
 
 
 def paint_placeholder(view: QAbstractItemView, text: str, *, short: str = "") -> None:
-    """Paint a text into an empty view, or `short` where the text does not fit."""
+    """Paint `text` into an empty view, or `short` if `text` does not fit."""
     box = view.viewport().rect().adjusted(8, 4, -8, -4)
-    how = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
+    flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
     with QPainter(view.viewport()) as painter:
         painter.setPen(theme().color("muted"))
-        if short and not box.contains(painter.boundingRect(box, how, text)):
+        if short and not box.contains(painter.boundingRect(box, flags, text)):
             text = short if text else ""
-        painter.drawText(box, how, text)
+        painter.drawText(box, flags, text)
 
 
 def strokes(painter: QPainter) -> Iterator[None]:
-    """Shift the painter for each thin stroke of a line one logical pixel wide.
+    """Yield once for each thin stroke of a line one logical pixel wide.
 
-    A pen of two pixels would take a hundred times as long for a noisy curve.
+    A two-pixel pen would take a hundred times as long for a noisy curve.
     """
     base = painter.worldTransform()
     ratio = painter.deviceTransform().m22() / base.m22()
@@ -116,27 +116,25 @@ def strokes(painter: QPainter) -> Iterator[None]:
 
 def name_headers(view: QAbstractItemView) -> None:
     for header in view.findChildren(QHeaderView, options=Qt.FindChildOption.FindDirectChildrenOnly):
-        across = header.orientation() is Qt.Orientation.Horizontal
-        header.setAccessibleName(tr("Columns") if across else tr("Rows"))
+        is_horizontal = header.orientation() is Qt.Orientation.Horizontal
+        header.setAccessibleName(tr("Columns") if is_horizontal else tr("Rows"))
 
 
 def reserve_space(widget: QWidget) -> None:
-    """Reserve a widget's space in the layout while it is hidden."""
+    """Reserve the space of a hidden widget in its layout."""
     policy = widget.sizePolicy()
     policy.setRetainSizeWhenHidden(True)
     widget.setSizePolicy(policy)
 
 
 class PressMonitor(QObject):
-    """Detects when a held control loses the input that would end the hold.
+    """Detects the loss of the input that holds a control.
 
-    An opening menu or dialog swallows the release of a mouse button or key without any event, so
-    the control is also polled while it is held.
+    An opening menu or dialog swallows the release of a button or key without any event.
+    Therefore a held control is polled.
     """
 
-    # The widget lost focus or mouse, was hidden or disabled, or is covered by a menu, a dialog or
-    # another window.
-    lost = Signal()
+    lost = Signal()  # focus or mouse lost, or the widget hidden, disabled or covered
 
     def __init__(self, widget: QWidget) -> None:
         super().__init__(widget)
@@ -146,7 +144,6 @@ class PressMonitor(QObject):
         widget.installEventFilter(self)
 
     def start(self) -> None:
-        """Start watching, unless already started."""
         if not self._timer.isActive():
             self._was_active = self._widget.isActiveWindow()
             self._timer.start()
@@ -174,22 +171,22 @@ class PressMonitor(QObject):
 
 
 class ConfirmButton(QPushButton):
-    """Ignores clicks until it has been visible, unchanged, for a double-click interval.
+    """Button that ignores clicks until a double-click interval after it appears.
 
-    The double click that makes it appear under the pointer cannot press it. Early clicks do not
-    prolong the wait.
+    A double click that makes the button appear under the pointer cannot press it. Early clicks do
+    not prolong the wait.
     """
 
     def __init__(self, text: str = "", parent: QWidget | None = None) -> None:
         super().__init__(text, parent)
-        self._appeared = -inf  # seconds; when it was shown, or its function changed
+        self._appeared = -inf  # time in seconds, also of a change of its function
 
     @property
-    def takes_clicks(self) -> bool:
+    def accepts_clicks(self) -> bool:
         return now() - self._appeared > QApplication.doubleClickInterval() / 1000
 
     def hold_off(self) -> None:
-        """Restart the wait, because the button's function changes."""
+        """Restart the wait after a change of the button's function."""
         self._appeared = now()
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -198,12 +195,12 @@ class ConfirmButton(QPushButton):
             self.hold_off()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        if self.takes_clicks:
+        if self.accepts_clicks:
             super().mousePressEvent(event)
 
 
 class RedButton(QPushButton):
-    """Stop button: acts on press, not on release. It is never the default of a dialog."""
+    """Stop button that acts on press, not on release. Never a default button."""
 
     def __init__(
         self, name: str, text: str, stop: Callable[[], object], parent: QWidget | None
@@ -220,8 +217,8 @@ class RedButton(QPushButton):
 class HoldButton(QPushButton):
     """Button held with the mouse, a finger, the space bar or Enter.
 
-    Any loss of input (`PressMonitor`) releases it, and so does a mouse that leaves it. Then the
-    user has to press again: returning with the mouse button down does not count.
+    Loss of input (`PressMonitor`) or a mouse that leaves the button releases it. The user then
+    has to press again, even if the mouse returns with its button down.
     """
 
     hold_started = Signal()
@@ -280,7 +277,7 @@ WidgetT = TypeVar("WidgetT", bound=QWidget)
 
 
 def focused_wheel(turn: Callable[[WidgetT, QWheelEvent], None]) -> Callable[..., None]:
-    """Return a `wheelEvent` that changes only a focused widget. Otherwise the page scrolls."""
+    """Return a `wheelEvent` for a focused widget. Otherwise the page scrolls."""
 
     def wheel_event(widget: WidgetT, event: QWheelEvent) -> None:
         if widget.hasFocus():
@@ -292,9 +289,9 @@ def focused_wheel(turn: Callable[[WidgetT, QWheelEvent], None]) -> Callable[...,
 
 
 def only_when_visible(slot: Callable[[WidgetT], None]) -> Callable[[WidgetT], None]:
-    """Run a slot only while its widget is visible.
+    """Decorate a slot to run only while its widget is visible.
 
-    The widget calls the slot again from its `showEvent`.
+    The widget's `showEvent` has to call the slot.
     """
 
     @wraps(slot)
@@ -305,16 +302,16 @@ def only_when_visible(slot: Callable[[WidgetT], None]) -> Callable[[WidgetT], No
     return guarded
 
 
-def set_typed() -> None:
+def commit_typed() -> None:
     """Commit the text of the focused spin box or cell.
 
-    The editor commits by itself when it loses the focus, but a shortcut or a menu does not take
-    the focus, nor does a button on a Mac.
+    An editor commits its text when it loses the focus. Shortcuts, menus and, on a Mac, buttons do
+    not take the focus.
     """
     box = QApplication.focusWidget()
     viewport = box.parentWidget() if box is not None else None
     view = viewport.parentWidget() if viewport is not None else None
     if isinstance(view, QAbstractItemView) and view.viewport() is viewport:
-        view.setFocus()  # the editor of a cell commits when it loses the focus
+        view.setFocus()  # makes the editor of a cell commit its text
     elif isinstance(box, QAbstractSpinBox):
         box.interpretText()

@@ -1,4 +1,4 @@
-"""Functions that create named widgets with usual properties, and layouts from their items."""
+"""Functions that create named widgets and layouts."""
 
 import re
 from collections.abc import Callable, Iterable, Iterator
@@ -43,7 +43,7 @@ from trex_gui.ui.widgets.painted import never_mirror
 
 
 class Card(QGroupBox):
-    """A group of controls: a plain surface with its title inside. Cards are never nested."""
+    """Group of controls with its title inside. Cards are never nested."""
 
     def __init__(self, title: str = "", parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -53,8 +53,8 @@ class Card(QGroupBox):
     def setTitle(self, title: str) -> None:  # noqa: N802 - of Qt
         self._title.setText(title)
         set_style_property(self, "titled", bool(title))
-        self.ensurePolished()  # Qt reserves the space that the present style defines
-        super().setTitle(title)  # screen readers need it; the style sheet hides it
+        self.ensurePolished()  # Qt reserves the space that the current style defines
+        super().setTitle(title)  # for screen readers; the style sheet hides the title
 
     def minimumSizeHint(self) -> QSize:
         title = self._title.sizeHint().width() + 2 * (CARD_PADDING + 1)
@@ -67,7 +67,7 @@ class Card(QGroupBox):
 
 
 class SpinBox(QSpinBox):
-    """The wheel changes it only while it has the focus. Otherwise the page scrolls."""
+    """Spin box whose wheel works only with the focus. Otherwise the page scrolls."""
 
     wheelEvent = focused_wheel(QSpinBox.wheelEvent)
 
@@ -76,7 +76,7 @@ _BESIDE_TEXT = QMargins(0, 0, 4, 0)
 
 
 class ComboBox(QComboBox):
-    """The wheel changes it only while it has the focus, as in `SpinBox`."""
+    """Combo box whose wheel works only with the focus, as in `SpinBox`."""
 
     wheelEvent = focused_wheel(QComboBox.wheelEvent)
 
@@ -85,7 +85,7 @@ class ComboBox(QComboBox):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
     def sizeHint(self) -> QSize:
-        """Add the pixels that large text lacks under a style sheet."""
+        """Add pixels that Qt does not reserve for large text under a style sheet."""
         return super().sizeHint().grownBy(_BESIDE_TEXT)
 
     def minimumSizeHint(self) -> QSize:
@@ -96,29 +96,29 @@ Handler = Callable[..., object] | SignalInstance  # target of a signal
 Trigger = Callable[[], object]  # handler of an action, without its checked state
 Part = QWidget | QLayout
 Item = Part | int | tuple[Part, int] | tuple[Part, int, Qt.AlignmentFlag]
-"""Part of a layout, with its stretch and alignment. A number is empty space of that stretch."""
+"""Part of a layout with stretch and alignment. A number is the stretch of an empty space."""
 
 Margins = int | tuple[int, int, int, int] | None
-"""Pixels at the left, top, right and bottom, or on all sides. `None`: 0 in cards, else Qt's."""
+"""Pixels left, top, right and bottom, or on all sides. `None`: 0 in cards, else Qt's default."""
 
 WidgetT = TypeVar("WidgetT", bound=QWidget)
 
 
 def plain(text: str) -> str:
-    """Return a text that Qt shows literally, even where it guesses the format.
+    """Return a text that Qt shows literally.
 
-    Tool tips and message boxes guess it, and would open files that markup from outside names.
+    Tool tips and message boxes guess the format, and open the files that markup names.
     """
     return Qt.convertFromPlainText(text) if Qt.mightBeRichText(text) else text
 
 
 def no_mnemonic(text: str) -> str:
-    """Return a text for a menu or button that shows each `&`."""
+    """Escape each `&` for a menu or button."""
     return text.replace("&", "&&")
 
 
 def named(widget: WidgetT, name: str, *, accessible: str = "", tip: str = "") -> WidgetT:
-    """Give a widget its object name, accessible name and tool tip, and return it."""
+    """Set a widget's object name, accessible name and tool tip. Return the widget."""
     widget.setObjectName(name)
     if isinstance(widget, QAbstractSpinBox | QSlider):
         never_mirror(widget)
@@ -145,18 +145,18 @@ def button(
 ) -> QPushButton:
     """Create a push button.
 
-    `default`: whether Enter presses it when no button has the focus; `None` leaves it to Qt.
-    `confirms`: the button may appear under the pointer, see `ConfirmButton`.
+    `default`: Enter presses it while no button has the focus. `None` leaves this to Qt.
+    `confirms`: create a `ConfirmButton`, because the button may appear under the pointer.
     """
     kind = ConfirmButton if confirms else QPushButton
-    made = named(kind(text, parent), name, accessible=accessible, tip=tip)
-    made.setCheckable(checkable)
+    widget = named(kind(text, parent), name, accessible=accessible, tip=tip)
+    widget.setCheckable(checkable)
     if default:
-        made.setDefault(True)
-        set_look(made, "primary")
+        widget.setDefault(True)
+        set_look(widget, "primary")
     elif default is False:
-        made.setAutoDefault(False)
-    return _connected(made, icon, on_click, on_toggle)
+        widget.setAutoDefault(False)
+    return _connected(widget, icon, on_click, on_toggle)
 
 
 def tool_button(
@@ -169,12 +169,12 @@ def tool_button(
     accessible: str = "",
     on_click: Handler | None = None,
 ) -> QToolButton:
-    """Create a tool button: the icon, with the text beside it if there is one."""
-    made = named(QToolButton(parent), name, accessible=accessible, tip=tip)
+    """Create a tool button with an icon, and a text beside it if given."""
+    widget = named(QToolButton(parent), name, accessible=accessible, tip=tip)
     if text:
-        made.setText(text)
-        made.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-    return _connected(made, icon, on_click, None)
+        widget.setText(text)
+        widget.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+    return _connected(widget, icon, on_click, None)
 
 
 def check_box(
@@ -189,9 +189,9 @@ def check_box(
     on_toggle: Handler | None = None,
 ) -> QCheckBox:
     """Create a check box. `checked` is set before `on_toggle` is connected."""
-    made = named(QCheckBox(text, parent), name, accessible=accessible, tip=tip)
-    made.setChecked(checked)
-    return _connected(made, "", on_click, on_toggle)
+    widget = named(QCheckBox(text, parent), name, accessible=accessible, tip=tip)
+    widget.setChecked(checked)
+    return _connected(widget, "", on_click, on_toggle)
 
 
 def label(
@@ -208,47 +208,46 @@ def label(
     size: str = "",
     buddy: QWidget | None = None,
 ) -> QLabel:
-    """Create a label. `wrap` breaks long text into lines, `expand` takes the remaining width.
+    """Create a label.
 
-    `size` is "title", "heading" or "caption", or empty for ordinary text.
-
-    A `rich` text is markup, in which text from outside has to be escaped.
+    `expand`: take the remaining width. `rich`: the text is markup; escape text from outside.
+    `size`: "title", "heading", "caption", or empty for ordinary text.
     """
-    made = QLabel(parent)
-    made.setObjectName(name)
-    made.setToolTip(plain(tip))
-    made.setTextFormat(Qt.TextFormat.RichText if rich else Qt.TextFormat.PlainText)
-    made.setText(text)
+    widget = QLabel(parent)
+    widget.setObjectName(name)
+    widget.setToolTip(plain(tip))
+    widget.setTextFormat(Qt.TextFormat.RichText if rich else Qt.TextFormat.PlainText)
+    widget.setText(text)
     if size:
-        set_style_property(made, "textSize", size)
+        set_style_property(widget, "textSize", size)
     if selectable:
-        made.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
+        widget.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
     if expand:
-        made.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        widget.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
     if wrap:
-        made.setWordWrap(True)  # after the size policy: makes the height depend on the width
+        widget.setWordWrap(True)  # after the size policy, because it sets height-for-width
     if bold:
-        set_bold(made)
+        set_bold(widget)
     if buddy is not None:
-        made.setBuddy(buddy)
-    return made
+        widget.setBuddy(buddy)
+    return widget
 
 
 def search_field(parent: QWidget, name: str, accessible: str, hint: str) -> QLineEdit:
     """Create a field with a clear button. Ctrl+F focuses it while `parent` is visible."""
-    made = named(QLineEdit(parent), name, accessible=accessible)
-    made.setPlaceholderText(hint)
-    made.setClearButtonEnabled(True)
-    clear = made.findChild(QAction, "_q_qlineeditclearaction")
+    widget = named(QLineEdit(parent), name, accessible=accessible)
+    widget.setPlaceholderText(hint)
+    widget.setClearButtonEnabled(True)
+    clear = widget.findChild(QAction, "_q_qlineeditclearaction")
     if clear is not None:
         set_icon(clear, "clear")
 
     def find() -> None:
-        made.setFocus()
-        made.selectAll()
+        widget.setFocus()
+        widget.selectAll()
 
     QShortcut(QKeySequence.StandardKey.Find, parent, find)
-    return made
+    return widget
 
 
 def combo_box(
@@ -263,18 +262,18 @@ def combo_box(
 ) -> ComboBox:
     """Create a combo box. An item is a text, or a text and its data.
 
-    `on_activate` follows the user, `on_change` every change of the current index.
+    `on_activate`: selection by the user. `on_change`: every change of the current index.
     """
-    made = named(ComboBox(parent), name, accessible=accessible, tip=tip)
+    widget = named(ComboBox(parent), name, accessible=accessible, tip=tip)
     for item in items:
-        made.addItem(*([item] if isinstance(item, str) else item))
-    _connect(made.activated, on_activate)
-    _connect(made.currentIndexChanged, on_change)
-    return made
+        widget.addItem(*([item] if isinstance(item, str) else item))
+    _connect(widget.activated, on_activate)
+    _connect(widget.currentIndexChanged, on_change)
+    return widget
 
 
 UNGROUPED = QLocale(QLocale.Language.French)
-"""Locale of spin boxes for whole numbers. Others read 1,5 or 1.5 as 15 where numbers are large."""
+"""Locale of spin boxes for whole numbers. Others read 1,5 or 1.5 as 15 in large ranges."""
 
 
 def spin_box(
@@ -290,34 +289,34 @@ def spin_box(
     tip: str = "",
     on_change: Handler | None = None,
 ) -> QSpinBox:
-    """Create a spin box that reports a typed number when it is complete.
+    """Create a spin box that reports a typed number once it is complete.
 
-    It shows `value`, by default `lowest`, which is set before `on_change` is connected.
+    `value`, by default `lowest`, is set before `on_change` is connected.
     """
-    made = named(SpinBox(parent), name, accessible=accessible, tip=tip)
-    made.setLocale(UNGROUPED)
-    made.setRange(lowest, highest)
-    made.setSingleStep(step)
-    made.setValue(lowest if value is None else value)
-    return _complete(made, suffix, on_change)
+    widget = named(SpinBox(parent), name, accessible=accessible, tip=tip)
+    widget.setLocale(UNGROUPED)
+    widget.setRange(lowest, highest)
+    widget.setSingleStep(step)
+    widget.setValue(lowest if value is None else value)
+    return _complete(widget, suffix, on_change)
 
 
 SpinT = TypeVar("SpinT", QSpinBox, QDoubleSpinBox)
 
 
-def _complete(made: SpinT, suffix: str, on_change: Handler | None) -> SpinT:
-    made.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-    made.setSuffix(suffix)
-    made.setKeyboardTracking(False)
-    _connect(made.valueChanged, on_change)
-    return made
+def _complete(widget: SpinT, suffix: str, on_change: Handler | None) -> SpinT:
+    widget.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    widget.setSuffix(suffix)
+    widget.setKeyboardTracking(False)
+    _connect(widget.valueChanged, on_change)
+    return widget
 
 
 _AROUND_NUMBER = 16  # pixels beside a number without buttons
 
 
 def strip_style(box: QAbstractSpinBox, widest: str) -> None:
-    """Hide the buttons of a spin box, and make it as narrow as its `widest` text."""
+    """Hide a spin box's buttons. Its minimum width fits the `widest` text."""
 
     def update_space() -> None:
         box.setMinimumWidth(box.fontMetrics().horizontalAdvance(widest) + _AROUND_NUMBER)
@@ -327,7 +326,7 @@ def strip_style(box: QAbstractSpinBox, widest: str) -> None:
 
 
 class DecimalSpinBox(QDoubleSpinBox):
-    """Reads a point or a comma as the decimal separator, never as a thousands separator."""
+    """Spin box that reads a point or a comma as the decimal separator."""
 
     wheelEvent = focused_wheel(QDoubleSpinBox.wheelEvent)
 
@@ -347,22 +346,22 @@ def double_spin_box(
     step: float = 1.0,
     on_change: Handler | None = None,
 ) -> QDoubleSpinBox:
-    """Create a spin box for numbers with decimals, like `spin_box`. It shows `lowest`."""
-    made = named(DecimalSpinBox(parent), name, accessible=accessible)
-    made.setDecimals(decimals)
-    made.setRange(lowest, highest)
-    made.setSingleStep(step)
-    made.setValue(lowest)
-    return _complete(made, suffix, on_change)
+    """Create a spin box for decimal numbers. Its initial value is `lowest`."""
+    widget = named(DecimalSpinBox(parent), name, accessible=accessible)
+    widget.setDecimals(decimals)
+    widget.setRange(lowest, highest)
+    widget.setSingleStep(step)
+    widget.setValue(lowest)
+    return _complete(widget, suffix, on_change)
 
 
 TableT = TypeVar("TableT", bound=QTableView)
 
 
 def flat_table(table: TableT, name: str, accessible: str) -> TableT:
-    """Give a table the common look: striped rows, no grid, whole rows selected. Return it.
+    """Set the common look of a table: striped rows, no grid. Return the table.
 
-    Its cells are read-only and one row can be selected, unless the caller changes that.
+    Its cells are read-only. One whole row can be selected.
     """
     named(table, name, accessible=accessible)
     name_headers(table)
@@ -382,28 +381,28 @@ def flat_table(table: TableT, name: str, accessible: str) -> TableT:
     return table
 
 
-def set_row_height(table: QTableView, room: int) -> None:
-    """Make rows `room` pixels higher than a line, in any font. A later call replaces `room`."""
+def set_row_height(table: QTableView, padding: int) -> None:
+    """Set the row height to a line of text and `padding` pixels, in any font."""
     header, line = table.verticalHeader(), table.fontMetrics
-    follow_theme(table, "rows", lambda: header.setDefaultSectionSize(line().height() + room))
+    follow_theme(table, "rows", lambda: header.setDefaultSectionSize(line().height() + padding))
 
 
 def splitter(
     parent: QWidget, name: str, orientation: Qt.Orientation, *parts: tuple[QWidget, int]
 ) -> QSplitter:
-    """Create a splitter of widgets, each with its stretch. No widget can be dragged to nothing."""
-    made = named(QSplitter(orientation, parent), name)
-    made.setChildrenCollapsible(False)
+    """Create a splitter of widgets and their stretch. No widget can collapse."""
+    result = named(QSplitter(orientation, parent), name)
+    result.setChildrenCollapsible(False)
     for index, (widget, stretch) in enumerate(parts):
-        made.addWidget(widget)
-        made.setStretchFactor(index, stretch)
-    return made
+        result.addWidget(widget)
+        result.setStretchFactor(index, stretch)
+    return result
 
 
 def progress_bar(parent: QWidget, name: str, accessible: str) -> QProgressBar:
-    made = named(QProgressBar(parent), name, accessible=accessible)
-    made.setTextVisible(False)
-    return made
+    widget = named(QProgressBar(parent), name, accessible=accessible)
+    widget.setTextVisible(False)
+    return widget
 
 
 def action(
@@ -417,21 +416,21 @@ def action(
     checkable: bool = False,
     on_trigger: Trigger | None = None,
 ) -> QAction:
-    """Create an action. A widget needs `addAction` to have its shortcut."""
-    made = QAction(QIcon(), text, parent)
-    made.setObjectName(name)
-    made.setShortcut(QKeySequence(shortcut))
-    made.setShortcutContext(context)
-    made.setCheckable(checkable)
+    """Create an action. Its shortcut works in widgets after `addAction`."""
+    result = QAction(QIcon(), text, parent)
+    result.setObjectName(name)
+    result.setShortcut(QKeySequence(shortcut))
+    result.setShortcutContext(context)
+    result.setCheckable(checkable)
     if icon:
-        set_icon(made, icon)
+        set_icon(result, icon)
     if on_trigger is not None:
-        made.triggered.connect(lambda _checked: on_trigger())
-    return made
+        result.triggered.connect(lambda _checked: on_trigger())
+    return result
 
 
 def tab_order(*parts: QWidget) -> None:
-    """Let Tab visit these widgets in order, and inside each in the order of creation."""
+    """Set the Tab order of widgets. Their children follow in the order of creation."""
     for before, after in pairwise(stop for part in parts for stop in _tab_stops(part)):
         QWidget.setTabOrder(before, after)
 
@@ -439,10 +438,10 @@ def tab_order(*parts: QWidget) -> None:
 def _tab_stops(part: QWidget) -> Iterator[QWidget]:
     if part.focusPolicy() & Qt.FocusPolicy.TabFocus:
         yield part
-    if isinstance(part, QTabWidget):  # its tab bar is its last child
+    if isinstance(part, QTabWidget):  # has its tab bar as its last child
         pages = (part.widget(index) for index in range(part.count()))
         inside = [part.tabBar(), *(page for page in pages if page)]
-    elif isinstance(part, QSplitter):  # it changes the order of its children
+    elif isinstance(part, QSplitter):  # changes the order of its children
         inside = [found for index in range(part.count()) if (found := part.widget(index))]
     else:
         inside = part.findChildren(QWidget, options=Qt.FindChildOption.FindDirectChildrenOnly)
@@ -452,7 +451,7 @@ def _tab_stops(part: QWidget) -> Iterator[QWidget]:
 
 
 def set_large(*buttons: QPushButton) -> None:
-    """Make important buttons easy to hit, and never too narrow for their text."""
+    """Enlarge important buttons. They stay wide enough for their text."""
 
     def fit(button: QPushButton, height: int) -> None:
         button.setMinimumSize(max(4 * height, button.sizeHint().width()), height)
@@ -463,21 +462,21 @@ def set_large(*buttons: QPushButton) -> None:
 
 
 def set_bold(widget: QWidget, bold: bool = True) -> None:
-    """Set bold through the style sheet, which discards the font of a reparented widget."""
+    """Set bold by style sheet. The font of a widget would not survive a new parent."""
     set_style_property(widget, "bold", bold)
 
 
 def row(
     *items: Item, into: QWidget | None = None, margins: Margins = None, spacing: int | None = None
 ) -> QHBoxLayout:
-    """Lay items out side by side, as the layout of `into` or for use in another layout."""
+    """Create a horizontal layout, either of the widget `into` or for another layout."""
     return _filled(QHBoxLayout(into) if into else QHBoxLayout(), items, margins, spacing)
 
 
 def column(
     *items: Item, into: QWidget | None = None, margins: Margins = None, spacing: int | None = None
 ) -> QVBoxLayout:
-    """Lay items out one below the other. Otherwise like `row`."""
+    """Create a vertical layout, like `row`."""
     return _filled(QVBoxLayout(into) if into else QVBoxLayout(), items, margins, spacing)
 
 
@@ -488,15 +487,15 @@ def grid(
     spacing: tuple[int, int] | None = None,
     stretch: Iterable[tuple[int, int]] = (),
 ) -> QGridLayout:
-    """Create an empty grid. `spacing` is horizontal and vertical, `stretch` (column, factor)."""
-    made = QGridLayout(into) if into else QGridLayout()
-    _set_margins(made, margins)
+    """Create an empty grid. `spacing`: horizontal, vertical. `stretch`: column, factor."""
+    layout = QGridLayout(into) if into else QGridLayout()
+    _set_margins(layout, margins)
     if spacing is not None:
-        made.setHorizontalSpacing(spacing[0])
-        made.setVerticalSpacing(spacing[1])
+        layout.setHorizontalSpacing(spacing[0])
+        layout.setVerticalSpacing(spacing[1])
     for number, factor in stretch:
-        made.setColumnStretch(number, factor)
-    return made
+        layout.setColumnStretch(number, factor)
+    return layout
 
 
 ButtonT = TypeVar("ButtonT", bound=QAbstractButton)
@@ -504,14 +503,14 @@ LayoutT = TypeVar("LayoutT", bound=QBoxLayout)
 
 
 def _connected(
-    made: ButtonT, icon: str, on_click: Handler | None, on_toggle: Handler | None
+    widget: ButtonT, icon: str, on_click: Handler | None, on_toggle: Handler | None
 ) -> ButtonT:
     if icon:
-        is_primary = made.property("look") == "primary"
-        set_icon(made, icon, "primary_text" if is_primary else "icon")
-    _connect(made.clicked, on_click)
-    _connect(made.toggled, on_toggle)
-    return made
+        is_primary = widget.property("look") == "primary"
+        set_icon(widget, icon, "primary_text" if is_primary else "icon")
+    _connect(widget.clicked, on_click)
+    _connect(widget.toggled, on_toggle)
+    return widget
 
 
 def _connect(signal: SignalInstance, handler: Handler | None) -> None:

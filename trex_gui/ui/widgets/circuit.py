@@ -1,4 +1,4 @@
-"""Painted parts of a board or robot, not to scale: bodies, header blocks, jumpers, texts."""
+"""Painted boards and robots, not to scale: bodies, header blocks, jumpers, texts."""
 
 from collections.abc import Sequence
 
@@ -8,8 +8,8 @@ from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPen, QPolygonF
 from trex_gui.ui.theme.theme import scaled_font, theme
 
 _HOLE, _INSET = 5, 12  # pixels: radius of a hole, and its distance from the edges
-_ROW = 2.4  # lines from one jumper to the next
-_HIGHEST = 10_000  # pixels: more than any text needs
+_ROW = 2.4  # line heights from one jumper to the next
+_UNLIMITED = 10_000  # pixels, more than any text needs
 _LEFT = Qt.AlignmentFlag.AlignLeft
 _CENTER = Qt.AlignmentFlag.AlignHCenter
 
@@ -21,7 +21,7 @@ def _paint_plate(painter: QPainter, plate: QRectF, radius: float) -> None:
 
 
 def paint_chassis(painter: QPainter, chassis: QRectF) -> None:
-    """Paint the body of a robot seen from above, with a triangle at its front."""
+    """Paint a robot's body from above, with a triangle at its front."""
     unit = chassis.width() / 220
     _paint_plate(painter, chassis, 34 * unit)
     tip, wide, high = QPointF(chassis.center().x(), chassis.top() + 7 * unit), 14 * unit, 15 * unit
@@ -31,7 +31,7 @@ def paint_chassis(painter: QPainter, chassis: QRectF) -> None:
 
 
 def paint_body(painter: QPainter, body: QRectF, name: str) -> None:
-    """Paint a board with a hole in each corner, and its name at the top."""
+    """Paint a board with its name and a hole in each corner."""
     _paint_plate(painter, body, 10)
     painter.setBrush(theme().color("base"))
     holes = body.adjusted(_INSET, _INSET, -_INSET, -_INSET)
@@ -46,7 +46,7 @@ def paint_body(painter: QPainter, body: QRectF, name: str) -> None:
 
 
 def paint_block(painter: QPainter, place: QRectF, pins: Sequence[str] = ()) -> None:
-    """Paint a header block, with the names of its pins side by side."""
+    """Paint a header block with the names of its pins."""
     painter.setPen(QPen(theme().color("outline"), 1))
     painter.setBrush(theme().color("base"))
     painter.drawRoundedRect(place, 4, 4)
@@ -57,12 +57,12 @@ def paint_block(painter: QPainter, place: QRectF, pins: Sequence[str] = ()) -> N
 
 
 def jumper_size(line: float) -> tuple[float, float]:
-    """Return width and height of a jumper beside text of this line height."""
+    """Return width and height of a jumper for a line height of text."""
     return 3.6 * line, 1.8 * line
 
 
 def paint_jumper(painter: QPainter, place: QRectF, is_on: bool | None) -> None:
-    """Paint two pins, with or without a jumper on them. Dashed if unknown (`None`)."""
+    """Paint two pins with or without a jumper. `None` (unknown) is dashed."""
     style = Qt.PenStyle.DashLine if is_on is None else Qt.PenStyle.SolidLine
     painter.setPen(QPen(theme().color("outline"), 1.5, style))
     painter.setBrush(theme().color("mark") if is_on else Qt.BrushStyle.NoBrush)
@@ -75,7 +75,7 @@ def paint_jumper(painter: QPainter, place: QRectF, is_on: bool | None) -> None:
 
 
 Jumper = tuple[str, bool | None]
-"""Text for a jumper, and whether it is on (`None` if unknown)."""
+"""Text of a jumper, and its state: on, off or unknown (`None`)."""
 
 
 def jumpers_size(font: QFont, jumpers: Sequence[Jumper]) -> QSizeF:
@@ -86,12 +86,12 @@ def jumpers_size(font: QFont, jumpers: Sequence[Jumper]) -> QSizeF:
 
 
 def paint_jumpers(painter: QPainter, at: QPointF, jumpers: Sequence[Jumper], line: float) -> None:
-    """Paint a column of jumpers with their texts. `line` is the line height of the text."""
+    """Paint a column of jumpers with their texts. `line`: line height of the text."""
     width, height = jumper_size(line)
     for number, (text, is_on) in enumerate(jumpers):
         place = QRectF(at.x(), at.y() + number * _ROW * line, width, height)
         paint_jumper(painter, place, is_on)
-        beside = QRectF(place.right() + 0.6 * line, place.top(), _HIGHEST, height)
+        beside = QRectF(place.right() + 0.6 * line, place.top(), _UNLIMITED, height)
         write(painter, beside, text, "window_text", bold=True)
 
 
@@ -104,7 +104,7 @@ def write(
     bold: bool = False,
     align: Qt.AlignmentFlag = _LEFT,
 ) -> None:
-    """Write one line in a colour of the theme, elided where space is short."""
+    """Write one line in a theme colour, elided to the width of `place`."""
     painter.save()
     painter.setFont(_font(painter.font(), bold=bold))
     painter.setPen(theme().color(color))
@@ -115,9 +115,9 @@ def write(
 
 
 def write_lines(painter: QPainter, place: QRectF, lines: Sequence[str], *, alarm: str = "") -> None:
-    """Write lines below each other, the first in bold, and wrap long lines.
+    """Write wrapped lines, the first in bold, vertically centred in `place`.
 
-    They are centred vertically in `place`. The last line has the colour `alarm`, if any.
+    The last line has the theme colour `alarm`, if given.
     """
     wrap = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignTop
     rows = []
@@ -125,8 +125,8 @@ def write_lines(painter: QPainter, place: QRectF, lines: Sequence[str], *, alarm
         is_alarm = bool(alarm) and number == len(lines) - 1
         font = _font(painter.font(), bold=not number or is_alarm)
         color = alarm if is_alarm else "muted" if number else "window_text"
-        room = QRect(0, 0, int(place.width()), _HIGHEST)
-        rows.append((text, font, color, QFontMetrics(font).boundingRect(room, wrap, text).height()))
+        box = QRect(0, 0, int(place.width()), _UNLIMITED)
+        rows.append((text, font, color, QFontMetrics(font).boundingRect(box, wrap, text).height()))
     top = place.center().y() - sum(height for *_, height in rows) / 2
     painter.save()
     for text, font, color, height in rows:
@@ -143,6 +143,6 @@ def text_width(font: QFont, *texts: str) -> int:
 
 
 def _font(font: QFont, *, bold: bool) -> QFont:
-    made = QFont(font)
-    made.setWeight(QFont.Weight.DemiBold if bold else QFont.Weight.Normal)
-    return made
+    weighted = QFont(font)
+    weighted.setWeight(QFont.Weight.DemiBold if bold else QFont.Weight.Normal)
+    return weighted

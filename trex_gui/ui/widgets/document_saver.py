@@ -1,4 +1,4 @@
-"""Background saving of a document that the user goes on editing."""
+"""Background saving of a document while the user edits it."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -26,22 +26,22 @@ class Document(Protocol):
 
     @property
     def modified(self) -> bool:
-        """Return whether the document has changes that are not in the file."""
+        """True if the document has unsaved changes."""
 
 
 @dataclass(slots=True)
 class _Following:
-    """A save that waits for an earlier save of the same file. `_start` explains `known`."""
+    """Save that waits for an earlier save of its file. See `_start`."""
 
     content: Content
     known: bytes | None
 
 
 class DocumentSaver(QObject):
-    """Saves a document in the background, and asks before changes are lost.
+    """Saves a document in the background. Asks before changes are lost.
 
-    Edits made meanwhile stay unsaved. A second save of the same file waits for the first. A save to
-    another file does not wait, since the first may be on a disk that hangs.
+    Edits during a save stay unsaved. A second save of a file waits for the first. A save to
+    another file does not wait, because a disk may hang.
     """
 
     saved = Signal(object)  # the `Path`
@@ -52,14 +52,14 @@ class DocumentSaver(QObject):
         self._document = document
         self._window = window
         self._running: dict[Path, list[_Following]] = {}
-        self._begun = self._noted = 0  # numbers of the last save started, and recorded
+        self._last_started = self._last_recorded = 0  # numbers of saves
         self._leave: Callable[[], object] | None = None
 
     def save(self, path: Path, make: Callable[[], Content], *, ask: bool = False) -> bool:
-        """Save the content that `make` returns now. Return whether the save was requested.
+        """Save the content that `make` returns. Return False if `make` fails.
 
-        If `make` raises a StudioError, `failed` reports it. With `ask`, the user decides about
-        changes that another program made in the file.
+        `failed` reports a `StudioError` of `make`. `ask`: ask before overwriting changes that
+        another program made in the file.
         """
         try:
             content = make()
@@ -71,16 +71,16 @@ class DocumentSaver(QObject):
         return True
 
     def _start(self, path: Path, content: Content, known: bytes | None) -> None:
-        """Save to a file that should still contain `known`. With `None`, overwrite any content."""
+        """Save if the file still contains `known`. `None`: overwrite any content."""
         if path in self._running:
             self._running[path].append(_Following(content, known))
             return
-        self._begun += 1
+        self._last_started += 1
         self._running[path] = []
         in_background(
             self,
             partial(save_over, path, content.text, known),
-            partial(self._on_ended, path, content, self._begun),
+            partial(self._on_ended, path, content, self._last_started),
             partial(self._on_failed, path),
         )
 
@@ -89,22 +89,22 @@ class DocumentSaver(QObject):
             written = content.text.encode("utf-8")
             for following in self._running[path]:
                 following.known = None if following.known is None else written
-            if number > self._noted:  # else a later save finished first
-                self._noted = number
+            if number > self._last_recorded:  # else a later save finished first
+                self._last_recorded = number
                 content.record_saved(path)
             self.saved.emit(path)
         elif file_questions.may_overwrite(self._window, path.name):
             self._running[path].insert(0, _Following(content, None))
         else:
             self._leave = None
-        self._go_on(path)
+        self._start_following(path)
 
     def _on_failed(self, path: Path, error: StudioError) -> None:
         self._leave = None
         self.failed.emit(error)
-        self._go_on(path)
+        self._start_following(path)
 
-    def _go_on(self, path: Path) -> None:
+    def _start_following(self, path: Path) -> None:
         for following in self._running.pop(path):
             self._start(path, following.content, following.known)
         if not self._running and self._leave is not None:
@@ -114,13 +114,13 @@ class DocumentSaver(QObject):
     def may_leave(
         self, answer: SaveAnswer, save: Callable[[], bool], leave: Callable[[], object]
     ) -> bool:
-        """Return whether the document may be left. With `SAVE`, call `leave` once it is saved."""
+        """Return whether the document may be left. `SAVE`: call `leave` after saving."""
         if answer is SaveAnswer.SAVE:
             self.save_and_leave(save, leave)
         return answer is SaveAnswer.DISCARD
 
     def answer(self) -> SaveAnswer:
-        """Ask what to do with unsaved changes. Return `DISCARD` if there are none."""
+        """Ask the user about unsaved changes. Return `DISCARD` if there are none."""
         if self._running:
             may = file_questions.may_leave_unfinished(self._window, self._document.name)
             return SaveAnswer.DISCARD if may else SaveAnswer.CANCEL
@@ -129,6 +129,6 @@ class DocumentSaver(QObject):
         return file_questions.before_closing(self._window, self._document.name)
 
     def save_and_leave(self, save: Callable[[], bool], leave: Callable[[], object]) -> None:
-        """Call `save`, then call `leave` once every running save has succeeded."""
+        """Call `save`. Call `leave` once every running save has succeeded."""
         if save():
             self._leave = leave

@@ -1,4 +1,4 @@
-"""Files that are dropped onto a window."""
+"""Files dropped onto a window."""
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -9,16 +9,16 @@ from PySide6.QtWidgets import QWidget
 
 
 class FileDrop(QObject):
-    """Takes dropped files, by default all that no other widget takes.
+    """Event filter that accepts dropped files, by default all.
 
-    Create one with the default before others: Qt asks the newest event filter first.
+    Create a filter for all files before other filters: Qt calls the newest event filter first.
     """
 
     dropped = Signal(object)  # a list of `Path`s, at least one
 
-    def __init__(self, window: QWidget, takes: Callable[[Sequence[Path]], bool] = bool) -> None:
+    def __init__(self, window: QWidget, accepts: Callable[[Sequence[Path]], bool] = bool) -> None:
         super().__init__(window)
-        self._takes = takes
+        self._accepts = accepts
         window.setAcceptDrops(True)
         window.installEventFilter(self)
 
@@ -27,7 +27,7 @@ class FileDrop(QObject):
         if event.type() in kinds and isinstance(event, QDropEvent):
             urls = event.mimeData().urls()
             paths = [Path(url.toLocalFile()) for url in urls if url.isLocalFile()]
-            if paths and len(paths) == len(urls) and self._takes(paths):
+            if paths and len(paths) == len(urls) and self._accepts(paths):
                 event.acceptProposedAction()
                 if event.type() == QEvent.Type.Drop:
                     self.dropped.emit(paths)

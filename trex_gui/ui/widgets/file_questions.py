@@ -1,4 +1,4 @@
-"""Questions before a settings file is overwritten or lost, and folders of file dialogs."""
+"""File dialogs, and questions before a file is overwritten or lost."""
 
 from enum import Enum, auto
 from pathlib import Path
@@ -15,7 +15,7 @@ _FOLDER = "settings/folder"
 
 
 class SaveAnswer(Enum):
-    """Answer of the user about edits that are not saved."""
+    """The user's decision about unsaved changes."""
 
     SAVE = auto()
     DISCARD = auto()
@@ -37,7 +37,7 @@ def before_closing(window: QWidget, name: str) -> SaveAnswer:
 
 
 def may_overwrite(window: QWidget, name: str) -> bool:
-    """Ask before another program's change of a file is lost."""
+    """Ask before changes by another program are lost."""
     return _may(
         window,
         tr("Changed on disk"),
@@ -53,8 +53,8 @@ def may_leave_unfinished(window: QWidget, name: str) -> bool:
     return _may(window, tr("Still saving"), text.format(name))
 
 
-def may_write_fresh(window: QWidget, trouble: str) -> bool:
-    """Ask before comments in a file are lost."""
+def may_rewrite(window: QWidget, trouble: str) -> bool:
+    """Ask before the comments in a file are lost."""
     return _may(
         window,
         tr("Rewrite the file"),
@@ -66,7 +66,7 @@ def may_write_fresh(window: QWidget, trouble: str) -> bool:
 
 
 def may_replace(window: QWidget, name: str, why: str) -> bool:
-    """Ask before replacing a file. `why` completes a sentence that begins with `name`."""
+    """Ask before replacing a file. `why`: rest of a sentence that begins with `name`."""
     return _may(window, tr("Replace the file"), tr("{0} {1} Replace it?").format(name, why))
 
 
@@ -83,7 +83,7 @@ def file_filter() -> str:
 
 
 def last_folder(key: str = _FOLDER) -> Path:
-    """Return the folder in which a file dialog opens. Each `key` has its own last folder."""
+    """Return the folder in which file dialogs with this `key` open."""
     documents = QStandardPaths.StandardLocation.DocumentsLocation
     return Preferences().path(key, QStandardPaths.writableLocation(documents))
 
@@ -95,7 +95,7 @@ def remember_folder(path: Path, key: str = _FOLDER) -> None:
 def prompt_to_open(
     window: QWidget, title: str, filters: str = "", key: str = _FOLDER
 ) -> Path | None:
-    """Let the user choose a file, by default a settings file, starting in the last folder.
+    """Open a file dialog in the last folder. Return the selected file.
 
     `title` may be the text of the menu entry.
     """
@@ -113,10 +113,10 @@ def prompt_to_save(
     *,
     required: bool = False,
 ) -> Path | None:
-    """Let the user choose where to save a file, by default a settings file.
+    """Open a file dialog for saving. Return the selected file.
 
-    `title` may be the text of the menu entry. A name without a suffix gets `suffix`. If
-    `required`, a name with another suffix gets it, too.
+    `title` may be the text of the menu entry. `suffix` is appended to a name without a suffix. If
+    `required`, it is appended to every name with another suffix.
     """
     title, kinds = title_of(title), filters or file_filter()
     chosen, _ = QFileDialog.getSaveFileName(window, title, str(proposal), kinds)

@@ -26,14 +26,12 @@ from trex_gui.ui.widgets.painted import never_mirror
 
 _SIGN_ROOM = 2  # pixels beyond the height of a line
 PAGE_MARGINS = 16, 12, 16, 12  # pixels around a page with a `PageHead`
-_TITLE_SIZE, _LONG_TITLE = 1.6, 48  # times the size of the font, characters
+_TITLE_SIZE = 1.6  # times the font size
+_LONG_TITLE = 48  # characters
 
 
 class Note(QLabel):
-    """Wrapped text that reserves `lines` lines, so that nothing below it jumps.
-
-    With 0 lines it is hidden while it has no text.
-    """
+    """Wrapped text with space for `lines` lines. With 0 lines, hidden while empty."""
 
     def __init__(self, lines: int, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -59,9 +57,9 @@ class Note(QLabel):
 
 
 class ElidedLabel(QLabel):
-    """Plain text whose end may be elided, unless it wraps. The tool tip has the whole text.
+    """Plain text, elided unless it wraps. The tool tip has the whole text.
 
-    It is always wide enough for the text `at_least`.
+    The minimum width fits the text `at_least`.
     """
 
     def __init__(self, at_least: str, parent: QWidget | None = None) -> None:
@@ -95,7 +93,7 @@ class ElidedLabel(QLabel):
 
 
 class Sign(QLabel):
-    """Small icon that follows the theme. Without a name it is empty, but keeps its space."""
+    """Small icon that follows the theme. It takes its space even without an icon."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -122,7 +120,7 @@ class Sign(QLabel):
 
 
 class LinkLabel(QLabel):
-    """Wrapped text with links. Tab visits the links, and each is announced."""
+    """Wrapped text with links. Tab visits and announces each link."""
 
     def __init__(self, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -137,13 +135,13 @@ class LinkLabel(QLabel):
     def focusNextPrevChild(self, forward: bool) -> bool:
         moved = super().focusNextPrevChild(forward)
         if moved and self.hasSelectedText():  # the link is selected
-            said = QAccessibleAnnouncementEvent(self, self.selectedText())
-            QAccessible.updateAccessibility(said)
+            announcement = QAccessibleAnnouncementEvent(self, self.selectedText())
+            QAccessible.updateAccessibility(announcement)
         return moved
 
 
 class LiveLabel(QLabel, Spoken):
-    """Shows a value that changes all the time. A screen reader reads `accessibleName: text`.
+    """Label of a live value. Screen readers read `accessibleName: text`.
 
     Other labels send an event with each text, or hide their text behind an accessible name.
     """
@@ -162,8 +160,6 @@ class LiveLabel(QLabel, Spoken):
 
 
 class Muted(QLabel):
-    """Wrapped text of secondary importance."""
-
     def __init__(self, text: str = "", parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setWordWrap(True)
@@ -173,7 +169,7 @@ class Muted(QLabel):
 
 
 class PageHead(QWidget):
-    """Title of a page, its state in one line of muted text, and its controls at the right."""
+    """Title of a page, a line about its state, and its controls at the right."""
 
     def __init__(self, title: str, parent: QWidget, *controls: QWidget | QLayout) -> None:
         super().__init__(parent)
@@ -187,7 +183,7 @@ class PageHead(QWidget):
         row((texts, 1), *controls, into=self, margins=0)
 
     def show_title(self, text: str) -> None:
-        """Show a title. A long title is smaller, in the same space."""
+        """Show a title. A long title is smaller, but takes the same height."""
         self.title.show_text(text)
         large = QFontMetrics(scaled_font(self.font(), _TITLE_SIZE))
         self.title.setFixedHeight(large.height() + 2)
@@ -199,9 +195,9 @@ class PageHead(QWidget):
 
 
 class LegendKey(ElidedLabel):
-    """Sample and name of a curve. `color` is a name of the theme. Without a style, a dot.
+    """Sample and name of a curve, in a theme colour. A dot if `style` is `None`.
 
-    The name is elided only where the size policy ignores its width.
+    The name is elided only if the size policy ignores its width.
     """
 
     def __init__(

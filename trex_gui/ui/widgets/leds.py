@@ -1,4 +1,4 @@
-"""LEDs as they look on a board: lit, dark, or in a pattern."""
+"""Painted LEDs: lit, dark, or in a pattern."""
 
 import re
 from collections.abc import Sequence
@@ -16,12 +16,12 @@ from trex_gui.ui.widgets.painted import Animation, Painted, Painter
 
 _FAST = 8.0  # flashes per second of a fast flash
 _PATTERN = re.compile(r"(blink|alternate|short flash) (\d+)/s")
-_SHORT = 0.15  # share of its period in which a short flash is lit
-_PACKETS = 17.0  # irregular steps per second of an LED that lights with each packet
+_SHORT = 0.15  # fraction of the period in which a short flash is lit
+_PACKETS = 17.0  # irregular steps per second of an LED that shows packets
 
 
 def is_lit(pattern: str, seconds: float, *, second: bool = False) -> bool:
-    """Return whether an LED is lit. `second`: it is the second LED of an alternating pair."""
+    """Return whether an LED is lit. `second`: second LED of an alternating pair."""
     if pattern == "fast flash":
         return seconds * _FAST % 1 < 0.5
     if pattern == "with packets":
@@ -38,20 +38,18 @@ def is_lit(pattern: str, seconds: float, *, second: bool = False) -> bool:
 def paint_lamp(
     painter: QPainter, middle: QPointF, radius: float, color: str, *, is_known: bool = True
 ) -> None:
-    """Paint an LED, lit in a colour of the theme or dark without a colour. Dashed if unknown."""
+    """Paint an LED. It is dark without a colour, and dashed if unknown."""
     style = Qt.PenStyle.SolidLine if is_known else Qt.PenStyle.DashLine
     painter.setPen(QPen(theme().color(color or "track_edge"), 1.5, style))
     painter.setBrush(theme().color(color or "track_off"))
     painter.drawEllipse(middle, radius, radius)
-    if color:  # a glint, to tell lit lamps from dark lamps without colour
+    if color:  # a glint marks lit lamps, for users who do not see the colour
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(Qt.GlobalColor.white)
         painter.drawEllipse(middle - QPointF(radius, radius) * 0.3, radius / 4, radius / 4)
 
 
 class Lamp(Painted):
-    """One LED. `color` is a name of the theme."""
-
     def __init__(self, color: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._color = color
@@ -76,7 +74,7 @@ class Lamp(Painted):
 
 
 class Leds(QWidget):
-    """A red and a green LED, each with its pattern in words beside it."""
+    """Red and green LED, each with its pattern in words."""
 
     def __init__(self, parent: QWidget | None = None, *, stacked: bool = False) -> None:
         super().__init__(parent)
@@ -93,19 +91,19 @@ class Leds(QWidget):
     def show_patterns(
         self, shown: tuple[str, str], words: Sequence[str] = ("", ""), meaning: str = ""
     ) -> None:
-        """Show a pattern and words for each LED. Screen readers and tool tips prefer `meaning`."""
+        """Show a pattern and words for each LED. Tool tips show `meaning` if given."""
         self._shown = shown
         names = tr("Red"), tr("Green")
         for lamp, label, name, text in zip(self.lamps, self._labels, names, words, strict=True):
             label.setText(tr("{0}: {1}").format(name, text) if text else name)
-            said = tr("{0} LED").format(name), meaning or text
-            lamp.setAccessibleName(": ".join(filter(None, said)))
+            parts = tr("{0} LED").format(name), meaning or text
+            lamp.setAccessibleName(": ".join(filter(None, parts)))
             for widget in (lamp, label):
                 widget.setToolTip(plain(lamp.accessibleName()))
         self._run()
 
     def show_moment(self, seconds: float) -> None:
-        """Show the lamps at a time after the start of the pattern, until the next frame."""
+        """Show the pattern at a time after its start, until the next frame."""
         for index, lamp in enumerate(self.lamps):
             lamp.set_lit(is_lit(self._shown[index], seconds, second=index == 1))
 

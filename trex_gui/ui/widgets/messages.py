@@ -1,4 +1,4 @@
-"""Rows across a window: a message that stays until it is read, a question, and actions."""
+"""Rows across a window: messages, questions, actions."""
 
 from collections.abc import Callable
 from functools import partial
@@ -47,12 +47,12 @@ _NEWS_MS = 20_000  # display time of news, which stays in the log
 
 
 class ActionBar(QFrame):
-    """The row at the bottom of a window, which has the stop button at its left."""
+    """Bottom row of a window, with the stop button at the left."""
 
     def __init__(self, stop: QPushButton, parent: QWidget) -> None:
         super().__init__(parent)
         self.stop = stop
-        stop.setParent(self)  # now, for the order of Tab
+        stop.setParent(self)  # before other children, for the Tab order
         set_look(self, "actions")
 
     def fill(self, *items: ui.Item) -> QHBoxLayout:
@@ -60,8 +60,6 @@ class ActionBar(QFrame):
 
 
 class _MessageRow(QFrame):
-    """A sign, a text, buttons that belong to the text, and a button that is always there."""
-
     def __init__(self, name: str, parent: QWidget | None, *, selectable: bool = False) -> None:
         super().__init__(parent)
         self.setObjectName(name)
@@ -80,7 +78,7 @@ class _MessageRow(QFrame):
 
     @property
     def text(self) -> str:
-        """The message or question, empty while there is none."""
+        """Message or question, or empty."""
         return self._text.text()
 
     def _add_button(self, name: str, text: str, before: QWidget) -> QPushButton:
@@ -97,13 +95,13 @@ class _MessageRow(QFrame):
             self._layout.removeWidget(button)
             button.hide()
             button.setParent(None)
-            button.deleteLater()  # not at once: its click may have called this method
+            button.deleteLater()  # not now: its click may have called this method
 
 
 class Banner(_MessageRow):
-    """Shows the newest message of a notifier or the owner. Hidden without a message."""
+    """Row with the newest message. Hidden without a message."""
 
-    chosen = Signal(object)  # the `Remedy` or `ConnectWith` whose button was pressed
+    chosen = Signal(object)  # the `Remedy` or `ConnectWith` of the pressed button
     help_wanted = Signal(str)  # the topic of the message
 
     def __init__(
@@ -112,12 +110,12 @@ class Banner(_MessageRow):
         notifier: Notifier | None = None,
         help_topic: Callable[[str], str] = lambda _: "",
     ) -> None:
-        """`help_topic` returns the topic of the help on a message, empty without help."""
+        """`help_topic` returns the help topic of a message, or an empty text."""
         super().__init__("banner", parent, selectable=True)
         self._help_topic = help_topic
         self._notifier = notifier
         self._offered: Remedies = ()
-        self._is_left_out = False  # true if a lasting danger hides the newest message
+        self._is_suppressed = False  # a lasting danger hides the newest message
         self._old = new_timer(self, _NEWS_MS, self._on_old, single_shot=True)
         self._help = ui.button(
             self, "bannerHelp", tr("Help"), default=False, on_click=self._on_help_clicked
@@ -136,33 +134,33 @@ class Banner(_MessageRow):
 
     @Slot(str)
     def show_problem(self, text: str) -> None:
-        if not self._keeps_danger():
+        if not self._check_danger():
             self._show(text, "warning")
 
     @Slot(str)
     def show_danger(self, text: str) -> None:
-        self._is_left_out = False
+        self._is_suppressed = False
         self._show(text, "warning", is_danger=True)
 
     @Slot(str)
     def show_news(self, text: str) -> None:
-        if not self._keeps_danger():
+        if not self._check_danger():
             self._show(text, "info")
 
-    def _keeps_danger(self) -> bool:
-        """Return whether a danger lasts. A new message is then only logged, without its buttons."""
-        self._is_left_out = self._notifier is not None and self._notifier.danger_lasts()
-        return self._is_left_out
+    def _check_danger(self) -> bool:
+        """Return whether a danger lasts. Then new messages are only logged."""
+        self._is_suppressed = self._notifier is not None and self._notifier.danger_lasts()
+        return self._is_suppressed
 
     @Slot(object)
     def _on_resolved(self, remedy: Remedy) -> None:
-        if remedy in self._offered and not self._keeps_danger():
+        if remedy in self._offered and not self._check_danger():
             self.clear()
 
     @Slot()
     def _on_cleared(self) -> None:
         is_over = Remedy.REPORT not in self._offered or Remedy.STOP_THEM in self._offered
-        if is_over and not self._keeps_danger():
+        if is_over and not self._check_danger():
             self.clear()
 
     @Slot()
@@ -173,7 +171,7 @@ class Banner(_MessageRow):
 
     @Slot()
     def _on_old(self) -> None:
-        """Remove news that may be outdated. It stays while it is in use or offers buttons."""
+        """Remove old news. News in use, or with buttons, stays."""
         focused = self.window().focusWidget()
         is_used = self.underMouse() or (focused is not None and self.isAncestorOf(focused))
         if is_used:
@@ -183,7 +181,7 @@ class Banner(_MessageRow):
 
     @Slot(object)
     def show_remedies(self, remedies: Remedies) -> None:
-        if self._is_left_out:
+        if self._is_suppressed:
             return
         self._offered = remedies
         for remedy in remedies:
@@ -233,18 +231,18 @@ class Banner(_MessageRow):
 
 
 def message_height(widget: QWidget) -> int:
-    """Return the pixels that a message of one line takes."""
+    """Return the height in pixels of a one-line message."""
     return widget.fontMetrics().height() + 26
 
 
-class MessageRoom(QWidget):
-    """Space for messages in a layout, with the height of one line.
+class MessageSpace(QWidget):
+    """Space of one line for messages in a layout.
 
-    A taller message covers the widget above, or below at the top of a window. Nothing moves.
+    A taller message covers the widget above. At the top of a window, it covers the widget below.
     """
 
     def __init__(self, parent: QWidget, *messages: QWidget, floats: bool = False) -> None:
-        """`floats`: has no height, as the widget above has space at its bottom."""
+        """`floats`: no height, because the widget above has space at its bottom."""
         super().__init__(parent)
         self._cover = QWidget(parent)  # not in the layout
         self._cover.setAutoFillBackground(True)
@@ -280,10 +278,9 @@ class MessageRoom(QWidget):
 
 
 class InlinePrompt(_MessageRow):
-    """A question with a button for each answer, which leaves the stop button visible.
+    """Question with a button for each answer, and Cancel.
 
-    Cancel is always offered and selects no answer. A new question cancels and replaces the
-    present question.
+    Unlike a dialog, it does not cover the stop button. A new question cancels the current one.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -303,10 +300,10 @@ class InlinePrompt(_MessageRow):
         still: Callable[[], bool] = lambda: True,
         otherwise: Callable[[], object] = lambda: None,
     ) -> None:
-        """Ask, and return before the answer.
+        """Show a question. Does not wait for the answer.
 
-        `still` returns whether the question makes sense, see `reconsider`. `otherwise` is called
-        when the question is cancelled or no longer makes sense.
+        `still`: returns whether the question still makes sense, see `reconsider`. `otherwise`:
+        called when the question is cancelled or no longer makes sense.
         """
         self.withdraw()
         self._still, self._otherwise = still, otherwise
@@ -319,7 +316,7 @@ class InlinePrompt(_MessageRow):
         focused, types = QApplication.focusWidget(), Qt.WidgetAttribute.WA_InputMethodEnabled
         is_editor = focused is not None and focused.testAttribute(types)
         if not is_editor or isinstance(focused, QAbstractItemView):
-            self._cancel.setFocus()  # else it would take keys that are being typed
+            self._cancel.setFocus()  # not while the user types
 
     @Slot()
     def withdraw(self) -> None:

@@ -1,4 +1,4 @@
-"""Bases of painted widgets, which are not mirrored in right-to-left languages."""
+"""Base classes of painted widgets. Right-to-left languages do not mirror them."""
 
 from collections.abc import Callable
 
@@ -11,19 +11,22 @@ from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import Spoken
 
 _FRAME_MS = 40
-_LONGEST_FRAME = 0.2  # seconds: after a delay of the window, nothing jumps
+_LONGEST_FRAME = 0.2  # seconds, so that nothing jumps after a delay
 
 
 def never_mirror(target: QWidget | QGraphicsWidget | QPainter) -> None:
-    """Keep the ends of a slider, and the sign before a number, in right-to-left languages."""
+    """Disable mirroring in right-to-left languages, for sliders and signed numbers."""
     target.setLayoutDirection(Qt.LayoutDirection.LeftToRight)
 
 
 class Animation:
-    """Frames of a drawing. None while it is still or hidden, or the system disables animation."""
+    """Frame timer of a drawing. Stops while the drawing is still or hidden.
+
+    Does not run if the system disables animation.
+    """
 
     def __init__(self, widget: QWidget, step: Callable[[float], object]) -> None:
-        """`step` gets the seconds since the previous frame."""
+        """`step` receives the seconds since the previous frame."""
         self._widget, self._step = widget, step
         self._timer = new_timer(widget, _FRAME_MS, self._on_frame)
         self._at = 0.0
@@ -34,7 +37,7 @@ class Animation:
         return self._widget.style().styleHint(duration, None, self._widget) > 0
 
     def run(self, moves: bool) -> None:
-        """Start frames if something moves, else stop. Call again when the widget is shown."""
+        """Start or stop the timer. Call again when the widget is shown."""
         if not (moves and self.is_wanted and self._widget.isVisible()):
             self._timer.stop()
         elif not self._timer.isActive():
@@ -50,7 +53,7 @@ class Animation:
 
 
 class Painter(QPainter):
-    """Painter that ignores the application's layout direction. By default edges are smooth."""
+    """Painter without mirroring, by default with smooth edges."""
 
     def __init__(self, device: QPaintDevice, *, smooth: bool = True) -> None:
         super().__init__(device)
@@ -59,7 +62,7 @@ class Painter(QPainter):
 
 
 class Painted(QWidget, Spoken):
-    """A widget that paints itself with a `Painter`, in the colours of the theme."""
+    """Widget that paints itself in theme colours."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -1,4 +1,4 @@
-"""Sizes and places of windows: within the screen, and where the user left them."""
+"""Sizes and positions of windows, saved and fitted to the screen."""
 
 from PySide6.QtCore import QEvent, QMargins, QObject, QPoint, QRect, Qt
 from PySide6.QtGui import QGuiApplication
@@ -14,35 +14,35 @@ Windows 11 has 31 at the top and 8 at the sides. GNOME has 37 at the top, KDE 30
 """
 
 
-def fitted(wanted: QRect, available: QRect) -> QRect:
-    """Shrink and move a window's rectangle so that its frame fits into `available`.
+def fitted(window: QRect, available: QRect) -> QRect:
+    """Shrink and move a window so that its frame fits into `available`.
 
-    The rectangle of the window is without the frame.
+    `window` and the result exclude the frame.
     """
-    room = available.marginsRemoved(_FRAME)
-    size = wanted.size().boundedTo(room.size())
-    last = room.bottomRight() - QPoint(size.width() - 1, size.height() - 1)
-    x = max(room.x(), min(wanted.x(), last.x()))
-    y = max(room.y(), min(wanted.y(), last.y()))
+    space = available.marginsRemoved(_FRAME)
+    size = window.size().boundedTo(space.size())
+    last = space.bottomRight() - QPoint(size.width() - 1, size.height() - 1)
+    x = max(space.x(), min(window.x(), last.x()))
+    y = max(space.y(), min(window.y(), last.y()))
     return QRect(QPoint(x, y), size)
 
 
 def fit_on_screen(window: QWidget) -> None:
-    """Fit a window into the screen whenever it is shown.
+    """Fit a window to the screen whenever it is shown.
 
-    It first appears in the middle of its parent, or of the screen, and later where it was closed.
+    The window is first centred on its parent or the screen. Later it opens where it was closed.
     """
     _Placement(window)
 
 
 def restore_geometry(window: QWidget, key: str, width: int, height: int) -> None:
-    """Restore the geometry saved by `save_geometry`, else use this size (`resize_with_font`)."""
+    """Restore the saved geometry. Without one, use this size (`resize_with_font`)."""
     resize_with_font(window, width, height)
     window.restoreGeometry(Preferences().data(f"{key}/geometry"))
 
 
 def resize_with_font(window: QWidget, width: int, height: int) -> None:
-    """Resize a window to a size in pixels at 100 %, scaled up for larger fonts."""
+    """Resize a window. The size is in pixels at 100 %, and larger for larger fonts."""
     scale = max(theme().font_size, 100) / 100
     window.resize(round(width * scale), round(height * scale))
 
@@ -52,28 +52,28 @@ def save_geometry(window: QWidget, key: str) -> None:
 
 
 class _Placement(QObject):
-    """Remembers where a window was closed.
+    """Restores the position at which a window was closed.
 
-    A window manager may move a hidden window by its frame, and Qt places a dialog by a frame whose
-    size it did not know the first time.
+    A window manager may move a hidden window by the size of its frame. Qt positions a dialog by a
+    frame of unknown size.
     """
 
     def __init__(self, window: QWidget) -> None:
         super().__init__(window)
         self._window = window
-        self._left: QRect | None = None
+        self._last: QRect | None = None
         window.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         window = self._window
-        # Check first, without calling the window: it gets events even while being destroyed.
+        # Checked before any call of the window, which gets events even while being destroyed.
         if watched is not window or event.spontaneous():
             return False
         if not window.isMaximized() and not window.isFullScreen():
             if event.type() == QEvent.Type.Hide:
-                self._left = window.geometry()
+                self._last = window.geometry()
             elif event.type() == QEvent.Type.Show:
-                place = self._left or self._first_place()
+                place = self._last or self._first_place()
                 screen = QGuiApplication.screenAt(place.center()) or window.screen()
                 window.setGeometry(fitted(place, screen.availableGeometry()))
         return False

@@ -1,4 +1,4 @@
-"""Page that scrolls only where the screen is too small for it."""
+"""Scroll area for pages that may not fit on the screen."""
 
 from collections.abc import Callable
 
@@ -6,16 +6,16 @@ from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
-_LINES = 4
-_CHARACTERS = 24  # of average width: minimum width of a box that scrolls sideways
-_WIDEST = 664  # pixels, largest minimum width: space beside places and demo panel at 1024
+_LINES = 4  # minimum height
+_CHARACTERS = 24  # minimum width of a box that scrolls sideways, in average characters
+_WIDEST = 664  # pixels; largest minimum width, beside places and demo panel on a 1024 screen
 
 
 class ScrollBox(QScrollArea):
-    """Gives a widget the visible height, and scrolls it if it needs more for its width.
+    """Scroll area that scrolls only if its content cannot shrink further.
 
-    With `widgetResizable`, Qt would also scroll content that can still shrink, because it gives
-    wrapped text its preferred height.
+    With `widgetResizable`, Qt would scroll earlier, because it gives wrapped text its preferred
+    height.
     """
 
     def __init__(
@@ -25,10 +25,10 @@ class ScrollBox(QScrollArea):
         *,
         sideways: bool = False,
     ) -> None:
-        """`content`: a widget, or a function that creates it in a parent, to style it only once.
+        """Scroll `content`: a widget, or a function that creates the widget in its parent.
 
-        `sideways`: the box may be narrower than the content, and then also scrolls sideways.
-        Otherwise this happens only where large fonts make a page wider than a small screen.
+        A function saves styling the widget twice. `sideways`: the box may be narrower than the
+        content. Otherwise only large fonts on a small screen make it scroll sideways.
         """
         super().__init__(parent)
         if not isinstance(content, QWidget):
@@ -44,12 +44,12 @@ class ScrollBox(QScrollArea):
         self.viewport().setAutoFillBackground(False)
 
     def sizeHint(self) -> QSize:
-        """Return the content's size hint, with its preferred height at the available width."""
+        """Return the preferred size of the content at the available width."""
         hint, layout = self.content.sizeHint(), self.content.layout()
         if layout is not None and layout.hasHeightForWidth() and self.isVisible():
-            room = self.maximumViewportSize()
-            around = self.height() - room.height()
-            hint.setHeight(layout.totalHeightForWidth(room.width()) + around)
+            space = self.maximumViewportSize()
+            frame = self.height() - space.height()
+            hint.setHeight(layout.totalHeightForWidth(space.width()) + frame)
         return hint
 
     def minimumSizeHint(self) -> QSize:
@@ -77,16 +77,16 @@ class ScrollBox(QScrollArea):
         if self._fitting:  # a scroll bar is being shown or hidden
             return
         self._fitting = True
-        room = self.maximumViewportSize()
-        if self._needed(room.width()) > room.height():
-            room.setWidth(room.width() - self.verticalScrollBar().sizeHint().width())
-        room.setWidth(max(room.width(), self.content.minimumSizeHint().width()))
-        self.content.resize(room.width(), max(room.height(), self._needed(room.width())))
+        size = self.maximumViewportSize()
+        if self._minimum_height(size.width()) > size.height():
+            size.setWidth(size.width() - self.verticalScrollBar().sizeHint().width())
+        size.setWidth(max(size.width(), self.content.minimumSizeHint().width()))
+        self.content.resize(size.width(), max(size.height(), self._minimum_height(size.width())))
         self._fitting = False
 
-    def _needed(self, width: int) -> int:
+    def _minimum_height(self, width: int) -> int:
         layout = self.content.layout()
-        needed = self.content.minimumSizeHint().height()
+        height = self.content.minimumSizeHint().height()
         if layout is not None and layout.hasHeightForWidth():
-            needed = max(needed, layout.totalMinimumHeightForWidth(width))
-        return needed
+            height = max(height, layout.totalMinimumHeightForWidth(width))
+        return height

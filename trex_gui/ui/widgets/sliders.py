@@ -1,4 +1,4 @@
-"""Sliders with a painted groove: a base class, a held slider, a slider with a rest position."""
+"""Sliders with a painted groove."""
 
 from PySide6.QtCore import QRect, QSignalBlocker, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QAccessible, QMouseEvent, QPainter, QPaintEvent, QPen
@@ -11,11 +11,11 @@ from trex_gui.ui.widgets.painted import Painter, never_mirror
 
 
 class PaintedSlider(QSlider, Spoken):
-    """Slider whose subclasses paint the groove, and the area below the handle."""
+    """Slider whose subclasses paint the groove."""
 
     spoken_role = QAccessible.Role.Slider
-    positions_per_unit = 1.0  # in the unit that users see and screen readers read
-    room_below = 0  # pixels of height below groove and handle
+    positions_per_unit = 1.0  # slider positions per displayed unit
+    space_below = 0  # pixels below groove and handle
 
     wheelEvent = focused_wheel(QSlider.wheelEvent)
 
@@ -30,7 +30,7 @@ class PaintedSlider(QSlider, Spoken):
         raise NotImplementedError
 
     def paint_below(self, painter: QPainter, handle: QRect) -> None:
-        """Paint the area below the handle, by default nothing."""
+        """Paint `space_below`. Does nothing by default."""
 
     def spoken_range(self) -> SpokenRange:
         positions = self.minimum(), self.value(), self.maximum()
@@ -40,9 +40,9 @@ class PaintedSlider(QSlider, Spoken):
         self.setValue(round(value * self.positions_per_unit))
 
     def initStyleOption(self, option: QStyleOptionSlider) -> None:
-        """Reserve `room_below` under groove and handle, in painting and for clicks."""
+        """Exclude `space_below` from painting and clicks."""
         super().initStyleOption(option)
-        option.rect = self.rect().adjusted(0, 0, 0, -self.room_below)
+        option.rect = self.rect().adjusted(0, 0, 0, -self.space_below)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
@@ -55,27 +55,27 @@ class PaintedSlider(QSlider, Spoken):
             self.paint_groove(painter, handle)
             self.style().drawComplexControl(slider, option, painter, self)
             self.paint_below(painter, handle)
-            if self.hasFocus():  # after a click, too: arrow keys move the handle
+            if self.hasFocus():  # even after a click, because arrow keys move the handle
                 painter.setPen(QPen(theme().color("highlight"), 2))
                 painter.setBrush(Qt.BrushStyle.NoBrush)
                 painter.drawRoundedRect(handle.adjusted(1, 1, -1, -1), 2, 2)
 
     def x_of(self, value: int, handle: QRect) -> int:
-        """Return the x of the middle of a handle of this size at a value."""
-        room = self.width() - handle.width()
+        """Return the x coordinate of the handle's middle at a value."""
+        span = self.width() - handle.width()
         return handle.width() // 2 + QStyle.sliderPositionFromValue(
-            self.minimum(), self.maximum(), value, room
+            self.minimum(), self.maximum(), value, span
         )
 
 
 class PressSlider(PaintedSlider):
-    """Slider held with the left button only. A loss of input (`PressMonitor`) releases it, too.
+    """Slider held with the left mouse button.
 
-    `held` is whether the user presses it.
+    A loss of input (`PressMonitor`) releases it.
     """
 
-    grabbed = Signal()  # the hold has begun
-    released = Signal()  # the hold has ended
+    grabbed = Signal()  # start of a hold
+    released = Signal()  # end of a hold
 
     def __init__(self, lowest: int, highest: int, parent: QWidget | None = None) -> None:
         super().__init__(lowest, highest, parent)
@@ -85,7 +85,7 @@ class PressSlider(PaintedSlider):
 
     @Slot()
     def release(self) -> None:
-        """End a hold. The user has to press again."""
+        """End a hold until the user presses again."""
         if self.held:
             self.held = False
             self._monitor.end()
@@ -100,7 +100,7 @@ class PressSlider(PaintedSlider):
             self.grabbed.emit()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Press with the left button only. At a middle click Qt would jump to the mouse."""
+        """Ignore other buttons. On a middle click, Qt would jump to the mouse."""
         event.ignore()
         if event.button() is Qt.MouseButton.LeftButton:
             self.grab_handle()
@@ -108,7 +108,7 @@ class PressSlider(PaintedSlider):
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         if self.isSliderDown() and not event.buttons() & Qt.MouseButton.LeftButton:
-            self.release()  # the release of the button was not reported
+            self.release()  # Qt did not report the release of the button
         if self.held:  # a released handle must not follow the mouse
             super().mouseMoveEvent(event)
 
@@ -120,9 +120,9 @@ class PressSlider(PaintedSlider):
 
 
 class StickSlider(PaintedSlider):
-    """Horizontal slider whose fill begins at `rest`.
+    """Horizontal slider filled from `rest` to the handle.
 
-    `follow` shows a value without disturbing a drag. `valueChanged` is a change by the user.
+    `valueChanged` reports changes by the user only.
     """
 
     def __init__(
@@ -138,7 +138,7 @@ class StickSlider(PaintedSlider):
         return "" if self.value_label is None else self.value_label.text()
 
     def follow(self, value: int) -> None:
-        """Show a value that the user did not set, unless the user holds the handle."""
+        """Show a value from elsewhere. Does nothing during a drag."""
         if not self.isSliderDown() and value != self.value():
             with QSignalBlocker(self):
                 self.setValue(value)

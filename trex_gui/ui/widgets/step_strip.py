@@ -1,4 +1,4 @@
-"""Row of the numbered steps of a dialog."""
+"""Row of the numbered steps in a dialog."""
 
 from collections.abc import Collection, Sequence
 
@@ -12,11 +12,11 @@ from trex_gui.ui.widgets.circuit import write
 from trex_gui.ui.widgets.painted import Painted, Painter
 
 _GAP = 8  # pixels between a circle, its title and the line to the next circle
-_LEAST_LINE = 16
+_LEAST_LINE = 16  # pixels, shortest line between two steps
 
 
 class StepStrip(Painted):
-    """Ticks the steps that are done. Names only the current step where space is short."""
+    """Row of steps. Names only the current step where space is short."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -27,9 +27,9 @@ class StepStrip(Painted):
         follow_theme(self, "room", self.updateGeometry)
 
     def show_steps(self, steps: Sequence[str], now: int, undone: Collection[str] = ()) -> None:
-        """`now`: index of the current step, or the number of steps once all are done.
+        """Show `steps`. `now`: index of the current step, or their count after the last.
 
-        `undone`: steps that are not done although a later step is shown.
+        `undone`: skipped steps.
         """
         if (steps, now, undone) == (self._steps, self._now, self._undone):
             return
@@ -45,15 +45,14 @@ class StepStrip(Painted):
 
     def minimumSizeHint(self) -> QSize:
         widest = max((self._width_of(step) for step in self._steps), default=0)
-        circles = (len(self._steps) - 1) * (self._side() + 2 * _GAP + _LEAST_LINE)
-        return QSize(widest + circles + self._side(), self._side() + 4)
+        circles = (len(self._steps) - 1) * (self._diameter() + 2 * _GAP + _LEAST_LINE)
+        return QSize(widest + circles + self._diameter(), self._diameter() + 4)
 
     def sizeHint(self) -> QSize:
-        lines = len(self._steps) * (self._side() + 2 * _GAP + _LEAST_LINE)
-        return QSize(sum(map(self._width_of, self._steps)) + lines, self._side() + 4)
+        lines = len(self._steps) * (self._diameter() + 2 * _GAP + _LEAST_LINE)
+        return QSize(sum(map(self._width_of, self._steps)) + lines, self._diameter() + 4)
 
-    def _side(self) -> int:
-        """Return the diameter of a circle."""
+    def _diameter(self) -> int:
         return round(1.7 * self.fontMetrics().height())
 
     def _width_of(self, title: str) -> int:
@@ -61,7 +60,7 @@ class StepStrip(Painted):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
-        side, color, height = self._side(), theme().color, self.height()
+        side, color, height = self._diameter(), theme().color, self.height()
         names_all = self.sizeHint().width() <= self.width()
         last = len(self._steps) - 1
         widths = [
@@ -84,7 +83,7 @@ class StepStrip(Painted):
                     painter.drawLine(start, end)
 
     def _paint_circle(self, painter: QPainter, middle: QPointF, number: int) -> None:
-        color, radius = theme().color, self._side() / 2 - 1
+        color, radius = theme().color, self._diameter() / 2 - 1
         is_undone = self._steps[number] in self._undone
         is_filled = number == self._now or (number < self._now and not is_undone)
         painter.setPen(QPen(color("primary" if is_filled else "outline"), 1.5))

@@ -1,4 +1,4 @@
-"""Base of the *Diagnostics* pages, which the head of the place searches and copies."""
+"""Base class of the *Diagnostics* pages, with search and copy."""
 
 from collections.abc import Iterable, Sequence
 
@@ -30,11 +30,11 @@ class View(QWidget):
         return self.searched in text.casefold()
 
     def refresh(self) -> None:
-        """Show the current content, if the page is visible."""
+        """Show the current content if the page is visible."""
         raise NotImplementedError
 
     def lines(self) -> Sequence[str]:
-        """Return the displayed lines, to be copied."""
+        """Return the displayed lines for the clipboard."""
         raise NotImplementedError
 
     def showEvent(self, event: QShowEvent) -> None:

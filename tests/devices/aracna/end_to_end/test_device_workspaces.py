@@ -172,7 +172,7 @@ def test_port_list_keeps_selected_port(
     combo.hidePopup()
     select_port(window, quick_simulator.url)
     connect = window.button("connectButton")
-    window.wait(lambda: window.find(ConfirmButton, "connectButton").takes_clicks)
+    window.wait(lambda: window.find(ConfirmButton, "connectButton").accepts_clicks)
     QTest.mouseClick(connect, LEFT)
     QTest.mouseClick(connect, LEFT)
     window.wait_until_up("trex")

@@ -104,10 +104,10 @@ def test_keys_that_disarm_do_not_arm_again(arming: Arming) -> None:
         QTest.keyClick(button, Qt.Key.Key_Space)
     assert not is_armed()
 
-    arming.wait(lambda: motors.can_arm and button.takes_clicks)
+    arming.wait(lambda: motors.can_arm and button.accepts_clicks)
     arming.click("runButton")
     assert is_armed()
-    arming.wait(lambda: button.takes_clicks)
+    arming.wait(lambda: button.accepts_clicks)
     QTest.mousePress(button, Qt.MouseButton.LeftButton)
     motors.stop("The board restarted.")
     QTest.mouseRelease(button, Qt.MouseButton.LeftButton)

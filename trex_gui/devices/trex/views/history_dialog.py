@@ -23,7 +23,7 @@ from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.behaviour import ReusedDialog
-from trex_gui.ui.widgets.messages import Banner, InlinePrompt, MessageRoom
+from trex_gui.ui.widgets.messages import Banner, InlinePrompt, MessageSpace
 from trex_gui.ui.widgets.placement import restore_geometry, save_geometry
 
 _MAX_COLUMN_WIDTH = 34  # characters
@@ -85,7 +85,7 @@ class HistoryDialog(ReusedDialog):
         self._pages.addWidget(halves)
         self._pages.addWidget(nothing)
         bar.fill(bar.armed, 1, self._close)
-        messages = MessageRoom(self, self._banner, self._question)  # over the heading
+        messages = MessageSpace(self, self._banner, self._question)  # over the heading
         head = ui.label(self, text=self.windowTitle(), size="title")
         parts = ui.column(head, messages, (self._pages, 1), margins=(8, 8, 8, 0))
         ui.column((parts, 1), bar, into=self, margins=8)

@@ -236,7 +236,7 @@ class ArmButton(ConfirmButton):
         if self._motors.armed:
             self._motors.stop()
             focus_stop(self)
-        elif self.takes_clicks:  # false right after disarming
+        elif self.accepts_clicks:  # false right after disarming
             arm(self._device, self.window())
 
     @Slot()

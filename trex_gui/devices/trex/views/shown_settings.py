@@ -158,7 +158,7 @@ class ShownSettings(QObject):
             text = amend(before, whole, path.name)
         except SettingsError as error:
             problem = error.findings[0].message
-            return (fresh if file_questions.may_write_fresh(self._window, problem) else None), ""
+            return (fresh if file_questions.may_rewrite(self._window, problem) else None), ""
         names = ", ".join(sorted({key.source.word for key in hidden}))
         kept = tr("Calibrations that the board does not show now were kept: {0}.")
         return text, kept.format(names) if hidden else ""

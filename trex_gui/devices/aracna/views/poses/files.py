@@ -16,7 +16,7 @@ from trex_gui.devices.aracna.poses.project import Project
 from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets import file_questions
-from trex_gui.ui.widgets.behaviour import set_typed
+from trex_gui.ui.widgets.behaviour import commit_typed
 from trex_gui.ui.widgets.document_saver import DocumentSaver
 
 _FOLDER = "aracna/folder"
@@ -78,7 +78,7 @@ class PoseFiles(QObject):
     @Slot()
     def save(self) -> bool:
         """Start saving the file. Return False if that was cancelled."""
-        set_typed()
+        commit_typed()
         path = self._library.path
         if path is None:
             return self.prompt_and_save()
@@ -86,7 +86,7 @@ class PoseFiles(QObject):
 
     @Slot()
     def prompt_and_save(self) -> bool:
-        set_typed()
+        commit_typed()
         title = tr("&Save pose file")
         folder = file_questions.last_folder(_FOLDER)
         proposal = self._library.path or folder / self._library.name
@@ -103,7 +103,7 @@ class PoseFiles(QObject):
 
     def may_close(self, leave: Callable[[], object]) -> bool:
         """Prompt before edits are lost. `leave` is called after they are saved."""
-        set_typed()
+        commit_typed()
         return self._saver.may_leave(self._saver.answer(), self.save, leave)
 
     def _report_error(self, text: str, error: StudioError) -> None:

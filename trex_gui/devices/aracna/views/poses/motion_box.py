@@ -48,7 +48,7 @@ from trex_gui.devices.aracna.views.poses.name_list import (
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.theme.theme import follow_theme, set_look
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import paint_placeholder, set_typed
+from trex_gui.ui.widgets.behaviour import commit_typed, paint_placeholder
 
 _Index = QModelIndex | QPersistentModelIndex
 _LINES = 3
@@ -135,7 +135,7 @@ class MotionBox(ui.Card):
 
     @Slot()
     def _on_add_clicked(self) -> None:
-        set_typed()
+        commit_typed()
         row, steps = self.table.currentRow(), self.table.steps
         after = row if row >= 0 else len(steps) - 1
         time = steps[after].milliseconds if steps else DEFAULT_MS

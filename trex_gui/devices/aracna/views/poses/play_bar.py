@@ -26,7 +26,7 @@ from trex_gui.devices.aracna.views.poses.motion_box import MotionBox
 from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import set_typed
+from trex_gui.ui.widgets.behaviour import commit_typed
 from trex_gui.ui.widgets.labels import Note
 
 _MOST_ROUNDS = 999
@@ -119,7 +119,7 @@ class PlayBar(QWidget):
 
     @Slot()
     def play(self) -> None:
-        set_typed()
+        commit_typed()
         self._update_preview()
         if self._request is not None and not self._robot.move_blocker:
             self._played = self._motions.current

@@ -13,7 +13,7 @@ from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS, degrees
 from trex_gui.devices.aracna.views.poses.name_list import NameList, small_button
 from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import set_typed
+from trex_gui.ui.widgets.behaviour import commit_typed
 
 _ACROSS = 4
 
@@ -127,7 +127,7 @@ class PoseBox(ui.Card):
 
     @Slot()
     def capture(self) -> None:
-        set_typed()
+        commit_typed()
         present = self._robot.state.present
         known = tuple(each for each in present if each is not None)
         if len(known) < len(present):
@@ -137,7 +137,7 @@ class PoseBox(ui.Card):
 
     @Slot()
     def _on_go_to_clicked(self) -> None:
-        set_typed()
+        commit_typed()
         if (pose := self._pose) is not None:
             self._robot.move(pose.first(self._robot.state.motors))
 

@@ -34,7 +34,7 @@ class JointSlider(PressSlider):
     Outside the limits the groove is thin and grey.
     """
 
-    room_below = _WEDGE
+    space_below = _WEDGE
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(0, HIGHEST, parent)

@@ -24,7 +24,7 @@ from trex_gui.ui.theme.icons import set_icon
 from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.translations import error_text
 from trex_gui.ui.widgets import builders as ui
-from trex_gui.ui.widgets.behaviour import set_typed
+from trex_gui.ui.widgets.behaviour import commit_typed
 from trex_gui.ui.widgets.labels import PAGE_MARGINS, PageHead
 
 
@@ -224,7 +224,7 @@ class Controls(QWidget):
 
     @Slot()
     def move_now(self) -> None:
-        set_typed()
+        commit_typed()
         self._robot.move(self._robot.targets.goals)
 
     @property
@@ -249,11 +249,11 @@ class Controls(QWidget):
 
     @Slot()
     def _on_present_clicked(self) -> None:
-        set_typed()
+        commit_typed()
         self._robot.aim_at_present()
 
     def _aim_at(self, goals: Sequence[int]) -> None:
-        set_typed()
+        commit_typed()
         self._robot.targets.set_all(goals)
 
     def _button(self, name: str, text: str, tip: str, slot: ui.Handler) -> QPushButton:

@@ -19,7 +19,7 @@ from trex_gui.ui.theme.theme import set_look, set_style_property
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.builders import button, column, label, named, tab_order
 from trex_gui.ui.widgets.labels import Note
-from trex_gui.ui.widgets.messages import InlinePrompt, MessageRoom
+from trex_gui.ui.widgets.messages import InlinePrompt, MessageSpace
 from trex_gui.ui.widgets.placement import fitted, resize_with_font
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
@@ -122,7 +122,7 @@ class ChangesDialog(ReusedDialog):
         self.rows.setSizePolicy(policy.Preferred, policy.Expanding)
         self._findings_area.setSizePolicy(policy.Preferred, policy.Maximum)
         self.question = named(Question(self), f"{prefix}Question")
-        room = MessageRoom(self, self.question)
+        room = MessageSpace(self, self.question)
         bar = MotorBar(device, f"{prefix}StopButton", self)
         self._close = button(self, names.close, on_click=self.close)
         self.action = button(self, names.action, confirms=True, on_click=self._on_action_clicked)

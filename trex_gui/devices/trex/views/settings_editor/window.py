@@ -29,7 +29,7 @@ from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.builders import column, named
 from trex_gui.ui.widgets.document_saver import DocumentSaver
 from trex_gui.ui.widgets.file_questions import SaveAnswer
-from trex_gui.ui.widgets.messages import Banner, MessageRoom
+from trex_gui.ui.widgets.messages import Banner, MessageSpace
 from trex_gui.ui.widgets.placement import fit_on_screen, restore_geometry, save_geometry
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
@@ -74,7 +74,7 @@ class SettingsEditor(QMainWindow):
         bar = MotorBar(device, "editorStopButton", self)
         bar.fill(bar.armed, 1)
         frame = QWidget(self)
-        messages = MessageRoom(frame, self._banner)
+        messages = MessageSpace(frame, self._banner)
         column((self.tabs, 1), messages, bar, into=frame, margins=0, spacing=0)
         self.setCentralWidget(frame)
         self._actions = self._build_menus()
@@ -153,7 +153,7 @@ class SettingsEditor(QMainWindow):
 
     def save_to(self, path: Path, *, ask: bool = False) -> bool:
         trouble = self.document.trouble
-        if trouble and not file_questions.may_write_fresh(self, trouble):
+        if trouble and not file_questions.may_rewrite(self, trouble):
             return False
         return self.saver.save(path, partial(self.document.content, fresh=bool(trouble)), ask=ask)
 
