@@ -1,1 +1,1 @@
-"""The device in use and the ports that devices are on."""
+"""Ports, connections and simulated devices."""

@@ -1,4 +1,4 @@
-"""Automatic connection to known boards, and to an adapter that was unplugged."""
+"""Automatic connection to known boards and unplugged adapters."""
 
 from collections import deque
 from collections.abc import Sequence
@@ -19,8 +19,8 @@ from trex_gui.ui.runtime import new_timer
 _KEY = "connection/automatic"
 
 _SETTLE_MS = 700
-"""Time from the appearance of a port until it is opened. The system grants access to a port after
-listing it, and may list the port of an unplugged adapter for a moment."""
+"""Delay from the appearance of a port until the program opens it. The system lists a port before
+it grants access, and may list the port of an unplugged adapter for a moment."""
 
 
 def connects_automatically() -> bool:
@@ -32,16 +32,16 @@ def set_automatic(enabled: bool) -> None:
 
 
 class AutoConnect(QObject):
-    """Connects automatically where users expect it, unless they have disabled it.
+    """Connects automatically, unless the user has disabled it.
 
-    - At the start, and when adapters are plugged in: if a device was found there before, and only
-      one device replies. At the start the last used port goes first. Each port is probed once, only
-      at the settings at which a device was found. Nothing is done while a problem is shown, and
-      after *Disconnect* until the user connects again.
-    - When an adapter is plugged in that was missing, or whose line was lost. Its name may have
+    - At the start, and when adapters are plugged in: connects if a device was found there before
+      and only one device replies. The port used last is probed first. Each port is probed once,
+      only at the settings at which a device was found. A visible problem prevents this, and so
+      does *Disconnect* until the user connects again.
+    - When an adapter returns that was missing or whose line was lost, even if its name has
       changed. Another adapter with the old name is not used.
 
-    Ports that another program has open are not touched. Motors stay disarmed.
+    Ports that another program has open are skipped. Motors stay disarmed.
     """
 
     def __init__(
@@ -57,16 +57,16 @@ class AutoConnect(QObject):
         self._notifier = notifier
         self._scanner: DeviceScanner = manager.scanner
         self._present: Sequence[Port] = ()  # ports at the last check
-        self._batches: deque[list[Port]] = deque()  # the only device of a batch is connected
-        self._is_looking = False
-        self._tried: Port | None = None  # last port that was connected or tried
-        self._missing: Port | None = None  # to be connected when it is plugged in
-        self._may_be_stale = False  # the missing port may still be listed, but not work
+        self._batches: deque[list[Port]] = deque()  # each is probed for a single device
+        self._is_probing = False
+        self._tried: Port | None = None  # port of the last connection attempt
+        self._missing: Port | None = None  # connect to this port when it is plugged in
+        self._may_be_stale = False  # the system may list the missing port although it is gone
         self._notice = ""  # message for the next connection
         self._timer = new_timer(self, _SETTLE_MS, self._on_settled, single_shot=True)
 
     def start(self, *, at_once: bool = True) -> None:
-        """Start. `at_once`: handle present adapters as if they had just been plugged in."""
+        """Start. `at_once`: treat present adapters as newly plugged in."""
         self._ports.changed.connect(self._on_ports_changed)
         self._manager.changed.connect(self._on_link_changed)
         self._scanner.finished.connect(self._on_scan_finished)
@@ -75,9 +75,9 @@ class AutoConnect(QObject):
         if not at_once:
             return
         last = self._ports.last_used
-        # A typed address may lead elsewhere by now: a pseudo-terminal to a shell.
+        # A typed address may lead elsewhere now: a pseudo-terminal to a shell.
         first = [last] if last is not None and last.kind is PortKind.SERIAL else []
-        self._look_at(first, [port for port in self._adapters(self._present) if port != last])
+        self._start_probing(first, [port for port in _adapters(self._present) if port != last])
 
     @Slot()
     def _on_link_changed(self) -> None:
@@ -87,11 +87,11 @@ class AutoConnect(QObject):
         if current.link is ConnectionState.CONNECTED:
             self._missing, self._may_be_stale = None, False
             if self._notice:
-                # After the messages of the device, which take precedence.
-                QTimer.singleShot(0, self._give_notice)
+                # Later than the messages of the device, which take precedence.
+                QTimer.singleShot(0, self._show_notice)
 
     @Slot()
-    def _give_notice(self) -> None:
+    def _show_notice(self) -> None:
         text, self._notice = self._notice, ""
         if text and self._notifier.shown:
             self._notifier.logged.emit(text, False)
@@ -105,7 +105,7 @@ class AutoConnect(QObject):
             self._timer.start()
 
     def _find_missing(self) -> Port | None:
-        """Return the missing port if it is plugged in. A typed address is always listed."""
+        """Return the missing port if it is plugged in again."""
         missing = self._missing
         if missing is None:
             return None
@@ -113,16 +113,17 @@ class AutoConnect(QObject):
             found = self._ports.find(missing.url)
         else:
             found = self._ports.now(missing)
+        # A typed address is always listed.
         return found if found is not None and found.kind is PortKind.SERIAL else None
 
     def _reconnect(self) -> bool:
-        """Connect to the missing port if it is back. Return whether it connects."""
+        """Connect to the missing port if it is back. Return whether it is."""
         found, missing = self._find_missing(), self._missing
         if found is None or missing is None or self._may_be_stale:
             return False
         self._missing = None
         self._notifier.resolved.emit(Remedy.PLUG_IN)
-        if not self._is_wanted or not found.is_same(missing):
+        if not self._is_allowed or not found.is_same(missing):
             return False
         self._may_be_stale = True
         self._notice = tr("Connected again to {0}. No motor was started.").format(found.url)
@@ -131,14 +132,14 @@ class AutoConnect(QObject):
         return True
 
     @property
-    def _is_wanted(self) -> bool:
-        is_unwanted = self._manager.was_left or self._notifier.shows_problem
-        return connects_automatically() and self._manager.is_idle and not is_unwanted
+    def _is_allowed(self) -> bool:
+        is_prevented = self._manager.was_left or self._notifier.shows_problem
+        return connects_automatically() and self._manager.is_idle and not is_prevented
 
     @Slot()
     def _on_ports_changed(self) -> None:
-        here = self._ports.entries
-        self._present = [port for port in self._present if port in here]
+        listed = self._ports.entries
+        self._present = [port for port in self._present if port in listed]
         if self._missing is not None and self._find_missing() is None:
             self._may_be_stale = False
         self._timer.start()
@@ -151,22 +152,18 @@ class AutoConnect(QObject):
         before, self._present = self._present, self._ports.entries
         if not self._reconnect():
             new = [port for port in self._present if port not in before]
-            self._look_at(self._adapters(new))
+            self._start_probing(_adapters(new))
 
-    def _adapters(self, ports: Sequence[Port]) -> list[Port]:
-        """Return the adapters at which a device was found before."""
-        return [port for port in ports if port.settings and port.adapter is not None]
-
-    def _look_at(self, *batches: list[Port]) -> None:
-        if not self._is_looking:
+    def _start_probing(self, *batches: list[Port]) -> None:
+        if not self._is_probing:
             self._batches = deque(batches)
-            self._look_at_next()
+            self._probe_next()
 
-    def _look_at_next(self) -> None:
+    def _probe_next(self) -> None:
         ports = self._batches.popleft() if self._batches else []
         if not ports:
             if self._batches:
-                self._look_at_next()
+                self._probe_next()
             return
         in_background(
             self,
@@ -176,23 +173,28 @@ class AutoConnect(QObject):
         )
 
     def _probe(self, free: list[Port]) -> None:
-        if not self._is_wanted or self._scanner.running:
+        if not self._is_allowed or self._scanner.running:
             return
-        self._is_looking = bool(free)
+        self._is_probing = bool(free)
         if free:
             self._scanner.start(free, only_recall=True)
         else:
-            self._look_at_next()
+            self._probe_next()
 
     @Slot()
     def _on_scan_finished(self) -> None:
-        if not self._is_looking:
+        if not self._is_probing:
             return
-        self._is_looking = False
-        if self._scanner.was_cancelled or not self._is_wanted:
+        self._is_probing = False
+        if self._scanner.was_cancelled or not self._is_allowed:
             return
         match self._scanner.findings:
             case [ScanFinding(port=port, found=found)] if found is not None:
                 self._manager.connect_with(port, found.settings)
             case []:
-                self._look_at_next()
+                self._probe_next()
+
+
+def _adapters(ports: Sequence[Port]) -> list[Port]:
+    """Return the adapters at which a device was found before."""
+    return [port for port in ports if port.settings and port.adapter is not None]

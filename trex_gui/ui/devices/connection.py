@@ -1,4 +1,4 @@
-"""Connection to one device: one line session after another, and its state."""
+"""Connection to a device, and its state."""
 
 from enum import Enum, auto
 from functools import partial
@@ -22,8 +22,6 @@ SettingsT = TypeVar("SettingsT", bound=PortSettings)
 
 
 class ConnectionState(Enum):
-    """State of a line and its device."""
-
     DISCONNECTED = auto()
     CONNECTING = auto()
     CONNECTED = auto()
@@ -32,24 +30,23 @@ class ConnectionState(Enum):
 
 
 class DeviceConnection(SessionThread, Generic[SettingsT]):
-    """Base of every connection. A device adds its session and handles the reports.
+    """Base class of connections. A device adds its session and handles the reports.
 
-    `line_closed` precedes the change of `link`, and `failed` follows `changed`.
+    `line_closed` precedes the change of `link`. `failed` follows `changed`.
     """
 
     changed = Signal()  # `link` or `status`
-    # Data of the device is no longer valid. The `Closed`, or `None` if the session does not end in
-    # time at the end of the program.
+    # Data of the device is no longer valid. `Closed`, or `None` if the session does not end in time
+    # at the end of the program.
     line_closed = Signal(object)
-    # Another program may take the device's replies: a sentence, and the `Remedies`.
-    interfered = Signal(str, object)
+    interfered = Signal(str, object)  # sentence about another program at the port, `Remedies`
     failed = Signal(object)  # the `StudioError` that closed the line
 
     def __init__(self, decoder: Decoder, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.link = ConnectionState.DISCONNECTED
         self.status = tr("Not connected.")  # `link` as a sentence
-        self.settings: SettingsT | None = None  # of the open line, or of the last line
+        self.settings: SettingsT | None = None  # of the open or last line
         self._next: SettingsT | None = None
         self.open_logged = logged(self.log.record, open_transport, now)
         self.traffic = TrafficModel(self, decoder)  # every byte on the line
@@ -57,9 +54,9 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         self.closed.connect(self._on_closed)
 
     def open(self, settings: SettingsT, *, may_move: bool = False) -> None:
-        """Open a line. An open line is closed first.
+        """Open a line, after closing the open line.
 
-        `may_move` says that motors may still be turning from an earlier session.
+        `may_move`: motors may still be turning from an earlier session.
         """
         if self.is_open:
             self.close()
@@ -72,7 +69,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         self.start(make_session, may_move=may_move)
 
     def close(self) -> None:
-        """Stop motors if possible, and close the line. Does not wait."""
+        """Stop the motors if possible and close the line. Does not wait."""
         self._next = None
         if self.is_open and self.link is not ConnectionState.DISCONNECTING:
             self.prepare_to_close()
@@ -91,23 +88,23 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
     # --- For each device ----------------------------------------------------------------
 
     def new_session(self, settings: SettingsT, *, may_move: bool) -> MakeSession:
-        """Reset the data of the last session. Return a function that creates a session."""
+        """Reset the data of the last session. Return the function that creates the next."""
         raise NotImplementedError
 
     def prepare_to_close(self) -> None:
-        """Prepare for closing the line. Does nothing by default."""
+        """Do what is needed before the line closes. By default nothing."""
 
     def handle(self, report: object) -> None:
         raise NotImplementedError
 
     def _set_state(self, link: ConnectionState, status: str) -> None:
-        has_fallen_silent = link is ConnectionState.NOT_RESPONDING is not self.link
+        stopped_responding = link is ConnectionState.NOT_RESPONDING is not self.link
         self.link, self.status = link, status
         self.changed.emit()
-        if has_fallen_silent:
-            self._look_for_other_program()
+        if stopped_responding:
+            self._detect_other_program()
 
-    def _look_for_other_program(self) -> None:
+    def _detect_other_program(self) -> None:
         if self.settings is None:
             return
         link, url, name = self.link, self.settings.url, self.settings.label
@@ -133,4 +130,4 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         if last.error is not None:
             self.failed.emit(last.error)
             if isinstance(last.error, NoReply | BadReply | PortShared):
-                self._look_for_other_program()
+                self._detect_other_program()

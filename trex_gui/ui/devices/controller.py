@@ -1,4 +1,4 @@
-"""Controller that connects a device to a port and disconnects it."""
+"""Controller that connects and disconnects a device."""
 
 from dataclasses import dataclass, replace
 from typing import Generic, Protocol, TypeVar
@@ -19,7 +19,7 @@ SettingsT_contra = TypeVar("SettingsT_contra", bound=PortSettings, contravariant
 
 
 class DeviceModel(Protocol[SettingsT_contra]):
-    """Model of a device, as its controller uses it. See `DeviceConnection`."""
+    """Model of a device for its controller. See `DeviceConnection`."""
 
     notifier: Notifier
 
@@ -39,21 +39,21 @@ class DeviceModel(Protocol[SettingsT_contra]):
 
 @dataclass(frozen=True, slots=True)
 class QualityReport:
-    """Quality of a line, as text. `is_bad`: the user should act."""
+    """Quality of a line as text. `is_bad`: the user should act."""
 
-    text: str = ""  # empty while it is not known
+    text: str = ""  # empty if unknown
     is_bad: bool = False
-    remedy: Remedy | None = None  # a fix that the program offers
+    remedy: Remedy | None = None
 
 
 class DeviceController(QObject, Generic[SettingsT]):
     """Connects one kind of device, real or simulated, and stops it."""
 
-    has_line_settings = False  # whether the user can change the line settings
+    has_line_settings = False  # True if the user can change the line settings
 
     changed = Signal()  # any property
-    progressed = Signal(int, int, str)  # completed steps, total steps, the next step
-    stop_reported = Signal(str)  # sentences on the progress of a stop by `stop_because`
+    progressed = Signal(int, int, str)  # completed steps, total steps, next step
+    stop_reported = Signal(str)  # sentences about the progress of a `stop_because`
 
     def __init__(
         self,
@@ -63,19 +63,19 @@ class DeviceController(QObject, Generic[SettingsT]):
         scanner: DeviceScanner,
         default: SettingsT,
     ) -> None:
-        """Open ports with the `default` settings. The address comes with the port."""
+        """Create a controller. `default`: settings, without the address of a port."""
         super().__init__()
         self.plugin = plugin
         self._model = model
         self.ports = ports
         self._scanner = scanner
-        # Settings of the next connection, without the address of its port.
+        # Settings of the next connection, without the address of a port.
         self.settings = self._demo_settings = default
-        self.port: Port | None = None  # connected, or about to be
+        self.port: Port | None = None  # connected or connecting
         self._chosen: Port | None = None
-        self.starting = False  # the simulator is starting, to be connected afterwards
-        # True from selecting the simulated device until disconnecting. It stays True when the line
-        # breaks, because the user repairs the line in the panel of the simulated device.
+        self.starting = False  # the simulator is starting; the connection follows
+        # True from the connection to the simulated device until the user disconnects. It stays True
+        # when the line breaks, because the user repairs the line in the demo panel.
         self.demo_in_use = False
         self._after_scan: Port | None = None
         self.simulator = Simulator(plugin, self)
@@ -99,14 +99,14 @@ class DeviceController(QObject, Generic[SettingsT]):
         return self.settings.short
 
     def select(self, port: Port) -> None:
-        """Select a port. A newly selected port sets the settings of the device found there."""
+        """Select a port. Use the settings of a device found at a newly selected port."""
         if self._chosen is None or not self._chosen.is_same(port):
             self._chosen = port
             if port.settings:
                 self.set_packed(port.settings)
 
     def connect_to(self, port: Port) -> None:
-        """Connect to a port. Closes an open line and ends a scan of the port first."""
+        """Connect to a port, after closing an open line and ending a scan of the port."""
         self.select(port)
         if self._scanner.is_searching(port):
             self._after_scan = port
@@ -122,8 +122,8 @@ class DeviceController(QObject, Generic[SettingsT]):
             self._model.connect_to(replace(self.settings, url=port.url))
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
-        """Connect to a port where a scan found a device with these settings."""
-        del settings  # the base class serves devices with only one line setting
+        """Connect to a port at which a scan found a device with these settings."""
+        del settings  # used by devices with more than one line setting
         self.connect_to(port)
 
     def leave(self) -> None:
@@ -140,7 +140,7 @@ class DeviceController(QObject, Generic[SettingsT]):
         self._model.disconnect_line()
 
     def shut_down(self) -> bool:
-        """Close the line and end the simulator. Return whether the line closed in time."""
+        """Close the line and end the simulator. Return False if the line closed too late."""
         self.start_shutdown()
         in_time = self._model.shut_down()
         self.simulator.stop()
@@ -156,7 +156,7 @@ class DeviceController(QObject, Generic[SettingsT]):
         self._model.notifier.report(reason, remedies)
 
     def show_searches_in(self, traffic: TrafficModel) -> None:
-        """Add all bytes of device searches to this traffic."""
+        """Add the bytes of all scans to `traffic`."""
         self._scanner.logs.append(traffic.search_log)
 
     @Slot()
@@ -198,7 +198,7 @@ class DeviceController(QObject, Generic[SettingsT]):
     # --- For each device ----------------------------------------------------------------
 
     def set_packed(self, settings: str) -> None:
-        """Use settings at which a device was found before. Does nothing by default."""
+        """Use packed settings at which a device was found. Does nothing by default."""
 
     @property
     def quality(self) -> QualityReport:
@@ -216,17 +216,17 @@ class DeviceController(QObject, Generic[SettingsT]):
 
     @property
     def may_move(self) -> bool:
-        """True if motors were driven and no stop is confirmed since."""
+        """True if motors were driven without a confirmed stop afterwards."""
         return False
 
     @property
     def unconfirmed_stop(self) -> str:
-        """Warning about motors that may turn although the line is closed, or empty."""
+        """Warning if motors may turn although the line is closed. Otherwise empty."""
         return ""
 
     @property
     def needs_stop(self) -> bool:
-        """True if Esc must stop the device, because motors may move, whatever else Esc closes."""
+        """True if Esc must stop the device even if it closes a dialog or menu."""
         return self.link is not ConnectionState.DISCONNECTED
 
     def press_stop(self) -> None:
@@ -236,8 +236,8 @@ class DeviceController(QObject, Generic[SettingsT]):
     def stop_because(self, reason: str) -> str:
         """Stop because of an event.
 
-        `reason` is a clause without a full stop: "The screen was locked". Return sentences
-        about the stop that begin with the reason, or an empty text if there is nothing to stop.
+        `reason`: clause without a period, such as "The screen was locked". Return sentences about
+        the stop that begin with the reason. The text is empty if there is nothing to stop.
         """
         raise NotImplementedError
 

@@ -1,4 +1,4 @@
-"""Dock of a simulated device: its state, groups of controls, a reset button."""
+"""Dock of a simulated device: state, groups of controls, reset button."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -35,7 +35,7 @@ _MAX_NOISE = 5  # per cent of the bytes; with more the line is unusable
 
 @dataclass(frozen=True, slots=True)
 class Columns:
-    """Longest text of each column, to align the groups of a panel."""
+    """Longest text of each column. Aligns the groups of a panel."""
 
     name: str = ""
     value: str = ""
@@ -73,11 +73,11 @@ class Rows(ui.Card, Generic[SnapshotT]):
         accessible: str = "",
     ) -> QCheckBox:
         """Create a check box that shows what `read` returns."""
-        made = ui.check_box(
+        box = ui.check_box(
             self, name, text, tip=tip, accessible=accessible or text, on_click=on_click
         )
-        self.on_snapshot(lambda snapshot: made.setChecked(read(snapshot)))
-        return made
+        self.on_snapshot(lambda snapshot: box.setChecked(read(snapshot)))
+        return box
 
     def connect_slider(
         self,
@@ -86,7 +86,7 @@ class Rows(ui.Card, Generic[SnapshotT]):
         read: Callable[[SnapshotT], float],
         show: Callable[[float], object],
     ) -> None:
-        """Connect a slider and a value in both directions. `show` displays it in its unit."""
+        """Connect a slider and a value in both directions. `show` displays the value."""
         steps = slider.positions_per_unit
 
         def move(position: int) -> None:
@@ -101,15 +101,15 @@ class Rows(ui.Card, Generic[SnapshotT]):
         self.on_snapshot(update)
 
     def note(self, name: str, lines: int, read: Callable[[SnapshotT], tuple[str, bool]]) -> None:
-        """Add a note across all columns. `read` returns its text and whether it is alarming."""
-        made = ui.named(Note(lines, self), name)
+        """Add a note across all columns. `read` returns its text, and True for an alarm."""
+        note = ui.named(Note(lines, self), name)
 
         def update(snapshot: SnapshotT) -> None:
             text, alarming = read(snapshot)
-            made.show_note(text, alarming=alarming)
+            note.show_note(text, alarming=alarming)
 
         self.on_snapshot(update)
-        self.add_wide(made)
+        self.add_wide(note)
 
     def add_headings(self, slider: str, *ticks: str) -> None:
         row_number = self._next()
@@ -123,17 +123,17 @@ class Rows(ui.Card, Generic[SnapshotT]):
     ) -> QLabel:
         """Add a row. Return the label with the name."""
         row_number = self._next()
-        made = ui.label(self, text=name, buddy=slider)
-        made.setTextFormat(Qt.TextFormat.AutoText)  # `name` is no user text: a number is bold
+        label = ui.label(self, text=name, buddy=slider)
+        label.setTextFormat(Qt.TextFormat.AutoText)  # a number in `name` is bold by markup
         if isinstance(slider, StickSlider):
             slider.value_label = value
         value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        for column, widget in enumerate((made, slider, value)):
+        for column, widget in enumerate((label, slider, value)):
             self._grid.addWidget(widget, row_number, column)
         self.controls += slider, *ticks
         for column, tick in enumerate(ticks, start=_TICK):
             self._grid.addWidget(tick, row_number, column, Qt.AlignmentFlag.AlignHCenter)
-        return made
+        return label
 
     def add_wide(self, *widgets: QWidget | tuple[QWidget, int]) -> None:
         line = QWidget(self)
@@ -159,10 +159,11 @@ def add_cable(
     cause: Callable[[str], object],
     before: Sequence[tuple[QWidget, int]] = (),
 ) -> None:
-    """Add controls that disturb the cable. `prefix` starts object names.
+    """Add controls that disturb the cable.
 
-    `mute` and `noise` are tool tips. `faults` are texts and values for `cause`. `choice` and `once`
-    are object name, text and tool tip of the fault list and its button. `before` is on the left.
+    `prefix`: start of object names. `mute` and `noise`: tool tips. `faults`: texts and values for
+    `cause`. `choice` and `once`: object name, text and tool tip of the fault list and its button.
+    `before`: widgets on the left, with their stretch.
     """
     lost = rows.check_box(
         f"{prefix}Mute", tr("Replies lost"), mute, device.set_mute, lambda seen: seen.line.mute
@@ -196,7 +197,10 @@ def add_cable(
 
 
 class DemoDock(QDockWidget):
-    """Dock, visible while the simulated device is in use, unless closed by the user."""
+    """Dock that is visible while the simulated device is in use.
+
+    The user can close it.
+    """
 
     wanted_changed = Signal(bool)  # `wanted`
 
@@ -208,10 +212,7 @@ class DemoDock(QDockWidget):
         make: Callable[[QWidget], QWidget],
         parent: QWidget | None = None,
     ) -> None:
-        """Create a dock with the object name `name`.
-
-        `key` stores `wanted`. `make` creates the content when the dock is first shown.
-        """
+        """`key`: preference that stores `wanted`. `make`: creates the content when first shown."""
         super().__init__(parent)
         self.setObjectName(name)
         self._key = key
@@ -228,7 +229,7 @@ class DemoDock(QDockWidget):
 
     @Slot()
     def _show_icons(self) -> None:
-        """Replace the style's icons, which come back when the dock is detached or docked."""
+        """Replace the icons that the style sets whenever the dock is detached or docked."""
         for name, sign in (("floatbutton", "float"), ("closebutton", "clear")):
             button = self.findChild(QAbstractButton, f"qt_dockwidget_{name}")
             if button is not None:
@@ -247,19 +248,20 @@ class DemoDock(QDockWidget):
 
     @Slot()
     def show_if_wanted(self) -> None:
-        there = self.wanted and self._use.demo_in_use
-        if there and self.isHidden():
-            if self.widget() is None:  # it scrolls: pages need the space on small screens
+        is_shown = self.wanted and self._use.demo_in_use
+        if is_shown and self.isHidden():
+            if self.widget() is None:
+                # The content scrolls, because pages need the space on small screens.
                 self.setWidget(ScrollBox(self._make, self, sideways=True))
-            self._free_space()
+            self._widen_window()
             self.show()
-        elif not there and not self.isHidden():
+        elif not is_shown and not self.isHidden():
             self.leave()
 
     def leave(self) -> None:
-        """Hide the dock, and restore the window's width unless the user has changed it.
+        """Hide the dock. Restore the window's width if the user has not changed it.
 
-        Call this before the window's geometry is saved. A floating dock would outlive the window.
+        Call this before saving the window's geometry. A floating dock would outlive the window.
         """
         window = self.parentWidget()
         unchanged = window is not None and window.width() in {
@@ -273,8 +275,8 @@ class DemoDock(QDockWidget):
             window.resize(self._width_before, window.height())
         self._width_before = 0
 
-    def _free_space(self) -> None:
-        """Widen the window so that the pages keep their width, as far as the screen allows."""
+    def _widen_window(self) -> None:
+        """Widen the window for the dock, as far as the screen allows."""
         window = self.parentWidget()
         if window is None or self.isFloating() or not window.isVisible() or window.isMaximized():
             return
@@ -289,9 +291,9 @@ class DemoDock(QDockWidget):
 
 
 class DemoPanelBody(QWidget, Generic[SnapshotT]):
-    """Polls a simulated device while visible, and shows its state.
+    """Shows the state of a simulated device. Polls the device while visible.
 
-    A subclass calls `arrange` once, and provides the head.
+    A subclass calls `arrange` once and provides the head.
     """
 
     def __init__(
@@ -302,7 +304,7 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
         state_text: Callable[[SnapshotT], str],
         parent: QWidget | None = None,
     ) -> None:
-        """Show `device`. The label with its state has the object name `state_name`."""
+        """`state_name`: object name of the note with the state."""
         super().__init__(parent)
         self._device = device
         self._use = use
@@ -315,7 +317,7 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
     def arrange(
         self, groups: Sequence[Rows[SnapshotT]], reset: QPushButton, *head: QWidget
     ) -> None:
-        """Lay out the panel. Tab goes through the groups, then to `reset`."""
+        """Lay out the panel. Tab visits the groups, then `reset`."""
         self._groups, self._reset = groups, reset
         right = (reset, 0, Qt.AlignmentFlag.AlignRight)
         ui.column(*head, self._state, *groups, right, 1, into=self, margins=3, spacing=6)
@@ -325,11 +327,11 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
         self.refresh()
 
     def show_head(self, snapshot: SnapshotT | None) -> None:
-        """Update the head. `None` while the simulator does not run."""
+        """Update the head. `None`: the simulator does not run."""
         raise NotImplementedError
 
     def sizeHint(self) -> QSize:
-        """Return little more than the minimum width, to leave space for the pages."""
+        """Return little more than the minimum width, because pages need the space."""
         return QSize(self.minimumSizeHint().width() + _EXTRA_WIDTH, super().sizeHint().height())
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -361,7 +363,7 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
             group.show_snapshot(snapshot)
 
     def _todo(self, snapshot: SnapshotT) -> str:
-        """Describe what the user has to do before connecting again."""
+        """Return the user's next step before connecting again, or an empty text."""
         if not snapshot.line.plugged:
             return tr("The cable is unplugged. Plug it in, then press Connect.")
         if self._use.demo_in_use and self._use.port is None:

@@ -1,4 +1,4 @@
-"""Device manager: connects the window to one device at a time."""
+"""Connection of the window to one device at a time."""
 
 from collections.abc import Callable, Collection, Mapping
 from functools import partial
@@ -17,45 +17,43 @@ Controller = DeviceController[Any]
 
 
 class DeviceManager(QObject):
-    """Connects to one device at a time. Disconnects the previous device first."""
+    """Connects to a device after disconnecting the previous device."""
 
     changed = Signal()  # any property of `current`
-    progressed = Signal(int, int, str)  # completed steps, total steps, the next step
+    progressed = Signal(int, int, str)  # completed steps, total steps, next step
     current_changed = Signal()  # `current` is another kind of device
-    # Sentences about an automatic stop, again when more is known. See `stop_remedies`.
-    stop_reported = Signal(str)
+    stop_reported = Signal(str)  # sentences about an automatic stop; `stop_remedies` belong to them
 
     def __init__(
         self, makers: Mapping[str, Callable[[], Controller]], scanner: DeviceScanner
     ) -> None:
-        """Use the first kind of device until another kind is selected.
+        """`makers`: device key → function that creates the controller on first use.
 
-        `makers`: device key → function that creates the controller on first use.
+        The first kind of device is current at the start.
         """
         super().__init__()
         self.scanner = scanner
         self._makers = dict(makers)
         self._controllers: dict[str, Controller] = {}
-        # Controller of the device that is connected, or was connected last.
-        self.current = self.controller(next(iter(makers)))
+        self.current = self.controller(next(iter(makers)))  # of the current or last connection
         self._next: Callable[[], None] | None = None
         self.was_left = False  # the user has disconnected and not reconnected
         self.stop_remedies: Remedies = ()  # offered with `stop_reported`
 
     def controller(self, device: str) -> Controller:
-        """Return the controller of a kind of device by its key."""
+        """Return the controller of a kind of device. Create it on first use."""
         if device not in self._controllers:
             controller = self._makers[device]()
             controller.changed.connect(self._on_changed)
             controller.progressed.connect(self.progressed)
             controller.stop_reported.connect(partial(self._on_stop_reported, controller))
-            # A new dictionary, because another thread may iterate over the old one in `stop_now`.
+            # A new dictionary, because `stop_now` may iterate over the old one in another thread.
             self._controllers = {**self._controllers, device: controller}
         return self._controllers[device]
 
     @property
     def controllers(self) -> Collection[Controller]:
-        """Controllers created so far."""
+        """Existing controllers."""
         return self._controllers.values()
 
     @property
@@ -63,7 +61,7 @@ class DeviceManager(QObject):
         return self.current.link is ConnectionState.DISCONNECTED and not self.current.starting
 
     def select(self, port: Port) -> None:
-        """Show and use the settings of a port that the user may connect to next."""
+        """Use the settings of a port to which the user may connect next."""
         if self.is_idle and port.device == self.current.plugin.key:
             self.current.select(port)
 
@@ -78,10 +76,10 @@ class DeviceManager(QObject):
         self._switch_to(controller, lambda: controller.connect_with(port, settings))
 
     def switch_to(self, device: str, then: Callable[[], object]) -> bool:
-        """Use another kind of device without connecting it. Then call `then`.
+        """Make another kind of device current without connecting it. Then call `then`.
 
-        A device that is disconnecting delays the call. A connected device stays connected and
-        prevents the call. Return whether `then` was or will be called.
+        A device that is disconnecting delays the call. A connected device prevents it. Return
+        False if it prevents it.
         """
         controller = self.controller(device)
         if controller is self.current:
@@ -96,7 +94,7 @@ class DeviceManager(QObject):
     def _switch_to(self, controller: Controller, then: Callable[[], object]) -> None:
         self._next = None
         if controller is not self.current:
-            self.current.leave()  # an idle controller may be waiting for a scan to end
+            self.current.leave()  # even if idle: the controller may wait for the end of a scan
             if not self.is_idle:
                 self._next = lambda: self._switch_to(controller, then)
                 return
@@ -105,7 +103,7 @@ class DeviceManager(QObject):
         then()
 
     def when_connected(self, then: Callable[[], object]) -> None:
-        """Call `then` once, as soon as a device responds and its connection is reported."""
+        """Call `then` once, after the next report of a connection."""
 
         def run_once() -> None:
             if self.current.link is ConnectionState.CONNECTED:
@@ -127,8 +125,8 @@ class DeviceManager(QObject):
     def stop_because(self, reason: str, remedies: Remedies = ()) -> None:
         """Stop every device because of an event.
 
-        The texts of all devices are reported together, the current device first. If they are all
-        empty, the reason alone is reported if there are `remedies` to offer.
+        `stop_reported` emits the texts of all devices, the current device first. Without any text
+        it emits the reason if there are `remedies`.
         """
         self.stop_remedies = remedies
         texts = {
@@ -146,7 +144,7 @@ class DeviceManager(QObject):
 
     @property
     def unconfirmed_stop(self) -> str:
-        """Warning about motors that may turn although every line is closed, or empty."""
+        """Warning if motors may turn although every line is closed. Otherwise empty."""
         return "\n".join(
             filter(None, (controller.unconfirmed_stop for controller in self._controllers.values()))
         )
@@ -164,15 +162,15 @@ class DeviceManager(QObject):
         return any(controller.needs_stop for controller in self._controllers.values())
 
     def stop_now(self, *, ending: bool = False) -> None:
-        """Stop every device, from any thread. Close the ports if the program is `ending`."""
+        """Stop every device, from any thread. Close the ports if the program is `ending`.
+
+        Does not wait.
+        """
         for controller in self._controllers.values():
             controller.stop_now(ending=ending)
 
     def shut_down(self) -> bool:
-        """Close every line and end a scan. Return whether all ended in time.
-
-        All shutdowns start before the first is waited for.
-        """
+        """Close all lines at once and end a scan. Return whether all ended in time."""
         self._next = None
         for controller in self._controllers.values():
             controller.start_shutdown()

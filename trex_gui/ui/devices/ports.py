@@ -1,4 +1,4 @@
-"""Serial ports, typed addresses and simulated devices to connect to."""
+"""List of serial ports, typed addresses and simulated devices."""
 
 import os
 from collections.abc import Sequence
@@ -17,7 +17,7 @@ from trex_gui.ui.runtime import new_timer
 
 _INTERVAL_MS = 1500
 _MOST_TYPED = 8
-_MANY = 20  # ports and adapters that are remembered
+_MOST_KNOWN = 20  # saved ports and adapters
 _REMEMBERED = "ports/typed"
 _KNOWN = "ports/known"
 
@@ -30,24 +30,20 @@ class PortKind(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Port:
-    """Entry of the port list. pyserial opens `url`, which is empty for a simulated device.
-
-    `device` is the key of the kind of device that the port leads to, `adapter` its USB adapter.
-    `settings` are the packed settings at which a device was found there, or empty.
-    """
+    """Entry of the port list."""
 
     kind: PortKind
-    url: str
+    url: str  # for pyserial; empty for a simulated device
     label: str
-    device: str
+    device: str  # key of the kind of device at the port
     adapter: Adapter | None = None
-    settings: str = field(default="", compare=False)
+    settings: str = field(default="", compare=False)  # packed, at which a device was found
 
     def is_same(self, other: "Port") -> bool:
-        """True if both are the same port, even if its name or device has changed.
+        """Return whether both are one port, even if its name or device has changed.
 
-        An adapter that is plugged in while its old name is in use gets another name, and another
-        adapter may get the old name.
+        An adapter gets another name while its old name is in use. Another adapter may get the old
+        name.
         """
         if self.adapter is not None and other.adapter is not None:
             return self.adapter.is_same(other.adapter)
@@ -59,10 +55,10 @@ class Port:
 class Ports(QObject):
     """List of ports that refreshes itself.
 
-    Serial ports of this computer come first, then typed addresses (no system lists pseudo-terminals
-    and network ports), boards served over the network, and a simulated device of each kind. A port
-    leads to the first kind of device unless another kind was found there, or selected. The kind is
-    saved with the adapter, and with the settings at which a device was found.
+    Order: serial ports of this computer, typed addresses, boards served over the network, and a
+    simulated device of each kind. Pseudo-terminals and network ports have to be typed, because
+    systems do not list them. A port leads to the first kind of device by default. A kind that was
+    found there or selected is saved with the adapter and the settings.
     """
 
     changed = Signal()  # `entries`
@@ -72,9 +68,9 @@ class Ports(QObject):
         self.plugins = tuple(plugins)
         self._store = Preferences()
         self._typed = tuple(self._store.text(_REMEMBERED).splitlines()[-_MOST_TYPED:])
-        lines = map(_read, self._store.text(_KNOWN).split("\n")[-_MANY:])
+        lines = map(_read, self._store.text(_KNOWN).split("\n")[-_MOST_KNOWN:])
         kinds = {plugin.key for plugin in self.plugins}
-        # Ports as they were when they were used or selected, the newest last.
+        # Ports that were used or selected, the newest last.
         self._known = [port for port in lines if port is not None and port.device in kinds]
         self._served: dict[str, str] = {}  # labels of boards on the network, by URL
         self.entries: tuple[Port, ...] = ()
@@ -89,7 +85,7 @@ class Ports(QObject):
 
     @property
     def preferred(self) -> Port | None:
-        """Port to offer first: the port used last, the only USB adapter or the only port."""
+        """Port used last, else the only USB adapter or the only port."""
         serial = [port for port in self.entries if port.kind is PortKind.SERIAL]
         adapters = [port for port in serial if port.adapter is not None]
         only = next((ports[0] for ports in (adapters, serial) if len(ports) == 1), None)
@@ -97,14 +93,14 @@ class Ports(QObject):
 
     @property
     def last_used(self) -> Port | None:
-        """Port at which a device was found last. `None` if it is not listed now."""
+        """Port at which a device was found last. `None` if it is not listed."""
         newest = next((known for known in reversed(self._known) if known.settings), None)
         return self.now(newest) if newest is not None else None
 
     def now(self, port: Port) -> Port | None:
-        """Return a port as it is listed now, perhaps by another name. `None` if it is missing.
+        """Return the current entry of a port, which may have another name. `None` if missing.
 
-        Of several adapters with one serial number, return the adapter in the same socket.
+        If several adapters share a serial number, return the adapter in the old USB socket.
         """
         entries = [entry for entry in self.entries if entry.is_same(port)]
         if len(entries) > 1:
@@ -133,9 +129,9 @@ class Ports(QObject):
             self.changed.emit()
 
     def add_typed(self, url: str) -> Port:
-        """Save an address that the user typed. Return its entry.
+        """Save a typed address. Return its entry.
 
-        A link to a listed port, as in `/dev/serial/by-id`, returns the port, with its adapter.
+        For a link, as in `/dev/serial/by-id`, return the listed port that it leads to.
         """
         url = url.strip()
         linked = self.find(os.path.realpath(url)) if Path(url).is_symlink() else None
@@ -148,22 +144,22 @@ class Ports(QObject):
         return self.find(url) or self._entry(PortKind.TYPED, url, url)
 
     def set_served(self, labels: dict[str, str]) -> None:
-        """List boards that other computers serve. `labels`: URL → label."""
+        """Set the boards that other computers serve. `labels`: URL → label."""
         self._served = labels
         self.refresh()
 
     def lead_to(self, port: Port, device: str, settings: str = "") -> Port:
-        """Save the kind of device that a port leads to. Return its entry.
+        """Save the kind of device at a port. Return its entry.
 
-        `settings` are the packed settings at which such a device was found. They are empty if the
-        kind was only selected.
+        `settings`: packed settings at which the device was found. Empty if the user only selected
+        the kind.
         """
         known = replace(port, device=device, settings=settings)
-        is_news = bool(settings) or device != port.device
-        if port.kind is PortKind.DEMO or not is_news or self._lines[-1:] == [_line(known)]:
+        is_new = bool(settings) or device != port.device
+        if port.kind is PortKind.DEMO or not is_new or self._lines[-1:] == [_line(known)]:
             return self.now(port) or port
         others = [other for other in self._known if not other.is_same(port)]
-        self._known = [*others, known][-_MANY:]
+        self._known = [*others, known][-_MOST_KNOWN:]
         self._store.set(_KNOWN, "\n".join(self._lines))
         self.refresh()
         return self.now(port) or self._entry(port.kind, port.url, port.url, port.adapter)
@@ -193,14 +189,14 @@ def _label(device: str, description: str) -> str:
 
 
 def _line(port: Port) -> str:
-    """Return a port as a line of the preferences. See `_read`."""
+    """Return a port as a line for `_read`."""
     adapter = () if port.adapter is None else astuple(port.adapter)
     words = (port.device, port.settings, port.url, *adapter)
     return "\t".join(" ".join(word.split()) for word in words)
 
 
 def _read(line: str) -> Port | None:
-    """Return the port of a saved line. `None` if the line is invalid."""
+    """Parse a saved line. `None` if invalid."""
     match line.split("\t"):
         case [device, settings, url]:
             return Port(PortKind.TYPED, url, url, device, None, settings)

@@ -25,17 +25,13 @@ ScanJob = Callable[..., PortScan]  # `scan_port` with the settings of one port
 
 
 class ScanWorker(WorkerThread):
-    """Runs one scan.
+    """Thread of one scan. `cancel` and `close` may be called from any thread."""
 
-    `cancel` and `close` may be called from any thread. The owner keeps the worker until its end.
-    """
-
-    stepped = Signal(int, object)  # index of the port and the `ScanProgress` of its next step
-    # Index of the port and its `PortScan`. A cancelled scan emits it for the running job at most.
-    searched = Signal(int, object)
+    stepped = Signal(int, object)  # index of the port, `ScanProgress` of the next step
+    searched = Signal(int, object)  # index of the port, `PortScan`
 
     def __init__(self, jobs: Sequence[ScanJob], logs: Sequence[TrafficLog]) -> None:
-        """Run `jobs` in order. Each log records every byte."""
+        """`jobs`: in order. `logs`: each records every byte."""
         super().__init__()
         self.setObjectName("ScanWorker")
         self._open_wire: Callable[[PortSettings], Transport] = open_transport
@@ -56,7 +52,7 @@ class ScanWorker(WorkerThread):
             self.searched.emit(index, search)
 
     def cancel(self) -> None:
-        """End after the current probe: within half a second, later over a network."""
+        """End after the current probe: within half a second, or longer over a network."""
         self._cancelled.set()
 
     def close(self, timeout_ms: int = 1000) -> bool:
@@ -66,27 +62,27 @@ class ScanWorker(WorkerThread):
 
 @dataclass(frozen=True, slots=True)
 class ScanFinding:
-    """Result of one port: a device, or the reason why there is none."""
+    """Device found at a port, or the reason for finding none."""
 
     port: Port
-    text: str  # for the user: one paragraph, or a paragraph for each kind of device
-    found: FoundDevice | None = None  # `None` if there was no device
-    device: str = ""  # key of its kind
+    text: str  # for the user; may have a paragraph for each kind of device
+    found: FoundDevice | None = None
+    device: str = ""  # key of the kind of device
     command: str = ""  # shell command that lets the user open the port
 
 
 class DeviceScanner(QObject):
-    """Scans one port after the other. No probe moves a motor of a supported device."""
+    """Scans ports one after the other. No probe moves a motor of a supported device."""
 
     changed = Signal()  # `running`, `findings` or `summary`
     progressed = Signal()  # `done`, `total` or `text`
-    finished = Signal()  # the ports are free again
-    simulators_changed = Signal()  # `can_search` of the port of a simulated device
+    finished = Signal()  # end of a scan; the ports are free again
+    simulators_changed = Signal()  # `can_search` of a simulated device
 
     def __init__(
         self, plugins: Sequence[DevicePlugin] = (), *, timeouts: Timeouts | None = None
     ) -> None:
-        """Search for these kinds of devices. See `core.discovery.scan` for the order."""
+        """`plugins`: kinds of devices to search for. See `core.discovery.scan` for the order."""
         super().__init__()
         self._plugins = tuple(plugins)
         self._timeouts = timeouts or Timeouts()
@@ -95,14 +91,13 @@ class DeviceScanner(QObject):
         self.line = ("", "")  # kind and packed settings of the next connection
         self._worker: ScanWorker | None = None
         self._ports: tuple[Port, ...] = ()
-        # Findings at the ports that were scanned so far, in the order of the ports.
-        self.findings: tuple[ScanFinding, ...] = ()
-        self._searched = 0
+        self.findings: tuple[ScanFinding, ...] = ()  # so far, in the order of the ports
+        self._searched = 0  # number of scanned ports
         self._only_recall = False
         self.done = 0  # probes that are done or no longer needed
-        self.total = 1  # most probes that may be needed
-        self.text = ""  # the present probe, for the user; empty while idle
-        self.summary = ""  # a sentence on the last scan; empty until it has ended
+        self.total = 1  # upper limit of the number of probes
+        self.text = ""  # description of the current probe; empty while idle
+        self.summary = ""  # sentence about the finished scan
         self.was_cancelled = False
 
     def add_simulator(self, device: str, simulator: Simulator) -> None:
@@ -112,7 +107,7 @@ class DeviceScanner(QObject):
         simulator.ended.connect(self.simulators_changed)
 
     def can_search(self, port: Port) -> bool:
-        """True if a port can be scanned. A simulated device must be running."""
+        """Return whether a port can be scanned. A simulated device must be running."""
         if port.kind is not PortKind.DEMO:
             return True
         simulator = self._simulators.get(port.device)
@@ -130,7 +125,7 @@ class DeviceScanner(QObject):
     ) -> None:
         """Scan ports. `only_recall`: only at settings at which a device was found before.
 
-        Such a scan has no findings for ports without a reply.
+        Then there are no findings about ports without a reply.
         """
         if self._worker is not None or not ports:
             return
@@ -161,7 +156,7 @@ class DeviceScanner(QObject):
             self.progressed.emit()
 
     def shut_down(self) -> bool:
-        """End the scan and wait at most a second. Return whether it ended in time."""
+        """End the scan. Return whether it ended within a second."""
         worker, self._worker = self._worker, None
         if worker is None:
             return True

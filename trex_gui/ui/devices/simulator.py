@@ -1,4 +1,4 @@
-"""Simulated devices in the port list: the simulator's process, and its control lines."""
+"""Process of a simulated device, and its control lines."""
 
 import sys
 from collections import deque
@@ -12,35 +12,32 @@ from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.translation import tr
 from trex_gui.ui.runtime import new_timer, runtime
 
-SIMULATOR_ARGUMENT = "--simulator"
-"""First argument that makes the program run the simulator instead of the window."""
+SIMULATOR_ARGUMENT = "--simulator"  # makes the program run the simulator, not the window
 
 _POLL_INTERVAL_MS = 125
 _STOP_TIMEOUT_MS = 1000
 
 
 def simulator_command() -> tuple[str, list[str]]:
-    """Return the program and its first arguments, installed or frozen."""
+    """Return the program and its first arguments."""
     if getattr(sys, "frozen", False):
         return sys.executable, [SIMULATOR_ARGUMENT]
     return sys.executable, ["-m", "trex_gui.cli.simulator"]
 
 
 class Simulator(QObject):
-    """Starts the simulator once. While it runs, the device retains its stored values."""
+    """Process of a simulated device. It runs across connections."""
 
-    ready = Signal(str)  # the address to connect to
-    failed = Signal(str)  # why it did not start
-    ended = Signal()  # it has exited; pending replies never come
+    ready = Signal(str)  # address for the connection
+    failed = Signal(str)  # reason for a failed start
+    ended = Signal()  # the process has exited; pending replies never come
 
     def __init__(self, plugin: DevicePlugin, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._arguments = plugin.simulator_arguments
         self.label = tr("the Demo {0}").format(plugin.name)
-        # Address of the running simulator, empty while none runs. It changes each time the cable is
-        # plugged in.
-        self.url = ""
-        self.plugged = True  # whether the cable of the simulated device is plugged in
+        self.url = ""  # empty if not running; changes whenever the cable is plugged in
+        self.plugged = True  # state of the simulated cable
         self._ending = False
         self._awaited: deque[Callable[[str], None] | None] = deque()
         self._process = runtime().process(self)
@@ -58,9 +55,10 @@ class Simulator(QObject):
             self._process.start(program, [*arguments, *self._arguments])
 
     def send(self, line: str, then: Callable[[str], None] | None = None) -> None:
-        """Send one control line, such as `channel 1 1500us`.
+        """Send a control line, such as `channel 1 1500us`.
 
         `then` receives the reply, `ok ...` or `error ...`. Replies come in the order of the lines.
+        Without a running simulator, nothing is sent.
         """
         if self.url:
             self._awaited.append(then)
@@ -81,20 +79,20 @@ class Simulator(QObject):
         while self._process.canReadLine():
             line = bytes(self._process.readLine().data()).decode(errors="replace").strip()
             if self.url:
-                self._handle_answer(line)
+                self._on_reply(line)
             elif line.startswith("ready "):
                 self.url = line.removeprefix("ready ")
                 self.plugged = True
                 self.ready.emit(self.url)
 
-    def _handle_answer(self, answer: str) -> None:
-        match answer.split(maxsplit=2):
+    def _on_reply(self, reply: str) -> None:
+        match reply.split(maxsplit=2):
             case ["ok", "unplugged"]:
                 self.plugged = False
             case ["ok", "plugged", url]:
                 self.plugged, self.url = True, url
         if self._awaited and (then := self._awaited.popleft()):
-            then(answer)
+            then(reply)
 
     @Slot(QProcess.ProcessError)
     def _on_error(self, error: QProcess.ProcessError) -> None:
@@ -107,18 +105,18 @@ class Simulator(QObject):
         self._awaited.clear()
         self.ended.emit()
         if not was_running and not self._ending:
-            said = bytes(self._process.readAllStandardError().data()).decode(errors="replace")
-            reason = said.strip().splitlines()[-1] if said.strip() else ""
+            output = bytes(self._process.readAllStandardError().data()).decode(errors="replace")
+            reason = output.strip().splitlines()[-1] if output.strip() else ""
             self.failed.emit(tr("The simulator ended at once. {0}").format(reason).strip())
 
 
 @dataclass(frozen=True, slots=True)
 class DemoLine:
-    """The wire to this computer. `noise` is the probability that a byte is corrupted."""
+    """Simulated line to this computer."""
 
     plugged: bool
     mute: bool
-    noise: float
+    noise: float  # probability that a byte is corrupted
 
 
 class DeviceSnapshot(Protocol):
@@ -136,29 +134,28 @@ SnapshotT = TypeVar("SnapshotT", bound=DeviceSnapshot)
 class DemoDevice(QObject, Generic[SnapshotT]):
     """Operates a simulated device by control lines, and polls its state.
 
-    The device is polled only while watched and while the simulator runs. A slider may move faster
-    than the simulator replies. Therefore only one control line of each key is pending, and of the
-    lines that follow only the newest is kept.
+    Polls only while watched and while the simulator runs. A slider may move faster than the
+    simulator replies. Therefore only one control line of each key is in flight, and only the newest
+    of the following lines is sent.
     """
 
-    changed = Signal()
-    rejected = Signal(str)  # why the simulator rejected a control line, for the user
+    changed = Signal()  # `snapshot`
+    rejected = Signal(str)  # the simulator's reason, as a sentence
 
     def __init__(
         self, simulator: Simulator, read: Callable[[str], SnapshotT], parent: QObject | None = None
     ) -> None:
-        """Operate the device in `simulator`. `read` parses the JSON that `show` reports."""
+        """`read`: parser of the JSON in the reply to `show`."""
         super().__init__(parent)
         self._simulator = simulator
         self._read = read
-        # The last state. `None` before the first state, and after the simulator has ended.
-        self.snapshot: SnapshotT | None = None
+        self.snapshot: SnapshotT | None = None  # `None` unless the simulator has replied
         self._unsent: dict[str, str] = {}
-        self._under_way: set[str] = set()
+        self._in_flight: set[str] = set()
         self._sent = 0
         self._polling = False
         self._timer = new_timer(self, _POLL_INTERVAL_MS, self._poll)
-        simulator.ready.connect(self._poll)  # the state is needed while no panel watches, too
+        simulator.ready.connect(self._poll)  # even if no panel watches
         simulator.ended.connect(self._on_simulator_ended)
 
     def watch(self, watched: bool) -> None:
@@ -178,13 +175,13 @@ class DemoDevice(QObject, Generic[SnapshotT]):
         self._send(f"line mute {switch(mute)}")
 
     def set_noise(self, probability: float) -> None:
-        """Corrupt this share of the bytes on the wire."""
+        """Set the probability that a byte on the line is corrupted."""
         self._send_newest("noise", f"line noise {probability:.4f}")
 
     def _send(self, line: str, then: Callable[[], None] | None = None) -> None:
-        def answered(answer: str) -> None:
-            if answer.startswith("error"):
-                self.rejected.emit(_sentence(answer.removeprefix("error ")))
+        def on_reply(reply: str) -> None:
+            if reply.startswith("error"):
+                self.rejected.emit(_sentence(reply.removeprefix("error ")))
                 self.changed.emit()  # the panel shows the previous state again
             if then is not None:
                 then()
@@ -192,35 +189,35 @@ class DemoDevice(QObject, Generic[SnapshotT]):
                 self._poll()
 
         self._sent += 1
-        self._simulator.send(line, answered)
+        self._simulator.send(line, on_reply)
 
     def _send_newest(self, key: str, line: str) -> None:
-        """Send a control line as soon as the previous line with this key is executed."""
+        """Send a control line after the previous line with this key."""
 
-        def done() -> None:
-            self._under_way.discard(key)
+        def send_following() -> None:
+            self._in_flight.discard(key)
             if following := self._unsent.pop(key, ""):
                 self._send_newest(key, following)
 
-        if key in self._under_way:
+        if key in self._in_flight:
             self._unsent[key] = line
         elif self._simulator.url:
-            self._under_way.add(key)
-            self._send(line, done)
+            self._in_flight.add(key)
+            self._send(line, send_following)
 
     @Slot()
     def _poll(self) -> None:
         if self._simulator.url and not self._polling:
             sent, self._polling = self._sent, True
-            self._simulator.send("show", lambda answer: self._handle_reply(answer, sent))
+            self._simulator.send("show", lambda reply: self._on_state(reply, sent))
 
-    def _handle_reply(self, answer: str, sent: int) -> None:
+    def _on_state(self, reply: str, sent: int) -> None:
         self._polling = False
         if sent != self._sent:
             if self._timer.isActive():
-                self._poll()  # the state is older than a control line sent since
-        elif answer.startswith("ok "):
-            self._show(self._read(answer.removeprefix("ok ")))
+                self._poll()  # the state is older than the last control line
+        elif reply.startswith("ok "):
+            self._show(self._read(reply.removeprefix("ok ")))
 
     def _show(self, snapshot: SnapshotT) -> None:
         before, self.snapshot = self.snapshot, snapshot
@@ -236,7 +233,7 @@ class DemoDevice(QObject, Generic[SnapshotT]):
         self.snapshot = None
         self._polling = False
         self._unsent.clear()
-        self._under_way.clear()
+        self._in_flight.clear()
 
 
 def switch(on: bool) -> str:
