@@ -143,7 +143,7 @@ def test_history_dialog_follows_connection_state(
     quick_simulator.do("line unplug")
     dialog.wait(lambda: not dialog.is_enabled("restoreButton"))
     window.wait(lambda: device.link is not ConnectionState.CONNECTED)
-    trex(window.program).controller.leave()
+    trex(window.program).controller.disconnect_device()
     dialog.wait_for_text("restoreNote", "No board is connected")
     dialog.wait(lambda: dialog.values() == {"serial_timeout": ("off", "0.5 s")})
     window.connect(quick_simulator.do("line plug").split()[-1])

@@ -122,7 +122,7 @@ def test_panel_of_the_robot_leads_to_robots(
     assert not panel.isVisible()
     assert window.has("aracnaMoveButton")
 
-    window.program.device_manager.leave()
+    window.program.device_manager.disconnect_device()
     window.wait(lambda: window.has("aracna_startPort"))
     window.click("aracna_startPort")
     window.wait(lambda: window.robot.link is ConnectionState.CONNECTED)

@@ -41,7 +41,7 @@ class FakeDevice(QObject):
         self.done.append(f"with {settings.short}")
         self.connect_to(port)
 
-    def leave(self) -> None:
+    def disconnect_device(self) -> None:
         self.done.append("leave")
         if self.link is not ConnectionState.DISCONNECTED:
             self.become(ConnectionState.DISCONNECTING)
@@ -134,7 +134,7 @@ def test_previous_device_disconnects_before_the_next_connects(devices: Devices) 
 def test_leaving_cancels_the_pending_connection(devices: Devices) -> None:
     devices.manager.connect_to(port("a", "first"))
     devices.manager.connect_to(port("b", "second"))
-    devices.manager.leave()
+    devices.manager.disconnect_device()
     devices.first.become(ConnectionState.DISCONNECTED)
     assert devices.second.done == []
 
@@ -159,7 +159,7 @@ def test_another_kind_is_used_once_the_current_one_is_disconnected(devices: Devi
         "a connected device is not disconnected for it"
     )
     assert (used, devices.first.link) == ([], ConnectionState.CONNECTED)
-    devices.manager.leave()
+    devices.manager.disconnect_device()
     assert devices.manager.switch_to("second", note)
     assert used == []
     devices.first.become(ConnectionState.DISCONNECTED)

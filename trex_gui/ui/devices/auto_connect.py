@@ -133,7 +133,7 @@ class AutoConnect(QObject):
 
     @property
     def _is_allowed(self) -> bool:
-        is_prevented = self._manager.was_left or self._notifier.shows_problem
+        is_prevented = self._manager.user_disconnected or self._notifier.shows_problem
         return connects_automatically() and self._manager.is_idle and not is_prevented
 
     @Slot()

@@ -126,7 +126,7 @@ class DeviceController(QObject, Generic[SettingsT]):
         del settings  # used by devices with more than one line setting
         self.connect_to(port)
 
-    def leave(self) -> None:
+    def disconnect_device(self) -> None:
         self._after_scan = None
         self.starting = self.demo_in_use = False
         if self.link is ConnectionState.DISCONNECTED:

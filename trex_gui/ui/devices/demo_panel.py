@@ -100,7 +100,9 @@ class Rows(ui.Card, Generic[SnapshotT]):
         slider.valueChanged.connect(move)
         self.on_snapshot(update)
 
-    def note(self, name: str, lines: int, read: Callable[[SnapshotT], tuple[str, bool]]) -> None:
+    def add_note(
+        self, name: str, lines: int, read: Callable[[SnapshotT], tuple[str, bool]]
+    ) -> None:
         """Add a note across all columns. `read` returns its text, and True for an alarm."""
         note = ui.named(Note(lines, self), name)
 
@@ -256,9 +258,9 @@ class DemoDock(QDockWidget):
             self._widen_window()
             self.show()
         elif not is_shown and not self.isHidden():
-            self.leave()
+            self.hide_dock()
 
-    def leave(self) -> None:
+    def hide_dock(self) -> None:
         """Hide the dock. Restore the window's width if the user has not changed it.
 
         Call this before saving the window's geometry. A floating dock would outlive the window.

@@ -37,7 +37,7 @@ class DeviceManager(QObject):
         self._controllers: dict[str, Controller] = {}
         self.current = self.controller(next(iter(makers)))  # of the current or last connection
         self._next: Callable[[], None] | None = None
-        self.was_left = False  # the user has disconnected and not reconnected
+        self.user_disconnected = False  # the user has disconnected and not reconnected
         self.stop_remedies: Remedies = ()  # offered with `stop_reported`
 
     def controller(self, device: str) -> Controller:
@@ -66,12 +66,12 @@ class DeviceManager(QObject):
             self.current.select(port)
 
     def connect_to(self, port: Port) -> None:
-        self.was_left = False
+        self.user_disconnected = False
         controller = self.controller(port.device)
         self._switch_to(controller, lambda: controller.connect_to(port))
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
-        self.was_left = False
+        self.user_disconnected = False
         controller = self.controller(port.device)
         self._switch_to(controller, lambda: controller.connect_with(port, settings))
 
@@ -94,7 +94,8 @@ class DeviceManager(QObject):
     def _switch_to(self, controller: Controller, then: Callable[[], object]) -> None:
         self._next = None
         if controller is not self.current:
-            self.current.leave()  # even if idle: the controller may wait for the end of a scan
+            # Even if idle: the controller may wait for the end of a scan.
+            self.current.disconnect_device()
             if not self.is_idle:
                 self._next = lambda: self._switch_to(controller, then)
                 return
@@ -112,11 +113,11 @@ class DeviceManager(QObject):
 
         self.changed.connect(run_once)
 
-    def leave(self) -> None:
+    def disconnect_device(self) -> None:
         """Disconnect on the user's request."""
-        self.was_left = True
+        self.user_disconnected = True
         self._next = None
-        self.current.leave()
+        self.current.disconnect_device()
 
     def press_stop(self) -> None:
         for controller in self._controllers.values():

@@ -185,7 +185,7 @@ class ConnectionBar(QFrame):
         if self.would_connect:
             self.connect_shown()
         else:
-            self.leave()
+            self.disconnect_device()
 
     @property
     def would_connect(self) -> bool:
@@ -194,9 +194,9 @@ class ConnectionBar(QFrame):
         is_other = isinstance(shown, Port) and shown != self._manager.current.port
         return is_other or self._manager.is_idle
 
-    def leave(self) -> None:
+    def disconnect_device(self) -> None:
         """Disconnect, but ask first while settings are being written."""
-        self._unless_busy(self._manager.leave)
+        self._unless_busy(self._manager.disconnect_device)
 
     def _unless_busy(self, then: Callable[[], object]) -> None:
         if self._manager.current.is_busy:

@@ -80,7 +80,7 @@ class FindDialog(ReusedDialog):
             "findDisconnectButton",
             tr("&Disconnect"),
             icon="disconnect",
-            on_click=lambda: self._unless_busy(self._manager.leave),
+            on_click=lambda: self._unless_busy(self._manager.disconnect_device),
         )
         self._full = ui.check_box(
             self,

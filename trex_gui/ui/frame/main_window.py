@@ -194,7 +194,7 @@ class MainWindow(QMainWindow):
         )
         device = (
             Entry("connect", tr("&Connect"), bar.connect_shown, "Ctrl+Shift+K", "connect"),
-            Entry("disconnect", tr("&Disconnect"), bar.leave, "Ctrl+D", "disconnect"),
+            Entry("disconnect", tr("&Disconnect"), bar.disconnect_device, "Ctrl+D", "disconnect"),
             Entry("line", tr("&Line settings…"), self._edit_line_settings, "", "settings"),
             Entry("find", tr("&Find a board…"), bar.find_board, "Ctrl+Shift+F", "find"),
             SEPARATOR,

@@ -39,7 +39,7 @@ class ConnectorSetup:
         self.until_link(ConnectionState.CONNECTED)
 
     def disconnect(self) -> None:
-        self.connector.leave()
+        self.connector.disconnect_device()
         self.until_link(ConnectionState.DISCONNECTED)
 
 
@@ -206,7 +206,7 @@ def test_later_port_choice_wins_while_the_simulator_starts(
 
 def test_disconnecting_while_the_simulator_starts_cancels(setup: ConnectorSetup) -> None:
     setup.connector.connect_to(setup.ports.demo_of("trex"))
-    setup.connector.leave()
+    setup.connector.disconnect_device()
     assert setup.connector.port is None
     setup.until(lambda: setup.connector.simulator.url != "")
     assert setup.device.link is ConnectionState.DISCONNECTED

@@ -262,7 +262,7 @@ def test_panel_is_shown_with_the_demo_unless_closed(window: WindowDriver, panel:
     assert action.isChecked()
     assert not window.is_enabled("demoInput1"), "the simulator is being started"
     assert "is starting" in window.text("demoState")
-    connector.leave()
+    connector.disconnect_device()
     assert panel.isHidden()
 
     connector.connect_to(demo)
@@ -273,7 +273,7 @@ def test_panel_is_shown_with_the_demo_unless_closed(window: WindowDriver, panel:
     connector.connect_to(demo)
     panel.close()
     assert not action.isChecked()
-    connector.leave()
+    connector.disconnect_device()
     connector.connect_to(demo)
     assert panel.isHidden(), "it was closed"
     action.trigger()
@@ -314,7 +314,7 @@ def test_panel_closes_with_the_connection_and_the_window(
     before = window.window.width()
     connector.connect_to(demo)
     window.wait(panel.isVisible)
-    connector.leave()
+    connector.disconnect_device()
     window.wait(lambda: window.window.width() == before)
 
     connector.connect_to(demo)

@@ -92,7 +92,7 @@ def _power_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
     rows.on_snapshot(enable)
     rows.add_wide((power, 1), (restart, 0))
     rows.add_wide(servos)
-    rows.note("aracnaDemoPowerHint", 2, power_text)
+    rows.add_note("aracnaDemoPowerHint", 2, power_text)
     return rows
 
 

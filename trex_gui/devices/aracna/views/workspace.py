@@ -269,7 +269,7 @@ class AracnaWorkspace(Workspace):
 
     def prepare_to_close(self) -> None:
         QObject.disconnect(self._undo_watch)  # the undo stack also emits at its end
-        self._demo.leave()
+        self._demo.hide_dock()
 
     def finish(self) -> None:
         self.recordings.close_all()

@@ -65,7 +65,7 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
         if step != SETUP_STEPS[-1]:
             yield partial(tour.press, "setupNextButton")
     yield partial(tour.press, "setupCloseButton")
-    yield controller.leave
+    yield controller.disconnect_device
     yield lambda: controller.link is ConnectionState.DISCONNECTED
     yield partial(tour.trigger_action, "check_boardAction")
     yield from tour.look_at("checkDialog", "check-leds")

@@ -369,7 +369,7 @@ class TrexWorkspace(Workspace):
             dialog.close()
         if self._plot is not None and Shiboken.isValid(self._plot):
             self._plot.close()
-        self._demo.leave()
+        self._demo.hide_dock()
         self.files.close_all()
 
     def finish(self) -> None:
