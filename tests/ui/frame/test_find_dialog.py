@@ -74,7 +74,7 @@ def test_check_marks_survive_a_port_refresh_and_a_chosen_port_is_first(
     assert dialog.rows() == {"/dev/ttyUSB0  (An adapter)": False, "/dev/ttyUSB1": True}
     assert dialog.is_enabled("findStartButton")
     assert isinstance(dialog.root, FindDialog)
-    dialog.root.look(ports.find("/dev/ttyUSB1"))
+    dialog.root.open_dialog(ports.find("/dev/ttyUSB1"))
     assert list(dialog.rows()) == ["/dev/ttyUSB1", "/dev/ttyUSB0  (An adapter)"]
     listed.clear()
     ports.refresh()

@@ -1,1 +1,1 @@
-"""The main window around the workspace of a device."""
+"""Main window around the workspace of a device."""

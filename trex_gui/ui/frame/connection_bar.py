@@ -35,13 +35,13 @@ _NOT_CONNECTED, _OTHER = "not connected", "other"
 
 # Widths in average characters
 _PORT, _LEAST_PORT = 18, 10
-_STATE, _LEAST_STATE = 26, 6  # baud rate and quality are hidden if the state has less than 26
+_STATE, _LEAST_STATE = 26, 6  # below 26 for the state, baud rate and quality are hidden
 _QUALITY, _CONNECT, _WIDEST = 11, 14, 116
 
 
 class PortList(ui.ComboBox):
     def initStyleOption(self, option: QStyleOptionComboBox) -> None:
-        """Elide a text that is too long. With a style sheet, Qt cuts it within a letter."""
+        """Elide a long text. With a style sheet, Qt would cut it within a letter."""
         super().initStyleOption(option)
         combo, field = QStyle.ComplexControl.CC_ComboBox, QStyle.SubControl.SC_ComboBoxEditField
         width = self.style().subControlRect(combo, option, field, self).width() - 2
@@ -52,12 +52,12 @@ class PortList(ui.ComboBox):
 class ConnectionBar(QFrame):
     """Bar with a list of ports, and a button that connects or disconnects.
 
-    Selecting a port does not connect it. The list shows the port that was connected or selected
-    last, at first the port that was used last or the only port.
+    Selecting a port does not connect it. The list shows the port connected or selected last. At
+    the start it shows the preferred port.
     """
 
-    connecting = Signal()
-    choice_changed = Signal()  # `would_connect` may have changed
+    connecting = Signal()  # before each connection
+    choice_changed = Signal()  # `would_connect`, possibly
     line_settings_requested = Signal()
     remedy_chosen = Signal(object)  # a `Remedy`
 
@@ -78,9 +78,9 @@ class ConnectionBar(QFrame):
         self._dialog: FindDialog | None = None
         self._connected: Port | None = None
         self._chosen: Port | None = None
-        self._last: Port | None = None  # last port that was connected or tried
+        self._last: Port | None = None  # port of the last connection attempt
         self._wants_none = False
-        self._next: QWidget | None = None  # has the focus while the button is disabled
+        self._next: QWidget | None = None  # widget with the focus while the button is disabled
         self._create_widgets()
 
         self._combo.activated.connect(self._on_activated)
@@ -98,13 +98,13 @@ class ConnectionBar(QFrame):
             QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         )
         QShortcut(QKeySequence.mnemonic(tr("&Port:")), self, self._offer_ports)
-        # A double click on Connect does not disconnect.
+        # A `ConfirmButton`, so that a double click on Connect does not disconnect.
         self.button = ui.named(ConfirmButton(parent=self), "connectButton")
         self.button.clicked.connect(self.toggle)
         self._line = ui.tool_button(
             self,
             "lineButton",
-            " ",  # the line settings replace it
+            " ",  # placeholder for the line settings
             accessible=title_of(tr("&Line settings…")),
             tip=tr("How this computer talks to the board"),
             on_click=self.line_settings_requested,
@@ -136,7 +136,7 @@ class ConnectionBar(QFrame):
         self._progress = ui.progress_bar(self, "progressBar", tr("Progress"))
         self._progress.setFixedWidth(40)
         self._progress.hide()
-        # When a part appears, baud rate and quality give up their space first, then the state.
+        # When a part appears, it first takes the space of baud rate and quality, then of the state.
         self._parts = ui.row(
             self._lamp,
             (self._status, 1),
@@ -189,18 +189,18 @@ class ConnectionBar(QFrame):
 
     @property
     def would_connect(self) -> bool:
-        """True if the button connects: nothing is connected, or the list shows another port."""
+        """True if idle, or if the list shows another port than the connected port."""
         shown = self._combo.currentData()
         is_other = isinstance(shown, Port) and shown != self._manager.current.port
         return is_other or self._manager.is_idle
 
     def disconnect_device(self) -> None:
-        """Disconnect, but ask first while settings are being written."""
+        """Disconnect. Ask first while settings are being written."""
         self._unless_busy(self._manager.disconnect_device)
 
     def _unless_busy(self, then: Callable[[], object]) -> None:
         if self._manager.current.is_busy:
-            self.window().activateWindow()  # the question is there
+            self.window().activateWindow()  # shows the question
             self._question.prompt(
                 tr(
                     "Settings are still being written. Disconnect anyway? Unwritten settings stay "
@@ -213,7 +213,7 @@ class ConnectionBar(QFrame):
             then()
 
     def connect_shown(self) -> None:
-        """Connect to the port that the list shows. If it shows none, open the list."""
+        """Connect to the port shown in the list. Without a port, open the list."""
         if not self.would_connect:
             return
         shown = self._combo.currentData()
@@ -228,7 +228,7 @@ class ConnectionBar(QFrame):
         self._combo.showPopup()
 
     def reconnect(self) -> None:
-        """Connect to the last port that was connected or tried."""
+        """Connect to the port of the last connection attempt."""
         if self._last is not None:
             self.connect_to(self._ports.now(self._last) or self._last)
 
@@ -255,7 +255,7 @@ class ConnectionBar(QFrame):
             self._dialog.check_requested.connect(
                 lambda: self.remedy_chosen.emit(Remedy.CHECK_BOARD)
             )
-        self._dialog.look(self._port_to_show(), at_once=at_once)
+        self._dialog.open_dialog(self._port_to_show(), at_once=at_once)
 
     def close_dialogs(self) -> None:
         if self._dialog is not None:
@@ -291,7 +291,7 @@ class ConnectionBar(QFrame):
             self._on_ports_changed()
 
     def connect_to(self, port: Port) -> None:
-        """Connect to a port, but ask first while settings are being written."""
+        """Connect to a port. Ask first while settings are being written."""
 
         def connect() -> None:
             self._chosen, self._wants_none = port, False

@@ -1,4 +1,4 @@
-"""Opening of dropped, named and recent files, and the list of recent files."""
+"""Opening of files: dropped, named on the command line, or recent."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -24,7 +24,7 @@ _MOST = 8
 @dataclass(frozen=True, slots=True)
 class RecentFile:
     device: str  # key of the kind of device
-    kind: str  # key of the function in `Workspace.openers` that opens it
+    kind: str  # key in `Workspace.openers`
     path: Path
 
     @property
@@ -44,15 +44,15 @@ class RecentFiles(QObject):
         return tuple(found[:_MOST])
 
     def add(self, device: str, kind: str, path: Path) -> None:
-        noted = RecentFile(device, kind, path.absolute())
-        if not {"\n", "\0"} & set(str(noted.path)):
-            self._save(noted, *(one for one in self.entries if one.path != noted.path))
+        added = RecentFile(device, kind, path.absolute())
+        if not {"\n", "\0"} & set(str(added.path)):
+            self._save(added, *(file for file in self.entries if file.path != added.path))
 
-    def remove(self, gone: RecentFile) -> None:
-        self._save(*(one for one in self.entries if one != gone))
+    def remove(self, removed: RecentFile) -> None:
+        self._save(*(file for file in self.entries if file != removed))
 
-    def _save(self, *entries: RecentFile) -> None:
-        lines = [f"{one.device} {one.kind} {one.path}" for one in entries[:_MOST]]
+    def _save(self, *files: RecentFile) -> None:
+        lines = [f"{file.device} {file.kind} {file.path}" for file in files[:_MOST]]
         Preferences().set(_KEY, "\n".join(lines))
         self.changed.emit()
 
@@ -60,7 +60,7 @@ class RecentFiles(QObject):
 class FileOpener(QObject):
     """Opens dropped, named and recent files in their workspaces.
 
-    If a file fits no workspace so far, the workspaces of all other devices are added.
+    If a file fits no existing workspace, it first adds the workspaces of all devices.
     """
 
     def __init__(
@@ -82,7 +82,7 @@ class FileOpener(QObject):
         self.recent_menu.setToolTipsVisible(True)
         self.recent.changed.connect(self._fill_menu)
         self._fill_menu()
-        # Queued: a question about the file must not block the program that it was dragged from.
+        # Queued: a question about the file must not block the program that the file comes from.
         drop = FileDrop(window)
         drop.dropped.connect(self._on_dropped, Qt.ConnectionType.QueuedConnection)
 
@@ -96,7 +96,7 @@ class FileOpener(QObject):
             self._notifier.error.emit(text.format(len(paths)))
 
     def open_file(self, path: Path) -> None:
-        """Open a file in the workspace that it belongs to, unless another device is connected."""
+        """Open a file in its workspace, unless another device is connected."""
         if not any(path.suffix.lower() in kind.suffixes for _, kind in self._kinds):
             self._add_all_workspaces()
         kinds = self._kinds
@@ -122,10 +122,10 @@ class FileOpener(QObject):
             self._notifier.error.emit(text.format(name, kind, device))
 
     def open_recent(self, file: RecentFile) -> None:
-        """Open a file again where it was opened, or remove it from the list."""
+        """Open a recent file. If it no longer exists, remove it from the list."""
 
-        def then(is_there: bool) -> None:
-            if is_there:
+        def then(exists: bool) -> None:
+            if exists:
                 self._open_again(file)
                 return
             self.recent.remove(file)

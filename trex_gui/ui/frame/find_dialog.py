@@ -33,10 +33,10 @@ _CHECKABLE = Qt.ItemFlag.ItemIsUserCheckable
 class FindDialog(ReusedDialog):
     """Dialog beside the window. Closing it ends the scan.
 
-    Boards are listed above the ports without a board.
+    Found boards are listed above ports without a board.
     """
 
-    check_requested = Signal()  # the user requests help on checking a board
+    check_requested = Signal()  # help on checking a board
 
     def __init__(
         self,
@@ -45,7 +45,7 @@ class FindDialog(ReusedDialog):
         unless_busy: Callable[[Callable[[], object]], object],
         parent: QWidget | None = None,
     ) -> None:
-        """`unless_busy` calls a function that ends a connection, but may ask the user first."""
+        """`unless_busy` calls a function that disconnects. It may ask the user first."""
         super().__init__(parent)
         self.setObjectName("findDialog")
         self.setWindowTitle(title_of(tr("&Find a board…")))
@@ -54,8 +54,8 @@ class FindDialog(ReusedDialog):
         self._manager = device_manager
         self._unless_busy = unless_busy
         self._scanner = device_manager.scanner
-        self._checked: dict[Port, bool] = {}  # ports that the user checked or cleared
-        self._first: Port | None = None  # the port selected in the window
+        self._checked: dict[Port, bool] = {}  # changes by the user
+        self._first: Port | None = None  # port selected in the window
         self._shown: tuple[ScanFinding, ...] | None = None
         self._connects: dict[QPushButton, Port] = {}
         self._create_widgets()
@@ -65,7 +65,7 @@ class FindDialog(ReusedDialog):
         self._scanner.simulators_changed.connect(self._on_ports_changed)
         self._scanner.changed.connect(self._on_scanner_changed)
         self._scanner.progressed.connect(self._on_progressed)
-        self._scanner.finished.connect(self._remember)
+        self._scanner.finished.connect(self._on_finished)
         self._on_ports_changed()
         self._on_scanner_changed()
 
@@ -131,17 +131,17 @@ class FindDialog(ReusedDialog):
             into=self,
         )
 
-    def look(self, chosen: Port | None, *, at_once: bool = False) -> None:
-        """Open the dialog. The port selected in the window is listed and searched first.
+    def open_dialog(self, selected: Port | None, *, at_once: bool = False) -> None:
+        """Open the dialog. The port `selected` in the window comes first.
 
         `at_once`: search only this port, immediately.
         """
-        self._first = chosen
+        self._first = selected
         self._on_ports_changed()
         self.show_in_front()
         self._start.setFocus()
-        if at_once and chosen in self._chosen and not self._scanner.running:
-            self._scanner.start([chosen])
+        if at_once and selected in self._chosen and not self._scanner.running:
+            self._scanner.start([selected])
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
@@ -196,12 +196,12 @@ class FindDialog(ReusedDialog):
             self._busy.setText(tr("This computer has no serial ports. Plug an adapter in."))
         self._busy.setVisible(port is not None or self._list.count() == 0)
         self._disconnect.setVisible(port is not None)
-        if running:  # the focus moves to Cancel from Start
+        if running:  # the focus moves from Start to Cancel
             self._cancel.setEnabled(True)
         self._list.setEnabled(not running)
         self._full.setEnabled(not running)
         self._start.setEnabled(not running and bool(self._chosen))
-        if not running and self.focusWidget() is self._cancel:  # focus the first board
+        if not running and self.focusWidget() is self._cancel:  # the focus moves to a board
             next(iter(self._connects), self._start).setFocus()
         self._cancel.setEnabled(running)
         self._check.setVisible(self._manager.current.has_line_settings)
@@ -226,8 +226,8 @@ class FindDialog(ReusedDialog):
             self._show_findings(self._shown)
 
     @Slot()
-    def _remember(self) -> None:
-        """Save the device found at each port, unless several boards share the line."""
+    def _on_finished(self) -> None:
+        """Save the device found at each port. Several boards on a line are not saved."""
         boards = [finding for finding in self._scanner.findings if finding.found is not None]
         ports = [finding.port for finding in boards]
         for board in boards:

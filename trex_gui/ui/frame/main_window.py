@@ -1,4 +1,4 @@
-"""Main window: connection bar, notifications, workspace of the device in use, menus."""
+"""Main window: connection bar, messages, workspaces, menus."""
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
@@ -54,15 +54,14 @@ _DEVICE = "window/device"
 
 
 def last_device() -> str:
-    """Return the device key of the workspace that was shown last. Empty at first."""
+    """Return the device key of the last visible workspace. Empty at first."""
     return Preferences().text(_DEVICE)
 
 
 class MainWindow(QMainWindow):
-    """Shows the workspace of the current device."""
+    """Window with the workspace of the current device."""
 
-    # True if any window of the program is visible: neither hidden nor minimised.
-    seen_changed = Signal(bool)
+    seen_changed = Signal(bool)  # True if a window of the program is neither hidden nor minimised
 
     def __init__(
         self,
@@ -71,7 +70,7 @@ class MainWindow(QMainWindow):
         notifier: Notifier,
         add_all_workspaces: Callable[[], object],
     ) -> None:
-        """`add_all_workspaces` adds the workspaces of devices that were not used yet."""
+        """`add_all_workspaces` adds the workspaces of devices that are not used yet."""
         super().__init__()
         restore_choices()  # before fonts are measured
         self.setObjectName("mainWindow")
@@ -113,10 +112,7 @@ class MainWindow(QMainWindow):
         )
 
     def add_workspace(self, workspace: Workspace) -> None:
-        """Add the workspace of a device, and fill the menus for all workspaces.
-
-        The window opens with the first workspace.
-        """
+        """Add the workspace of a device, and fill the menus for all workspaces."""
         is_first = not self._workspaces
         self._workspaces += (workspace,)
         self.stack.addWidget(workspace)
@@ -149,10 +145,10 @@ class MainWindow(QMainWindow):
         preferences = self._actions["preferences"]
         preferences.setMenuRole(QAction.MenuRole.PreferencesRole)
         self._menus_shown[0].insertMenu(preferences, self.files.recent_menu)
-        # Active whichever window is in front.
+        # These work in every window of the program.
         for key in ("stop", "help", "search"):
             self._actions[key].setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
-        self._actions["stop"].setAutoRepeat(False)  # Esc that closed a menu may still be held
+        self._actions["stop"].setAutoRepeat(False)  # the user may still hold Esc that closed a menu
 
     def _connect(self) -> None:
         for signal in (self.connection.connecting, self.connection.choice_changed):
@@ -179,7 +175,7 @@ class MainWindow(QMainWindow):
         return next(workspace for workspace in self._workspaces if workspace.key == key)
 
     def _menus(self, workspaces: Sequence[Menus]) -> Iterator[tuple[str, Entries]]:
-        """Yield titles and entries. Menus of only one workspace come before Window."""
+        """Yield titles and entries. Menus of a single workspace come before Window."""
         bar, stop = self.connection, partial(stop_or_close_dialog, self._manager)
 
         def shared(menu: Menu) -> Entries:
@@ -320,7 +316,7 @@ class MainWindow(QMainWindow):
 
     @Slot(str)
     def show_help(self, topic: str) -> None:
-        """Show a help page, or a section by `page.md#anchor`, beside the window."""
+        """Show a help page or a section (`page.md#anchor`) beside the window."""
         from trex_gui.ui.help.dialog import HelpDialog  # noqa: PLC0415 - not at the start
 
         if self.help_dialog is None:
@@ -328,7 +324,7 @@ class MainWindow(QMainWindow):
         self.help_dialog.show_topic(topic)
 
     def findables(self) -> Iterator[Findable]:
-        """Yield the present search entries: pages, parameters, menu entries, messages, help."""
+        """Yield search entries: pages, parameters, menu entries, messages, help."""
         yield from self._workspace.findables()
         pages = {entry.key for entry in entries_of({"": self._workspace.page_entries()})}
         yield from menu_findables(self, pages, self._workspace.moving)
@@ -356,9 +352,9 @@ class MainWindow(QMainWindow):
         self.seen_changed.emit(any(window.visibility() not in unseen for window in windows))
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if self._manager.is_armed:  # at once, before any question to the user
+        if self._manager.is_armed:  # before any question to the user
             self._manager.stop_because(tr("The window was to be closed"))
-        if not self._warning.given and not all(
+        if not self._warning.is_shown and not all(
             workspace.may_close(self.close) for workspace in self._workspaces
         ):
             event.ignore()
@@ -367,7 +363,7 @@ class MainWindow(QMainWindow):
         self._manager.shut_down()
         if self._warning.is_due:
             event.ignore()
-            self._warning.give()
+            self._warning.show()
             return
         self._store.set("window/state", state)
         for workspace in self._workspaces:

@@ -1,4 +1,4 @@
-"""Places of a workspace: a column of tabs on its left, with icons and names."""
+"""Places of a workspace: a column of tabs at the left, with icons and names."""
 
 from collections.abc import Sequence
 
@@ -11,7 +11,7 @@ from trex_gui.ui.theme.theme import follow_theme, scaled_font, theme
 from trex_gui.ui.widgets.builders import column, named
 from trex_gui.ui.widgets.painted import Painter
 
-_NARROW = 1100  # pixels for column and page, below which only icons are shown
+_NARROW = 1100  # pixels; a narrower workspace shows only icons
 _ICON, _AROUND = 20, 8  # pixels
 _KEYS = {Qt.Key.Key_Up: -1, Qt.Key.Key_Left: -1, Qt.Key.Key_Down: 1, Qt.Key.Key_Right: 1}
 
@@ -35,19 +35,19 @@ class PlaceBar(QTabBar):
             self.show_names()
 
     def show_names(self) -> None:
-        """Update the names, in the tabs or in their tool tips."""
-        for index in range(self.count()):  # makes Qt compute the tab sizes again
-            self.setTabText(index, self.tabText(index))
-            self._notify_name(index)
+        """Update the names in the tabs or in their tool tips."""
+        for index in range(self.count()):
+            self.setTabText(index, self.tabText(index))  # makes Qt update the size of the tab
+            self._update_name(index)
 
     def set_count(self, index: int, count: int) -> None:
-        """Show a count on a tab. 0 shows none. No tab moves."""
+        """Show a count on a tab. 0 shows none. Tabs do not move."""
         if count != self._counts.get(index, 0):
             self._counts[index] = count
-            self._notify_name(index)
+            self._update_name(index)
             self.update()
 
-    def _notify_name(self, index: int) -> None:
+    def _update_name(self, index: int) -> None:
         name = counted(self.tabText(index), self._counts.get(index, 0))
         self.setAccessibleTabName(index, name)
         self.setTabToolTip(index, name if self.is_narrow else "")
@@ -58,14 +58,14 @@ class PlaceBar(QTabBar):
         if self.is_narrow:
             return QSize(_ICON + 3 * _AROUND, height)
         name = metrics.horizontalAdvance(self.tabText(index))
-        room = _ICON + 6 * _AROUND + metrics.height()  # with a count after the name
-        return QSize(round(1.1 * name) + room, height)  # Qt makes all tabs as wide as the widest
+        padding = _ICON + 6 * _AROUND + metrics.height()  # includes a count after the name
+        return QSize(round(1.1 * name) + padding, height)  # Qt gives all tabs the largest width
 
     def minimumTabSizeHint(self, index: int) -> QSize:  # noqa: N802 - of Qt
         return self.tabSizeHint(index)
 
     def minimumSizeHint(self) -> QSize:
-        """Return the size without names, so that the window can become narrow."""
+        """Return the size without names. The window can then become narrow."""
         height = sum(self.tabSizeHint(index).height() for index in range(self.count()))
         return QSize(_ICON + 3 * _AROUND, height)
 
@@ -82,12 +82,12 @@ class PlaceBar(QTabBar):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
-        pointed = self.tabAt(self.mapFromGlobal(self.cursor().pos()))
+        hovered = self.tabAt(self.mapFromGlobal(self.cursor().pos()))
         with Painter(self) as painter:
             for index in filter(self.isTabVisible, range(self.count())):
                 is_current = index == self.currentIndex()
                 place = self.tabRect(index).adjusted(_AROUND, 2, -_AROUND, -2)
-                if is_current or index == pointed:
+                if is_current or index == hovered:
                     painter.setPen(Qt.PenStyle.NoPen)
                     painter.setBrush(theme().color("selected" if is_current else "window"))
                     painter.drawRoundedRect(place, 6, 6)
@@ -129,7 +129,7 @@ class PlaceBar(QTabBar):
 
 
 def counted(title: str, count: int) -> str:
-    """Return a title with its count, if any: `Problems (2)`."""
+    """Return a title with its count, such as `Problems (2)`."""
     return f"{title} ({count})" if count else title
 
 
@@ -160,7 +160,7 @@ class Places(QTabWidget):
 
 
 class Place(QWidget):
-    """Pages that share a place, with tabs of their own."""
+    """Several pages on tabs in one place."""
 
     tabs: QTabWidget
 
@@ -170,7 +170,7 @@ class Place(QWidget):
         self.title = title
 
     def add_tabs(self, *above: QWidget) -> None:
-        """Add the tabs below the widgets in `above`, also in the order of the Tab key."""
+        """Add the tabs below the widgets in `above`. The Tab key visits them in this order."""
         name = self.objectName().replace("Page", "Tabs")
         self.tabs = named(QTabWidget(self), name, accessible=self.title)
         self.tabs.setDocumentMode(True)

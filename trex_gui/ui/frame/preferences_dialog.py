@@ -1,4 +1,4 @@
-"""Preferences of the user for the whole program. All but the language take effect at once."""
+"""Dialog of the preferences. All but the language take effect at once."""
 
 from collections.abc import Sequence
 
@@ -118,7 +118,7 @@ class PreferencesDialog(ReusedDialog):
 
     @Slot()
     def _fit(self) -> None:
-        self._rows.activate()  # otherwise the inner rows keep their old heights
+        self._rows.activate()  # updates the heights of the inner rows
         width = max(_WIDTH * theme().font_size // 100, self.minimumSizeHint().width())
         self.resize(width, self.heightForWidth(width))
         if self.isVisible():

@@ -1,4 +1,4 @@
-"""Dialog of the support report. It shows every file before it writes any file."""
+"""Dialog that shows and saves the support report."""
 
 from collections.abc import Callable, Mapping
 from functools import partial
@@ -24,8 +24,6 @@ _AROUND_ROW = 4  # pixels, as in the style sheet
 
 
 class ReportDialog(ReusedDialog):
-    """Collects the files when opened, shows them, and saves the checked files."""
-
     def __init__(self, notifier: Notifier, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._notifier = notifier
@@ -67,7 +65,7 @@ class ReportDialog(ReusedDialog):
         self._list.itemChanged.connect(self._enable)
 
     def open_report(self, parts: Mapping[str, Callable[[], str]]) -> None:
-        """Collect the files in another thread. `parts`: file name → function to call there."""
+        """Collect the files in another thread. `parts`: file name → function."""
         self._list.clear()
         self._text.clear()
         self._enable()
@@ -83,8 +81,8 @@ class ReportDialog(ReusedDialog):
             item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             item.setCheckState(Qt.CheckState.Checked)
             self._list.addItem(item)
-        room = 2 * (self._list.frameWidth() + _AROUND_ROW)
-        self._list.setMinimumWidth(self._list.sizeHintForColumn(0) + room)
+        padding = 2 * (self._list.frameWidth() + _AROUND_ROW)
+        self._list.setMinimumWidth(self._list.sizeHintForColumn(0) + padding)
         self._list.setCurrentRow(0)
         self._enable()
         self._save.setFocus()
@@ -92,8 +90,9 @@ class ReportDialog(ReusedDialog):
     @property
     def _chosen(self) -> tuple[ReportFile, ...]:
         items = (self._list.item(row) for row in range(self._list.count()))
-        checked = (one for one in items if one.checkState() is Qt.CheckState.Checked)
-        return tuple(item.data(_FILE) for item in checked)
+        return tuple(
+            item.data(_FILE) for item in items if item.checkState() is Qt.CheckState.Checked
+        )
 
     @Slot()
     def _enable(self) -> None:

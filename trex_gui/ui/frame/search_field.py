@@ -1,4 +1,4 @@
-"""Field that searches everything, with the hits below it."""
+"""Search field for pages, parameters, menu entries, messages and help."""
 
 from collections.abc import Callable, Iterable
 
@@ -21,22 +21,22 @@ _ICONS: dict[Kind, str] = {
     "message": "warning",
     "help": "help",
 }
-_VISIBLE = 12  # hits
+_VISIBLE = 12  # hits without scrolling
 _WIDEST, _LIST, _TITLE = 56, 110, 52  # widths of field, list and titles, average characters
 _FOUND = Qt.ItemDataRole.UserRole
 
 
 class SearchField(QLineEdit):
-    """Search field with the hits below it. Enter opens the selected hit, Esc leaves."""
+    """Search field with a list of hits. Enter opens the selected hit, Esc closes the list."""
 
     def __init__(self, findables: Callable[[], Iterable[Findable]], parent: QWidget) -> None:
-        """`findables` returns the search entries when a search starts."""
+        """`findables` is called at the start of each search."""
         super().__init__(parent)
         ui.named(self, "searchField", accessible=title_of(tr("Search every&thing")))
         self.setPlaceholderText(tr("Search everything (Ctrl+K)"))
         self._findables = findables
         self._index: SearchIndex | None = None  # during a search
-        self._before: QWidget | None = None  # had the focus before the search
+        self._before: QWidget | None = None  # widget with the focus before the search
         self._model = QStandardItemModel(0, 2, self)
         self._hits = ui.named(QTreeView(), "searchHits", accessible=tr("Hits"))
         self._hits.setHeaderHidden(True)
@@ -56,7 +56,7 @@ class SearchField(QLineEdit):
 
     @Slot()
     def start(self) -> None:
-        """Set the focus. Show the pages until the user types."""
+        """Set the focus. Shows the pages until the user types."""
         if (focused := self.window().focusWidget()) is not self:
             self._before = focused
         self.window().activateWindow()
@@ -75,8 +75,8 @@ class SearchField(QLineEdit):
             title.setAccessibleText(f"{found.title}. {text}")
             more.setForeground(theme().color("muted"))
             self._model.appendRow([title, more])
-        character, room = self.fontMetrics().averageCharWidth(), self.window().width()
-        width = min(_LIST * character, room)
+        character = self.fontMetrics().averageCharWidth()
+        width = min(_LIST * character, self.window().width())
         self._completer.complete(QRect(self.width() - width, 0, width, self.height()))
         self._hits.setColumnWidth(0, _TITLE * character)
         self._hits.setCurrentIndex(self._hits.model().index(0, 0))
@@ -84,7 +84,7 @@ class SearchField(QLineEdit):
     @Slot()
     def _on_chosen(self) -> None:
         found = self._hits.currentIndex().data(_FOUND)
-        self._hits.hide()  # restores the focus, which the hit may change
+        self._hits.hide()  # restores the focus before the hit changes it
         found.show()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

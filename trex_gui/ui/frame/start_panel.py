@@ -26,19 +26,19 @@ _MOST_PORTS = 4
 class StartWay:
     wiring: Wires
     note: str
-    name: str = ""  # on its button, with a free mnemonic, if there are several ways
+    name: str = ""  # button text with a free mnemonic, needed for several ways
     danger: str = ""
 
 
 @dataclass(frozen=True, slots=True)
 class StartTexts:
     title: str
-    hint: str  # what to do first, in one line
+    hint: str  # first step, in one line
     ways: Sequence[StartWay]
-    none: str  # heading of the card that needs no hardware
-    demo: str  # text of its button, with a free mnemonic
-    files: Sequence[tuple[str, str]]  # action that opens a file, text with a free mnemonic
-    prefix: str = ""  # starts object names
+    none: str  # heading of the card about the demo
+    demo: str  # button text with a free mnemonic
+    files: Sequence[tuple[str, str]]  # key of an action that opens a file, button text
+    prefix: str = ""  # start of object names
 
 
 class PortRow(QWidget):
@@ -115,7 +115,7 @@ class StartPanel(QWidget):
         self._on_ports_changed()
 
     def _wirings(self, ways: Sequence[StartWay]) -> QWidget:
-        """Return a card with the drawing of each way, and buttons to select one of several."""
+        """Return a card with a drawing of each way, and buttons to switch between them."""
         card = ui.Card("", self)
         pages, choices = QStackedWidget(card), list[QPushButton]()
         for number, way in enumerate(ways, start=1):
@@ -140,7 +140,7 @@ class StartPanel(QWidget):
 
     @property
     def _real_ports(self) -> list[Port]:
-        """Return the serial ports, and the typed addresses at which a device was found."""
+        """Serial ports, and typed addresses at which a device was found."""
         return [
             port
             for port in self._frame.ports.entries
@@ -162,13 +162,13 @@ class StartPanel(QWidget):
 
     @Slot()
     def _on_connecting(self) -> None:
-        """Focus the places, because Qt gives the focus of a hidden page to any other widget."""
+        """Focus the places. Qt would pass the focus of the hidden page to any widget."""
         focused = self._frame.focusWidget()
         if focused is not None and self.isAncestorOf(focused):
             self._frame.pages.tabBar().setFocus()
 
     def _on_port_clicked(self, at: int) -> None:
-        """Connect to this kind of device, unless the port leads to another kind."""
+        """Connect to this workspace's device. A known device at the port has priority."""
         port, ports = self._ports[at], self._frame.ports
         is_known = port.device != ports.plugins[0].key
         self._frame.connection.connect_to(port if is_known else ports.lead_to(port, self._device))

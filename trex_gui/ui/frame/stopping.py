@@ -1,4 +1,4 @@
-"""Stopping by Esc in every window, and closing the window while a stop is unconfirmed."""
+"""Stop by Esc in every window, and warning about an unconfirmed stop."""
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Slot
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QWindow
@@ -11,12 +11,14 @@ from trex_gui.ui.runtime import now
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.messages import InlinePrompt
 
-_LOG_OUT_S = 60.0
-"""Seconds after the start of a log-out during which the log-out may close the window."""
+_LOG_OUT_S = 60.0  # time after the start of a log-out in which closing counts as the log-out
 
 
 def stop_or_close_dialog(device_manager: DeviceManager) -> None:
-    """Stop, or close the dialog in front. With a dialog, stop only if motors may move."""
+    """Handle the stop command: stop, or close the dialog in front.
+
+    With a dialog in front, stop only if motors may move.
+    """
     dialog, needs_stop = QApplication.activeWindow(), device_manager.needs_stop
     if needs_stop or not isinstance(dialog, QDialog):
         device_manager.press_stop()
@@ -28,11 +30,11 @@ def stop_or_close_dialog(device_manager: DeviceManager) -> None:
 class EscapeWatch(QObject):
     """Event filter that stops the motors on Esc before any widget gets the key.
 
-    Modal dialogs block a shortcut, and editors in a table consume the key. The filter is on the
-    native windows, so only their events pass through Python.
+    Modal dialogs would block a shortcut, and table editors would consume the key. Only events of
+    native windows pass through Python.
 
-    If Esc closes a dialog, a question, a menu, a list or an editor in a table, it also stops, but
-    only while a motor may be moving.
+    If Esc closes a dialog, a question, a menu, a list or a table editor, it stops the motors only
+    while they may be moving.
     """
 
     def __init__(
@@ -75,10 +77,10 @@ def _is_closed_by_escape() -> bool:
 
 
 class UnconfirmedStopWarning(QObject):
-    """Warns in the window about an unconfirmed stop when the window is closed.
+    """Warns about an unconfirmed stop when the user closes the window.
 
-    The warning does not block, so other events can still end the program. If the stop is confirmed
-    later, or the user closes the window again, the window closes. Log-out shows no warning.
+    The warning does not block, so other events can still end the program. The window closes once
+    the stop is confirmed or the user closes it again. Log-out shows no warning.
     """
 
     def __init__(
@@ -88,7 +90,7 @@ class UnconfirmedStopWarning(QObject):
         self._manager = device_manager
         self._question = question
         self._window = window
-        self.given = False  # the warning is shown; closing the window then needs no other question
+        self.is_shown = False  # True while the warning is visible; replaces other questions
         self._log_out_at: float | None = None
         app = QApplication.instance()
         if isinstance(app, QApplication):
@@ -96,17 +98,17 @@ class UnconfirmedStopWarning(QObject):
 
     @property
     def is_due(self) -> bool:
-        """True if the window must not close without the warning once every line is closed."""
+        """True if closing needs the warning. Read this after closing every line."""
         is_log_out = self._log_out_at is not None and now() - self._log_out_at < _LOG_OUT_S
-        return bool(self._manager.unconfirmed_stop) and not self.given and not is_log_out
+        return bool(self._manager.unconfirmed_stop) and not self.is_shown and not is_log_out
 
     @Slot()
     def record_log_out(self) -> None:
         self._log_out_at = now()
 
-    def give(self) -> None:
+    def show(self) -> None:
         text = self._manager.unconfirmed_stop
-        self.given = True
+        self.is_shown = True
         self._window.setWindowState(self._window.windowState() & ~Qt.WindowState.WindowMinimized)
         self._window.activateWindow()
         self._question.prompt(
@@ -120,4 +122,4 @@ class UnconfirmedStopWarning(QObject):
         if self._manager.is_idle and not self._manager.unconfirmed_stop:
             QTimer.singleShot(0, self._window.close)
         else:
-            self.given = False
+            self.is_shown = False

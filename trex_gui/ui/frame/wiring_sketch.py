@@ -1,4 +1,4 @@
-"""Drawing of the wires between an adapter, or a receiver, and a board, not to scale."""
+"""Drawing of the wires between an adapter or receiver and a board, not to scale."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -20,17 +20,16 @@ from trex_gui.ui.widgets.circuit import (
 )
 from trex_gui.ui.widgets.painted import Painted, Painter
 
-_COLORS = ("window_text", "accent", "outline")  # of the wires, from top to bottom
-_WIRES = 3.6  # lines of text above the first wire
-_SMALLEST, _LARGEST, _LARGEST_TEXT = 0.85, 2.0, 1.2  # factors of the size that fits the font
+_COLORS = ("window_text", "accent", "outline")  # wires from top to bottom
+_WIRES = 3.6  # line heights above the first wire
+_SMALLEST, _LARGEST, _LARGEST_TEXT = 0.85, 2.0, 1.2  # scales; at 1 the drawing fits the font
 
 
 @dataclass(frozen=True, slots=True)
 class Wires:
     board: str  # name of the board
     adapter: str  # name of the adapter or receiver
-    # Names of the pins at the adapter and at the board, from top to bottom; at most three.
-    wires: Sequence[tuple[str, str]]
+    wires: Sequence[tuple[str, str]]  # pins of adapter and board, at most three, from the top
     jumpers: Sequence[Jumper] = ()
 
 

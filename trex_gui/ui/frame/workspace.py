@@ -1,4 +1,4 @@
-"""Workspace of a device, and the menus that it shares with the frame."""
+"""Workspace of a device, and the menus of the window."""
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -29,7 +29,7 @@ SEPARATOR = ""
 
 @dataclass(frozen=True, slots=True)
 class Entry:
-    """One entry of a menu. `shortcut` is a portable key sequence."""
+    """Menu entry. `shortcut` is a portable key sequence."""
 
     key: str
     text: str
@@ -43,7 +43,7 @@ Entries = Sequence[Entry | str]  # actions and separators of one menu
 
 
 class Menu(Enum):
-    """Menus that the frame and the workspaces share, in their order."""
+    """Menus with entries of the window and of workspaces, in their order."""
 
     FILE = auto()
     EDIT = auto()
@@ -53,39 +53,36 @@ class Menu(Enum):
 
 
 Menus = Mapping[Menu | str, Entries]
-"""Entries of a workspace by shared menu, or by the title of a menu of its own."""
+"""Entries of a workspace by menu, or by the title of an extra menu."""
 
 
 @dataclass(frozen=True, slots=True)
 class FileKind:
-    """Files of one kind that belong to a workspace."""
+    """Kind of files that belong to a workspace."""
 
-    suffixes: Collection[str]  # how their names end, in lower case
-    name: str  # with its article: "a settings file of a TReX"
+    suffixes: Collection[str]  # in lower case
+    name: str  # with an article: "a settings file of a TReX"
     open: Callable[[Path], object]  # opens a file in the visible workspace
-    # Opens a file named at the start, unless a device is being connected. `None`: use `open`.
+    # Opens a file named on the command line if no device is connecting. `None`: use `open`.
     open_offline: Callable[[Path], object] | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class PageInfo:
-    """One page of a workspace, on a tab and in the Window menu with Ctrl and its number."""
+    """Page of a workspace, with a tab and an entry in the Window menu."""
 
-    key: str  # names it in code and in the key of its action, `workspace_key`
-    title: str  # of its tab, with the mnemonic of its menu entry
-    make: Callable[[QWidget], QWidget]  # creates it in a parent, when first shown or after startup
-    icon: str = "info"  # beside the title
-    place: Place | None = None  # place shared with the pages next to it, if any
+    key: str  # the key of its action is `workspace_key`
+    title: str  # with the mnemonic of the menu entry
+    make: Callable[[QWidget], QWidget]  # creates the page in a parent, when shown or after startup
+    icon: str = "info"
+    place: Place | None = None  # place shared with adjacent pages
 
 
 class Workspace(QWidget):
-    """The pages of a device, the bar at the bottom of the window, and its menu entries.
-
-    Subclasses set and override what their device needs.
-    """
+    """Pages of a device, its bar at the bottom of the window, and its menu entries."""
 
     actions_changed = Signal()  # result of `enabled_actions`
-    page_changed = Signal(str)  # the key of the page that is shown now
+    page_changed = Signal(str)  # key of the visible page
 
     bar: QWidget  # with the stop button
 
@@ -93,30 +90,25 @@ class Workspace(QWidget):
         super().__init__(parent)
         self.notifier = notifier
         self.key = key
-        self.log = Log(self)  # messages while this workspace is shown, and events
+        self.log = Log(self)  # messages while this workspace is visible, and events
         self.stop_text = tr("&Stop motors")  # menu entry of Esc
-        # Topics of the help by the object names of pages, docks and dialogs; see `HelpDialog`.
+        # Object names of pages, docks and dialogs → help topics.
         self.help_topics: Mapping[str, str] = {}
         self.message_help = MessageHelp({})
-        # Files that are opened here when they are dropped or named at the start.
-        self.file_kinds: Sequence[FileKind] = ()
-        # Functions that open its recent files, by the key of the file kind.
+        self.file_kinds: Sequence[FileKind] = ()  # opened here when dropped or named at the start
+        # Keys of file kinds → functions that open a recent file.
         self.openers: Mapping[str, Callable[[Path], object]] = {}
-        # At the right of the window; the workspace shows and hides them.
-        self.docks: Sequence[QDockWidget] = ()
-        # Keys of entries that move motors: the search shows them in their menu only.
+        self.docks: Sequence[QDockWidget] = ()  # shown and hidden by the workspace
+        # Keys of entries that move motors. A search hit only opens their menu.
         self.moving: Collection[str] = ()
         self.pages = Places(self)
-        self._actions: Mapping[str, QAction] = {}  # by key, once the menus are built
+        self._actions: Mapping[str, QAction] = {}  # by key, set with the menus
         self._infos: tuple[PageInfo, ...] = ()
         self._holders: list[tuple[QTabWidget, int]] = []  # tabs and index of each page
-        self._missing: set[int] = set()  # pages that are not created yet
+        self._missing: set[int] = set()  # numbers of pages that are not created yet
 
     def add_pages(self, infos: Sequence[PageInfo]) -> None:
-        """Add a place for each page. Pages that share a place get tabs in it.
-
-        A page is found by its object name.
-        """
+        """Add pages. Pages that share a place get tabs in it."""
         self._infos = tuple(infos)
         self._missing = set(range(len(infos)))
         icons = []
@@ -135,7 +127,7 @@ class Workspace(QWidget):
 
     @property
     def current(self) -> int:
-        """The number of the page that is shown, from 0."""
+        """Number of the visible page, from 0."""
         place = self.pages.currentWidget()
         shown = {self.pages, place.tabs if isinstance(place, Place) else None}
         current = (
@@ -150,7 +142,7 @@ class Workspace(QWidget):
         return len(self._infos)
 
     def page_at(self, number: int) -> QWidget | None:
-        """Return a page in its scroll area, or a placeholder if it is not created yet."""
+        """Return a page in its scroll area, or its placeholder."""
         holder, index = self._holders[number]
         return holder.widget(index)
 
@@ -160,7 +152,7 @@ class Workspace(QWidget):
         self.page_changed.emit(self._infos[self.current].key)
 
     def create_pages(self) -> None:
-        """Create the pages that were not shown yet."""
+        """Create all pages that do not exist yet."""
         for number in sorted(self._missing):
             self._create_page(number)
 
@@ -174,11 +166,11 @@ class Workspace(QWidget):
         box = ScrollBox(self._infos[number].make, where)
         page = box.content
         follow_theme(page, "messages", partial(_reserve_space, page))
-        with QSignalBlocker(holder):  # the current page stays the same
+        with QSignalBlocker(holder):  # the current page does not change
             holder.insertTab(index, box, holder.tabText(index))
             holder.removeTab(index + 1)
             holder.setCurrentIndex(current)
-        # The page is newer than the widgets below the pages, and a plot is added later still.
+        # The page, and its later plots, are newer than the widgets below the pages.
         order = partial(ui.tab_order, holder.tabBar(), box)
         order()
         if isinstance(page, PlotPage):
@@ -190,7 +182,7 @@ class Workspace(QWidget):
         self.show_number(self._number_of(key))
 
     def show_saved(self, saved: str) -> None:
-        """Show the page of the last session by its key, or else the first."""
+        """Show the page with the `saved` key. If there is none, show the first page."""
         keys = [info.key for info in self._infos]
         self.show_page(saved if saved in keys else keys[0])
 
@@ -201,7 +193,7 @@ class Workspace(QWidget):
             self.pages.setCurrentWidget(place)
 
     def set_page_count(self, key: str, count: int) -> None:
-        """Show a count on the tabs of a page and its place. 0 shows none."""
+        """Show a count on the tab of a page and on its place. 0 shows none."""
         number = self._number_of(key)
         (holder, index), info = self._holders[number], self._infos[number]
         if info.place is not None:
@@ -230,7 +222,7 @@ class Workspace(QWidget):
     def report_parts(self) -> dict[str, Callable[[], str]]:
         """Return functions that create the files of a support report, by file name.
 
-        They are called in another thread, but use data collected now.
+        Call them in any thread. They use data collected by this method.
         """
         lines = "".join(f"{entry.line}\n" for entry in self.log.entries)
         return {"log.txt": lambda: lines}
@@ -242,25 +234,25 @@ class Workspace(QWidget):
         self._actions = actions
 
     def trigger(self, key: str) -> None:
-        """Trigger a menu entry, if it is enabled."""
+        """Trigger a menu entry if it is enabled."""
         self._actions[key].trigger()
 
     @property
     def device_name(self) -> str:
-        """Name of the connected device, for the window title. Empty if none."""
+        """Name of the connected device for the window title, or empty."""
         return ""
 
     @property
     def has_edits(self) -> bool:
-        """True if there are edits that are not saved in the device or a file."""
+        """True if there are edits saved neither in the device nor in a file."""
         return False
 
     def enabled_actions(self) -> Mapping[str, bool]:
-        """Return whether each action is enabled, by key. Missing actions are enabled."""
+        """Return the state of each action by key. Missing actions are enabled."""
         return {}
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        """Return True if nothing would be lost. Otherwise ask, and call `leave` on consent."""
+        """Return True if nothing would be lost. Otherwise ask. Call `leave` on consent."""
         del leave
         return True
 
@@ -271,32 +263,32 @@ class Workspace(QWidget):
         """End work that outlasts the connection, such as writing to a slow disk."""
 
     def shut_down(self) -> bool:
-        """End every thread and return whether all ended in time."""
+        """End all threads. Return whether they ended in time."""
         return True
 
     def set_up_crc(self) -> None:
-        """Let the user review the settings with which the device detects errors on the line."""
+        """Open a review of the settings that make the device detect corrupted bytes."""
 
     def edit_line_settings(self) -> None:
-        """Let the user edit how this computer talks to the device."""
+        """Open the line settings."""
 
 
 def _reserve_space(page: QWidget) -> None:
-    """Keep the bottom of a page free for a message."""
+    """Reserve space for a message at the bottom of a page."""
     page.setContentsMargins(0, 0, 0, message_height(page) - PAGE_MARGINS[3])
 
 
 def entries_of(menus: Menus) -> list[Entry]:
-    return [one for entries in menus.values() for one in entries if isinstance(one, Entry)]
+    return [entry for menu in menus.values() for entry in menu if isinstance(entry, Entry)]
 
 
 def fill_menu_bar(
     window: QMainWindow, menus: Iterable[tuple[str, Entries]], prefix: str = ""
 ) -> dict[str, QAction]:
-    """Add menus by title to a window and return the actions by key.
+    """Add menus by title to a window. Return the actions by key.
 
-    Object names are `openAction`, or `editorOpenAction` with a prefix. Qt shows no separator at
-    an end of a menu or behind another one.
+    Object names are `openAction`, or `editorOpenAction` with a prefix. Qt hides separators at the
+    ends of a menu, and repeated separators.
     """
     actions: dict[str, QAction] = {}
     for title, entries in menus:
@@ -322,7 +314,7 @@ def fill_menu_bar(
 
 
 def _add_icons(actions: Mapping[str, QAction], entries: Entries) -> None:
-    """Add icons when a menu opens. They would take a tenth of the time to create a window."""
+    """Add icons when a menu opens. Earlier, they would delay the window by a tenth."""
     for entry in entries:
         if isinstance(entry, Entry) and entry.icon:
             set_icon(actions[entry.key], entry.icon)
@@ -331,13 +323,14 @@ def _add_icons(actions: Mapping[str, QAction], entries: Entries) -> None:
 def menu_findables(
     window: QMainWindow, pages: Collection[str], moving: Collection[str]
 ) -> Iterator[Findable]:
-    """Yield the menu entries for the search. Entries in `pages` are of kind "page".
+    """Yield search entries for the menu. Keys in `pages` are of kind "page".
 
-    A result triggers its entry. If the entry is disabled or `moving`, its menu opens at it.
+    A hit triggers its menu entry. If the entry is disabled or `moving`, a hit opens the menu at
+    the entry.
     """
     bar = window.menuBar()
 
-    def do(menu: QMenu, action: QAction, key: str) -> None:
+    def show(menu: QMenu, action: QAction, key: str) -> None:
         if action.isEnabled() and key not in moving:
             action.trigger()
         else:
@@ -351,4 +344,4 @@ def menu_findables(
                 title, place = (each.replace("&", "") for each in (action.text(), menu.title()))
                 kind: Kind = "page" if key in pages else "action"
                 text = keys.toString(QKeySequence.SequenceFormat.NativeText)
-                yield Findable(kind, key, title, place, text, partial(do, menu, action, key))
+                yield Findable(kind, key, title, place, text, partial(show, menu, action, key))
