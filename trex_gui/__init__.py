@@ -1,13 +1,14 @@
 """TReX Studio: set up, calibrate, drive and understand a Pololu TReX motor controller.
 
-Programs that use a board import its interface from here, without Qt:
+Import the programming interface of a board from here. It does not need Qt:
 
     from trex_gui import Trex
 
     with Trex("/dev/ttyUSB0") as trex:
         print(trex.status().currents)
 
-These names are the public interface; everything else may change. `resources/examples` has programs.
+The names in `__all__` are the public interface. Everything else may change. `resources/examples`
+has programs.
 """
 
 from importlib import import_module
@@ -63,7 +64,7 @@ _MODULES = (
 if not TYPE_CHECKING:  # a misspelled name is an error to type checkers
 
     def __getattr__(name: str) -> Any:
-        """Import the library on first use. The window and `trexcmd --help` do not need it."""
+        """Import the library on first use, for a fast start of the window and `trexcmd`."""
         for module in _MODULES if name in __all__ else ():
             if (found := getattr(import_module(module), name, None)) is not None:
                 return found

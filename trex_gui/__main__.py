@@ -1,4 +1,4 @@
-"""`python -m trex_gui` opens the window."""
+"""`python -m trex_gui`: open the window."""
 
 import sys
 

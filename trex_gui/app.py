@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 log = logging.getLogger(__name__)
 
-_FIRST_PAINT_MS = 100  # time allowed for the first painting of the window
+_FIRST_PAINT_MS = 100  # time for the window to appear
 
 
 def _seconds(text: str) -> float:
@@ -45,7 +45,7 @@ def _url(text: str) -> str:
 
 
 def _path(text: str) -> Path:
-    if not text:  # often an unset shell variable
+    if not text:  # usually an unset shell variable
         raise argparse.ArgumentTypeError("the name is empty")
     return Path(text)
 
@@ -96,9 +96,9 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
 def complete(
     program: "Program", collector: "GuiThreadCollector", *, has_crashed: bool = False
 ) -> None:
-    """Load the parts that the window does not show at first.
+    """Load parts that are not visible at first.
 
-    This blocks the thread for half a second, so it is done before a motor can be armed.
+    This blocks the thread for half a second. It must be done before the user can arm a motor.
     """
     program.complete()
     program.create_plots()
@@ -106,8 +106,8 @@ def complete(
     program.report_last_run(has_crashed=has_crashed)
 
 
-def begin(program: "Program", arguments: argparse.Namespace) -> None:
-    """Carry out the command line, once the event loop runs."""
+def start(program: "Program", arguments: argparse.Namespace) -> None:
+    """Schedule the actions of the command line for the event loop."""
     from PySide6.QtCore import QCoreApplication, QTimer  # noqa: PLC0415
 
     if arguments.tour is not None:
@@ -126,9 +126,9 @@ def begin(program: "Program", arguments: argparse.Namespace) -> None:
 
 
 def connect(program: "Program", arguments: argparse.Namespace) -> None:
-    """Connect to the port or demo that the user named, or to a known board."""
+    """Connect to the port or demo of the command line. Otherwise connect automatically."""
     is_named = arguments.demo or bool(arguments.port)
-    program.auto_connect.start(at_once=not is_named)  # an adapter may be pulled out later
+    program.auto_connect.start(at_once=not is_named)  # also reconnects unplugged adapters
     if arguments.demo:
         program.connect_to_demo(arguments.device or program.plugins[0].key)
     elif arguments.port:
@@ -168,7 +168,7 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
-    # Qt is imported only now, as --help, --version and the simulator do not need it.
+    # Qt is imported here, because --help, --version and the simulator do not need it.
     from PySide6.QtCore import Qt, QTimer, qVersion  # noqa: PLC0415
     from PySide6.QtWidgets import QApplication  # noqa: PLC0415
 
@@ -191,27 +191,27 @@ def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
     # Native dialogs consume Esc, which has to stop the motors in dialogs too.
     QApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
     app = QApplication(["trex-gui"])
-    run_file = RunFile()  # not earlier: Qt aborts if there is no display
+    run_file = RunFile()  # after QApplication, which aborts without a display
     theme().install(app)
     collector = GuiThreadCollector(app)
     collector.setObjectName("collector")
     install_translations(app, chosen_locale())
     program = composition.build(Timeouts(extra=arguments.timeout))
     program.window.show()
-    watching = SafetySupervisor(program, app, end_log=program_log.close)
+    supervisor = SafetySupervisor(program, app, end_log=program_log.close)
     if sys.platform == "linux":
         skip_exit_handlers()
     later = partial(complete, program, collector, has_crashed=run_file.found_crash)
     QTimer.singleShot(_FIRST_PAINT_MS, later)
-    begin(program, arguments)
+    start(program, arguments)
     code = app.exec()
     # Closing the line or a recording may take seconds.
     for window in app.topLevelWidgets():
         window.hide()
-    have_ended = program.shut_down()
-    if watching.report_unconfirmed_stop():
+    has_ended = program.shut_down()
+    if supervisor.report_unconfirmed_stop():
         code = code or UNCONFIRMED_STOP
-    if not have_ended:
+    if not has_ended:
         run_file.close()
         if sys.stderr is not None:
             sys.stderr.write("A port or a disk does not respond: a file may not be saved.\n")
@@ -220,7 +220,7 @@ def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
         program_log.close()
         # Qt would abort when it destroys a running thread.
         os._exit(code)
-    watching.close()
+    supervisor.close()
     program.destroy()
     run_file.close()
     return code

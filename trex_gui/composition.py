@@ -1,4 +1,4 @@
-"""The list of devices. A line registers one."""
+"""List of the supported devices."""
 
 from typing import TYPE_CHECKING
 
@@ -11,11 +11,11 @@ if TYPE_CHECKING:
     from trex_gui.ui.program import Program
 
 PLUGINS: tuple[DevicePlugin, ...] = (TREX, ARACNA)
-"""Every kind of device; the first is the default of a port until another one is found."""
+"""Supported kinds of devices. The first is the default of a port."""
 
 
 def build(timeouts: Timeouts | None = None) -> "Program":
-    """Build models and window. Nothing is connected yet."""
+    """Create models and window, without a connection."""
     from trex_gui.ui.program import Program  # noqa: PLC0415 - trexcmd starts without Qt
 
     return Program(PLUGINS, timeouts)

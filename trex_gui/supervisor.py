@@ -24,23 +24,19 @@ if TYPE_CHECKING:
 
 log = logging.getLogger(__name__)
 
-UNCONFIRMED_STOP = 1
-"""Exit code if motors may still turn: they were driven and no stop was confirmed."""
-
+UNCONFIRMED_STOP = 1  # exit code if motors may still turn
 INTERNAL_ERROR = 1  # exit code if the interpreter ends while the event loop runs
 
-_AGAIN_S = 1.0  # seconds within which a repeated error counts as caused by its own report
+_REPEAT_S = 1.0  # an error that recurs earlier is caused by its own report
 
 _INTERVAL_MS = 500
-_LEAST_S = 1.0
-"""Shortest sleep in seconds that counts. Less may result from reading two clocks in turn."""
+_SHORTEST_SLEEP_S = 1.0  # the error of reading two clocks one after the other is smaller
 
 
 class SafetySupervisor(QObject):
-    """Stops every device when something outside the window requires it.
+    """Stops every device on events outside the window.
 
-    Create it in the main thread. It knows only the reason for a stop. Each device reports
-    its meaning.
+    Create it in the main thread. Each device reports the effect of a stop.
     """
 
     def __init__(
@@ -50,7 +46,7 @@ class SafetySupervisor(QObject):
         *,
         end_log: Callable[[], object] = lambda: None,
     ) -> None:
-        """Watch for events. `end_log` writes the rest of the log if the program ends at once."""
+        """`end_log` writes the rest of the log if the program ends at once."""
         super().__init__(parent)
         self._program = program
         self._end_log = end_log
@@ -88,7 +84,7 @@ class SafetySupervisor(QObject):
 
             try:
                 native = mac_events.NativeMac()
-            except (OSError, AttributeError, ValueError) as error:  # a library is not as expected
+            except (OSError, AttributeError, ValueError) as error:  # unexpected library
                 log.warning("a locked screen and sleep cannot be noticed: %s", error)
                 return None
             mac = mac_events.MacEvents(native, lambda: manager.may_move, self, timeout=limit)
@@ -96,7 +92,7 @@ class SafetySupervisor(QObject):
             return mac
         try:
             from trex_gui.system import login_session  # noqa: PLC0415 - needs D-Bus
-        except ImportError as error:  # a system without the library of D-Bus
+        except ImportError as error:  # the D-Bus library is missing
             log.info("a locked screen cannot be noticed: %s", error)
             return None
         events = login_session.SessionEvents(parent=self)
@@ -104,33 +100,33 @@ class SafetySupervisor(QObject):
         self._sleep_delay = login_session.SleepDelay(
             lambda: manager.may_move, parent=self, timeout=limit
         )
-        events.sleeping.connect(self._sleep_delay.record_sleep)
+        events.sleeping.connect(self._sleep_delay.on_sleeping)
         return events
 
     def close(self) -> None:
-        """Stop watching. To be called after the line is closed."""
+        """Stop watching. Call this after the line is closed."""
         atexit.unregister(self._on_exit)
         if self._sleep_delay is not None:
-            self._sleep_delay.give()
+            self._sleep_delay.release()
         self._exceptions.close()
         self._signals.close()
 
     def report_unconfirmed_stop(self) -> bool:
-        """Report an unconfirmed stop on the console, after the line is closed.
+        """Print a warning about an unconfirmed stop, because the window may be closed.
 
-        The window may be gone. Return whether a stop is unconfirmed, or a board was left running.
+        Call this after the line is closed. Return whether a motor may still be turning.
         """
         text = self._program.device_manager.unconfirmed_stop
-        if text and sys.stderr is not None:  # `None` for a program with a window on Windows
+        if text and sys.stderr is not None:  # `None` without a console on Windows
             sys.stderr.write(f"{text}\n")
             sys.stderr.flush()
         return bool(text or driven_boards())
 
     def _on_exit(self) -> None:
-        """Stop the motors and end the program after `sys.exit` in a slot or an event handler.
+        """Stop the motors and end the program after `sys.exit` in a slot or event handler.
 
-        PySide ends the interpreter at once, with an exit code unknown here. Continuing would
-        destroy the running thread of the line, and Qt would abort with the motors turning.
+        PySide ends the interpreter at once, with an exit code unknown here. That would destroy the
+        running thread of the line, and Qt would abort with the motors turning.
         """
         log.error("the interpreter ends while the window is open")
         try:
@@ -142,17 +138,16 @@ class SafetySupervisor(QObject):
 
     @Slot(str)
     def _on_error(self, reason: str) -> None:
-        """Report an internal error even if there was nothing to stop.
+        """Report an internal error, even if there was nothing to stop.
 
-        An error in the report itself recurs at once, and reporting it again would never end. Its
-        stop has been sent. If motors were armed meanwhile, they are disarmed and the error is
-        reported.
+        An error that its own report causes would recur forever. Therefore a repeated error is
+        reported only if motors have been armed since. Its stop has already been sent.
         """
         manager = self._program.device_manager
-        is_again = reason == self._error and now() - self._error_at < _AGAIN_S
+        is_repeated = reason == self._error and now() - self._error_at < _REPEAT_S
         self._error = reason
         self._error_at = now()
-        if not is_again or manager.is_armed:
+        if not is_repeated or manager.is_armed:
             manager.stop_because(reason, (Remedy.REPORT,))
 
     @Slot(int)
@@ -164,14 +159,11 @@ class SafetySupervisor(QObject):
 class StopBroadcaster(QObject):
     """Sends a stop without the GUI thread, which may be busy, hung or dead.
 
-    `stop_now` must be safe in any thread. An internal error in a slot of `stopped` sends a stop,
-    too, but `stopped` is not emitted again.
-
-    Signals:
-        stopped: the reason. Emitted later, from the event loop of this object's thread.
+    `stop_now` must be safe in any thread. An internal error in a slot of `stopped` also sends a
+    stop, but does not emit `stopped` again.
     """
 
-    stopped = Signal(str)
+    stopped = Signal(str)  # the reason, emitted from the event loop of this object's thread
     _sent = Signal(str)
 
     def __init__(self, stop_now: Callable[[], None], parent: QObject | None = None) -> None:
@@ -196,10 +188,10 @@ class StopBroadcaster(QObject):
 
 
 class ExceptionWatch:
-    """Calls `stop` for every uncaught exception, in slots of Qt too, before Python's hooks.
+    """Calls `stop` for every uncaught exception, including exceptions in Qt slots.
 
-    The program continues if it can: beside a robot a window that still responds is better than
-    none. `stop` is called in the thread of the error with a clause without a full stop.
+    The program continues if it can, because the user needs the window to stop a robot. `stop`
+    is called in the thread of the exception, with a clause without a period.
     """
 
     def __init__(self, stop: Callable[[str], None]) -> None:
@@ -229,24 +221,20 @@ class ExceptionWatch:
 
 
 def slept_so_far() -> float:
-    """Return the seconds of sleep since this computer was started, 0 if unknown.
+    """Return the seconds that this computer has slept since its start. 0 if unknown.
 
-    Linux has a clock that pauses during sleep and one that does not. On Windows Python's
-    monotonic clock continues, so that the line session misses heartbeats. On macOS the clock
-    pauses, and so does every measurement with it: sleep is not detected here.
+    Only Linux has both a clock that pauses during sleep and a clock that continues. On Windows the
+    monotonic clock continues, so the line session detects missed heartbeats. On macOS the clock
+    pauses, so sleep is not detected.
     """
     boottime = getattr(time, "CLOCK_BOOTTIME", None)
     return time.clock_gettime(boottime) - time.monotonic() if boottime is not None else 0.0
 
 
 class SuspendDetector(QObject):
-    """Checks twice a second whether the computer was suspended.
+    """Detects a suspend of the computer by polling."""
 
-    Signals:
-        woke: the computer was suspended. Reason to stop, a clause without a full stop.
-    """
-
-    woke = Signal(str)
+    woke = Signal(str)  # reason to stop, a clause without a period
 
     def __init__(
         self, slept: Callable[[], float] = slept_so_far, parent: QObject | None = None
@@ -256,11 +244,11 @@ class SuspendDetector(QObject):
         self._known = slept()
         self._timer = QTimer(self)
         self._timer.setInterval(_INTERVAL_MS)
-        self._timer.timeout.connect(self.look)
+        self._timer.timeout.connect(self.poll)
         self._timer.start()
 
     @Slot()
-    def look(self) -> None:
+    def poll(self) -> None:
         before, self._known = self._known, self._slept()
-        if self._known - before >= _LEAST_S:
+        if self._known - before >= _SHORTEST_SLEEP_S:
             self.woke.emit(tr("The computer was asleep"))

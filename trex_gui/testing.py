@@ -1,7 +1,7 @@
-"""A simulated TReX for the tests of your own program.
+"""Simulated TReX for the tests of your own program.
 
-`from trex_gui.testing import simulated_trex` in `conftest.py` gives its tests a pytest fixture.
-`resources/examples/test_robot.py` has two such tests.
+Import the pytest fixture in your `conftest.py`: `from trex_gui.testing import simulated_trex`.
+`resources/examples/test_robot.py` has two tests that use the fixture.
 """
 
 import json
@@ -15,10 +15,10 @@ import pytest
 
 
 class SimulatedTrex:
-    """`trex-sim` as a process. Use it in a `with` statement.
+    """Process that runs `trex-sim`. Use it in a `with` statement.
 
     Attributes:
-        url: address for `Trex`, a pseudo-terminal or, on systems without them, a TCP port.
+        url: address for `Trex`: a pseudo-terminal, or a TCP port on Windows.
         process: process of the simulator.
     """
 
@@ -28,7 +28,7 @@ class SimulatedTrex:
         self.process = subprocess.Popen(  # noqa: S603 - our own program, without a shell
             command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, bufsize=1
         )
-        ready = self._answer()
+        ready = self._read_reply()
         if not ready.startswith("ready "):
             self.close()
             raise RuntimeError(f"trex-sim did not start: {ready or 'see its message'}")
@@ -41,41 +41,41 @@ class SimulatedTrex:
         self.close()
 
     def obey(self, line: str) -> str:
-        """Send a control line. Return the answer, even if it is an error."""
+        """Send a control line. Return the reply, even if it reports an error."""
         assert self.process.stdin is not None  # noqa: S101 - for the type checker
         self.process.stdin.write(f"{line}\n")
         self.process.stdin.flush()
-        return self._answer()
+        return self._read_reply()
 
     def do(self, line: str) -> str:
-        """Send a control line, such as `fault 1 on`, and return its answer.
+        """Send a control line, such as `fault 1 on`. Return the reply without `ok`.
 
         Raises:
             ValueError: the simulator rejected the line.
         """
-        answer = self.obey(line)
-        if not answer.startswith("ok"):
-            raise ValueError(f"{line}: {answer}")
-        return answer.removeprefix("ok").strip()
+        reply = self.obey(line)
+        if not reply.startswith("ok"):
+            raise ValueError(f"{line}: {reply}")
+        return reply.removeprefix("ok").strip()
 
     def show(self) -> dict[str, Any]:
-        """Return the state of the board from the control line `show`."""
+        """Return the state of the board, as the control line `show` reports it."""
         state: dict[str, Any] = json.loads(self.do("show"))
         return state
 
     def close(self) -> None:
-        """End the simulator, as if the plug were pulled."""
+        """Terminate the simulator. For a program this is like an unplugged cable."""
         self.process.terminate()
         self.process.communicate(timeout=30)
 
-    def _answer(self) -> str:
+    def _read_reply(self) -> str:
         assert self.process.stdout is not None  # noqa: S101 - for the type checker
         return self.process.stdout.readline().strip()
 
 
 @pytest.fixture
 def simulated_trex(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[SimulatedTrex]:
-    """A simulated board in its factory state. Snapshots of it go into `tmp_path`."""
+    """Simulated board in its factory state. Its snapshots are saved in `tmp_path`."""
     monkeypatch.setenv("TREX_STUDIO_DATA", str(tmp_path / "trex-studio"))
     with SimulatedTrex() as board:
         yield board

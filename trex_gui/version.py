@@ -1,3 +1,3 @@
-"""The version of the program, in one place."""
+"""Version of the program."""
 
 __version__ = "1.0.0"

@@ -15,7 +15,7 @@ from trex_gui.system.windows_events import (
     WM_QUERYENDSESSION,
     WM_WTSSESSION_CHANGE,
     WTS_SESSION_LOCK,
-    why_to_stop,
+    stop_reason,
 )
 
 pytestmark = pytest.mark.usefixtures("qapp")
@@ -40,7 +40,7 @@ def said_by_windows() -> list[str]:
         (WM_WTSSESSION_CHANGE, WTS_SESSION_LOCK),
         (WM_QUERYENDSESSION, 0),
     ]
-    return [why_to_stop(*message) or "" for message in messages]
+    return [stop_reason(*message) or "" for message in messages]
 
 
 def said_by_a_mac() -> list[str]:
@@ -59,7 +59,7 @@ def said_of_a_sleep_that_is_over() -> list[str]:
     reports: list[str] = []
     watch.woke.connect(reports.append)
     slept = 60.0
-    watch.look()
+    watch.poll()
     return reports
 
 
@@ -96,6 +96,6 @@ def test_stop_reasons_are_clauses_without_stop_or_motor(monkeypatch: pytest.Monk
 
 def test_waking_up_and_unlocking_give_no_stop_reason() -> None:
     assert said_by_the_desktop(begins=False) == []
-    assert why_to_stop(WM_POWERBROADCAST, 0x12) is None  # it wakes
-    assert why_to_stop(WM_WTSSESSION_CHANGE, 8) is None  # it was unlocked
-    assert why_to_stop(0x0200, 0) is None  # the mouse
+    assert stop_reason(WM_POWERBROADCAST, 0x12) is None  # it wakes
+    assert stop_reason(WM_WTSSESSION_CHANGE, 8) is None  # it was unlocked
+    assert stop_reason(0x0200, 0) is None  # the mouse

@@ -34,7 +34,7 @@ class Asleep:
         self.logind = Logind(theirs)
         self.delay = SleepDelay(lambda: self.may_move, ours, timeout=1.0)
         self.events = SessionEvents(ours, ours)
-        self.events.sleeping.connect(self.delay.record_sleep)
+        self.events.sleeping.connect(self.delay.on_sleeping)
         qtbot.waitUntil(lambda: self.delay.holds)
 
     @property
@@ -51,7 +51,7 @@ class Asleep:
 def asleep(buses: tuple[QDBusConnection, QDBusConnection], qtbot: QtBot) -> Iterator[Asleep]:
     asleep = Asleep(*buses, qtbot)
     yield asleep
-    asleep.delay.give()
+    asleep.delay.release()
     asleep.logind.close()
 
 
@@ -89,7 +89,7 @@ def test_sleep_delay_is_requested_again_after_wake(asleep: Asleep, qtbot: QtBot)
 
 
 def test_sleep_delay_is_released_on_close(asleep: Asleep) -> None:
-    asleep.delay.give()
+    asleep.delay.release()
     assert asleep.logind.held == 0
     assert not asleep.delay.holds
 
@@ -100,13 +100,13 @@ def test_sleep_delay_without_logind_holds_nothing(
     delay = SleepDelay(lambda: False, buses[1], timeout=1.0)
     qtbot.waitUntil(lambda: delay._request is None)
     assert not delay.holds
-    delay.record_sleep(begins=True)
-    delay.give()
+    delay.on_sleeping(begins=True)
+    delay.release()
 
 
 def test_sleep_delay_without_bus_holds_nothing() -> None:
     delay = SleepDelay(lambda: False, QDBusConnection("there is none"), timeout=1.0)
-    delay.record_sleep(begins=True)
-    delay.record_sleep(begins=False)
+    delay.on_sleeping(begins=True)
+    delay.on_sleeping(begins=False)
     assert not delay.holds
-    delay.give()
+    delay.release()

@@ -244,13 +244,13 @@ def test_wake_after_sleep_is_reported_once(qtbot: QtBot) -> None:
     watch = SuspendDetector(lambda: slept)
     reports: list[str] = []
     watch.woke.connect(reports.append)
-    watch.look()
+    watch.poll()
     slept = 100.3
-    watch.look()
+    watch.poll()
     assert reports == []
     slept = 130.0
-    watch.look()
-    watch.look()
+    watch.poll()
+    watch.poll()
     assert len(reports) == 1
     assert "asleep" in reports[0]
 

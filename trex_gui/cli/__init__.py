@@ -1,3 +1,3 @@
-"""trexcmd: the board from the shell, without Qt."""
+"""Command line without Qt: trexcmd and trex-sim."""
 
 from trex_gui.cli.program import main as main

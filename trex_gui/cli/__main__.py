@@ -1,4 +1,4 @@
-"""Python -m trex_gui.cli."""
+"""`python -m trex_gui.cli`: run trexcmd."""
 
 from trex_gui.cli.program import main
 

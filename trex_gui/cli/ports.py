@@ -1,4 +1,4 @@
-"""Commands list and find: ports, devices on them, unknown settings of a board."""
+"""Commands `list` and `find`."""
 
 from collections.abc import Mapping
 from dataclasses import asdict
@@ -45,8 +45,8 @@ def _ports(chosen: str | None) -> list[str]:
 def list_command(as_json: bool, **options: Any) -> None:
     """List the ports of this computer and the devices on them.
 
-    Moves no motor of a TReX or Aracna. With --port, looks at that port only. A board with other
-    line settings is found by `trexcmd find`. For other devices on the line give --reserve.
+    Moves no motor of a TReX or Aracna. With --port, probes only that port. `trexcmd find` finds a
+    board with other line settings. If other devices share the line, give --reserve.
     """
     rows: list[dict[str, Any]] = []
     unreachable = False
@@ -65,7 +65,7 @@ def list_command(as_json: bool, **options: Any) -> None:
 
 
 def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
-    """Return the first device that replies, else the reports of all kinds."""
+    """Return the first device that replies. Without a reply, combine all reports."""
     texts = []
     for plugin in PLUGINS:
         answer = plugin.port_reports.load().identify(url, options)
@@ -73,7 +73,7 @@ def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
             return answer
         texts.append(answer.text)
         if options["reserve"]:
-            break  # nothing is sent to other kinds of devices
+            break  # send nothing to other kinds of devices
     return PortAnswer("; ".join(filter(None, texts)))
 
 
@@ -82,7 +82,7 @@ def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
 @click.option(
     "--full",
     is_flag=True,
-    help="Try every CRC polynomial too (some minutes), and every device number where "
+    help="Also try every CRC polynomial (some minutes), and every device number where "
     "something replies. All boards on the line must run at the same rate.",
 )
 @timeout_option
@@ -92,9 +92,10 @@ def find_command(port: str | None, full: bool, extra_timeout: float, as_json: bo
     """Find a board whose serial settings are unknown.
 
     Probes for a TReX at the likely baud rates, then for an Aracna, then for a TReX at every baud
-    rate with every parity and with CRC-7, on one port or on all. Prints the options that reach
-    the board. A TReX or Aracna moves no motor and changes nothing. Other devices on the line may:
-    use `boards --reserve`. A TReX at another rate latches UART errors, and may be set to stop.
+    rate with every parity and with CRC-7, on one port or on all ports. Prints the options that
+    reach the board. A TReX or Aracna moves no motor and changes nothing. Other devices on the line
+    may react: use `boards --reserve`. A TReX at another rate latches UART errors, and stops its
+    motors if it is set to do so.
     """
     probers = {plugin.key: plugin.prober.load() for plugin in PLUGINS}
     reports = {plugin.key: plugin.port_reports.load() for plugin in PLUGINS}
@@ -107,12 +108,12 @@ def find_command(port: str | None, full: bool, extra_timeout: float, as_json: bo
                 break
             say(f"Searching {url} ...")
             with ProgressLine("Searching") as line:
-                begun = host().clock()
+                start = host().clock()
 
                 def show(
-                    step: ScanProgress, line: ProgressLine = line, begun: float = begun
+                    step: ScanProgress, line: ProgressLine = line, start: float = start
                 ) -> None:
-                    left = seconds_left(host().clock() - begun, step.done, step.total)
+                    left = seconds_left(host().clock() - start, step.done, step.total)
                     text = "" if left is None else f", at most {left} s left"
                     line(step.done, step.total, f"{step.kind} at {step.line.short}{text}")
 

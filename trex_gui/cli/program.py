@@ -1,4 +1,4 @@
-"""The program trexcmd: commands of every device, each loaded when it is called."""
+"""The program trexcmd, with the commands of every device."""
 
 import errno
 from collections.abc import Mapping
@@ -27,11 +27,11 @@ COMMANDS: Mapping[str, CommandInfo] = {
         Lazy("trex_gui.cli.program:completion"), "Print the completion script of a shell."
     ),
 }
-"""Every command, in the order of the help text."""
+"""All commands, in the order of the help text."""
 
 
 class _Program(click.Group):
-    """Group that imports a command only when the command is needed."""
+    """Group that imports each command on first use."""
 
     def main(self, *args: Any, **extra: Any) -> Any:
         with standard_streams():
@@ -84,7 +84,7 @@ class _Program(click.Group):
 def _run_guardian(
     context: click.Context, _option: click.Parameter, arguments: tuple[str, ...] | None
 ) -> None:
-    """Run as the guardian process. A bundled executable starts itself for this."""
+    """Run the guardian process, which a bundled executable starts from itself."""
     if arguments:
         from trex_gui.core.guardian.process import main as run  # noqa: PLC0415 - rarely needed
 
@@ -115,7 +115,7 @@ def _log_to_terminal(context: click.Context, _option: click.Parameter, verbose: 
     is_flag=True,
     expose_value=False,
     callback=_log_to_terminal,
-    help="Print what the program logs, too: connections, attempts, the guardian.",
+    help="Also print the program's log: connections, attempts, the guardian.",
 )
 @click.option(
     "--guardian", nargs=5, hidden=True, is_eager=True, expose_value=False, callback=_run_guardian
@@ -145,6 +145,6 @@ fish:  trexcmd completion fish > ~/.config/fish/completions/trexcmd.fish
 def completion(shell: str) -> None:
     from click.shell_completion import get_completion_class  # noqa: PLC0415 - only for a shell
 
-    maker = get_completion_class(shell)
-    assert maker is not None  # noqa: S101 - click has these three
-    click.echo(maker(main, {}, "trexcmd", "_TREXCMD_COMPLETE").source())
+    completion_class = get_completion_class(shell)
+    assert completion_class is not None  # noqa: S101 - click has these three
+    click.echo(completion_class(main, {}, "trexcmd", "_TREXCMD_COMPLETE").source())

@@ -1,4 +1,4 @@
-"""trex-sim: a simulated device that any program can open as a serial port."""
+"""The program trex-sim: a simulated device on a pseudo-terminal or TCP port."""
 
 import sys
 from pathlib import Path
@@ -19,13 +19,13 @@ _DEFAULT = PLUGINS[0].key
 
 _HELP = """Simulate a device on a pseudo-terminal or a TCP port.
 
-Prints "ready URL" with what a program opens, then reads control lines from standard input and
+Prints "ready URL" with the address to open. Then reads control lines from standard input, and
 replies to each with "ok ..." or "error ...".
 """
 
 
 def _read_address(text: str) -> tuple[str, int]:
-    """Read HOST:PORT. An IPv6 host is in brackets."""
+    """Parse HOST:PORT. An IPv6 host is in brackets."""
     host, _, port = text.rpartition(":")
     if not (port.isascii() and port.isdigit() and int(port) <= 0xFFFF):
         raise click.BadParameter(f"{text!r} is not HOST:PORT such as 127.0.0.1:0")
@@ -33,7 +33,7 @@ def _read_address(text: str) -> tuple[str, int]:
 
 
 def _device_options() -> list[click.Parameter]:
-    """Return the options of every device, each after the flag that selects the device."""
+    """Return the options of every device, after the flag that selects the device."""
     options: list[click.Parameter] = []
     for key, simulator in _SIMULATORS.items():
         if key != _DEFAULT:
@@ -47,16 +47,18 @@ def _device_options() -> list[click.Parameter]:
     help=f"{_HELP}\n{_SIMULATORS[_DEFAULT].help}",
     params=_device_options(),
 )
-@click.option("--unpaced", is_flag=True, help="Let bytes take no time on the wire.")
+@click.option("--unpaced", is_flag=True, help="Transmit bytes without a delay.")
 @click.option("--seed", type=int, default=0, show_default=True, help="Seed of all noise.")
 @click.option(
-    "--link", type=FileName(path_type=Path), help="Symbolic link to make to the pseudo-terminal."
+    "--link",
+    type=FileName(path_type=Path),
+    help="Create this link to the pseudo-terminal.",
 )
 @click.option(
     "--tcp",
     type=_read_address,
     metavar="HOST:PORT",
-    help="Serve raw bytes over TCP; port 0 picks one.",
+    help="Serve raw bytes over TCP. Port 0 selects a free port.",
 )
 @click.option(
     "--rfc2217",
@@ -86,7 +88,11 @@ def main(
 
 
 def simulate(context: click.Context) -> Simulation:
-    """Build the simulation. UsageError if an option belongs to another device."""
+    """Create the simulation.
+
+    Raises:
+        UsageError: an option belongs to another device.
+    """
     options = context.params
     device = next((key for key in _SIMULATORS if options.get(key)), _DEFAULT)
     for key, simulator in _SIMULATORS.items():
@@ -107,7 +113,7 @@ def _endpoint(
         tcp = ("127.0.0.1", 0)
     if tcp is not None:
         return TcpEndpoint(*tcp)
-    # Imported on demand: RFC 2217 needs pyserial, and the other a system with pseudo-terminals.
+    # Imported on demand: RFC 2217 needs pyserial, and PtyEndpoint a system with pseudo-terminals.
     if rfc2217 is not None:
         from trex_gui.core.simulator.rfc2217_endpoint import Rfc2217Endpoint  # noqa: PLC0415
 

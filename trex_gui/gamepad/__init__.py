@@ -1,1 +1,1 @@
-"""Gamepads: reading them, and what their sticks and buttons mean."""
+"""Gamepads, and the functions of their sticks and buttons."""

@@ -1,4 +1,4 @@
-"""Gamepads, read through SDL. `pygame-ce` is imported only when gamepads are opened."""
+"""Gamepads, read through SDL. `pygame-ce` is optional and imported on first use."""
 
 import contextlib
 import importlib
@@ -16,41 +16,34 @@ if TYPE_CHECKING:
 
 _HINTS = {
     "PYGAME_HIDE_SUPPORT_PROMPT": "1",
-    "SDL_VIDEODRIVER": "dummy",  # events need SDL's video part; it must not touch the display
+    "SDL_VIDEODRIVER": "dummy",  # SDL's events need video, but it must not use the display
     "SDL_AUDIODRIVER": "dummy",
-    "SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS": "1",  # SDL's windows never have the focus
-    "SDL_NO_SIGNAL_HANDLERS": "1",  # else SDL swallows SIGTERM
+    "SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS": "1",  # no SDL window has the focus
+    "SDL_NO_SIGNAL_HANDLERS": "1",  # SDL would swallow SIGTERM
     "SDL_VIDEO_ALLOW_SCREENSAVER": "1",
 }
 
 
-class GamepadUnavailable(Exception):  # noqa: N818 - reads as what is wrong, as PortUnavailable
-    """Gamepads cannot be read on this computer. The text has the remedy."""
+class GamepadUnavailable(Exception):  # noqa: N818 - like PortUnavailable
+    """Gamepads cannot be read on this computer. The text contains the remedy."""
 
 
 @dataclass(frozen=True, slots=True)
 class Pad:
-    """One gamepad, from connection to disconnection.
+    """Gamepad from its connection to its disconnection."""
 
-    Attributes:
-        ident: number of this connection. A gamepad that is connected again gets another number.
-        guid: SDL's identifier of the model. Two gamepads of a model share it.
-        axes, buttons: their numbers.
-        parts: axes (`a0`) and buttons (`b4`) by SDL's names, if SDL knows the model:
-            `{"lefty": "a1", "leftshoulder": "b4"}`.
-    """
-
-    ident: int
-    guid: str
+    ident: int  # number of the connection; a reconnected gamepad gets another number
+    guid: str  # SDL's identifier of the model
     name: str
-    axes: int
-    buttons: int
+    axes: int  # count
+    buttons: int  # count
+    # SDL's names of axes and buttons, if SDL knows the model: `{"lefty": "a1", "b": "b1"}`.
     parts: Mapping[str, str] = field(default_factory=dict, compare=False)
 
     def part_name(self, kind: str, number: int) -> str:
-        """Return SDL's name of an axis (`a`) or a button (`b`). Empty if it has no name."""
-        wanted = f"{kind}{number}"
-        return next((part for part, where in self.parts.items() if where == wanted), "")
+        """Return SDL's name of an axis (`a`) or a button (`b`). Empty if unknown."""
+        key = f"{kind}{number}"
+        return next((part for part, its_key in self.parts.items() if its_key == key), "")
 
     def part_number(self, kind: str, part: str) -> int | None:
         """Return the number of the axis (`a`) or button (`b`) with an SDL name."""
@@ -61,24 +54,24 @@ class Pad:
 
 @dataclass(frozen=True, slots=True)
 class PadState:
-    """The state of a gamepad: axes from -1 to 1 (down and right are positive)."""
+    """State of a gamepad: axes from -1 to 1 (down and right are positive)."""
 
     axes: tuple[float, ...]
     buttons: tuple[bool, ...]
 
     def axis(self, number: int) -> float:
-        """Return the position of an axis. 0 if there is none."""
+        """Return the position of an axis. 0 if the axis does not exist."""
         return self.axes[number] if 0 <= number < len(self.axes) else 0.0
 
     def pressed(self, number: int | None) -> bool:
-        """Return whether a button is down. False if it does not exist."""
+        """Return whether a button is down. False if the button does not exist."""
         return number is not None and 0 <= number < len(self.buttons) and self.buttons[number]
 
 
 class SdlPads:
-    """The gamepads of this computer. One instance at a time, as SDL has one state per process.
+    """Gamepads of this computer. Only one instance, because SDL's state is global.
 
-    All calls come from one thread and return at once.
+    Call all methods from one thread. They do not block.
     """
 
     def __init__(self) -> None:
@@ -86,10 +79,10 @@ class SdlPads:
         self._open: dict[int, tuple[Pad, JoystickType]] = {}
 
     def open(self) -> None:
-        """Open SDL. The next `pads` finds gamepads that are already connected.
+        """Open SDL.
 
         Raises:
-            GamepadUnavailable: gamepads cannot be read here.
+            GamepadUnavailable: pygame is missing or SDL does not start.
         """
         if self._pygame is not None:
             return
@@ -105,7 +98,7 @@ class SdlPads:
         self._pygame = pygame
 
     def pads(self) -> tuple[Pad, ...]:
-        """Return the gamepads that are connected now."""
+        """Return the connected gamepads."""
         pygame = self._pygame
         if pygame is None:
             return ()
@@ -118,11 +111,11 @@ class SdlPads:
             if event.type == pygame.JOYDEVICEREMOVED:
                 self._open.pop(event.instance_id, None)
             elif event.type == pygame.JOYDEVICEADDED:
-                self._take(pygame, event.device_index)
+                self._add(pygame, event.device_index)
         return tuple(pad for pad, _ in self._open.values())
 
     def read(self, pad: Pad) -> PadState | None:
-        """Return the state at the last `pads`. `None` if the gamepad is gone or unreadable."""
+        """Return the state at the last `pads`. `None` if the gamepad is gone."""
         found = self._open.get(pad.ident)
         if found is None or self._pygame is None:
             return None
@@ -137,16 +130,15 @@ class SdlPads:
             return None
 
     def close(self) -> None:
-        """Close all gamepads. May be called twice."""
+        """Close all gamepads. A second call does nothing."""
         if self._pygame is not None:
             self._open.clear()
             self._pygame.joystick.quit()
             self._pygame.display.quit()
             self._pygame = None
 
-    def _take(self, pygame: ModuleType, index: int) -> None:
-        """Open a gamepad, unless it is already gone or unreadable."""
-        with contextlib.suppress(pygame.error):
+    def _add(self, pygame: ModuleType, index: int) -> None:
+        with contextlib.suppress(pygame.error):  # already gone, or unreadable
             joystick = pygame.joystick.Joystick(index)
             pad = Pad(
                 joystick.get_instance_id(),
@@ -160,7 +152,7 @@ class SdlPads:
 
 
 def _load() -> ModuleType:
-    """Import pygame. The error says how to install it."""
+    """Import pygame."""
     try:
         pygame = importlib.import_module("pygame")
         for part in ("display", "event", "joystick"):
@@ -175,10 +167,10 @@ def _load() -> ModuleType:
 
 
 def _parts(joystick: "JoystickType") -> Mapping[str, str]:
-    """Return SDL's names of axes and buttons. Empty if SDL does not know the model."""
+    """Return SDL's names of axes and buttons. Empty for unknown models."""
     try:
         controllers = importlib.import_module("pygame._sdl2.controller")
-    except ImportError:  # "experimental" in pygame-ce 2.5
+    except ImportError:  # the module is experimental in pygame-ce 2.5
         return {}
     pygame = importlib.import_module("pygame")
     try:
@@ -187,12 +179,12 @@ def _parts(joystick: "JoystickType") -> Mapping[str, str]:
         mapping = controller.get_mapping()
     except (pygame.error, AttributeError):
         return {}
-    return {part: where for part, where in mapping.items() if where[:1] in {"a", "b"}}
+    return {part: key for part, key in mapping.items() if key[:1] in {"a", "b"}}
 
 
 @contextlib.contextmanager
 def _environment(hints: Mapping[str, str]) -> Iterator[None]:
-    """Set variables for SDL to read, but not for programs that are started later."""
+    """Set environment variables for SDL, and restore them for later child processes."""
     before = {name: os.environ.get(name) for name in hints}
     os.environ.update(hints)
     try:

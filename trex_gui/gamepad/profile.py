@@ -1,4 +1,4 @@
-"""Profile of a gamepad, and the setpoints that follow from its state."""
+"""Profile of a gamepad, and the setpoints computed from its state."""
 
 import json
 import math
@@ -9,17 +9,17 @@ from trex_gui.gamepad.pads import Pad, PadState
 
 WIDEST_DEAD_ZONE = 0.5
 REST = 0.05
-"""Share of the way to an end that counts as at rest, however small the dead zone is.
+"""Smallest deflection (0 to 1) that does not count as at rest, whatever the dead zone.
 
-Inferred: sticks settle within a few hundredths of where they were.
+Inferred: sticks settle within a few hundredths of their previous position.
 """
 
 
 def shape(value: float, dead_zone: float, expo: float) -> float:
     """Return the command (-1 to 1) of an axis at `value` (-1 to 1).
 
-    It is 0 up to `dead_zone` (0 to `WIDEST_DEAD_ZONE`) and begins there without a jump. `expo` is
-    0 (linear) to 1 (cubic): how much finer the middle is than the ends.
+    The command is 0 within `dead_zone` (0 to `WIDEST_DEAD_ZONE`) and grows from 0 at its edge.
+    `expo`: 0 (linear) to 1 (cubic, finer in the middle).
     """
     reach = min(1.0, abs(value))
     if reach <= dead_zone:
@@ -29,14 +29,13 @@ def shape(value: float, dead_zone: float, expo: float) -> float:
 
 
 class Style(Enum):
-    MIXED = "mixed"  # one axis is forward, the other turns
-    TANK = "tank"
-    """Each axis drives one motor, like the levers of a tank. `first` is the left motor, motor 1."""
+    MIXED = "mixed"  # one axis drives forward, the other turns
+    TANK = "tank"  # each axis drives a motor: `first` the left motor (motor 1)
 
 
 @dataclass(frozen=True, slots=True)
 class Axis:
-    """One axis and its direction. Inverted where the hardware counts forward as negative."""
+    """Axis and its direction. Inverted if the hardware counts forward as negative."""
 
     number: int
     inverted: bool = False
@@ -52,12 +51,12 @@ class GamepadProfile:
         dead_zone: 0 to `WIDEST_DEAD_ZONE`. The default is inferred: worn sticks come to rest up to
             a tenth off their centre.
         expo: 0 (linear) to 1 (cubic).
-        hold: the button that must be held to drive; `None`: a stick off its middle drives.
-        stop: the button that stops everything.
+        hold: button that must be held to drive. `None`: moving a stick is enough.
+        stop: button that stops all motors.
     """
 
     style: Style = Style.MIXED
-    first: Axis = Axis(1, inverted=True)  # the left stick, up, on every pad that SDL lists
+    first: Axis = Axis(1, inverted=True)  # left stick, up, on every pad that SDL knows
     second: Axis = Axis(0)
     dead_zone: float = 0.15
     expo: float = 0.3
@@ -75,12 +74,11 @@ class GamepadProfile:
 
 
 def default_profile(pad: Pad) -> GamepadProfile:
-    """Drive by the left stick while the left shoulder is held, stop by the right face button.
+    """Return a profile with the left stick, left shoulder (hold) and right face button (stop).
 
-    If SDL does not know the pad, its buttons only have numbers. Then the default numbers apply,
-    or with too few buttons the last button is held.
+    For a pad that SDL does not know, use the default numbers. With too few buttons, hold the last.
     """
-    usual = GamepadProfile()
+    default = GamepadProfile()
     forward, turn = (pad.part_number("a", part) for part in ("lefty", "leftx"))
     hold, stop = (pad.part_number("b", part) for part in ("leftshoulder", "b"))
     if hold is None and pad.buttons:
@@ -88,15 +86,15 @@ def default_profile(pad: Pad) -> GamepadProfile:
     if stop is None and pad.buttons > 1 and hold != 1:
         stop = 1
     return GamepadProfile(
-        first=usual.first if forward is None else Axis(forward, inverted=True),
-        second=usual.second if turn is None else Axis(turn),
+        first=default.first if forward is None else Axis(forward, inverted=True),
+        second=default.second if turn is None else Axis(turn),
         hold=hold,
         stop=stop if stop != hold else None,
     )
 
 
 def read_profile(text: str) -> GamepadProfile | None:
-    """Read what `GamepadProfile.to_text` wrote. `None` for any other text."""
+    """Parse the result of `GamepadProfile.to_text`. `None` for invalid text."""
     try:
         found = json.loads(text)
         return GamepadProfile(
@@ -136,36 +134,33 @@ def _part(found: object, most: float) -> float:
 class Waits(Enum):
     """Condition that a gamepad has to meet before it drives."""
 
-    REST = auto()  # a stick was not at rest yet
-    RELEASE = auto()  # the button that is to be held was down all along
-    HOLD = auto()
-    MOVE = auto()  # no button need be held: a stick has to leave its middle
-    NOTHING = auto()
+    REST = auto()  # each stick has to be at rest once
+    RELEASE = auto()  # the hold button has to be released first
+    HOLD = auto()  # the hold button has to be held
+    MOVE = auto()  # without a hold button, a stick has to leave its middle
+    NOTHING = auto()  # the gamepad drives
 
 
 @dataclass(frozen=True, slots=True)
 class PilotRequest:
-    """The setpoints of a gamepad, -1 to 1. `turn` is positive to the right.
-
-    `waits` says why it does not drive, `stop` that the stop button was just pressed.
-    """
+    """Setpoints of a gamepad, -1 to 1. `turn` is positive to the right."""
 
     forward: float
     turn: float
     waits: Waits
-    stop: bool
+    stop: bool  # True if the stop button has just been pressed
 
     @property
     def drives(self) -> bool:
-        """True if it drives, even if at speed 0."""
+        """True if the gamepad drives, even at speed 0."""
         return self.waits is Waits.NOTHING
 
 
 class Pilot:
-    """Reads one gamepad by one profile.
+    """Computes the setpoints of a gamepad by its profile.
 
-    Some gamepads give random values for a stick until it is touched. So both axes must have been
-    at rest before they count, and the button must go down after `reset`.
+    Some gamepads report random values until a stick is touched. Therefore both axes must be at rest
+    once before they count, and the hold button must be pressed after `reset`.
     """
 
     def __init__(self, profile: GamepadProfile) -> None:

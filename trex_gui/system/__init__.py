@@ -1,1 +1,1 @@
-"""Events of the operating system that stop motors: signals, sleep, a locked screen."""
+"""Operating system events that stop motors: signals, sleep, a locked screen."""

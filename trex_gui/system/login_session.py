@@ -1,8 +1,8 @@
-"""Linux desktops over D-Bus: locked screen, sleep and shutdown, and a delay for the motors.
+"""Lock screen, sleep and shutdown of Linux desktops, over D-Bus.
 
 Ref: org.freedesktop.login1 (systemd), org.freedesktop.ScreenSaver (KDE, Xfce and others),
-org.gnome.ScreenSaver. org.freedesktop.login1.Manager, Inhibit: "delay" holds sleep up until the
-descriptor that was given is closed, at most for InhibitDelayMaxSec (5 s unless set otherwise).
+org.gnome.ScreenSaver. org.freedesktop.login1.Manager, Inhibit: "delay" holds up sleep until the
+returned descriptor is closed, but not longer than InhibitDelayMaxSec (by default 5 s).
 """
 
 import logging
@@ -25,16 +25,15 @@ log = logging.getLogger(__name__)
 _LOGIN = "org.freedesktop.login1"
 _PATH = "/org/freedesktop/login1"
 _ANY = ""
-"""Any service, or any path. The bus configuration decides which programs may send these signals,
-and an unnecessary stop does no harm."""
+"""Any service or path. The bus configuration decides which programs may send these signals. An
+unnecessary stop does no harm."""
 
 
 class SessionEvents(QObject):
-    """Listens on the system and the session bus, if there are any."""
+    """Listener on the system bus and the session bus."""
 
-    # The user cannot see the window now, or soon. The reason is a clause without a period.
-    leaving = Signal(str)
-    sleeping = Signal(bool)  # the computer is about to sleep (after `leaving`), or has woken up
+    leaving = Signal(str)  # the user cannot see the window; reason, a clause without a period
+    sleeping = Signal(bool)  # True before sleep (after `leaving`), False after sleep
 
     def __init__(
         self,
@@ -80,10 +79,10 @@ class SessionEvents(QObject):
 
 
 class SleepDelay(QObject):
-    """Delays sleep until the stop of the motors is confirmed, by at most `timeout` seconds.
+    """Delays sleep until the stop of the motors is confirmed.
 
-    `may_move` returns whether motors were driven without a confirmed stop since then. Without
-    logind, nothing is delayed.
+    `may_move`: returns whether motors were driven without a confirmed stop afterwards. `timeout`:
+    longest delay in seconds. Does nothing without logind.
     """
 
     def __init__(
@@ -98,16 +97,16 @@ class SleepDelay(QObject):
         self._bus = system or QDBusConnection.systemBus()
         self._descriptor: int | None = None
         self._request: QDBusPendingCallWatcher | None = None
-        self._wait = StopWait(may_move, self.give, self, timeout=timeout)
+        self._wait = StopWait(may_move, self.release, self, timeout=timeout)
         self.request()
 
     @property
     def holds(self) -> bool:
-        """Return whether sleep would wait for this program."""
+        """True if sleep would wait for this program."""
         return self._descriptor is not None
 
     def request(self) -> None:
-        """Request a delay of the next sleep. The reply comes later."""
+        """Request a delay of the next sleep. Does not wait for the reply."""
         if self.holds or self._request is not None or not self._bus.isConnected():
             return
         call = QDBusMessage.createMethodCall(_LOGIN, _PATH, f"{_LOGIN}.Manager", "Inhibit")
@@ -117,17 +116,18 @@ class SleepDelay(QObject):
         self._request = QDBusPendingCallWatcher(self._bus.asyncCall(call), self)
         self._request.finished.connect(self._on_reply)
 
-    def give(self) -> None:
+    def release(self) -> None:
+        """Allow sleep."""
         self._wait.cancel()
         if self._descriptor is not None:
             os.close(self._descriptor)
             self._descriptor = None
 
     @Slot(bool)
-    def record_sleep(self, begins: bool) -> None:
-        """Allow sleep once the stop is confirmed. When the computer wakes, request a new delay.
+    def on_sleeping(self, begins: bool) -> None:
+        """Allow sleep once the stop is confirmed. After sleep, request a new delay.
 
-        The stop itself was sent because of `SessionEvents.leaving`.
+        `SessionEvents.leaving` has already sent the stop.
         """
         if begins:
             self._wait.start()

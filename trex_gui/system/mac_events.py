@@ -1,9 +1,8 @@
-"""Reports of macOS about a locked screen, a screen saver and sleep.
+"""Lock screen, screen saver and sleep of macOS. Not tested on macOS yet.
 
 Ref: Apple's documentation of CFNotificationCenter, and of IORegisterForSystemPower (IOKit,
-IOPMLib.h, IOMessage.h): the system waits up to 30 s for `IOAllowPowerChange`. The names of the
-login window's notifications are not documented, but have long been in use.
-Not tested on macOS yet.
+IOPMLib.h, IOMessage.h): the system waits up to 30 s for `IOAllowPowerChange`. Apple does not
+document the names of the login window's notifications, but many programs use them.
 """
 
 import ctypes
@@ -15,7 +14,7 @@ from PySide6.QtCore import QObject, Signal
 from trex_gui.core.translation import tr
 from trex_gui.system.stop_wait import StopWait
 
-CAN_SLEEP = 0xE0000270  # kIOMessageCanSystemSleep: request of an idle computer
+CAN_SLEEP = 0xE0000270  # kIOMessageCanSystemSleep, from an idle computer
 WILL_SLEEP = 0xE0000280  # kIOMessageSystemWillSleep
 LOCKED = ("com.apple.screenIsLocked", "com.apple.screensaver.didstart")
 
@@ -23,22 +22,22 @@ _FRAMEWORKS = "/System/Library/Frameworks/{0}.framework/{0}"
 _UTF8 = 0x08000100
 _AT_ONCE = 4  # CFNotificationSuspensionBehaviorDeliverImmediately
 
+# Center, observer, name, object, user info.
 _ON_NOTIFICATION = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5)
-"""Center, observer, name, object, user info."""
 
+# Reference of the caller, service, message, argument of the message.
 _ON_POWER = ctypes.CFUNCTYPE(
     None, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_uint32, ctypes.c_void_p
 )
-"""Reference of the caller, service, message, argument of the message."""
 
 
 class NativeMac:
-    """Notifications of macOS, in the window's thread, which runs the main loop.
+    """Notifications of macOS, delivered in the window's thread.
 
-    `load` and `symbol` find CoreFoundation and IOKit and their constants.
+    `load`: loads a library. `symbol`: reads a constant of a library.
 
     Raises:
-        OSError, AttributeError, ValueError: a library, or a symbol in it, is missing.
+        OSError, AttributeError, ValueError: a library or a symbol is missing.
     """
 
     def __init__(
@@ -68,20 +67,20 @@ class NativeMac:
         self._source_of = _typed(power.IONotificationPortGetRunLoopSource, pointer, pointer)
         self._allow = _typed(power.IOAllowPowerChange, ctypes.c_int, port, number)
         self._connection = 0
-        self._kept: tuple[object, ...] = ()  # callbacks that macOS may call
+        self._referenced: tuple[object, ...] = ()  # macOS uses these without a reference
 
     def listen(
         self, on_locked: Callable[[], object], on_power: Callable[[int, int], object]
     ) -> None:
-        """Start to listen. `on_power` gets a message and its argument."""
+        """Start listening. `on_power` receives a message and its argument."""
         notified = _ON_NOTIFICATION(lambda *_: on_locked())
         powered = _ON_POWER(
             lambda _own, _service, message, argument: on_power(message, argument or 0)
         )
         notification_port, notifier = ctypes.c_void_p(), ctypes.c_uint32()
-        self._kept = (notified, powered, notification_port, notifier)
+        self._referenced = (notified, powered, notification_port, notifier)
         center = self._center()
-        for observer, name in enumerate(LOCKED, start=1):  # 0 would mean no observer
+        for observer, name in enumerate(LOCKED, start=1):  # 0 is no observer
             text = self._make_text(None, name.encode("ascii"), _UTF8)
             self._observe(center, observer, notified, text, None, _AT_ONCE)
         self._connection = self._register(
@@ -92,21 +91,20 @@ class NativeMac:
             self._add_source(self._main_loop(), source, self._common_modes)
 
     def allow_power_change(self, argument: int) -> None:
-        """Allow the change of the power message with this argument."""
+        """Allow the power change that a message with this argument announced."""
         self._allow(self._connection, argument)
 
 
 def _typed(function: Any, result: Any, *arguments: Any) -> Any:
-    """Return a C function with its types. Pointers have 64 bits, but ctypes assumes 32."""
+    """Set the types of a C function. By default ctypes truncates pointers to 32 bits."""
     function.restype, function.argtypes = result, arguments
     return function
 
 
 class MacEvents(QObject):
-    """Signals when to stop. Allows the computer to sleep once the stop is confirmed."""
+    """Reports when to stop. Allows sleep once the stop is confirmed."""
 
-    # The user cannot see the window now, or soon. The reason is a clause without a period.
-    leaving = Signal(str)
+    leaving = Signal(str)  # the user cannot see the window; reason, a clause without a period
 
     def __init__(
         self,
@@ -116,10 +114,10 @@ class MacEvents(QObject):
         *,
         timeout: float,
     ) -> None:
-        """Delay sleep while `may_move`, by at most `timeout` seconds."""
+        """`may_move` delays sleep, but not longer than `timeout` seconds."""
         super().__init__(parent)
         self._native = native
-        self._awaited = 0  # argument of the message whose reply allows sleep
+        self._awaited = 0  # argument of the message that announces sleep
         self._wait = StopWait(may_move, self._allow, self, timeout=timeout)
         native.listen(lambda: self.leaving.emit(tr("The screen was locked")), self._on_power)
 

@@ -1,14 +1,14 @@
-"""The end of the process where a C library calls `exit`: Xlib does when the X server is gone."""
+"""End of the process when a C library calls `exit`, as Xlib does without an X server."""
 
 import ctypes
 
 
 def skip_exit_handlers() -> None:
-    """Let the `exit` of C end the process at once with its code. Call it when Qt is loaded.
+    """Make C's `exit` end the process at once. Call this after Qt is loaded.
 
-    Python has ended before it calls `exit` itself. When Xlib calls it, at the end of a session, the
-    handlers of Qt would wait for a thread that waits for this one: the process would keep the port
-    for ever. Only glibc can do this; elsewhere nothing changes.
+    When Xlib calls `exit` at the end of a session, Qt's exit handlers would wait for a thread that
+    waits for the calling thread. The process would hold the port forever. Python calls
+    `exit` only after its own shutdown. Without glibc, this function does nothing.
     """
     libc = ctypes.CDLL(None)
     if (on_exit := getattr(libc, "on_exit", None)) is not None:

@@ -1,8 +1,8 @@
-"""Stop of the motors on a signal such as SIGTERM, even while the window's thread is busy.
+"""Stop of the motors on signals such as SIGTERM, even while the window is busy.
 
-Python runs signal handlers only in the main thread, between two steps of Python code. A window
-that waits never reaches them. But the interpreter writes each signal's number into a file
-descriptor at once, and a separate thread reads it.
+Python runs signal handlers only in the main thread, between two bytecode instructions. A blocked
+window never runs them. Therefore a separate thread reads the signal numbers that the interpreter
+writes into a file descriptor at once.
 """
 
 import contextlib
@@ -23,19 +23,16 @@ from trex_gui.core.signals import ENDING, FROM_TERMINAL, SUSPENDING, handled_sig
 log = logging.getLogger(__name__)
 
 _GRACE_S = 7.0
-"""Seconds for the window to end by itself. Closing a line while settings are written may take
-three, and a disk with a recording three more. A system that shuts down waits longer before
-SIGKILL."""
+"""Time for the window to end by itself. Closing a line during a write may take three seconds, and
+saving a recording three more. A system that shuts down waits longer before SIGKILL."""
 
-_HURRYING = {"SIGINT", "SIGQUIT", "SIGBREAK"}
-"""Signals sent by a key. A second signal ends the process without waiting."""
+_HURRYING = {"SIGINT", "SIGQUIT", "SIGBREAK"}  # from keys; a second signal ends the wait
 
-_SAME_S = 0.3
-"""Seconds within which a second signal counts as the first. A terminal and a program that was
-started in it may both pass on one Ctrl-C."""
+_DEBOUNCE_S = 0.3
+"""Interval in which a second signal counts as the first. A terminal and a program started in it may
+both forward one Ctrl-C."""
 
-_LAST_WORD_S = 0.3
-"""Seconds to send a last stop. At 1200 baud the transaction in flight takes 0.25 s."""
+_LAST_STOP_S = 0.3  # time to send a last stop; a transaction at 1200 baud takes 0.25 s
 
 
 def _suspend_process() -> None:
@@ -45,16 +42,16 @@ def _suspend_process() -> None:
 class SignalWatch(QObject):
     """Handles signals that end or suspend the program. Create it in the main thread.
 
-    If the window does not end within `grace` seconds, the process ends with exit code 128 + number,
-    as a shell reports it, else with 0. Ctrl-C in the meantime calls `act` once more and ends the
-    process at once. Before Ctrl-Z suspends the process, `rest` is called and has a moment to take
-    effect. Use of a terminal in the background does not suspend the process.
+    A signal first calls `act`. If the window does not end within `grace` seconds, the process ends
+    with exit code 128 + signal number, like a shell. Another Ctrl-C calls `act` again and ends the
+    process. Ctrl-Z calls `rest` shortly before it suspends the process. Terminal access in the
+    background does not suspend the process.
 
-    `act` and `rest` are called in a separate thread, before anything else. They must not block.
-    A signal that is ignored from the start (`nohup`) stays ignored.
+    `act` and `rest` are called in a separate thread and must not block. A signal that is ignored
+    at the start (`nohup`) stays ignored.
     """
 
-    caught = Signal(int)  # the number of the signal; in the thread of the receiver
+    caught = Signal(int)  # signal number
 
     def __init__(
         self,
@@ -74,11 +71,11 @@ class SignalWatch(QObject):
         self._end = end
         self._closed = threading.Event()
         self._numbers = handled_signals((*ENDING, SUSPENDING))
-        self._hurrying = {int(one) for one in self._numbers if one.name in _HURRYING}
+        self._hurrying = {int(number) for number in self._numbers if number.name in _HURRYING}
         self._ours, self._signals = socket.socketpair()
         self._signals.setblocking(False)
         self._fd_before = signal.set_wakeup_fd(self._signals.fileno(), warn_on_full_buffer=False)
-        # The handlers only prevent the end of the process. The thread handles the signals.
+        # These handlers only prevent the end of the process. The thread handles the signals.
         self._before = {number: signal.signal(number, lambda *_: None) for number in self._numbers}
         for number in handled_signals(FROM_TERMINAL):
             self._before[number] = signal.signal(number, signal.SIG_IGN)
@@ -86,7 +83,7 @@ class SignalWatch(QObject):
         self._thread.start()
 
     def close(self) -> None:
-        """Restore the handlers, at the end of the program."""
+        """Restore the previous handlers."""
         self._closed.set()
         signal.set_wakeup_fd(self._fd_before)
         for number, handler in self._before.items():
@@ -106,30 +103,30 @@ class SignalWatch(QObject):
                         self._exit(number)
 
     def _suspend(self) -> None:
-        self._do(self._rest)
-        self._closed.wait(_LAST_WORD_S)
+        self._run(self._rest)
+        self._closed.wait(_LAST_STOP_S)
         self._suspend_process()  # returns when the process is resumed
 
     def _exit(self, number: int) -> None:
-        self._do(self._act)
-        self._do(partial(self.caught.emit, number))
+        self._run(self._act)
+        self._run(partial(self.caught.emit, number))
         hurry = self._wait_for_hurry()
         if hurry is not None:
-            self._do(self._act)
-            self._closed.wait(_LAST_WORD_S)
+            self._run(self._act)
+            self._closed.wait(_LAST_STOP_S)
         if not self._closed.is_set():
             self._end(128 + (hurry or number))
 
-    def _do(self, step: Callable[[], object]) -> None:
+    def _run(self, step: Callable[[], object]) -> None:
         try:
             step()
-        except Exception:  # this thread must continue, and the process must end
+        except Exception:  # this thread must continue to end the process
             log.exception("on a signal")
 
     def _wait_for_hurry(self) -> int | None:
-        """Wait until the window has ended or `grace` is over. Return a signal to hurry, if any."""
-        begun = time.monotonic()
-        while (left := begun + self._grace - time.monotonic()) > 0:
+        """Wait for the end of the window or of `grace`. Return a signal to end at once, if any."""
+        start = time.monotonic()
+        while (left := start + self._grace - time.monotonic()) > 0:
             self._ours.settimeout(left)
             try:
                 data = self._ours.recv(16)
@@ -138,7 +135,8 @@ class SignalWatch(QObject):
             finally:
                 self._ours.settimeout(None)
             if not data:
-                break  # closed: the window has ended
-            if time.monotonic() - begun >= _SAME_S and (again := set(data) & self._hurrying):
-                return again.pop()
+                break  # closed, because the window has ended
+            repeated = set(data) & self._hurrying
+            if repeated and time.monotonic() - start >= _DEBOUNCE_S:
+                return repeated.pop()
         return None

@@ -1,4 +1,4 @@
-"""Delay of the computer's sleep until the motors are stopped."""
+"""Wait for a confirmed stop before the computer sleeps."""
 
 from collections.abc import Callable
 
@@ -12,7 +12,7 @@ _POLL_MS = 20
 class StopWait(QObject):
     """Calls `then` once a stop is confirmed, or after `timeout` seconds.
 
-    `may_move` returns whether motors were driven without a confirmed stop since then.
+    `may_move` returns whether motors were driven without a confirmed stop afterwards.
     """
 
     def __init__(

@@ -1,7 +1,6 @@
-"""A locked screen, sleep and the end of a session, as Windows reports them to a window.
+"""Lock screen, sleep and end of a session on Windows. Not tested on Windows yet.
 
 Ref: Microsoft's documentation of WM_POWERBROADCAST, WM_WTSSESSION_CHANGE, WM_QUERYENDSESSION.
-Not tested on Windows yet.
 """
 
 import ctypes
@@ -18,8 +17,8 @@ WTS_CONSOLE_DISCONNECT, WTS_REMOTE_DISCONNECT, WTS_SESSION_LOGOFF, WTS_SESSION_L
 _LEAVES = {WTS_CONSOLE_DISCONNECT, WTS_REMOTE_DISCONNECT, WTS_SESSION_LOGOFF, WTS_SESSION_LOCK}
 
 
-def why_to_stop(message: int, parameter: int) -> str | None:
-    """Return why a window message should stop the motors, or `None` if it should not."""
+def stop_reason(message: int, parameter: int) -> str | None:
+    """Return the reason for a window message to stop the motors, if it has to."""
     if message == WM_POWERBROADCAST and parameter == PBT_APMSUSPEND:
         return tr("The computer goes to sleep")
     if message == WM_WTSSESSION_CHANGE and parameter in _LEAVES:
@@ -38,16 +37,15 @@ class _Filter(QAbstractNativeEventFilter):
         self, kind: QByteArray | bytes | bytearray | memoryview, message: int
     ) -> object:
         if bytes(kind) == b"windows_generic_MSG":  # type: ignore[arg-type] # a QByteArray is bytes too
-            seen = ctypes.wintypes.MSG.from_address(int(message))
-            self._owner.handle(seen.message, seen.wParam)
+            received = ctypes.wintypes.MSG.from_address(int(message))
+            self._owner.handle(received.message, received.wParam)
         return False, 0
 
 
 class WindowsEvents(QObject):
-    """Sees the messages of every window of the program."""
+    """Filter of the messages to all windows of the program."""
 
-    # The window is hidden from the user, or soon will be. The reason is a clause without a period.
-    leaving = Signal(str)
+    leaving = Signal(str)  # the user cannot see the window; reason, a clause without a period
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -61,5 +59,5 @@ class WindowsEvents(QObject):
             ctypes.windll.wtsapi32.WTSRegisterSessionNotification(window, 0)
 
     def handle(self, message: int, parameter: int) -> None:
-        if reason := why_to_stop(message, parameter):
+        if reason := stop_reason(message, parameter):
             self.leaving.emit(reason)
