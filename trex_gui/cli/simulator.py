@@ -33,7 +33,6 @@ def _read_address(text: str) -> tuple[str, int]:
 
 
 def _device_options() -> list[click.Parameter]:
-    """Return the options of every device, after the flag that selects the device."""
     options: list[click.Parameter] = []
     for key, simulator in _SIMULATORS.items():
         if key != _DEFAULT:

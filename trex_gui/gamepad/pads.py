@@ -98,7 +98,7 @@ class SdlPads:
         self._pygame = pygame
 
     def pads(self) -> tuple[Pad, ...]:
-        """Return the connected gamepads."""
+        """Handle SDL's events. Return the connected gamepads."""
         pygame = self._pygame
         if pygame is None:
             return ()
@@ -130,7 +130,6 @@ class SdlPads:
             return None
 
     def close(self) -> None:
-        """Close all gamepads. A second call does nothing."""
         if self._pygame is not None:
             self._open.clear()
             self._pygame.joystick.quit()
@@ -152,7 +151,6 @@ class SdlPads:
 
 
 def _load() -> ModuleType:
-    """Import pygame."""
     try:
         pygame = importlib.import_module("pygame")
         for part in ("display", "event", "joystick"):

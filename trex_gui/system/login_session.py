@@ -30,8 +30,6 @@ unnecessary stop does no harm."""
 
 
 class SessionEvents(QObject):
-    """Listener on the system bus and the session bus."""
-
     leaving = Signal(str)  # the user cannot see the window; reason, a clause without a period
     sleeping = Signal(bool)  # True before sleep (after `leaving`), False after sleep
 
@@ -117,7 +115,6 @@ class SleepDelay(QObject):
         self._request.finished.connect(self._on_reply)
 
     def release(self) -> None:
-        """Allow sleep."""
         self._wait.cancel()
         if self._descriptor is not None:
             os.close(self._descriptor)
@@ -125,10 +122,7 @@ class SleepDelay(QObject):
 
     @Slot(bool)
     def on_sleeping(self, begins: bool) -> None:
-        """Allow sleep once the stop is confirmed. After sleep, request a new delay.
-
-        `SessionEvents.leaving` has already sent the stop.
-        """
+        """Allow sleep once the stop is confirmed. After sleep, request a new delay."""
         if begins:
             self._wait.start()
         else:

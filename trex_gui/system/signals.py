@@ -83,7 +83,6 @@ class SignalWatch(QObject):
         self._thread.start()
 
     def close(self) -> None:
-        """Restore the previous handlers."""
         self._closed.set()
         signal.set_wakeup_fd(self._fd_before)
         for number, handler in self._before.items():

@@ -43,8 +43,6 @@ class _Filter(QAbstractNativeEventFilter):
 
 
 class WindowsEvents(QObject):
-    """Filter of the messages to all windows of the program."""
-
     leaving = Signal(str)  # the user cannot see the window; reason, a clause without a period
 
     def __init__(self, parent: QObject | None = None) -> None:

@@ -105,7 +105,6 @@ class AutoConnect(QObject):
             self._timer.start()
 
     def _find_missing(self) -> Port | None:
-        """Return the missing port if it is plugged in again."""
         missing = self._missing
         if missing is None:
             return None

@@ -54,10 +54,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         self.closed.connect(self._on_closed)
 
     def open(self, settings: SettingsT, *, may_move: bool = False) -> None:
-        """Open a line, after closing the open line.
-
-        `may_move`: motors may still be turning from an earlier session.
-        """
+        """Open a line. `may_move`: motors may still be turning from an earlier session."""
         if self.is_open:
             self.close()
             self._next = settings

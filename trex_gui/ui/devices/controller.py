@@ -47,8 +47,6 @@ class QualityReport:
 
 
 class DeviceController(QObject, Generic[SettingsT]):
-    """Connects one kind of device, real or simulated, and stops it."""
-
     has_line_settings = False  # True if the user can change the line settings
 
     changed = Signal()  # any property
@@ -63,7 +61,6 @@ class DeviceController(QObject, Generic[SettingsT]):
         scanner: DeviceScanner,
         default: SettingsT,
     ) -> None:
-        """Create a controller. `default`: settings, without the address of a port."""
         super().__init__()
         self.plugin = plugin
         self._model = model
@@ -156,7 +153,6 @@ class DeviceController(QObject, Generic[SettingsT]):
         self._model.notifier.report(reason, remedies)
 
     def show_searches_in(self, traffic: TrafficModel) -> None:
-        """Add the bytes of all scans to `traffic`."""
         self._scanner.logs.append(traffic.search_log)
 
     @Slot()
@@ -230,7 +226,6 @@ class DeviceController(QObject, Generic[SettingsT]):
         return self.link is not ConnectionState.DISCONNECTED
 
     def press_stop(self) -> None:
-        """Stop on the user's request."""
         raise NotImplementedError
 
     def stop_because(self, reason: str) -> str:
@@ -242,5 +237,5 @@ class DeviceController(QObject, Generic[SettingsT]):
         raise NotImplementedError
 
     def stop_now(self, *, ending: bool = False) -> None:
-        """Stop, from any thread. Close the port if the program is `ending`. Does not wait."""
+        """Stop, from any thread, without waiting. `ending`: also close the port."""
         raise NotImplementedError

@@ -72,7 +72,6 @@ class Rows(ui.Card, Generic[SnapshotT]):
         *,
         accessible: str = "",
     ) -> QCheckBox:
-        """Create a check box that shows what `read` returns."""
         box = ui.check_box(
             self, name, text, tip=tip, accessible=accessible or text, on_click=on_click
         )
@@ -199,10 +198,7 @@ def add_cable(
 
 
 class DemoDock(QDockWidget):
-    """Dock that is visible while the simulated device is in use.
-
-    The user can close it.
-    """
+    """Dock that is visible while the simulated device is in use."""
 
     wanted_changed = Signal(bool)  # `wanted`
 
@@ -261,10 +257,7 @@ class DemoDock(QDockWidget):
             self.hide_dock()
 
     def hide_dock(self) -> None:
-        """Hide the dock. Restore the window's width if the user has not changed it.
-
-        Call this before saving the window's geometry. A floating dock would outlive the window.
-        """
+        """Hide the dock. Restore the window's width if the user has not changed it."""
         window = self.parentWidget()
         unchanged = window is not None and window.width() in {
             self._width,
@@ -278,7 +271,6 @@ class DemoDock(QDockWidget):
         self._width_before = 0
 
     def _widen_window(self) -> None:
-        """Widen the window for the dock, as far as the screen allows."""
         window = self.parentWidget()
         if window is None or self.isFloating() or not window.isVisible() or window.isMaximized():
             return
@@ -293,10 +285,7 @@ class DemoDock(QDockWidget):
 
 
 class DemoPanelBody(QWidget, Generic[SnapshotT]):
-    """Shows the state of a simulated device. Polls the device while visible.
-
-    A subclass calls `arrange` once and provides the head.
-    """
+    """Controls of a simulated device. A subclass calls `arrange` once."""
 
     def __init__(
         self,
@@ -365,7 +354,6 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
             group.show_snapshot(snapshot)
 
     def _todo(self, snapshot: SnapshotT) -> str:
-        """Return the user's next step before connecting again, or an empty text."""
         if not snapshot.line.plugged:
             return tr("The cable is unplugged. Plug it in, then press Connect.")
         if self._use.demo_in_use and self._use.port is None:

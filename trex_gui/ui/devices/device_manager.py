@@ -27,10 +27,7 @@ class DeviceManager(QObject):
     def __init__(
         self, makers: Mapping[str, Callable[[], Controller]], scanner: DeviceScanner
     ) -> None:
-        """`makers`: device key → function that creates the controller on first use.
-
-        The first kind of device is current at the start.
-        """
+        """`makers`: device key → function that creates the controller on first use."""
         super().__init__()
         self.scanner = scanner
         self._makers = dict(makers)
@@ -41,7 +38,6 @@ class DeviceManager(QObject):
         self.stop_remedies: Remedies = ()  # offered with `stop_reported`
 
     def controller(self, device: str) -> Controller:
-        """Return the controller of a kind of device. Create it on first use."""
         if device not in self._controllers:
             controller = self._makers[device]()
             controller.changed.connect(self._on_changed)
@@ -53,7 +49,6 @@ class DeviceManager(QObject):
 
     @property
     def controllers(self) -> Collection[Controller]:
-        """Existing controllers."""
         return self._controllers.values()
 
     @property
@@ -78,8 +73,7 @@ class DeviceManager(QObject):
     def switch_to(self, device: str, then: Callable[[], object]) -> bool:
         """Make another kind of device current without connecting it. Then call `then`.
 
-        A device that is disconnecting delays the call. A connected device prevents it. Return
-        False if it prevents it.
+        A disconnecting device delays the call. Return False if a connected device prevents it.
         """
         controller = self.controller(device)
         if controller is self.current:
@@ -163,10 +157,7 @@ class DeviceManager(QObject):
         return any(controller.needs_stop for controller in self._controllers.values())
 
     def stop_now(self, *, ending: bool = False) -> None:
-        """Stop every device, from any thread. Close the ports if the program is `ending`.
-
-        Does not wait.
-        """
+        """Stop every device, from any thread. `ending`: also close the ports."""
         for controller in self._controllers.values():
             controller.stop_now(ending=ending)
 

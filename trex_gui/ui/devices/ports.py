@@ -40,11 +40,7 @@ class Port:
     settings: str = field(default="", compare=False)  # packed, at which a device was found
 
     def is_same(self, other: "Port") -> bool:
-        """Return whether both are one port, even if its name or device has changed.
-
-        An adapter gets another name while its old name is in use. Another adapter may get the old
-        name.
-        """
+        """Return whether both are one port, even if its name or device has changed."""
         if self.adapter is not None and other.adapter is not None:
             return self.adapter.is_same(other.adapter)
         if PortKind.DEMO in {self.kind, other.kind}:
@@ -129,10 +125,7 @@ class Ports(QObject):
             self.changed.emit()
 
     def add_typed(self, url: str) -> Port:
-        """Save a typed address. Return its entry.
-
-        For a link, as in `/dev/serial/by-id`, return the listed port that it leads to.
-        """
+        """Save a typed address. Return its entry, or the listed port that a link leads to."""
         url = url.strip()
         linked = self.find(os.path.realpath(url)) if Path(url).is_symlink() else None
         if linked is not None and linked.kind is PortKind.SERIAL:
@@ -151,8 +144,7 @@ class Ports(QObject):
     def lead_to(self, port: Port, device: str, settings: str = "") -> Port:
         """Save the kind of device at a port. Return its entry.
 
-        `settings`: packed settings at which the device was found. Empty if the user only selected
-        the kind.
+        `settings`: packed. Empty if the user only selected the kind.
         """
         known = replace(port, device=device, settings=settings)
         is_new = bool(settings) or device != port.device

@@ -31,7 +31,6 @@ class ScanWorker(WorkerThread):
     searched = Signal(int, object)  # index of the port, `PortScan`
 
     def __init__(self, jobs: Sequence[ScanJob], logs: Sequence[TrafficLog]) -> None:
-        """`jobs`: in order. `logs`: each records every byte."""
         super().__init__()
         self.setObjectName("ScanWorker")
         self._open_wire: Callable[[PortSettings], Transport] = open_transport
@@ -123,10 +122,7 @@ class DeviceScanner(QObject):
     def start(
         self, ports: Sequence[Port], *, full: bool = False, only_recall: bool = False
     ) -> None:
-        """Scan ports. `only_recall`: only at settings at which a device was found before.
-
-        Then there are no findings about ports without a reply.
-        """
+        """Scan ports. `only_recall`: only at settings at which a device was found before."""
         if self._worker is not None or not ports:
             return
         self._ports = tuple(ports)

@@ -19,7 +19,6 @@ _STOP_TIMEOUT_MS = 1000
 
 
 def simulator_command() -> tuple[str, list[str]]:
-    """Return the program and its first arguments."""
     if getattr(sys, "frozen", False):
         return sys.executable, [SIMULATOR_ARGUMENT]
     return sys.executable, ["-m", "trex_gui.cli.simulator"]
@@ -58,7 +57,6 @@ class Simulator(QObject):
         """Send a control line, such as `channel 1 1500us`.
 
         `then` receives the reply, `ok ...` or `error ...`. Replies come in the order of the lines.
-        Without a running simulator, nothing is sent.
         """
         if self.url:
             self._awaited.append(then)
@@ -120,8 +118,6 @@ class DemoLine:
 
 
 class DeviceSnapshot(Protocol):
-    """State that every simulated device reports."""
-
     @property
     def power(self) -> bool: ...
     @property

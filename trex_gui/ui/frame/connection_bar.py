@@ -228,7 +228,6 @@ class ConnectionBar(QFrame):
         self._combo.showPopup()
 
     def reconnect(self) -> None:
-        """Connect to the port of the last connection attempt."""
         if self._last is not None:
             self.connect_to(self._ports.now(self._last) or self._last)
 

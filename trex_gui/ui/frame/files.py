@@ -58,10 +58,7 @@ class RecentFiles(QObject):
 
 
 class FileOpener(QObject):
-    """Opens dropped, named and recent files in their workspaces.
-
-    If a file fits no existing workspace, it first adds the workspaces of all devices.
-    """
+    """Opens files in their workspaces. Adds all workspaces if none fits."""
 
     def __init__(
         self,

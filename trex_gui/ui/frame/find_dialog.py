@@ -31,10 +31,7 @@ _CHECKABLE = Qt.ItemFlag.ItemIsUserCheckable
 
 
 class FindDialog(ReusedDialog):
-    """Dialog beside the window. Closing it ends the scan.
-
-    Found boards are listed above ports without a board.
-    """
+    """Dialog beside the window. Closing it ends the scan."""
 
     check_requested = Signal()  # help on checking a board
 
@@ -132,10 +129,7 @@ class FindDialog(ReusedDialog):
         )
 
     def open_dialog(self, selected: Port | None, *, at_once: bool = False) -> None:
-        """Open the dialog. The port `selected` in the window comes first.
-
-        `at_once`: search only this port, immediately.
-        """
+        """Open the dialog. `at_once`: search the `selected` port immediately."""
         self._first = selected
         self._on_ports_changed()
         self.show_in_front()

@@ -59,8 +59,6 @@ def last_device() -> str:
 
 
 class MainWindow(QMainWindow):
-    """Window with the workspace of the current device."""
-
     seen_changed = Signal(bool)  # True if a window of the program is neither hidden nor minimised
 
     def __init__(
@@ -112,7 +110,6 @@ class MainWindow(QMainWindow):
         )
 
     def add_workspace(self, workspace: Workspace) -> None:
-        """Add the workspace of a device, and fill the menus for all workspaces."""
         is_first = not self._workspaces
         self._workspaces += (workspace,)
         self.stack.addWidget(workspace)
@@ -324,7 +321,6 @@ class MainWindow(QMainWindow):
         self.help_dialog.show_topic(topic)
 
     def findables(self) -> Iterator[Findable]:
-        """Yield search entries: pages, parameters, menu entries, messages, help."""
         yield from self._workspace.findables()
         pages = {entry.key for entry in entries_of({"": self._workspace.page_entries()})}
         yield from menu_findables(self, pages, self._workspace.moving)

@@ -56,7 +56,6 @@ class SearchField(QLineEdit):
 
     @Slot()
     def start(self) -> None:
-        """Set the focus. Shows the pages until the user types."""
         if (focused := self.window().focusWidget()) is not self:
             self._before = focused
         self.window().activateWindow()

@@ -62,8 +62,6 @@ class PortRow(QWidget):
 
 
 class StartPanel(QWidget):
-    """Leads to a first connection with the device of a workspace."""
-
     def __init__(
         self, texts: StartTexts, frame: MainWindow, workspace: Workspace, parent: QWidget
     ) -> None:
@@ -115,7 +113,6 @@ class StartPanel(QWidget):
         self._on_ports_changed()
 
     def _wirings(self, ways: Sequence[StartWay]) -> QWidget:
-        """Return a card with a drawing of each way, and buttons to switch between them."""
         card = ui.Card("", self)
         pages, choices = QStackedWidget(card), list[QPushButton]()
         for number, way in enumerate(ways, start=1):

@@ -15,10 +15,7 @@ _LOG_OUT_S = 60.0  # time after the start of a log-out in which closing counts a
 
 
 def stop_or_close_dialog(device_manager: DeviceManager) -> None:
-    """Handle the stop command: stop, or close the dialog in front.
-
-    With a dialog in front, stop only if motors may move.
-    """
+    """Stop, and close a dialog in front. With a dialog, stop only if motors may move."""
     dialog, needs_stop = QApplication.activeWindow(), device_manager.needs_stop
     if needs_stop or not isinstance(dialog, QDialog):
         device_manager.press_stop()

@@ -55,7 +55,6 @@ class WiringSketch(Painted):
         return self.sizeHint() * _SMALLEST
 
     def _boxes(self) -> tuple[QRectF, QRectF]:
-        """Return the rectangles of adapter and board."""
         wiring, font, line = self._wiring, self.font(), self.fontMetrics().height()
         left, right = self._pin_widths()
         rows, jumpers = 2 * len(wiring.wires), jumpers_size(font, wiring.jumpers)

@@ -58,8 +58,6 @@ Menus = Mapping[Menu | str, Entries]
 
 @dataclass(frozen=True, slots=True)
 class FileKind:
-    """Kind of files that belong to a workspace."""
-
     suffixes: Collection[str]  # in lower case
     name: str  # with an article: "a settings file of a TReX"
     open: Callable[[Path], object]  # opens a file in the visible workspace
@@ -69,8 +67,6 @@ class FileKind:
 
 @dataclass(frozen=True, slots=True)
 class PageInfo:
-    """Page of a workspace, with a tab and an entry in the Window menu."""
-
     key: str  # the key of its action is `workspace_key`
     title: str  # with the mnemonic of the menu entry
     make: Callable[[QWidget], QWidget]  # creates the page in a parent, when shown or after startup
@@ -152,7 +148,6 @@ class Workspace(QWidget):
         self.page_changed.emit(self._infos[self.current].key)
 
     def create_pages(self) -> None:
-        """Create all pages that do not exist yet."""
         for number in sorted(self._missing):
             self._create_page(number)
 
@@ -220,10 +215,7 @@ class Workspace(QWidget):
         return ()
 
     def report_parts(self) -> dict[str, Callable[[], str]]:
-        """Return functions that create the files of a support report, by file name.
-
-        Call them in any thread. They use data collected by this method.
-        """
+        """Return functions that create the files of a support report in any thread."""
         lines = "".join(f"{entry.line}\n" for entry in self.log.entries)
         return {"log.txt": lambda: lines}
 
@@ -263,7 +255,6 @@ class Workspace(QWidget):
         """End work that outlasts the connection, such as writing to a slow disk."""
 
     def shut_down(self) -> bool:
-        """End all threads. Return whether they ended in time."""
         return True
 
     def set_up_crc(self) -> None:
@@ -274,7 +265,6 @@ class Workspace(QWidget):
 
 
 def _reserve_space(page: QWidget) -> None:
-    """Reserve space for a message at the bottom of a page."""
     page.setContentsMargins(0, 0, 0, message_height(page) - PAGE_MARGINS[3])
 
 

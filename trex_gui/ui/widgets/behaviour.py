@@ -173,8 +173,7 @@ class PressMonitor(QObject):
 class ConfirmButton(QPushButton):
     """Button that ignores clicks until a double-click interval after it appears.
 
-    A double click that makes the button appear under the pointer cannot press it. Early clicks do
-    not prolong the wait.
+    A double click that makes the button appear under the pointer cannot press it.
     """
 
     def __init__(self, text: str = "", parent: QWidget | None = None) -> None:
@@ -289,10 +288,7 @@ def focused_wheel(turn: Callable[[WidgetT, QWheelEvent], None]) -> Callable[...,
 
 
 def only_when_visible(slot: Callable[[WidgetT], None]) -> Callable[[WidgetT], None]:
-    """Decorate a slot to run only while its widget is visible.
-
-    The widget's `showEvent` has to call the slot.
-    """
+    """Run a slot only while its widget is visible. `showEvent` has to call the slot."""
 
     @wraps(slot)
     def guarded(widget: WidgetT) -> None:

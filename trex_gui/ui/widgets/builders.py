@@ -113,12 +113,10 @@ def plain(text: str) -> str:
 
 
 def no_mnemonic(text: str) -> str:
-    """Escape each `&` for a menu or button."""
     return text.replace("&", "&&")
 
 
 def named(widget: WidgetT, name: str, *, accessible: str = "", tip: str = "") -> WidgetT:
-    """Set a widget's object name, accessible name and tool tip. Return the widget."""
     widget.setObjectName(name)
     if isinstance(widget, QAbstractSpinBox | QSlider):
         never_mirror(widget)
@@ -169,7 +167,6 @@ def tool_button(
     accessible: str = "",
     on_click: Handler | None = None,
 ) -> QToolButton:
-    """Create a tool button with an icon, and a text beside it if given."""
     widget = named(QToolButton(parent), name, accessible=accessible, tip=tip)
     if text:
         widget.setText(text)
@@ -359,10 +356,7 @@ TableT = TypeVar("TableT", bound=QTableView)
 
 
 def flat_table(table: TableT, name: str, accessible: str) -> TableT:
-    """Set the common look of a table: striped rows, no grid. Return the table.
-
-    Its cells are read-only. One whole row can be selected.
-    """
+    """Set the common look of a table. By default one whole row can be selected."""
     named(table, name, accessible=accessible)
     name_headers(table)
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
@@ -451,8 +445,6 @@ def _tab_stops(part: QWidget) -> Iterator[QWidget]:
 
 
 def set_large(*buttons: QPushButton) -> None:
-    """Enlarge important buttons. They stay wide enough for their text."""
-
     def fit(button: QPushButton, height: int) -> None:
         button.setMinimumSize(max(4 * height, button.sizeHint().width()), height)
 
@@ -476,7 +468,6 @@ def row(
 def column(
     *items: Item, into: QWidget | None = None, margins: Margins = None, spacing: int | None = None
 ) -> QVBoxLayout:
-    """Create a vertical layout, like `row`."""
     return _filled(QVBoxLayout(into) if into else QVBoxLayout(), items, margins, spacing)
 
 

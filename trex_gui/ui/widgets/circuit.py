@@ -21,7 +21,6 @@ def _paint_plate(painter: QPainter, plate: QRectF, radius: float) -> None:
 
 
 def paint_chassis(painter: QPainter, chassis: QRectF) -> None:
-    """Paint a robot's body from above, with a triangle at its front."""
     unit = chassis.width() / 220
     _paint_plate(painter, chassis, 34 * unit)
     tip, wide, high = QPointF(chassis.center().x(), chassis.top() + 7 * unit), 14 * unit, 15 * unit
@@ -31,7 +30,6 @@ def paint_chassis(painter: QPainter, chassis: QRectF) -> None:
 
 
 def paint_body(painter: QPainter, body: QRectF, name: str) -> None:
-    """Paint a board with its name and a hole in each corner."""
     _paint_plate(painter, body, 10)
     painter.setBrush(theme().color("base"))
     holes = body.adjusted(_INSET, _INSET, -_INSET, -_INSET)
@@ -46,7 +44,6 @@ def paint_body(painter: QPainter, body: QRectF, name: str) -> None:
 
 
 def paint_block(painter: QPainter, place: QRectF, pins: Sequence[str] = ()) -> None:
-    """Paint a header block with the names of its pins."""
     painter.setPen(QPen(theme().color("outline"), 1))
     painter.setBrush(theme().color("base"))
     painter.drawRoundedRect(place, 4, 4)
@@ -79,7 +76,6 @@ Jumper = tuple[str, bool | None]
 
 
 def jumpers_size(font: QFont, jumpers: Sequence[Jumper]) -> QSizeF:
-    """Return the size of a column of jumpers with their texts."""
     line = QFontMetrics(font).height()
     widest = text_width(font, *(text for text, _ in jumpers)) if jumpers else 0
     return QSizeF(jumper_size(line)[0] + line + widest, _ROW * line * len(jumpers))
@@ -115,10 +111,7 @@ def write(
 
 
 def write_lines(painter: QPainter, place: QRectF, lines: Sequence[str], *, alarm: str = "") -> None:
-    """Write wrapped lines, the first in bold, vertically centred in `place`.
-
-    The last line has the theme colour `alarm`, if given.
-    """
+    """Write wrapped lines, vertically centred. `alarm`: theme colour of the last line."""
     wrap = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignTop
     rows = []
     for number, text in enumerate(lines):

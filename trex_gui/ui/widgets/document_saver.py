@@ -31,8 +31,6 @@ class Document(Protocol):
 
 @dataclass(slots=True)
 class _Following:
-    """Save that waits for an earlier save of its file. See `_start`."""
-
     content: Content
     known: bytes | None
 

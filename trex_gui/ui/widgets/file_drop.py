@@ -9,10 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 
 class FileDrop(QObject):
-    """Event filter that accepts dropped files, by default all.
-
-    Create a filter for all files before other filters: Qt calls the newest event filter first.
-    """
+    """Event filter for dropped files. Qt calls the newest filter of a window first."""
 
     dropped = Signal(object)  # a list of `Path`s, at least one
 

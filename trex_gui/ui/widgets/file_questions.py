@@ -15,8 +15,6 @@ _FOLDER = "settings/folder"
 
 
 class SaveAnswer(Enum):
-    """The user's decision about unsaved changes."""
-
     SAVE = auto()
     DISCARD = auto()
     CANCEL = auto()
@@ -37,7 +35,6 @@ def before_closing(window: QWidget, name: str) -> SaveAnswer:
 
 
 def may_overwrite(window: QWidget, name: str) -> bool:
-    """Ask before changes by another program are lost."""
     return _may(
         window,
         tr("Changed on disk"),
@@ -48,13 +45,11 @@ def may_overwrite(window: QWidget, name: str) -> bool:
 
 
 def may_leave_unfinished(window: QWidget, name: str) -> bool:
-    """Ask before closing a file that a slow disk is still saving."""
     text = tr("{0} is still being saved. Close without waiting? Changes may be lost.")
     return _may(window, tr("Still saving"), text.format(name))
 
 
 def may_rewrite(window: QWidget, trouble: str) -> bool:
-    """Ask before the comments in a file are lost."""
     return _may(
         window,
         tr("Rewrite the file"),
@@ -95,10 +90,7 @@ def remember_folder(path: Path, key: str = _FOLDER) -> None:
 def prompt_to_open(
     window: QWidget, title: str, filters: str = "", key: str = _FOLDER
 ) -> Path | None:
-    """Open a file dialog in the last folder. Return the selected file.
-
-    `title` may be the text of the menu entry.
-    """
+    """Open a file dialog in the last folder. `title` may be a menu text."""
     folder, kinds = str(last_folder(key)), filters or file_filter()
     chosen, _ = QFileDialog.getOpenFileName(window, title_of(title), folder, kinds)
     return Path(chosen) if chosen else None
@@ -115,8 +107,8 @@ def prompt_to_save(
 ) -> Path | None:
     """Open a file dialog for saving. Return the selected file.
 
-    `title` may be the text of the menu entry. `suffix` is appended to a name without a suffix. If
-    `required`, it is appended to every name with another suffix.
+    `title` may be a menu text. A name without a suffix gets `suffix`. If `required`, a name with
+    another suffix also gets `suffix`.
     """
     title, kinds = title_of(title), filters or file_filter()
     chosen, _ = QFileDialog.getSaveFileName(window, title, str(proposal), kinds)

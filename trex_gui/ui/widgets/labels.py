@@ -57,10 +57,7 @@ class Note(QLabel):
 
 
 class ElidedLabel(QLabel):
-    """Plain text, elided unless it wraps. The tool tip has the whole text.
-
-    The minimum width fits the text `at_least`.
-    """
+    """Plain text with a tool tip. Elided, but not shorter than the text `at_least`."""
 
     def __init__(self, at_least: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -74,8 +74,6 @@ class Lamp(Painted):
 
 
 class Leds(QWidget):
-    """Red and green LED, each with its pattern in words."""
-
     def __init__(self, parent: QWidget | None = None, *, stacked: bool = False) -> None:
         super().__init__(parent)
         self._shown = ("", "")

@@ -47,8 +47,6 @@ _NEWS_MS = 20_000  # display time of news, which stays in the log
 
 
 class ActionBar(QFrame):
-    """Bottom row of a window, with the stop button at the left."""
-
     def __init__(self, stop: QPushButton, parent: QWidget) -> None:
         super().__init__(parent)
         self.stop = stop
@@ -78,7 +76,6 @@ class _MessageRow(QFrame):
 
     @property
     def text(self) -> str:
-        """Message or question, or empty."""
         return self._text.text()
 
     def _add_button(self, name: str, text: str, before: QWidget) -> QPushButton:
@@ -99,8 +96,6 @@ class _MessageRow(QFrame):
 
 
 class Banner(_MessageRow):
-    """Row with the newest message. Hidden without a message."""
-
     chosen = Signal(object)  # the `Remedy` or `ConnectWith` of the pressed button
     help_wanted = Signal(str)  # the topic of the message
 
@@ -171,7 +166,6 @@ class Banner(_MessageRow):
 
     @Slot()
     def _on_old(self) -> None:
-        """Remove old news. News in use, or with buttons, stays."""
         focused = self.window().focusWidget()
         is_used = self.underMouse() or (focused is not None and self.isAncestorOf(focused))
         if is_used:

@@ -20,10 +20,7 @@ def never_mirror(target: QWidget | QGraphicsWidget | QPainter) -> None:
 
 
 class Animation:
-    """Frame timer of a drawing. Stops while the drawing is still or hidden.
-
-    Does not run if the system disables animation.
-    """
+    """Frame timer of a drawing. Stops if the drawing is still or hidden."""
 
     def __init__(self, widget: QWidget, step: Callable[[float], object]) -> None:
         """`step` receives the seconds since the previous frame."""
@@ -62,8 +59,6 @@ class Painter(QPainter):
 
 
 class Painted(QWidget, Spoken):
-    """Widget that paints itself in theme colours."""
-
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         never_mirror(self)

@@ -15,10 +15,7 @@ Windows 11 has 31 at the top and 8 at the sides. GNOME has 37 at the top, KDE 30
 
 
 def fitted(window: QRect, available: QRect) -> QRect:
-    """Shrink and move a window so that its frame fits into `available`.
-
-    `window` and the result exclude the frame.
-    """
+    """Fit a window with its frame into `available`. Rectangles exclude the frame."""
     space = available.marginsRemoved(_FRAME)
     size = window.size().boundedTo(space.size())
     last = space.bottomRight() - QPoint(size.width() - 1, size.height() - 1)

@@ -27,8 +27,7 @@ class ScrollBox(QScrollArea):
     ) -> None:
         """Scroll `content`: a widget, or a function that creates the widget in its parent.
 
-        A function saves styling the widget twice. `sideways`: the box may be narrower than the
-        content. Otherwise only large fonts on a small screen make it scroll sideways.
+        `sideways`: the box may be narrower than the content.
         """
         super().__init__(parent)
         if not isinstance(content, QWidget):
@@ -44,7 +43,6 @@ class ScrollBox(QScrollArea):
         self.viewport().setAutoFillBackground(False)
 
     def sizeHint(self) -> QSize:
-        """Return the preferred size of the content at the available width."""
         hint, layout = self.content.sizeHint(), self.content.layout()
         if layout is not None and layout.hasHeightForWidth() and self.isVisible():
             space = self.maximumViewportSize()

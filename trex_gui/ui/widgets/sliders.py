@@ -11,8 +11,6 @@ from trex_gui.ui.widgets.painted import Painter, never_mirror
 
 
 class PaintedSlider(QSlider, Spoken):
-    """Slider whose subclasses paint the groove."""
-
     spoken_role = QAccessible.Role.Slider
     positions_per_unit = 1.0  # slider positions per displayed unit
     space_below = 0  # pixels below groove and handle
@@ -69,10 +67,7 @@ class PaintedSlider(QSlider, Spoken):
 
 
 class PressSlider(PaintedSlider):
-    """Slider held with the left mouse button.
-
-    A loss of input (`PressMonitor`) releases it.
-    """
+    """Slider held with the left mouse button. Loss of input releases the slider."""
 
     grabbed = Signal()  # start of a hold
     released = Signal()  # end of a hold
@@ -120,10 +115,7 @@ class PressSlider(PaintedSlider):
 
 
 class StickSlider(PaintedSlider):
-    """Horizontal slider filled from `rest` to the handle.
-
-    `valueChanged` reports changes by the user only.
-    """
+    """Slider filled from `rest`. `valueChanged` reports changes by the user only."""
 
     def __init__(
         self, lowest: int, highest: int, rest: int, color: str, parent: QWidget | None = None

@@ -27,10 +27,7 @@ class StepStrip(Painted):
         follow_theme(self, "room", self.updateGeometry)
 
     def show_steps(self, steps: Sequence[str], now: int, undone: Collection[str] = ()) -> None:
-        """Show `steps`. `now`: index of the current step, or their count after the last.
-
-        `undone`: skipped steps.
-        """
+        """Show steps. `now`: index of the current step. `undone`: skipped steps."""
         if (steps, now, undone) == (self._steps, self._now, self._undone):
             return
         self._steps, self._now, self._undone = steps, now, undone

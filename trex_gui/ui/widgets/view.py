@@ -34,7 +34,6 @@ class View(QWidget):
         raise NotImplementedError
 
     def lines(self) -> Sequence[str]:
-        """Return the displayed lines for the clipboard."""
         raise NotImplementedError
 
     def showEvent(self, event: QShowEvent) -> None:
