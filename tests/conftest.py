@@ -1,4 +1,4 @@
-"""What every test stands on: no screen, settings of its own, a board in virtual time."""
+"""Fixtures and checks of all tests: no screen, separate settings, virtual time."""
 
 import gc
 import itertools
@@ -15,10 +15,10 @@ from typing import Any, NoReturn
 import hypothesis
 import pytest
 
-if os.environ.get("QT_QPA_PLATFORM", "offscreen") == "offscreen":  # by itself it is 800×800
+if os.environ.get("QT_QPA_PLATFORM", "offscreen") == "offscreen":  # the default is 800×800
     _SCREEN = Path(__file__).parent / "support" / "screen.json"
     os.environ["QT_QPA_PLATFORM"] = f"offscreen:configfile={_SCREEN}"
-os.environ["LC_ALL"] = "C.UTF-8"  # programs that tests start are in English everywhere
+os.environ["LC_ALL"] = "C.UTF-8"  # programs started by tests use English
 
 from PySide6.QtCore import QCoreApplication, QEvent, QSettings, Qt
 from PySide6.QtGui import QMouseEvent
@@ -50,7 +50,7 @@ from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.translations import ENGLISH, install_translations
 from trex_gui.ui.units import units
 
-# Several processes may share the computer: how long an example takes says nothing.
+# Several processes may share the computer, so run times of examples mean nothing.
 hypothesis.settings.register_profile("gate", deadline=None, derandomize=True, max_examples=100)
 hypothesis.settings.register_profile(
     "all", deadline=None, derandomize=False, max_examples=100 * LONG_FACTOR
@@ -59,7 +59,7 @@ hypothesis.settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "gate"))
 
 
 def pytest_configure() -> None:
-    """Take signals as a program in the foreground does: `nohup` and `&` let some be ignored."""
+    """Reset ignored signals, because `nohup` and `&` ignore some signals."""
     usual: dict[str, Any] = {
         "SIGINT": signal.default_int_handler,
         "SIGHUP": signal.SIG_DFL,
@@ -76,12 +76,12 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
-    """Leave other files alone where only realtime tests run: to import all takes longer."""
+    """Skip other files if only realtime tests run. Importing all files takes longer."""
     is_other = collection_path.name.startswith("test_") and (
         config.getoption("markexpr") == "realtime"
         and b"realtime" not in collection_path.read_bytes()
     )
-    return True if is_other else None  # `None` leaves it to others
+    return True if is_other else None  # `None` leaves the decision to other plugins
 
 
 # Windows has no pseudo-terminals, and of POSIX signals only names like SIGINT: these files say so
@@ -95,7 +95,7 @@ _POSIX_FILES = (
 
 
 class _PosixModule(pytest.Module):
-    """A file of tests that is skipped as a whole."""
+    """File of tests that is skipped as a whole."""
 
     def collect(self) -> NoReturn:
         pytest.skip("needs pseudo-terminals and POSIX signals", allow_module_level=True)
@@ -104,7 +104,7 @@ class _PosixModule(pytest.Module):
 def pytest_pycollect_makemodule(
     module_path: Path, parent: pytest.Collector
 ) -> pytest.Module | None:
-    """Import no file on Windows that cannot be imported there."""
+    """Skip files that cannot be imported on Windows."""
     if sys.platform == "win32" and module_path.as_posix().endswith(_POSIX_FILES):
         return _PosixModule.from_parent(parent, path=module_path)
     return None
@@ -119,11 +119,11 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 def pytest_collection_finish() -> None:
-    """Keep Python's collector out of all threads but the GUI thread, as the program does.
+    """Run Python's collector in the GUI thread only, like the program.
 
-    What is loaded by now stays: looking through it each time would take a fifth of the run. The
-    collector stays off to the end of the process: switched on, it would run next in whichever
-    thread allocates, and windows that it frees there take the process with them.
+    Loaded objects are frozen, because scanning them would take a fifth of the run. The collector
+    stays off to the end of the process. Otherwise it could run in any thread that allocates, and
+    windows would be destroyed there.
     """
     gc.disable()
     gc.collect()
@@ -149,19 +149,19 @@ def _is_real(request: pytest.FixtureRequest) -> bool:
 def _time(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """Run the program in virtual time, with the same port on every computer.
 
-    Tests marked `realtime` have the clock and the ports of the computer.
+    Tests marked `realtime` use the clock and the ports of the computer.
     """
     if not _is_real(request):
         request.getfixturevalue("virtual_time")
         ports = [ListPortInfo("/dev/ttyS0")]
         monkeypatch.setattr(list_ports, "comports", lambda: ports)
     yield
-    end_background(60_000)  # files that were still read when the window closed
+    end_background(60_000)  # files that the closing window was still reading
 
 
 @pytest.fixture(scope="session")
 def qapp(qapp: QApplication) -> QApplication:
-    """The application with its style and English plural forms, as the program starts it."""
+    """Application with its style and English plural forms, as in the program."""
     install_translations(qapp, ENGLISH)
     theme().install(qapp)
     return qapp
@@ -169,7 +169,7 @@ def qapp(qapp: QApplication) -> QApplication:
 
 @pytest.fixture
 def qtbot(qapp: QApplication, request: pytest.FixtureRequest) -> QtBot:
-    """Wait in virtual time; in real time longer than pytest-qt does by itself."""
+    """Wait in virtual time. In real time wait longer than pytest-qt's default."""
     del qapp
     if _is_real(request):
         return PatientQtBot(request)
@@ -178,7 +178,7 @@ def qtbot(qapp: QApplication, request: pytest.FixtureRequest) -> QtBot:
 
 @pytest.fixture
 def light_scheme(qapp: QApplication) -> None:
-    """Light colours and the usual font size, whatever the computer has."""
+    """Use light colours and the default font size on every computer."""
     theme().install(qapp)
     theme().set_scheme("light")
     theme().set_font_size(100)
@@ -186,13 +186,13 @@ def light_scheme(qapp: QApplication) -> None:
 
 @pytest.fixture
 def no_ports(monkeypatch: pytest.MonkeyPatch) -> None:
-    """List no port of the computer: only those that the test adds."""
+    """Hide the computer's ports. List only ports that a test adds."""
     monkeypatch.setattr(list_ports, "comports", list)
 
 
 @pytest.fixture
 def computer(monkeypatch: pytest.MonkeyPatch) -> list[ListPortInfo]:
-    """The serial ports that this computer is taken to have. Ask for it before the window."""
+    """Serial ports of the simulated computer. Request this fixture before the window."""
     present: list[ListPortInfo] = []
     monkeypatch.setattr(list_ports, "comports", lambda: list(present))
     return present
@@ -219,7 +219,7 @@ def _settings_root(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def _remember_usual_state(folder: Path) -> None:
-    """Let boards with the usual number drive at full speed."""
+    """Let boards with the default number drive at full speed."""
     boards = [
         f"{prefix}{model.key}-{firmware}-7"
         for prefix in ("", "demo-")
@@ -238,9 +238,9 @@ _folders = itertools.count(1)
 
 @pytest.fixture(autouse=True)
 def _own_settings(_settings_root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Keep what the program remembers in a folder of the test's own.
+    """Save the program's data in a folder of the test.
 
-    Not pytest's own: it looks at all that were made before, which takes longer each time.
+    Does not use `tmp_path`, which becomes slow because pytest scans all earlier folders.
     """
     folder = _settings_root / str(next(_folders))
     folder.mkdir()
@@ -256,11 +256,11 @@ _MOUSE_BUTTONS = (
     Qt.MouseButton.MiddleButton,
     Qt.MouseButton.RightButton,
 )
-_MANY_OBJECTS = 100_000  # a window has about 40,000 that refer to others
+_MANY_OBJECTS = 100_000  # a window has about 40,000 objects with references
 
 
 class _MouseRest(QWidget):
-    """A place where buttons of the mouse can go up unseen."""
+    """Target for releases of mouse buttons."""
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         event.accept()
@@ -268,18 +268,18 @@ class _MouseRest(QWidget):
 
 @pytest.fixture(autouse=True)
 def _clean_up() -> Iterator[None]:
-    """Leave nothing of a test behind; fail it if a thread or a window of its own lives on.
+    """Clean up after a test. Fail a test that leaves a thread or window behind.
 
-    Garbage is collected where there can be much: after a few windows, not after 25 small tests.
+    Garbage is collected after a few windows, or after many small tests.
     """
     threads = _threads()
     yield
     _restore_scheme()
     _release_mouse()
     _check_threads_and_windows(threads)
-    if gc.get_count()[0] > _MANY_OBJECTS:  # made since, and not freed
+    if gc.get_count()[0] > _MANY_OBJECTS:  # created since then and not freed
         gc.collect()
-        gc.freeze()  # caches, and what pytest keeps of every test
+        gc.freeze()  # caches, and pytest's data about every test
 
 
 def _restore_scheme() -> None:
@@ -291,7 +291,7 @@ def _restore_scheme() -> None:
 
 
 def _release_mouse() -> None:
-    """Release what a test left pressed: QTest goes on telling it, and no drag would take."""
+    """Release mouse buttons that a test left pressed. QTest would keep them pressed."""
     if isinstance(QCoreApplication.instance(), QApplication):
         rest = _MouseRest()
         for button in _MOUSE_BUTTONS:
@@ -310,23 +310,23 @@ def _check_threads_and_windows(threads: set[threading.Thread]) -> None:
 
 @pytest.fixture(autouse=True, scope="session")
 def _ends_every_process() -> Iterator[None]:
-    """Fail the run when a process that it started lives on."""
+    """Fail the run if a process started by a test is still running."""
     yield
     assert not _children()
 
 
 def _threads() -> set[threading.Thread]:
-    """Return the threads that somebody started; a dummy only stands for one of Qt's."""
+    """Return running Python threads, without dummies for Qt's threads."""
     return {
         thread
         for thread in threading.enumerate()
-        if not isinstance(thread, threading.Timer)  # the time limit of the test itself
+        if not isinstance(thread, threading.Timer)  # the test's own time limit
         and type(thread).__name__ != "_DummyThread"
     }
 
 
 def _children() -> set[str]:
-    """Process numbers of our children, where the system tells; a zombie counts too."""
+    """Return the process numbers of child processes, including zombies."""
     try:
         path = Path(f"/proc/{os.getpid()}/task/{os.getpid()}/children")
         return set(path.read_text(encoding="ascii").split())
@@ -366,21 +366,21 @@ def simulator(start_simulator: StartSimulator) -> SimulatedDevice:
 
 @pytest.fixture
 def quick_simulator(start_simulator: StartSimulator) -> SimulatedDevice:
-    """A simulated board whose bytes take no time."""
+    """Simulated board that transmits without delay."""
     return start_simulator("--unpaced")
 
 
 @pytest.fixture
 def timeouts() -> Timeouts:
-    """The time limits of the window."""
+    """Timeouts of the window."""
     return Timeouts()
 
 
 @pytest.fixture
 def program(qtbot: QtBot, qapp: QApplication, timeouts: Timeouts) -> Iterator[Program]:
-    """The window on its models; nothing is connected, and no thread may outlive it.
+    """Window and its models without a connection. No thread may outlive the test.
 
-    A page is made when it is shown or sought.
+    A page is created when it is shown or searched for.
     """
     program = build(timeouts)
     program.window.show()
@@ -393,20 +393,20 @@ def program(qtbot: QtBot, qapp: QApplication, timeouts: Timeouts) -> Iterator[Pr
 
 @pytest.fixture
 def window(program: Program, qtbot: QtBot) -> WindowDriver:
-    """The window, with nothing connected."""
+    """Window without a connection."""
     return WindowDriver(program, qtbot)
 
 
 @pytest.fixture
 def connected_window(window: WindowDriver, quick_simulator: SimulatedDevice) -> WindowDriver:
-    """The window, connected to a simulated board whose bytes take no time."""
+    """Window connected to a simulated board that transmits without delay."""
     window.connect(quick_simulator.url)
     return window
 
 
 @pytest.fixture
 def full_disk(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let recordings run out of disk space soon."""
+    """Make recordings run out of disk space."""
     make = RecordingWriter.__init__
 
     def make_on_full_disk(writer: RecordingWriter[Any, Any], *args: Any) -> None:

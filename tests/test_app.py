@@ -1,4 +1,4 @@
-"""The command trex-gui: what it says without a window, and the tour that needs nobody."""
+"""The command trex-gui: messages without a window, and the tour."""
 
 import json
 import platform

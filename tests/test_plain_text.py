@@ -1,4 +1,4 @@
-"""Text that is not ours is shown as it is written, wherever Qt would read it as markup."""
+"""Text from outside is shown literally, even where Qt would parse markup."""
 
 import ast
 from collections.abc import Iterator
@@ -12,16 +12,16 @@ from trex_gui.ui.widgets.builders import plain
 
 _PROGRAM = Path(__file__).parents[1] / "trex_gui"
 _SETTERS = {"setToolTip": 0, "showText": 1, "setLabelText": 0, "setInformativeText": 0}
-_WORDS = {"QLabel", "QMessageBox", "ToolTipRole", *_SETTERS}  # in every file with such a text
-_BOXES = {"about", "critical", "information", "question", "warning"}  # of QMessageBox
-_ESCAPED = {"self.text.tool_tip"}  # markup of the program
+_WORDS = {"QLabel", "QMessageBox", "ToolTipRole", *_SETTERS}  # in files with such texts
+_BOXES = {"about", "critical", "information", "question", "warning"}  # methods of QMessageBox
+_ESCAPED = {"self.text.tool_tip"}  # markup written by the program
 _OWN_VALUES = {"__version__", "spec.short_range()", "f'25 {spec.unit}'", "seconds"}
-_WITHOUT_TEXT = {"Sign"}  # labels
+_WITHOUT_TEXT = {"Sign"}  # labels without text
 _BUILDERS = "ui/widgets/builders.py"
 
 
 def _is_ours(text: ast.expr, scope: ast.AST) -> bool:
-    """Tell whether a text is fixed, or made plain."""
+    """Return whether a text is constant or escaped."""
     match text:
         case ast.Constant():
             return True
@@ -48,7 +48,7 @@ def _assigned(name: str, scope: ast.AST) -> Iterator[ast.expr]:
 
 
 def _shown(node: ast.AST) -> Iterator[ast.expr]:
-    """Yield the texts of a node that Qt would read as markup."""
+    """Yield the texts of a node that Qt would parse as markup."""
     match node:
         case ast.Call(func=ast.Attribute(attr=setter), args=args) if setter in _SETTERS:
             yield args[_SETTERS[setter]]
@@ -84,7 +84,7 @@ def _returned(body: list[ast.stmt]) -> Iterator[ast.expr]:
 
 
 def _guessed(tree: ast.Module) -> Iterator[ast.expr]:
-    """Yield the texts that Qt may take for markup although they are not ours."""
+    """Yield external texts that Qt may parse as markup."""
     classes = [node for node in tree.body if isinstance(node, ast.ClassDef)]
     functions = [node for node in tree.body if not isinstance(node, ast.ClassDef)]
     for scope in (*functions, *(method for kind in classes for method in kind.body)):

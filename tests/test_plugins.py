@@ -1,4 +1,4 @@
-"""Every registered device is complete: what its plugin names exists and fits."""
+"""Every registered device is complete."""
 
 import click
 import pytest

@@ -1,4 +1,4 @@
-"""Docstrings and function names keep the rules of style."""
+"""Docstrings and function names follow the style rules."""
 
 import ast
 import re

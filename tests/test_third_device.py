@@ -1,4 +1,4 @@
-"""A device is one package and one line in `composition.PLUGINS`; the rest knows no device."""
+"""A device needs one package and one line in `composition.PLUGINS`."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -29,7 +29,7 @@ URL = "loop://lamp"
 
 
 class Lamp(QObject):
-    """The model of a lamp: on while it is connected, until it is stopped."""
+    """Model of a lamp, which is on from connection to stop."""
 
     link_changed = Signal()
 

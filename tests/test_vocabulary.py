@@ -1,4 +1,4 @@
-"""Identifiers of the program use the field's terms, not the words that they replace."""
+"""Identifiers use the terms of the field."""
 
 import ast
 import re
@@ -48,14 +48,14 @@ REPLACED = {
     "wishes": "setpoints",
     "wording": "decoder, text",
 }
-"""Words that no identifier holds, and what to say instead."""
+"""Words that identifiers must not contain, and their replacements."""
 
 EXCEPTIONS = {"ODD": "a parity", "TWIN": "a grade of evidence"}
-"""Identifiers that hold one all the same, and why."""
+"""Exceptions: identifiers that contain such a word, and the reason."""
 
 
 def identifiers(tree: ast.AST) -> Iterator[tuple[str, int]]:
-    """Return every name that a module defines, with its line."""
+    """Return the names that a module defines, with their lines."""
     for node in ast.walk(tree):
         match node:
             case ast.FunctionDef() | ast.ClassDef():
@@ -80,7 +80,7 @@ def test_words_of_every_spelling_are_found(name: str) -> None:
 
 
 def sources() -> Iterator[tuple[Path, str]]:
-    """Yield the files that have a replaced word anywhere: the others need no syntax tree."""
+    """Yield the files that contain a forbidden word. Other files need no syntax tree."""
     for path in sorted(PROGRAM.rglob("*.py")):
         source = path.read_text(encoding="utf-8")
         if any(not REPLACED.keys().isdisjoint(words(name)) for name in re.findall(r"\w+", source)):

@@ -1,4 +1,4 @@
-"""The program as a whole: its table of commands, what it loads, completion."""
+"""The program trexcmd: commands, imported modules, completion."""
 
 import logging
 import subprocess
@@ -22,7 +22,7 @@ for lines in {groups!r}:
 
 
 def loaded_by(*groups: list[list[str]]) -> list[set[str]]:
-    """Return the modules that a fresh interpreter has after each group of command lines."""
+    """Return the modules that a fresh interpreter imports for each group of command lines."""
     code = _LOADED.format(groups=groups)
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     return [set(line.split()) for line in done.stdout.splitlines()]

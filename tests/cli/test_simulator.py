@@ -1,4 +1,4 @@
-"""trex-sim as a process of its own, in real time."""
+"""trex-sim in a separate process, in real time."""
 
 import json
 import os
@@ -26,7 +26,7 @@ needs_pty = pytest.mark.skipif(sys.platform == "win32", reason="has no pseudo-te
 
 
 class Sim:
-    """A running trex-sim."""
+    """Running trex-sim."""
 
     def __init__(self, arguments: list[str], stdin: Any = subprocess.PIPE) -> None:
         self.process = subprocess.Popen(
@@ -41,7 +41,7 @@ class Sim:
         assert word == "ready", self.errors()
 
     def line(self) -> str:
-        """Return the next line that it prints; empty at its end."""
+        """Return the next printed line. Empty at the end."""
         assert self.process.stdout is not None
         end = time.monotonic() + LONG_TIMEOUT
         with selectors.DefaultSelector() as selector:
@@ -106,7 +106,7 @@ def ask(url: str, packet: str, size: int, **settings: Any) -> bytes:
 
 
 def is_silent(sim: Sim, packet: str, **settings: Any) -> bool:
-    """Send a packet; return whether no answer comes once it has passed the wire."""
+    """Send a packet. Return whether no reply arrives."""
 
     def carried() -> bool:
         sent: int = sim.show()["counters"]["line"]["sent"]
@@ -122,7 +122,7 @@ def is_silent(sim: Sim, packet: str, **settings: Any) -> bool:
 
 
 def refused(*arguments: str) -> str:
-    """Start it in vain; return what it says about it."""
+    """Start trex-sim with wrong options. Return its message."""
     result = CliRunner().invoke(main, arguments)
     assert (result.exit_code, result.stdout) == (1, "")
     return result.stderr
@@ -181,7 +181,7 @@ class TestPseudoTerminal:
         sim = start("--link", str(link))
         assert sim.url == str(link)
         assert link.readlink() != Path("/dev/pts/nothing")
-        host = os.open(sim.url, os.O_RDWR | os.O_NOCTTY)  # sets no line up
+        host = os.open(sim.url, os.O_RDWR | os.O_NOCTTY)  # does not set up the line
         os.write(host, b"\x82")
         assert os.read(host, 1) == b"r"
         os.close(host)
@@ -214,7 +214,7 @@ class TestPseudoTerminal:
         sim = start("--eeprom", str(path))
         assert ask(sim.url, "82", 1, baudrate=baud) == b"r"
         assert is_silent(sim, "82", baudrate=19200)
-        assert ask(sim.url, "85", 1, baudrate=baud) == noticed  # 1200 is too slow for that
+        assert ask(sim.url, "85", 1, baudrate=baud) == noticed  # 1200 baud is too slow for this
 
     def test_existing_file_is_not_replaced_by_link(self, tmp_path: Path) -> None:
         link = tmp_path / "trex"

@@ -1,6 +1,6 @@
-"""Commands, library and examples do without the packages of the window.
+"""Commands, library and examples run without the packages of the window.
 
-Those that take long, and those of an Aracna, are loaded for their help only.
+Only the help of slow commands and of Aracna commands is loaded.
 """
 
 import json
@@ -52,7 +52,7 @@ _LINES = [
     "motor 1 20 --seconds 0.1",
     "stop",
     "serve --install",
-    "robots --help",  # asks the network
+    "robots --help",  # uses the network
     "raw 81 --traffic traffic.txt",
     "decode 81",
     "report -",

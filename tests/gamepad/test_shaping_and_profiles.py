@@ -79,7 +79,7 @@ def test_stored_profile_is_read_back_equal(
 )  # fmt: skip
 def test_profile_with_one_invalid_value_is_rejected(corrupted: str) -> None:
     good = GamepadProfile().to_text()
-    assert read_profile(good[:-1] + f", {corrupted}" + "}") is None  # the later of two counts
+    assert read_profile(good[:-1] + f", {corrupted}" + "}") is None  # the later value counts
 
 
 def test_default_profile_uses_left_stick_and_left_shoulder() -> None:

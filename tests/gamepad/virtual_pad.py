@@ -1,4 +1,4 @@
-"""A gamepad that SDL itself takes for one: its own virtual joystick, reached with ctypes."""
+"""Virtual joystick of SDL, created through ctypes."""
 
 import ctypes
 import importlib.util
@@ -9,7 +9,7 @@ _GAMEPAD = 1  # SDL_JOYSTICK_TYPE_GAMECONTROLLER
 
 
 def _library() -> ctypes.CDLL:
-    """The very SDL that pygame has loaded: the wheel brings it along."""
+    """Return the SDL library that pygame has loaded from its wheel."""
     if sys.platform == "win32":
         found = importlib.util.find_spec("pygame")
         assert found is not None
@@ -20,7 +20,7 @@ def _library() -> ctypes.CDLL:
 
 
 class VirtualPad:
-    """Plugged in when made. SDL must be open."""
+    """Virtual gamepad, connected when created. SDL must be open."""
 
     def __init__(self, axes: int = 6, buttons: int = 15) -> None:
         self._sdl = _library()
@@ -41,7 +41,7 @@ class VirtualPad:
         assert self._joystick
 
     def move(self, axis: int, value: float) -> None:
-        """Put an axis somewhere between -1 and 1."""
+        """Set the position of an axis, -1 to 1."""
         count = max(-32768, min(32767, round(value * 32768)))
         assert self._sdl.SDL_JoystickSetVirtualAxis(self._joystick, axis, count) == 0
 

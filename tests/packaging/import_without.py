@@ -1,4 +1,4 @@
-"""Import all of the program while the modules named on the command line cannot be found."""
+"""Import the whole program while the modules named on the command line are missing."""
 
 import importlib
 import pkgutil
@@ -10,7 +10,7 @@ hidden = tuple(sys.argv[1:])
 
 
 class Finder:
-    """Finds what another finder finds, but none of those modules."""
+    """Import finder that hides these modules."""
 
     def __init__(self, finder: Any) -> None:
         self._finder = finder

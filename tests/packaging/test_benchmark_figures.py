@@ -1,4 +1,4 @@
-"""Figures of the benchmarks: what a run prints is what a later one is compared to."""
+"""Figures of the benchmarks, and their comparison with another run."""
 
 from pathlib import Path
 

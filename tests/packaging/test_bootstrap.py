@@ -1,4 +1,4 @@
-"""The set-up script: what it decides. What it runs is played by `Script`."""
+"""Decisions of the set-up script. `Script` replaces the commands that it runs."""
 
 import ast
 import re
@@ -20,7 +20,7 @@ bootstrap = load_script("bootstrap")
 
 
 class Script:
-    """Stands for the machine: answers commands by a word in them and remembers them all."""
+    """Replaces the machine. Answers commands by keyword and records the commands."""
 
     def __init__(self, **outcomes: Any) -> None:
         self.outcomes = outcomes
@@ -197,7 +197,7 @@ def test_stamp_changes_with_constraints(tmp_path: Path, monkeypatch: pytest.Monk
 
 
 class Project:
-    """A project in a temporary folder whose set-up installs nothing, only says that it would."""
+    """Project in a temporary folder. Its set-up only prints the installations."""
 
     def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         self.script = Script()
@@ -320,7 +320,7 @@ def test_all_option_runs_slow_tests_with_random_seeds() -> None:
 
 @dataclass
 class Programs:
-    """What is run in sight: how it ends, 0 unless told, and how many tests its report tells of."""
+    """Replaces visible commands: exit codes (default 0) and test counts of reports."""
 
     statuses: dict[str, int] = field(default_factory=dict)
     tests: int = 12

@@ -1,4 +1,4 @@
-"""The guide for engineers: every program in it runs."""
+"""Every program in the guide for engineers runs."""
 
 import re
 

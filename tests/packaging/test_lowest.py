@@ -1,4 +1,4 @@
-"""Which versions `test --lowest` installs."""
+"""Versions installed by `test --lowest`."""
 
 from types import ModuleType
 

@@ -1,4 +1,4 @@
-"""What users install: one version, complete metadata, a licence for everything."""
+"""Packages for users: one version, complete metadata, licences."""
 
 import ast
 import configparser
@@ -57,7 +57,7 @@ def spec() -> ast.Module:
 
 
 def spec_value(spec: ast.Module, name: str, **known: Any) -> Any:
-    """Return what the spec assigns to a name."""
+    """Return the value that the spec assigns to a name."""
     for statement in spec.body:
         if isinstance(statement, ast.Assign) and ast.unparse(statement.targets[0]) == name:
             return eval(ast.unparse(statement.value), {"re": re, **known})  # our own file
@@ -98,7 +98,7 @@ def test_plugins_of_a_desktop_are_frozen(spec: ast.Module, plugin: str, is_kept:
 
 
 def spec_function(spec: ast.Module, name: str, **known: Any) -> Any:
-    """Return a function of the spec, with what it calls."""
+    """Return a function of the spec, with the functions that it calls."""
     functions = [part for part in spec.body if isinstance(part, ast.FunctionDef)]
     names = {"re": re, "PurePath": PurePath, "PYZ": object, **known}
     exec(compile(ast.Module([*functions], []), "spec", "exec"), names)  # our own file
@@ -198,7 +198,7 @@ def test_desktop_file_starts_the_window() -> None:
     )
     assert (ROOT / "resources" / "icons" / f"{entry['Icon']}.svg").exists()
     app = (ROOT / "trex_gui" / "app.py").read_text(encoding="utf-8")
-    assert 'setDesktopFileName("trex-studio")' in app  # by which a desktop knows the window
+    assert 'setDesktopFileName("trex-studio")' in app  # name of the desktop file
 
 
 def test_metadata_name_the_programs_and_the_version(packages: ModuleType) -> None:

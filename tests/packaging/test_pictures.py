@@ -1,4 +1,4 @@
-"""What the digest of a picture follows, and what it does not."""
+"""Digest of a picture: relevant and irrelevant changes."""
 
 import pytest
 from PySide6.QtWidgets import (

@@ -1,4 +1,4 @@
-"""What is installed: the wheel holds the program and its data, and nothing of the workshop."""
+"""The wheel contains the program and its data, and no development files."""
 
 import re
 import subprocess
@@ -74,6 +74,6 @@ def test_sdist_contains_what_the_readme_links_to() -> None:
     included = project["tool"]["hatch"]["build"]["targets"]["sdist"]["include"]
     links = re.findall(r"\]\(([\w./-]+)\)", (ROOT / "README.md").read_text(encoding="utf-8"))
     assert "CONTRIBUTING.md" in links
-    files = [link for link in links if not link.startswith("../")]  # else a page of the host
+    files = [link for link in links if not link.startswith("../")]  # others are on the host
     assert {link.split("/")[0] for link in files} <= {*included}
-    assert {".ci", ".github"} <= {*included}  # which tests read
+    assert {".ci", ".github"} <= {*included}  # tests read these

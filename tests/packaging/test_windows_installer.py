@@ -1,4 +1,4 @@
-"""The installer for Windows, with stand-ins for the programs."""
+"""Installer for Windows, with stand-ins for the programs."""
 
 import shutil
 import sys
@@ -20,7 +20,7 @@ pytestmark = [
 
 
 def wine_test(function: Callable[..., None]) -> Callable[..., None]:
-    """Mark a test that installs in a Windows of its own."""
+    """Mark a test that installs into a separate Windows."""
     for mark in (
         pytest.mark.slow,
         pytest.mark.timeout(300),
@@ -99,7 +99,7 @@ def test_running_program_is_not_replaced_or_removed(
     program = installed.folder / "trexcmd.exe"
     shutil.copy(installed.windows.drive / "windows" / "system32" / "cmd.exe", program)
     with installed.windows.start([program]) as running:
-        assert running.stdout.read(1)  # it has started
+        assert running.stdout.read(1)  # the program has started
         for command in (
             [installer, "/S"],
             [installed.folder / "uninstall.exe", "/S", r"_?=C:\robots"],  # itself, not a copy

@@ -1,4 +1,4 @@
-"""The workflows and recipes: what they name exists, and a release has its text."""
+"""Workflows and recipes name existing files, and each release has a text."""
 
 import plistlib
 import re
@@ -14,7 +14,7 @@ from ruamel.yaml import YAML
 
 ROOT = Path(__file__).resolve().parents[2]
 
-pytestmark = pytest.mark.usefixtures("qapp")  # what draws icons would make another application
+pytestmark = pytest.mark.usefixtures("qapp")  # for drawing icons
 PACKAGING = ROOT / "packaging"
 WORKFLOWS = sorted((ROOT / ".github" / "workflows").glob("*.yml"))
 
@@ -39,7 +39,7 @@ def steps(workflow: Path) -> list[dict[str, Any]]:
 
 
 def named_files(command: str) -> set[str]:
-    """Return the files of the project that a command names."""
+    """Return the project files named in a command."""
     words = shlex.split(command, comments=True)
     return {word for word in words if re.match(r"(packaging|tests|\.ci|trex_gui)/", word)}
 

@@ -1,7 +1,4 @@
-"""Lock and sleep of macOS: what is made of its reports, and how its libraries are called.
-
-The libraries themselves are not there: their functions are replaced, and called back from.
-"""
+"""Lock and sleep on macOS, with replaced system libraries."""
 
 from collections.abc import Callable
 from typing import Any
@@ -17,7 +14,7 @@ pytestmark = pytest.mark.usefixtures("qapp")
 
 
 class FakeMac(NativeMac):
-    """What macOS would report, and which of its power messages were answered."""
+    """Simulated macOS that records the answered power messages."""
 
     def __init__(self) -> None:
         self.lock: Callable[[], object] = lambda: None
@@ -62,7 +59,7 @@ def test_sleep_waits_for_the_stop_but_not_for_ever(qtbot: QtBot) -> None:
 
 
 class FakeLibrary:
-    """Functions of a library by name; their calls are noted, and each returns 7."""
+    """Functions of a library by name. Calls are recorded and return 7."""
 
     def __init__(self, calls: dict[str, list[tuple[Any, ...]]]) -> None:
         self._calls = calls
@@ -94,7 +91,7 @@ def test_libraries_are_called_with_as_many_arguments_as_declared() -> None:
         b"com.apple.screensaver.didstart",
     ]
     for _center, observer, notified, *_rest in calls["CFNotificationCenterAddObserver"]:
-        notified(0, observer, 0, 0, 0)  # as macOS calls it, from C
+        notified(0, observer, 0, 0, 0)  # as macOS calls it from C
         assert seen.pop() == "locked"
     (call,) = calls["IORegisterForSystemPower"]
     call[2](0, 0, WILL_SLEEP, 5)

@@ -1,4 +1,4 @@
-"""The end of the process where a C library calls `exit`."""
+"""End of the process when a C library calls `exit`."""
 
 import subprocess
 import sys

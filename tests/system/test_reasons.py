@@ -22,7 +22,7 @@ pytestmark = pytest.mark.usefixtures("qapp")
 
 
 def said_by_the_desktop(*, begins: bool) -> list[str]:
-    """Everything that a Linux desktop may tell, at the beginning or at the end of each."""
+    """All signals of a Linux desktop, at the start and at the end of each event."""
     nowhere = QDBusConnection("there is none")
     events = SessionEvents(nowhere, nowhere)
     reports: list[str] = []
@@ -34,7 +34,7 @@ def said_by_the_desktop(*, begins: bool) -> list[str]:
 
 
 def said_by_windows() -> list[str]:
-    """Everything that Windows may tell a window."""
+    """All messages of Windows about the session."""
     messages = [
         (WM_POWERBROADCAST, PBT_APMSUSPEND),
         (WM_WTSSESSION_CHANGE, WTS_SESSION_LOCK),
@@ -44,7 +44,7 @@ def said_by_windows() -> list[str]:
 
 
 def said_by_a_mac() -> list[str]:
-    """Everything that macOS may tell."""
+    """All notifications of macOS."""
     mac, reports = FakeMac(), list[str]()
     events = MacEvents(mac, lambda: False, timeout=1.0)
     events.leaving.connect(reports.append)
@@ -96,6 +96,6 @@ def test_stop_reasons_are_clauses_without_stop_or_motor(monkeypatch: pytest.Monk
 
 def test_waking_up_and_unlocking_give_no_stop_reason() -> None:
     assert said_by_the_desktop(begins=False) == []
-    assert stop_reason(WM_POWERBROADCAST, 0x12) is None  # it wakes
-    assert stop_reason(WM_WTSSESSION_CHANGE, 8) is None  # it was unlocked
-    assert stop_reason(0x0200, 0) is None  # the mouse
+    assert stop_reason(WM_POWERBROADCAST, 0x12) is None  # wake-up
+    assert stop_reason(WM_WTSSESSION_CHANGE, 8) is None  # unlock
+    assert stop_reason(0x0200, 0) is None  # mouse move

@@ -1,4 +1,4 @@
-"""Sleep waits for the motors, for a second at most, if logind grants a delay."""
+"""Sleep waits up to a second for the motors if logind grants a delay."""
 
 import shutil
 import time
@@ -20,13 +20,13 @@ pytestmark = [
 
 @pytest.fixture
 def buses() -> Iterator[tuple[QDBusConnection, QDBusConnection]]:
-    """The system's connection to a bus, and the program's."""
+    """Connections of the system and of the program to a bus."""
     with message_bus() as (address, theirs), connection_to(address) as ours:
         yield theirs, ours
 
 
 class Asleep:
-    """A computer that may sleep, and a program on it whose motors may move."""
+    """Computer that may sleep, with a program whose motors may move."""
 
     def __init__(self, theirs: QDBusConnection, ours: QDBusConnection, qtbot: QtBot) -> None:
         self.may_move = True
@@ -39,7 +39,7 @@ class Asleep:
 
     @property
     def waited_ms(self) -> int:
-        """How long motors were looked at; a computer that stands still looks at none."""
+        """Return the time in which the program polled the motors."""
         return self.delay._wait._polls * self.delay._wait._timer.interval()
 
     def begin_to_sleep(self) -> None:

@@ -65,7 +65,7 @@ def test_stop_raised_by_a_report_is_sent_but_not_reported(
         assert reports == [], "whoever stops is not held up"
         qtbot.waitUntil(lambda: bool(reported))
         assert (len(sent), reports, len(reported)) == (2, ["why"], 1)
-        stopper.stop("again")  # reported after whatever was queued before
+        stopper.stop("again")  # reported after all queued reports
         qtbot.waitUntil(lambda: len(reported) == 2)
         assert (len(sent), reports) == (4, ["why", "again"])
     finally:
@@ -92,7 +92,7 @@ def test_stop_from_other_thread_during_report_is_reported(qtbot: QtBot) -> None:
 
 
 class Ending:
-    """A watch of signals, and what it did."""
+    """Signal watch that records its actions."""
 
     def __init__(self, grace: float = 0.05) -> None:
         self.acted = threading.Event()
@@ -158,7 +158,7 @@ def test_second_ctrl_c_stops_again_and_ends_closing_window(qtbot: QtBot) -> None
 
     def pass_one_on(
         _: int,
-    ) -> None:  # in the watching thread: a second one at once counts as the first
+    ) -> None:  # in the watching thread, because a second signal at once counts as the first
         os.kill(os.getpid(), signal.SIGINT)
 
     ending.watch.caught.connect(pass_one_on, Qt.ConnectionType.DirectConnection)
@@ -184,7 +184,7 @@ def test_closing_restores_sigint_handler(ending: Ending) -> None:
 
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 def test_ctrl_z_stops_motors_before_it_suspends(ending: Ending) -> None:
-    for _ in range(2):  # and again, when it has gone on
+    for _ in range(2):  # again after the process was resumed
         ending.stops.clear()
         ending.stood_still.clear()
         os.kill(os.getpid(), signal.SIGTSTP)

@@ -57,7 +57,7 @@ class AutoConnect(QObject):
         self._notifier = notifier
         self._scanner: DeviceScanner = manager.scanner
         self._present: Sequence[Port] = ()  # ports at the last check
-        self._batches: deque[list[Port]] = deque()  # each is probed for a single device
+        self._batches: deque[list[Port]] = deque()  # groups of ports to probe
         self._is_probing = False
         self._tried: Port | None = None  # port of the last connection attempt
         self._missing: Port | None = None  # connect to this port when it is plugged in

@@ -89,7 +89,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         raise NotImplementedError
 
     def prepare_to_close(self) -> None:
-        """Do what is needed before the line closes. By default nothing."""
+        """Prepare for the end of the session. Does nothing by default."""
 
     def handle(self, report: object) -> None:
         raise NotImplementedError

@@ -22,7 +22,7 @@ class DeviceManager(QObject):
     changed = Signal()  # any property of `current`
     progressed = Signal(int, int, str)  # completed steps, total steps, next step
     current_changed = Signal()  # `current` is another kind of device
-    stop_reported = Signal(str)  # sentences about an automatic stop; `stop_remedies` belong to them
+    stop_reported = Signal(str)  # sentences about an automatic stop, with `stop_remedies`
 
     def __init__(
         self, makers: Mapping[str, Callable[[], Controller]], scanner: DeviceScanner

@@ -24,7 +24,7 @@ from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.builders import column, named, plain, row, set_bold
 from trex_gui.ui.widgets.painted import never_mirror
 
-_SIGN_ROOM = 2  # pixels beyond the height of a line
+_SIGN_PADDING = 2  # pixels beyond the height of a line
 PAGE_MARGINS = 16, 12, 16, 12  # pixels around a page with a `PageHead`
 _TITLE_SIZE = 1.6  # times the font size
 _LONG_TITLE = 48  # characters
@@ -97,7 +97,7 @@ class Sign(QLabel):
         follow_theme(self, "room", self._update_space)
 
     def _update_space(self) -> None:
-        side = self.fontMetrics().height() + _SIGN_ROOM
+        side = self.fontMetrics().height() + _SIGN_PADDING
         self.setFixedSize(side, side)
 
     def show_sign(self, name: str, color: str = "icon") -> None:
@@ -111,7 +111,7 @@ class Sign(QLabel):
         }
         self.setAccessibleName(spoken.get(name, ""))
         if name:
-            set_sign(self, name, color, _SIGN_ROOM)
+            set_sign(self, name, color, _SIGN_PADDING)
         else:
             follow_theme(self, "sign", self.clear)
 
