@@ -123,7 +123,7 @@ def pytest_collection_finish() -> None:
 
     Loaded objects are frozen, because scanning them would take a fifth of the run. The collector
     stays off to the end of the process. Otherwise it could run in any thread that allocates, and
-    windows would be destroyed there.
+    freeing windows there would crash the process.
     """
     gc.disable()
     gc.collect()

@@ -1,4 +1,4 @@
-"""Whether everything that a screen reader comes to has a name."""
+"""Check that everything a screen reader visits has a name."""
 
 import re
 
@@ -18,11 +18,11 @@ from PySide6.QtWidgets import (
 from trex_gui.ui.widgets.accessible import Spoken
 
 _OFTEN_SILENT = {"bannerText"}
-"""Empty most of the time, and can take the focus at any time."""
+"""Widgets that are usually empty, but can take the focus."""
 
 
 def is_part(widget: QWidget) -> bool:
-    """Return whether a widget belongs to another one that has the name."""
+    """Return whether a widget belongs to another widget that has the name."""
     classes = {each.metaObject().className() for each in _up_from(widget)}
     is_inside = widget.focusProxy() is widget.parentWidget() and not widget.objectName()
     return (
@@ -36,8 +36,8 @@ def _up_from(widget: QWidget) -> list[QWidget]:
 
 
 def takes_part(widget: QWidget) -> bool:
-    """Return whether a screen reader comes to a widget."""
-    if isinstance(widget, QScrollArea):  # only a frame around what has names
+    """Return whether a screen reader visits a widget."""
+    if isinstance(widget, QScrollArea):  # frame around named widgets
         return False
     is_area = isinstance(widget, QAbstractScrollArea | QHeaderView)
     parent = widget.parentWidget()
@@ -51,7 +51,7 @@ def takes_part(widget: QWidget) -> bool:
 
 
 def is_painted(widget: QWidget) -> bool:
-    """Return whether the program paints what a widget shows, which is not its text."""
+    """Return whether a widget paints its content instead of setting a text."""
     return overrides(widget, "paintEvent") and not isinstance(widget, QLabel)
 
 
@@ -62,7 +62,7 @@ def overrides(widget: QWidget, method: str) -> bool:
 
 
 def said_of(widget: QWidget, kind: QAccessible.Text) -> str:
-    """Return what a screen reader is told."""
+    """Return the texts for a screen reader."""
     interface = QAccessible.queryAccessibleInterface(widget)
     return interface.text(kind) if interface is not None else ""
 
@@ -73,7 +73,7 @@ def path_of(widget: QWidget) -> str:
 
 
 def nameless(root: QWidget) -> list[str]:
-    """Return the widgets without an accessible name; names by buddy or text count."""
+    """Return the widgets without an accessible name. A buddy or a text counts as a name."""
     found = []
     for widget in [root, *root.findChildren(QWidget)]:
         counts = takes_part(widget) and not is_part(widget)
@@ -87,7 +87,7 @@ def nameless(root: QWidget) -> list[str]:
 
 
 def unspoken(root: QWidget) -> list[str]:
-    """Return the widgets of which a screen reader is not told what they show."""
+    """Return the widgets that do not describe their content to a screen reader."""
     found = []
     shown = [each for each in root.findChildren(QWidget) if each.isVisibleTo(root)]
     named = {each.buddy() for each in shown if isinstance(each, QLabel)}
@@ -119,6 +119,6 @@ def plain_text(label: QLabel) -> str:
 
 
 def spoken_state(widget: QWidget) -> str:
-    """Return what a screen reader is told of the state of a painted widget."""
+    """Return the state of a painted widget for a screen reader."""
     assert isinstance(widget, Spoken)
     return widget.spoken_state()

@@ -1,4 +1,4 @@
-"""A simulated Aracna in virtual time."""
+"""Simulated Aracna in virtual time."""
 
 from typing import Any
 
@@ -7,11 +7,11 @@ from trex_gui.devices.aracna.simulator.control import control
 from trex_gui.devices.aracna.simulator.line import AracnaLine
 
 BOOT = 1.1
-"""Seconds after which a board that was switched on listens."""
+"""Seconds after which a switched-on board listens."""
 
 
 class AracnaStage:
-    """A robot and its wire in virtual time.
+    """Robot and its wire in virtual time.
 
     `options` are `AracnaLine`'s: `motors`, `positions`, `boot_loader` …
     `stage.line.servos[3].alive = False` and `stage.do("servo 3 dead")` do the same.
@@ -40,21 +40,21 @@ class AracnaStage:
 
     @property
     def positions(self) -> tuple[int, ...]:
-        """Where the servos are."""
+        """Positions of the servos."""
         return tuple(round(servo.position) for servo in self.line.servos)
 
     @property
     def goals(self) -> tuple[int, ...]:
-        """The last goals that they accepted."""
+        """Last accepted goals of the servos."""
         return tuple(servo.goal for servo in self.line.servos)
 
     @property
     def speeds(self) -> tuple[int, ...]:
-        """The speeds that they hold."""
+        """Speeds that the servos hold."""
         return tuple(servo.speed for servo in self.line.servos)
 
     def do(self, *lines: str) -> str:
-        """Obey control lines; return what follows the last `ok`."""
+        """Execute control lines. Return the text after the last `ok`."""
         answer = ""
         for line in lines:
             answer = control(self.line, line)
@@ -62,7 +62,7 @@ class AracnaStage:
         return answer.removeprefix("ok").strip()
 
     def ask(self, line: bytes, seconds: float = 5.0) -> bytes:
-        """Send bytes, let time pass, return all that came."""
+        """Send bytes, let time pass, and return the received bytes."""
         self.line.send(line)
         self.line.advance(seconds)
         return self.line.receive()

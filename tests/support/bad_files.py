@@ -1,4 +1,4 @@
-"""Every kind of settings file that is not as it should be, and what has to be said of it."""
+"""Invalid settings files of every kind, and the expected messages."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""What texts of the English window are in its other languages, from the files of Linguist."""
+"""Translations of the texts in an English window, from the files of Linguist."""
 
 import re
 from collections.abc import Iterator
@@ -19,7 +19,7 @@ _PLACE = re.compile(r"%n|\{[^{}]*\}")
 
 @contextmanager
 def in_language(app: QApplication, locale: QLocale) -> Iterator[None]:
-    """Use a language for what is made meanwhile, then English again."""
+    """Use a language inside the block."""
     installed = install_translations(app, locale)
     try:
         yield
@@ -31,22 +31,22 @@ def in_language(app: QApplication, locale: QLocale) -> Iterator[None]:
 
 
 def translation(language: str, text: str) -> str:
-    """Return an English text in another language, its places not filled.
+    """Return the translation of an English text, with its placeholders.
 
-    What is not a text of the program is the same in all languages.
+    A text that is not from the program stays as it is.
     """
     source = _source(text) or _source(text.removesuffix(":"))
     return _texts(language)[source][-1] if source else text
 
 
 def translation_of_qt(language: str, text: str) -> str:
-    """Return the text of a button of Qt in another language."""
+    """Return the translation of a Qt button's text."""
     return _texts_of_qt(language).translate("QPlatformTheme", text) or text
 
 
 @cache
 def _texts(language: str) -> dict[str, tuple[str, ...]]:
-    """Return the translations by source, or their plural forms; English has no others."""
+    """Return translations or plural forms by source. Empty for English."""
     file = resource("translations") / f"trex_gui_{language}.ts"
     read = load_script("translations").read(file)
     return {text.source: forms for text, forms in read.items()}
@@ -70,7 +70,7 @@ def _source(text: str) -> str | None:
 
 @cache
 def _patterns() -> list[tuple[re.Pattern[str], str]]:
-    """Return what texts with a letter and places look like, and their sources."""
+    """Return patterns for texts with a mnemonic or placeholders, and their sources."""
     found = []
     for source in _texts(OTHER_LANGUAGES[0]):
         has_both = "&" in source and _PLACE.search(source)

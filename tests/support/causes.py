@@ -1,4 +1,4 @@
-"""What makes the program stop everything by itself, brought about in a window of the test's own."""
+"""Events that make the program stop all motors by itself."""
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -15,7 +15,7 @@ from trex_gui.ui.program import Program
 
 
 class Causes:
-    """A supervised window, and the events that stop its motors.
+    """Supervised window and the events that stop its motors.
 
     Attributes:
         reports: every text that reported a stop, in order.
@@ -32,16 +32,16 @@ class Causes:
 
     @property
     def mistakes(self) -> list[type[BaseException]]:
-        """The kinds of the errors that nobody caught."""
+        """Types of the uncaught exceptions."""
         return [kind for kind, *_ in self._caught]
 
     @property
     def banner(self) -> str:
-        """What the banner says; empty while none is shown."""
+        """Text of the banner, or empty."""
         return self._window.text("bannerText") if self._window.has("bannerText") else ""
 
     def make_a_mistake(self) -> None:
-        """Let a slot raise an error that nobody catches, a moment later."""
+        """Raise an uncaught exception in a slot, a moment later."""
 
         def fail() -> None:
             raise ValueError("on purpose")
@@ -49,7 +49,7 @@ class Causes:
         QTimer.singleShot(0, fail)
 
     def lock_the_screen(self) -> None:
-        """Say what the desktop says, as it arrives from the bus."""
+        """Deliver a signal of the desktop from the bus."""
         events = self._watching.findChild(SessionEvents)
         assert events is not None
         assert QMetaObject.invokeMethod(events, "_on_locked")
@@ -57,7 +57,7 @@ class Causes:
 
 @contextmanager
 def watched(program: Program, qtbot: QtBot, app: QApplication) -> Iterator[Causes]:
-    """Watch over a program as its start does; errors of slots are kept, and fail nothing."""
+    """Supervise a program as at its start. Exceptions in slots are recorded."""
     with qtbot.captureExceptions() as mistakes:
         watching = SafetySupervisor(program, app)
         causes = Causes(WindowDriver(program, qtbot), watching, mistakes)

@@ -1,4 +1,4 @@
-"""How well colours can be told apart."""
+"""Contrast between colours."""
 
 import re
 from collections.abc import Iterator
@@ -38,13 +38,13 @@ def contrast(one: QColor, other: QColor) -> float:
 
 
 def needed_for(font: QFontInfo) -> float:
-    """Return the least contrast of text in a font. Ref: WCAG 2.2, 1.4.3."""
+    """Return the smallest allowed contrast of text in a font. Ref: WCAG 2.2, 1.4.3."""
     points = font.pointSizeF()
     return 3.0 if points >= 18 or (points >= 14 and font.bold()) else 4.5
 
 
 def weak_texts(window: QWidget) -> dict[str, float]:
-    """Return the texts that a window shows with too little contrast, disabled ones included."""
+    """Return the texts of a window with too little contrast, even disabled texts."""
     pixels, weak = _pixels(window.grab().toImage()), {}
     for widget in window.findChildren(QWidget):
         if not widget.isVisibleTo(window) or widget.window() is not window:
@@ -63,14 +63,14 @@ def weak_texts(window: QWidget) -> dict[str, float]:
 
 
 def _pixels(picture: QImage) -> NDArray[np.uint32]:
-    """Return the colours of a picture, by row and column."""
+    """Return the colours of a picture by row and column."""
     picture = picture.convertToFormat(QImage.Format.Format_RGB32)
     pixels = np.frombuffer(picture.constBits(), np.uint32)
     return pixels.reshape(picture.height(), picture.width()).copy()
 
 
 def _background(pixels: NDArray[np.uint32], *, has_frame: bool) -> QColor:
-    """Return the colour behind a text: inside the frame below it, or the most frequent one."""
+    """Return the colour behind a text: inside its frame, or the most frequent colour."""
     height, width = pixels.shape
     if has_frame:
         sample = pixels[max(height - 5, 0), width // 4 : max(width - width // 4, 1)]
@@ -86,7 +86,7 @@ _INLINE = re.compile(r"color:\s*(#[0-9a-fA-F]{6})")
 
 
 def _texts(widget: QWidget) -> Iterator[tuple[str, QColor, list[QColor]]]:
-    """Yield what is written, its colour, and what is behind it if that is known."""
+    """Yield texts, their colours, and the colour behind them if known."""
     palette = widget.palette()
     match widget:
         case QAbstractItemView() if not isinstance(widget, QHeaderView):
@@ -109,14 +109,14 @@ def _texts(widget: QWidget) -> Iterator[tuple[str, QColor, list[QColor]]]:
 
 
 def _base(widget: QWidget) -> QColor:
-    """Return what is behind the rows of a view, which may be transparent."""
+    """Return the colour behind the rows of a view, which may be transparent."""
     brush, parent = widget.palette().brush(QPalette.ColorRole.Base), widget.parentWidget()
     is_transparent = brush.style() is Qt.BrushStyle.NoBrush
     return _base(parent) if is_transparent and parent is not None else brush.color()
 
 
 def _cells(view: QAbstractItemView) -> Iterator[tuple[str, QColor, list[QColor]]]:
-    """Yield the rows that can be seen; the colours of a selection are one pair."""
+    """Yield the visible rows. All selected rows share their colours."""
     model, palette, role = view.model(), view.palette(), QPalette.ColorRole
     selected = palette.color(role.Highlight)
     yield "selection", palette.color(role.HighlightedText), [selected]

@@ -1,4 +1,4 @@
-"""What tests of the panels of simulated devices have in common."""
+"""Helpers for tests of demo panels."""
 
 from collections.abc import Callable
 
@@ -8,7 +8,7 @@ from trex_gui.ui.devices.simulator import Simulator
 
 
 class Overheard(Simulator):
-    """A simulator whose control lines are written down."""
+    """Simulator that records its control lines."""
 
     def __init__(self, plugin: DevicePlugin = TREX) -> None:
         super().__init__(plugin)

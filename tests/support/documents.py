@@ -1,4 +1,4 @@
-"""Saving a document at once."""
+"""Immediate saving of a document."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -15,7 +15,7 @@ class SavedDocument(Protocol):
 def save_now(
     document: SavedDocument, make: Callable[[], Content], path: Path | None = None
 ) -> None:
-    """Save what `make` returns for a document, in its own file or another one."""
+    """Save the content that `make` returns, by default in the document's own file."""
     target, content = path or document.path, make()
     assert target is not None
     save(target, content.text)

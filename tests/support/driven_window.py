@@ -44,7 +44,7 @@ def raise_error(kind: type[BaseException]) -> None:
 
 
 class Failing(QObject):
-    """An event filter that fails once."""
+    """Event filter that fails once."""
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         watched.removeEventFilter(self)
@@ -52,7 +52,7 @@ class Failing(QObject):
 
 
 class FailingWidget(QWidget):
-    """A widget that fails to paint itself, once."""
+    """Widget that fails to paint itself once."""
 
     def paintEvent(self, event: QPaintEvent) -> None:
         self.hide()
@@ -60,7 +60,7 @@ class FailingWidget(QWidget):
 
 
 class Driver(QObject):
-    """Does what a person does, and what a person cannot do."""
+    """Performs the actions of a user, and events that a user cannot cause."""
 
     def __init__(self, program: Program) -> None:
         super().__init__(program.window)
@@ -144,12 +144,12 @@ class Driver(QObject):
 
     def end_of_the_line_thread(self) -> None:
         def collect(*_: object) -> None:
-            raise SystemExit("on purpose")  # which no handler of errors catches
+            raise SystemExit("on purpose")  # not caught by exception handlers
 
         setattr(open_line.OpenLine, "collect", collect)  # noqa: B010 - on purpose
 
     def close_the_descriptor(self) -> None:
-        """Close the port, as a fault somewhere else in the process can."""
+        """Close the port, as a fault elsewhere in the process can."""
         for link in Path("/proc/self/fd").iterdir():
             with suppress(OSError):
                 if str(link.readlink()).startswith("/dev/pts/"):
@@ -189,7 +189,7 @@ class Driver(QObject):
         self._record(2 * HANGING)
 
     def _record(self, seconds: float) -> None:
-        """Record in the folder of the program, onto a disk that takes so long in the end."""
+        """Record onto a disk that is slow at the end of the recording."""
         parts, finish, timer = trex(self._program), RecordingWriter.finish, QTimer(self)
         recorder, enough = parts.workspace.recordings.recorder, 0
 
@@ -217,7 +217,7 @@ class Driver(QObject):
 
 
 def main(url: str, extra_time: str = "", baud: str = "19200") -> int:
-    """Run the program until it is ended."""
+    """Run the program until it ends."""
     build = composition.build
 
     def build_and_drive(timeouts: Timeouts | None = None) -> Program:

@@ -1,10 +1,10 @@
-"""A guardian for lines in virtual time, where no process can share a port."""
+"""Guardian for lines in virtual time, where processes cannot share a port."""
 
 from trex_gui.core.guardian.guardian import StopSequence
 
 
 class VirtualGuardian:
-    """Is ready, records its messages, and acts when a test sets `has_acted`.
+    """Records its messages and acts when a test sets `has_acted`.
 
     Attributes:
         watched: every stop that it received, `None` while no motor may move.

@@ -1,4 +1,4 @@
-"""What a window owes to those who have only a keyboard: letters, an order for Tab, names."""
+"""Checks for users who have only a keyboard: mnemonics, Tab order, names."""
 
 import re
 from collections import Counter
@@ -57,33 +57,33 @@ _INPUTS = (
 )
 _STANDARD = QDialogButtonBox.StandardButton
 _ENTER_AND_ESC = {_STANDARD.Ok, _STANDARD.Cancel, _STANDARD.Close}
-"""Need no letter; the platform may give them their first one."""
+"""Standard buttons, to which the platform may give their first letter."""
 
 _NAME_OF_ESC = re.compile(r"(cancel|close)\w*Button$", re.IGNORECASE)
 
 _WITHOUT_LETTER = (
-    RedButton,  # Esc stops, in every window
-    HoldButton,  # works while it is held only, with the space bar
+    RedButton,  # Esc stops in every window
+    HoldButton,  # works only while held with the space bar
 )
 _INSIDE_WITHOUT_LETTER = (
-    Banner,  # appears over every page, and would take letters from each
-    InlinePrompt,  # the same, and has the focus
-    ProblemCard,  # one for each problem
-    BoardPanel,  # what its buttons do is in the Device menu, with letters
-    DemoDock,  # beside every page: there are not enough letters
-    QToolBar,  # its buttons are in a menu
-    QLineEdit,  # a sign in an editor, not a button
+    Banner,  # appears over every page and would take letters from each
+    InlinePrompt,  # appears over every page, and has the focus
+    ProblemCard,  # several cards, one for each problem
+    BoardPanel,  # its actions have letters in the Device menu
+    DemoDock,  # beside every page, where letters are short
+    QToolBar,  # its actions are in a menu
+    QLineEdit,  # icon in an editor
 )
 _NAMED_WITHOUT_LETTER = {
     "lineButton",  # in a menu with a letter
-    "aracna_startPort",  # one for each port
+    "aracna_startPort",  # several buttons, one for each port
     "startPort",
     "stopRecordingButton",  # over every page, and in a menu
 }
 
 
 def check_keyboard(window: QWidget, *, note: str = "") -> None:
-    """Check everything that a window shows now."""
+    """Check everything that a window shows."""
     found = [
         *_repeated_letters(window),
         *_without_letter(window),
@@ -140,7 +140,7 @@ def _repeated_letters(window: QWidget) -> Iterator[str]:
 
 
 def _shared_letters(texts: list[str], standard: Iterable[str] = ()) -> Iterator[str]:
-    """Yield letters of several texts, in English and in what it is translated to.
+    """Yield mnemonics of several texts, in English and in each translation.
 
     `standard` are those of buttons of Qt, which may get their first letter.
     """
@@ -171,7 +171,7 @@ def _without_letter(window: QWidget) -> Iterator[str]:
         if not text:
             if not (button.toolTip() and button.accessibleName()):
                 yield f"no text, and no tool tip and accessible name: {button.objectName()}"
-        elif texts[text] == 1 and not button.objectName()[-1:].isdigit():  # rows have none
+        elif texts[text] == 1 and not button.objectName()[-1:].isdigit():  # rows have no letter
             yield f"no letter: {button.objectName()} {text}"
     for each in widgets:
         if isinstance(each, QLabel) and isinstance(each.buddy(), _INPUTS) and not _is_free(each):
@@ -211,17 +211,17 @@ def _above(widget: QWidget) -> Iterator[QWidget]:
 # --- What can be reached ----------------------------------------------------------------
 
 _ELSEWHERE = {
-    # its joints are rows of a table, and fields of a pose
+    # its joints are rows of a table and fields of a pose
     "aracnaDrawing": {"aracnaSlider0", "aracnaRecordedJoints", "aracnaPosition0"},
     "eventMarks": {"eventList"},
 }
-"""Takes the mouse only; by keyboard one of the others does the same."""
+"""Widgets for the mouse only. A sibling does the same by keyboard."""
 
 _HANDS = "mousePressEvent", "mouseMoveEvent", "mouseReleaseEvent"
 
 
 def _out_of_reach(window: QWidget) -> Iterator[str]:
-    """Yield what takes the mouse but not the keyboard, or the focus for nothing."""
+    """Yield widgets that need a mouse, or that take the focus without a function."""
     reached = tab_order(window)
     names = {each.objectName() for each in reached}
     for each in shown_in(window):
@@ -251,14 +251,14 @@ def _is_choice(widget: QWidget) -> TypeGuard[QAbstractButton]:
 
 
 def _is_inside(widget: QWidget) -> bool:
-    """Return whether a widget is a part of one that has its keys, or has a menu entry."""
+    """Return whether a parent handles the keys of a widget, or a menu has its action."""
     parent = widget.parentWidget()
     return (
         is_part(widget)
         or widget.focusProxy() is not None
         or isinstance(widget, QScrollBar | QHeaderView)
         or isinstance(parent, QAbstractSpinBox | QComboBox | QLineEdit | QTabBar)
-        or (_is_choice(widget) and not widget.isChecked())  # arrows go there
+        or (_is_choice(widget) and not widget.isChecked())  # the arrow keys reach it
         or (isinstance(parent, QToolBar) and _is_in_menu(widget))
     )
 
@@ -273,7 +273,7 @@ def _is_in_menu(button: QWidget) -> bool:
 
 
 def tab_order(window: QWidget) -> list[QWidget]:
-    """Return what Tab goes through, and what it will when it is enabled."""
+    """Return the widgets in the Tab order, including disabled widgets."""
     order = []
     each = _next(window)
     while each is not window:
@@ -291,23 +291,23 @@ def tab_order(window: QWidget) -> list[QWidget]:
 
 
 def _next(widget: QWidget) -> QWidget:
-    """Return the next widget for Tab; PySide takes it for a child of `widget` until told."""
+    """Return the next widget in the Tab order. PySide makes it a child of `widget`."""
     following = widget.nextInFocusChain()
     assert following is not None
-    following.setParent(following.parentWidget())  # does nothing else: it is its parent
+    following.setParent(following.parentWidget())  # restores its parent for PySide
     return following
 
 
 _REGIONS = QGroupBox, QDockWidget, QScrollArea
 _COLUMNS = {"benchLeft", "boardPanel"}
-"""Tab goes through what is in these before it goes on, as through the parts of a splitter."""
+"""Containers that Tab leaves only after their last widget, like parts of a splitter."""
 
 _IN_COLUMNS = {"boardDrawing", "demoDrawing"}
 """Boxes in which Tab may go up to the next column."""
 
 
 def _region(widget: QWidget, window: QWidget) -> list[QWidget]:
-    """Return the columns and boxes that a widget is in, the widest first, and itself."""
+    """Return the columns and boxes around a widget, the widest first, and the widget."""
     regions = [widget]
     for above in _above(widget):
         if above is window:
@@ -336,7 +336,7 @@ def _out_of_order(window: QWidget) -> Iterator[str]:
 
 
 def _place(widget: QWidget, window: QWidget) -> QRect:
-    """Return the place of a widget. A page that scrolls leaves some of it to messages."""
+    """Return the rectangle of a widget. On a scrolling page it excludes the message space."""
     place = QRect(widget.mapTo(window, QPoint()), widget.size())
     if isinstance(widget, QScrollArea) and (content := widget.widget()) is not None:
         place.adjust(0, 0, 0, -content.contentsMargins().bottom())
@@ -344,7 +344,7 @@ def _place(widget: QWidget, window: QWidget) -> QRect:
 
 
 def _follows(before: QRect, after: QRect, *, in_columns: bool) -> bool:
-    """Return whether a place is to the right of another one in its row, or below it."""
+    """Return whether a rectangle is to the right of another in its row, or below it."""
     is_below = after.center().y() > before.bottom()
     is_beside = after.left() >= before.right() and (
         in_columns or (before.top() < after.bottom() and after.top() < before.bottom())

@@ -42,7 +42,7 @@ from trex_gui.ui.preferences import remove_litter
 from trex_gui.ui.workers.file_worker import ProgressCallback
 
 ROOT = Path(__file__).parents[2]
-LONGEST_S = 0.03  # seconds until a program is killed; saving a version takes some milliseconds
+LONGEST_S = 0.03  # seconds until the kill; saving a version takes some milliseconds
 BEGIN = datetime(2026, 1, 1, tzinfo=UTC)
 KEPT = 4  # snapshots
 BOARD = BoardIdentity(device_table().model("trex"), "1.2", 7)
@@ -222,7 +222,7 @@ def _main() -> None:
 
 
 class Saver:
-    """The program that saves, without a file in progress."""
+    """Program that saves, without a file in progress."""
 
     def __enter__(self) -> Self:
         self._process = subprocess.Popen(
@@ -238,7 +238,7 @@ class Saver:
         self._process.communicate()
 
     def save_and_be_killed(self, kind: str, folder: Path, version: int, seconds: float) -> int:
-        """Save versions from this one on until the kill; return the last that was saved."""
+        """Save versions until the kill, starting at this version. Return the last saved version."""
         assert self._process.stdin is not None
         assert self._process.stdout is not None
         self._process.stdin.write(f"{kind}\t{folder}\t{version}\n")
@@ -261,14 +261,14 @@ def _litter(folder: Path, files: set[str]) -> list[str]:
 
 
 def _age(folder: Path) -> None:
-    """Let a day pass for the files in a folder."""
+    """Make the files of a folder a day older."""
     for path in folder.rglob("*"):
         if path.is_file():
             os.utime(path, (time.time() - 86400,) * 2)
 
 
 def attack(saver: Saver, kind: str, folder: Path, rounds: int, chance: random.Random) -> list[str]:
-    """Kill the program that saves so many times; return what is wrong with what it leaves."""
+    """Kill the saving program several times. Return the errors in its files."""
     version = 0
     for number in range(1, rounds + 1):
         saved = saver.save_and_be_killed(kind, folder, version + 1, chance.uniform(0, LONGEST_S))
@@ -281,7 +281,7 @@ def attack(saver: Saver, kind: str, folder: Path, rounds: int, chance: random.Ra
     _age(folder)
     KINDS[kind].save(folder, version + 1)
     remove_litter.cache_clear()
-    remove_litter(folder / "a.ini")  # as the next start does
+    remove_litter(folder / "a.ini")  # like the next start
     snapshots = {found.path.name for found in SettingsHistory(folder / "snapshots").snapshots()}
     if len(snapshots) > KEPT:
         return [f"{kind}: {len(snapshots)} snapshots"]
@@ -292,7 +292,7 @@ def attack(saver: Saver, kind: str, folder: Path, rounds: int, chance: random.Ra
 
 
 def run(seconds: float, seed: int) -> list[str]:
-    """Attack every kind of file in turn for so long; return what was found wrong."""
+    """Attack every kind of file in turn for some seconds. Return the errors."""
     chance, end = random.Random(seed), time.monotonic() + seconds
     findings: list[str] = []
     with Saver() as saver:

@@ -9,7 +9,7 @@ from trex_gui.core.host import Host
 
 
 class Program:
-    """A program that uses the library, in a thread of its own."""
+    """Program that uses the library in a separate thread."""
 
     def __init__(self, runtime: VirtualRuntime, run: Callable[[], object]) -> None:
         self.runtime = runtime

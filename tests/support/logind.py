@@ -1,4 +1,4 @@
-"""A message bus of a test's own, and on it what hands out delays of sleep."""
+"""Message bus with a simulated logind that grants delays of sleep."""
 
 import itertools
 import os
@@ -18,7 +18,7 @@ _names = itertools.count(1)
 
 @contextmanager
 def message_bus() -> Iterator[tuple[str, QDBusConnection]]:
-    """Run a bus; give its address and a connection to it."""
+    """Run a bus. Yield its address and a connection to it."""
     with subprocess.Popen(
         ["dbus-daemon", "--session", "--print-address", "--nofork", "--nopidfile"],
         stdout=subprocess.PIPE,
@@ -34,7 +34,7 @@ def message_bus() -> Iterator[tuple[str, QDBusConnection]]:
 
 @contextmanager
 def connection_to(address: str) -> Iterator[QDBusConnection]:
-    """Give a connection of one's own to a bus."""
+    """Open another connection to a bus."""
     name = f"bus{next(_names)}"
     yield QDBusConnection.connectToBus(address, name)
     QDBusConnection.disconnectFromBus(name)
@@ -43,7 +43,7 @@ def connection_to(address: str) -> Iterator[QDBusConnection]:
 # The stub knows no decorator.
 @ClassInfo({"D-Bus Interface": MANAGER})  # type: ignore[call-arg]
 class Logind(QObject):  # type: ignore[operator]
-    """Hands out delays, and knows which of them were given back.
+    """Grants delays and records their release.
 
     Attributes:
         requested: what, who, why and mode of each delay.
@@ -68,17 +68,17 @@ class Logind(QObject):  # type: ignore[operator]
 
     @property
     def held(self) -> int:
-        """How many delays are held now."""
+        """Number of delays that are held."""
         return len(self._ends) - len(select.select(self._ends, [], [], 0)[0])
 
     def say_sleep(self, *, begins: bool) -> None:
-        """Tell everybody that the computer is about to sleep, or has woken up."""
+        """Broadcast that the computer is about to sleep, or has woken up."""
         said = QDBusMessage.createSignal(PATH, MANAGER, "PrepareForSleep")
         said.setArguments([begins])
         assert self._connection.send(said)
 
     def close(self) -> None:
-        """Leave the bus."""
+        """Unregister from the bus."""
         self._connection.unregisterObject(PATH)
         for end in self._ends:
             os.close(end)

@@ -1,4 +1,4 @@
-"""How much of many cases the gate runs, and the long tests."""
+"""Number of cases in the gate and in the long tests."""
 
 import os
 from collections.abc import Iterable
@@ -8,18 +8,18 @@ import hypothesis
 import pytest
 
 LONG_FACTOR = 5
-"""How many times more examples hypothesis tries in the long tests."""
+"""Factor of hypothesis examples in the long tests."""
 
 
 def examples(count: int, **options: Any) -> hypothesis.settings:
-    """Return settings of hypothesis for so many examples in the gate."""
+    """Return hypothesis settings with this number of examples in the gate."""
     if os.environ.get("HYPOTHESIS_PROFILE") == "all":
         count *= LONG_FACTOR
     return hypothesis.settings(max_examples=count, **options)
 
 
 def sampled(cases: Iterable[Any], *, every: int) -> list[Any]:
-    """Return cases of which all but each `every`-th are marked slow; a tuple has several values."""
+    """Mark all cases except every `every`-th as slow. A tuple has several values."""
     return [
         pytest.param(
             *(case if isinstance(case, tuple) else (case,)),

@@ -1,4 +1,4 @@
-"""Events of a mouse that QTest does not make."""
+"""Mouse events that QTest cannot create."""
 
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 
 def turn_wheel(widget: QWidget, at: QPointF | None = None) -> QWheelEvent:
-    """Turn the wheel away from the user by a notch, `at` a place or in the middle."""
+    """Turn the wheel by a notch, away from the user. `at`: position, default the middle."""
     place = QPointF(widget.rect().center()) if at is None else at
     event = QWheelEvent(
         place,

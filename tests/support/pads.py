@@ -1,4 +1,4 @@
-"""Gamepads that a test holds in its hands."""
+"""Simulated gamepads."""
 
 from dataclasses import replace
 
@@ -9,7 +9,7 @@ PAD = Pad(ident=1, guid="a" * 32, name="Test pad", axes=4, buttons=8, parts=PART
 
 
 class HeldPads(SdlPads):
-    """Gamepads that do what the test says."""
+    """Gamepads in the state that a test sets."""
 
     def __init__(self, *pads: Pad, failure: str = "") -> None:
         self._states = {pad: PadState((0.0,) * pad.axes, (False,) * pad.buttons) for pad in pads}

@@ -1,4 +1,4 @@
-"""A bot that knows how long the computer may be busy with something else."""
+"""Bot with timeouts for a busy computer."""
 
 from collections.abc import Callable
 from typing import Any
@@ -16,10 +16,10 @@ PATIENT = Timeouts(
     current_gap=30.0,
     sleep_delay=15.0,
 )
-"""For the program in real time: a test or its simulator may stand still for seconds."""
+"""Timeout in real time: a test or its simulator may stand still for seconds."""
 
 LONG_TIMEOUT_MS = 20_000
-"""How long anything is waited for that does not say how long. What comes is not waited for longer.
+"""Default timeout.
 
 Other tests run at the same time, and the host may take the processor away for a second or two.
 """
@@ -29,13 +29,13 @@ Callback = Callable[[], bool | None]
 
 
 def as_condition(callback: Callback) -> Callback:
-    """Return what pytest-qt shall wait for: it takes None as true, which only fits assertions."""
+    """Make a lambda return a bool. pytest-qt counts `None` as true."""
     is_lambda = getattr(callback, "__name__", "") == "<lambda>"
     return (lambda: bool(callback())) if is_lambda else callback
 
 
 class PatientQtBot(QtBot):
-    """Waits for conditions and signals for so long."""
+    """Bot with longer default timeouts."""
 
     def waitUntil(  # noqa: N802 - the name is Qt's
         self, callback: Callback, *, timeout: int = LONG_TIMEOUT_MS

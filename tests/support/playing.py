@@ -1,4 +1,4 @@
-"""Recordings that are being loaded."""
+"""Loading of recordings."""
 
 from typing import Any, TypeVar
 
@@ -8,6 +8,6 @@ PlayerT = TypeVar("PlayerT", bound=RecordingPlayer[Any, Any, Any])
 
 
 def loading(player: PlayerT) -> PlayerT:
-    """Start loading a recording, as its window does, and return it."""
+    """Start loading a recording, as its window does. Return the recording."""
     player.start_loading()
     return player

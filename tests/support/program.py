@@ -1,4 +1,4 @@
-"""The parts of a program that belong to one device."""
+"""Parts of a program by device."""
 
 from typing import NamedTuple
 
@@ -34,7 +34,7 @@ class AracnaParts(NamedTuple):
 
 
 def trex(program: Program) -> TrexParts:
-    """Return the parts of a program that belong to the TReX."""
+    """Return the parts of a program for the TReX."""
     controller, workspace = program.device_manager.controller(TREX.key), program.workspace(TREX.key)
     assert isinstance(controller, TrexController)
     assert isinstance(workspace, TrexWorkspace)
@@ -42,7 +42,7 @@ def trex(program: Program) -> TrexParts:
 
 
 def aracna(program: Program) -> AracnaParts:
-    """Return the parts of a program that belong to the Aracna."""
+    """Return the parts of a program for the Aracna."""
     controller, workspace = (
         program.device_manager.controller(ARACNA.key),
         program.workspace(ARACNA.key),
@@ -53,23 +53,23 @@ def aracna(program: Program) -> AracnaParts:
 
 
 def new_ports() -> Ports:
-    """Return the list of ports of a program with every device."""
+    """Return the port list of a program with every device."""
     return Ports(PLUGINS)
 
 
 def new_controller(ports: Ports | None = None) -> TrexController:
-    """Return a controller of a TReX with a scanner of its own, without a window."""
+    """Return a TReX controller with its own scanner, without a window."""
     scanner = DeviceScanner([TREX])
     return TrexController(TREX, Notifier(), ports or new_ports(), scanner, Timeouts())
 
 
 def scanner_of(controller: TrexController) -> DeviceScanner:
-    """Return the scanner that a controller shares with others."""
+    """Return the scanner that a controller shares with other controllers."""
     return controller._scanner
 
 
 def new_plugin(key: str, name: str) -> DevicePlugin:
-    """Return a kind of device that has a key and a name, and otherwise is a TReX."""
+    """Return a TReX plugin with another key and name."""
     return DevicePlugin(
         key=key,
         name=name,

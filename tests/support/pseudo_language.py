@@ -1,6 +1,7 @@
-"""A language for tests: accented, a third longer, and marked, so that other texts stand out.
+"""Language for tests: accented, a third longer, and marked.
 
-Only texts that `packaging/translations.py` extracts are translated.
+Untranslated texts then stand out. Only texts that `packaging/translations.py` extracts are
+translated.
 """
 
 import re
@@ -52,7 +53,7 @@ _ACCENTS = str.maketrans("aceinouyACEINOUY", "áçéíñóúýÁÇÉÍÑÓÚÝ")
 _KEPT = re.compile(
     r"\{[^{}]*\}|%n|%L?\d|&\w|<[^>]*>|\*\.\w+|;;|&lt;|&gt;|&amp;|&nbsp;|https?://\S+|style='[^']*'"
 )
-_LONGEST_WORD = 8  # characters of what is added: it can be wrapped, as other words can
+_LONGEST_WORD = 8  # characters of added words, so that they can be wrapped like other words
 _HTML = re.compile(r"<[^>]*>|&#?\w+;")
 _WORD = re.compile(r"[A-Za-z]{2,}")
 _NOT_TRANSLATED = re.compile(
@@ -63,7 +64,7 @@ _NOT_TRANSLATED = re.compile(
 
 
 _OWN_WORDS = {
-    "languageBox",  # each language by its own name
+    "languageBox",  # each language has its own name
     "helpText",  # the help is in English
     "helpPages",
     "aracnaPoses",  # names in files
@@ -72,7 +73,7 @@ _OWN_WORDS = {
 
 
 def pseudo(text: str) -> str:
-    """Return a text in the language; places, tags and the letter for Alt stay as they are."""
+    """Return a text in the language, without changing placeholders, tags and mnemonics."""
     parts, end = [], 0
     for kept in _KEPT.finditer(text):
         parts += [text[end : kept.start()].translate(_ACCENTS), kept[0]]
@@ -85,7 +86,7 @@ def pseudo(text: str) -> str:
 
 
 class PseudoTranslator(QTranslator):
-    """Translates what a language file would have a translation of."""
+    """Translator for all texts that a language file would contain."""
 
     def isEmpty(self) -> bool:  # noqa: N802
         return False
@@ -101,7 +102,7 @@ class PseudoTranslator(QTranslator):
 
 
 def untranslated(text: str) -> str:
-    """Return what of a text is not translated, apart from names, units and numbers."""
+    """Return the untranslated part of a text, without names, units and numbers."""
     plain = _HTML.sub(" ", text).replace("&", "")
     while BEGIN in plain and (inner := re.search(rf"{BEGIN}[^{BEGIN}{END}]*{END}", plain)):
         plain = plain.replace(inner[0], " ")
@@ -110,7 +111,7 @@ def untranslated(text: str) -> str:
 
 
 def shown_texts(root: QWidget) -> Iterator[tuple[str, str]]:
-    """Yield each text of the visible widgets below `root`, and where it is."""
+    """Yield the texts of the visible widgets below `root`, with their location."""
     for widget in [root, *root.findChildren(QWidget)]:
         is_of_qt = widget.objectName().startswith(("qt_", "Scroll"))  # translated by Qt
         if not widget.isVisible() or is_of_qt or widget.objectName() in _OWN_WORDS:
@@ -178,13 +179,13 @@ def _texts_of_rows(
 
 
 def cut_texts(root: QWidget) -> Iterator[str]:
-    """Yield the visible widgets below `root` that have too little room for their text."""
+    """Yield the visible widgets below `root` with too little space for their text."""
     for widget in root.findChildren(QWidget):
         if not widget.isVisible() or widget.objectName().startswith("qt_"):
             continue
         where = widget.objectName() or widget.metaObject().className()
         is_area = isinstance(widget, QScrollArea) and widget.horizontalScrollBar().isVisible()
-        if is_area and not isinstance(widget.parent(), QDockWidget):  # users make those narrow
+        if is_area and not isinstance(widget.parent(), QDockWidget):  # users make these narrow
             yield f"{where} scrolls sideways"
         for text, needed, room in _needs(widget):
             if not text:
@@ -196,7 +197,7 @@ def cut_texts(root: QWidget) -> Iterator[str]:
 
 
 def _is_inside(widget: QWidget) -> bool:
-    """Return whether all of a widget can be seen, if need be by scrolling."""
+    """Return whether all of a widget can be seen, if necessary by scrolling."""
     rect, inner = widget.rect(), widget
     while (outer := inner.parentWidget()) is not None and not inner.isWindow():
         rect.translate(inner.pos())
@@ -218,18 +219,18 @@ def _holds_width(room: QRect, rect: QRect) -> bool:
 
 
 def _needs(widget: QWidget) -> Iterator[tuple[str, QSize, QSize]]:
-    """Yield the texts of a widget, each with the size that it needs, and the size that it has."""
+    """Yield the texts of a widget, each with its required and its available size."""
     style = widget.style()
     match widget:
         case ElidedLabel() if not widget.wordWrap():
-            pass  # what is left of it is in its tool tip
+            pass  # its tool tip has the whole text
         case QLabel():
             yield _need_of_label(widget)
         case QPushButton() | QCheckBox() | QRadioButton():
             yield _need_of_button(widget)
         case QToolButton() if widget.toolButtonStyle() != Qt.ToolButtonStyle.ToolButtonIconOnly:
             yield widget.text(), widget.sizeHint(), widget.size()
-        case QComboBox() if widget.toolTip() != widget.currentText():  # else as ElidedLabel
+        case QComboBox() if widget.toolTip() != widget.currentText():  # otherwise elided
             box = QStyleOptionComboBox()
             widget.initStyleOption(box)
             field, combo = QStyle.SubControl.SC_ComboBoxEditField, QStyle.ComplexControl.CC_ComboBox
@@ -256,13 +257,13 @@ def _needs(widget: QWidget) -> Iterator[tuple[str, QSize, QSize]]:
 
 
 def _spin_box_texts(box: QAbstractSpinBox) -> Iterator[str]:
-    """Yield the text of a spin box, and that of a value that stands for none."""
+    """Yield the text of a spin box and its special value text."""
     yield box.text()
     yield box.specialValueText()
 
 
 def _size(widget: QWidget, text: str, beside: int = 0) -> QSize:
-    """Return the size of a text and of what is beside it, an icon for example."""
+    """Return the size of a text and of its icon."""
     return widget.fontMetrics().size(Qt.TextFlag.TextShowMnemonic, text) + QSize(beside, 0)
 
 

@@ -1,4 +1,4 @@
-"""A simulated robot: a board with two wheels, and the assistant that sets it up."""
+"""Simulated robot: a board with two wheels, and its setup assistant."""
 
 from collections.abc import Callable
 
@@ -14,7 +14,7 @@ from trex_gui.ui.runtime import now
 
 
 class Robot:
-    """A simulated board with two wheels.
+    """Simulated board with two wheels.
 
     Attributes:
         motors: the motor of each wheel.
@@ -45,7 +45,7 @@ class Robot:
         self.device.motors.accept_arming_without_timeout()
 
     def speeds(self) -> tuple[int, int]:
-        """What the simulated outputs do: signed speeds; 0 while they brake."""
+        """Signed speeds of the simulated outputs. 0 while braking."""
         signs = {"forward": 1, "reverse": -1, "brake": 0}
         first, second = (
             signs[m["direction"]] * m["speed"] for m in self.simulator.show()["motors"]
@@ -53,7 +53,7 @@ class Robot:
         return first, second
 
     def wheels(self) -> dict[Side, int]:
-        """How the wheels turn: 1 forward, -1 backward, 0 not."""
+        """Directions of the wheels: 1 forward, -1 backward, 0 stopped."""
         speeds = self.speeds()
         turns = {side: speeds[self.motors[side] - 1] * self.directions[side] for side in Side}
         return {side: (turn > 0) - (turn < 0) for side, turn in turns.items()}
@@ -75,7 +75,7 @@ class Robot:
             self.setup.skip()
 
     def find_motors(self) -> None:
-        """Look which wheel the pulses of each motor turn, as a user does."""
+        """Answer which wheel the pulses of each motor turn."""
         setup = self.setup
         self.arm()
         for motor in (1, 2):
@@ -94,7 +94,7 @@ class Robot:
         self.pass_time(0.3)
 
     def show_sticks(self) -> None:
-        """Push them forward, then with one stick right, and say so."""
+        """Push the sticks forward, then one stick right, and confirm each."""
         one_stick = self.setup.driver is Driver.ONE_STICK
         for channels in ((2,), (1,)) if one_stick else ((1, 2),):
             self.push(*channels)

@@ -1,4 +1,4 @@
-"""The scripts of `packaging/`, imported by their paths: the folder shares a library's name."""
+"""Scripts of `packaging/`, imported by path, because the folder shares a library's name."""
 
 import importlib.util
 import sys
@@ -16,16 +16,13 @@ def load_script(name: str) -> ModuleType:
     assert spec is not None
     assert spec.loader is not None
     module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module  # dataclasses look their module up
+    sys.modules[spec.name] = module  # dataclasses look up their module
     spec.loader.exec_module(module)
     return module
 
 
 @cache
 def program_texts() -> frozenset[tuple[str, str]]:
-    """Return each text of the program that can be translated, and its comment.
-
-    A file of translations has them all, or `tests/ui/test_translations.py` fails.
-    """
+    """Return each translatable text of the program, and its comment."""
     texts = load_script("translations").read(resource("translations") / "trex_gui_de.ts")
     return frozenset((text.source, text.comment) for text in texts)

@@ -1,4 +1,4 @@
-"""The simulator as a process of its own."""
+"""Simulator in a separate process."""
 
 import json
 import os
@@ -15,21 +15,21 @@ from typing import Any
 
 from trex_gui.testing import SimulatedTrex
 
-_SLOW = 0.1  # seconds for which a slow port does nothing
+_SLOW = 0.1  # seconds in which a slow port does nothing
 _OWN_PLACES = {"--link", "--tcp", "--rfc2217"}
 
 
 class PortFault(Enum):
-    """What is wrong with the port of the computer, before the wire."""
+    """Fault of the computer's port."""
 
     NONE = "none"
-    SLOW = "slow"  # every write takes long
-    JAMMED = "jammed"  # it takes nothing and gives nothing
-    STOLEN = "stolen"  # another program reads what arrives
+    SLOW = "slow"  # each write takes long
+    JAMMED = "jammed"  # neither sends nor receives
+    STOLEN = "stolen"  # another program reads the received bytes
 
 
 class SimulatedDevice(ABC):
-    """A simulated device and its control line.
+    """Simulated device and its control line.
 
     Attributes:
         url: what the program opens.
@@ -39,18 +39,18 @@ class SimulatedDevice(ABC):
 
     @abstractmethod
     def set_port_fault(self, fault: PortFault) -> None:
-        """Begin a fault of the port, or end it with `NONE`; a jammed one takes no control lines."""
+        """Start a fault of the port. `NONE` ends it. A jammed port accepts no control lines."""
 
     @abstractmethod
     def obey(self, line: str) -> str:
-        """Send a control line; return the answer."""
+        """Send a control line. Return the reply."""
 
     @abstractmethod
     def end(self) -> None:
-        """End it, as pulling the plug would."""
+        """End the simulator, like an unplugged cable."""
 
     def do(self, *lines: str) -> str:
-        """Send control lines; return what follows the last `ok`."""
+        """Send control lines. Return the text after the last `ok`."""
         answer = ""
         for line in lines:
             answer = self.obey(line)
@@ -58,7 +58,7 @@ class SimulatedDevice(ABC):
         return answer.removeprefix("ok").strip()
 
     def show(self, board: str = "") -> dict[str, Any]:
-        """What the device is and does; `board` names one of several on the line, as in `@9`."""
+        """Return the state of the device. `board` selects one of several, such as `@9`."""
         state: dict[str, Any] = json.loads(self.do(f"{board} show".strip()))
         return state
 
@@ -68,10 +68,10 @@ StartSimulator = Callable[..., SimulatedDevice]
 
 
 class SimulatorProcess(SimulatedDevice):
-    """`trex-sim` in a process of its own, and its control line.
+    """`trex-sim` in a separate process, and its control line.
 
-    Its pseudo-terminal has a name of its own: the number of one that was unplugged may become
-    that of another simulator, of a test that runs at the same time.
+    Its pseudo-terminal has a unique name, because another simulator may get the number of an
+    unplugged terminal.
     """
 
     def __init__(self, *arguments: str) -> None:
@@ -109,7 +109,7 @@ class SimulatorProcess(SimulatedDevice):
             is_over.wait(_SLOW / 5)
 
     def _steal(self, is_over: threading.Event) -> None:
-        """Read what arrives, as a program does that ignores locks; not all systems let it."""
+        """Read received bytes like a program that ignores locks. Not all systems allow it."""
         with suppress(OSError):
             port = os.open(self.url, os.O_RDONLY | os.O_NOCTTY | os.O_NONBLOCK)
             try:

@@ -1,4 +1,4 @@
-"""A disk that takes seconds for each file, in virtual time."""
+"""Disk that takes seconds for each file, in virtual time."""
 
 import os
 from pathlib import Path
@@ -13,7 +13,7 @@ SECONDS = 1.5
 
 
 class SlowDisk:
-    """Looking at a file and saving it takes `SECONDS` each from now on.
+    """Slows down checking and saving a file by `SECONDS` each.
 
     Attributes:
         stalls: what the thread of the window did itself.

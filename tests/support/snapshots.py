@@ -1,4 +1,4 @@
-"""A history to look at, without a board."""
+"""History without a board."""
 
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
@@ -19,7 +19,7 @@ def take(
     reason: str = "Apply of 2 settings",
     **values: int,
 ) -> Snapshot:
-    """Take a snapshot of a board as the factory makes it, but for some values."""
+    """Create a snapshot of a factory board with some other values."""
     there = factory(model)
     settings = replace(
         there,

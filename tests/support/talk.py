@@ -1,4 +1,4 @@
-"""What is said on a line, and the rows that a transcript makes of it."""
+"""Bytes on a line, and the rows of their transcript."""
 
 from collections.abc import Iterable
 
@@ -12,13 +12,13 @@ from trex_gui.core.transport.traffic import (
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 
 Said = tuple[bytes, bytes]
-"""What is sent, and what comes back."""
+"""Sent bytes and their reply."""
 
 
 def pieces_of(
     talk: Iterable[Said], cut: int = 0, settings: ConnectionSettings | None = None
 ) -> list[TrafficEvent]:
-    """Return a line's bytes, the answers in pieces of `cut` bytes."""
+    """Return the bytes of a line, with replies in pieces of `cut` bytes."""
     now = 0.0
     pieces = [TrafficEvent(now, TrafficDirection.LINE, text="Opened.", settings=settings)]
     for sent, received in talk:
@@ -33,11 +33,11 @@ def pieces_of(
 
 
 def rows_of(decoder: Decoder, pieces: list[TrafficEvent]) -> list[Transaction]:
-    """Return the rows that have bytes."""
+    """Return the rows with bytes."""
     return [row for row in TransactionAssembler(decoder).feed(pieces) if not row.note]
 
 
 def reports(decoder: Decoder, pieces: list[TrafficEvent]) -> list[tuple[str, bool]]:
-    """Return what the rows mean, and which are faults."""
+    """Return the meanings of the rows, and their faults."""
     words = [decoder.decoded(row) for row in rows_of(decoder, pieces)]
     return [(one.text, one.is_fault) for one in words]

@@ -1,4 +1,4 @@
-"""A transmitter: what its sticks put out, well made or worn, steady or not."""
+"""Simulated transmitter with ideal, worn or noisy sticks."""
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
@@ -9,15 +9,15 @@ from trex_gui.devices.trex.calibration.neutral import ChannelSample
 from trex_gui.devices.trex.protocol.flags import InputSource
 
 RATE = 50.0
-"""Times a second that a receiver gives a pulse, and the board a new value."""
+"""Pulses of a receiver, and new values of the board, per second."""
 
 LOST_AFTER = 5
-"""Pulses in a row that may be missing before the board says that there is no signal (100 ms)."""
+"""Missing pulses in a row before the board reports no signal (100 ms)."""
 
 
 @dataclass(frozen=True)
 class Stick:
-    """What one channel gives; values in µs, or in V with `source` analog.
+    """Signal of one channel. Values in µs, or in V with `source` analog.
 
     Attributes:
         rest, low, high: where it rests and how far it goes.
@@ -43,13 +43,13 @@ class Stick:
     source: InputSource = InputSource.RC
 
     def value(self, position: float, seconds: float = 0.0) -> float:
-        """What it gives at a position: -1 all the way back or left, 0 let go, 1 forward."""
+        """Return the value at a position: -1 back or left, 0 released, 1 forward."""
         where = -position if self.forward_is_down else position
         end = self.high if where > 0 else self.low
         return self.rest + abs(where) * (end - self.rest) + self.drift * seconds
 
     def truth(self) -> tuple[float, float, float]:
-        """Minimum, neutral and maximum in counts, as a perfect observer would see them."""
+        """Return minimum, neutral and maximum in counts for an ideal observer."""
         per_unit = self.source.counts_per_unit
         return self.low * per_unit, self.rest * per_unit, self.high * per_unit
 
@@ -60,9 +60,9 @@ class Stick:
         start: float = 0.0,
         rate: float = RATE,
     ) -> list[ChannelSample]:
-        """What the board reports while it goes from position to position: (seconds, to where).
+        """Return the samples of the board during `moves`: (seconds, target position).
 
-        A slow line asks less often than the board renews its inputs: `rate` times a second.
+        `rate`: samples per second. The board may renew its inputs more often.
         """
         taken: list[ChannelSample] = []
         position, missing, last = 0.0, 0, None
@@ -95,7 +95,7 @@ class Stick:
         return max(0, min(self.source.highest_count, count)), 0
 
     def line(self, channel: int, position: float) -> str:
-        """The control line that puts its value on an input of the simulated board."""
+        """Return the control line that applies the value to an input of the simulated board."""
         if not self.connected:
             return f"channel {channel} silent"
         unit = "us" if self.source is InputSource.RC else "V"
@@ -106,11 +106,11 @@ class Stick:
 
 
 HOLD = ((0.2, 1.0), (0.3, 1.0), (0.3, -1.0), (0.3, -1.0), (0.2, 0.0), (0.2, 0.0))
-"""A stick pushed all the way, held, pulled all the way back, held, let go."""
+"""Push a stick all the way, hold, pull it all the way back, hold, release."""
 
 
 class Transmitter:
-    """A transmitter with its sticks, in front of a simulated board."""
+    """Transmitter in front of a simulated board."""
 
     def __init__(self, simulator: SimulatedDevice, sticks: dict[int, Stick]) -> None:
         self._simulator = simulator
@@ -118,11 +118,11 @@ class Transmitter:
         self.let_go()
 
     def put(self, channel: int, position: float) -> None:
-        """Hold one stick somewhere."""
+        """Hold a stick at a position."""
         self._simulator.do(self.sticks[channel].line(channel, position))
 
     def is_at_rest(self, raw: Callable[[int], int | None]) -> bool:
-        """Whether every channel shows what its stick at rest gives, or nothing if that is so."""
+        """Return whether every channel shows its stick at rest, or no signal if expected."""
         return all(self._is_idle(channel, raw(channel)) for channel in self.sticks)
 
     def _is_idle(self, channel: int, count: int | None) -> bool:
@@ -133,6 +133,6 @@ class Transmitter:
         return stick.connected and abs(count - stick.truth()[1]) <= 2 + noise
 
     def let_go(self, channels: Sequence[int] | None = None) -> None:
-        """Take the hands off."""
+        """Release all sticks."""
         for channel in channels or tuple(self.sticks):
             self.put(channel, 0.0)

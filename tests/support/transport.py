@@ -1,4 +1,4 @@
-"""The host's end of a simulated line in virtual time."""
+"""Host's end of a simulated line in virtual time."""
 
 from collections.abc import Collection
 from typing import Generic, TypeVar
@@ -11,7 +11,7 @@ LineT = TypeVar("LineT", bound=SimulatedLine)
 
 
 class SimulatedTransport(Generic[LineT]):
-    """The host's end of a simulated wire; time passes only while the host reads or waits.
+    """Host's end of a simulated wire. Time passes only while the host reads or waits.
 
     Attributes:
         line: the wire, and the device at its other end.

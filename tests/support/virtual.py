@@ -1,4 +1,4 @@
-"""A board, its wire and a session in virtual time."""
+"""Board, wire and session in virtual time."""
 
 from collections import deque
 from collections.abc import Callable
@@ -16,7 +16,7 @@ VirtualTransport = SimulatedTransport[SimulatedBoards]
 
 
 class Script:
-    """An inbox whose requests come at given virtual times; it closes when they are done.
+    """Inbox whose requests arrive at given virtual times. Closes after the last.
 
     A step may also be a function, called at its time: to turn a knob of the board.
     """
@@ -27,7 +27,7 @@ class Script:
         self._steps: deque[tuple[float, Request | Callable[[], object]]] = deque()
 
     def at(self, time: float, step: Request | Callable[[], object]) -> "Script":
-        """Do this `time` seconds after the line began; times must not go back."""
+        """Perform a step `time` seconds after the start of the line. Times must not decrease."""
         self._steps.append((time, step))
         return self
 
@@ -51,10 +51,7 @@ class Script:
 
 
 class Stage:
-    """A board, its wire, and a session that is run from a script.
-
-    `others` share the wire.
-    """
+    """Board, wire, and a session that runs from a script. `others` share the wire."""
 
     def __init__(self, board: Board, *others: Board, echo: bool = False) -> None:
         self.board = board
@@ -75,7 +72,7 @@ class Stage:
     def run(
         self, settings: ConnectionSettings | None = None, *, may_move: bool = False
     ) -> list[Report]:
-        """Run the script from opening the line to closing it; return what was reported."""
+        """Run the script from opening to closing the line. Return all reports."""
         session = TrexSession(
             settings or ConnectionSettings("virtual"),
             self.script,

@@ -11,11 +11,11 @@ from trex_gui.cli import main
 from trex_gui.core.host import Host
 
 LONGEST = 3600.0
-"""Virtual seconds after which a command hangs."""
+"""Virtual seconds after which a command counts as hung."""
 
 
 class VirtualCommand:
-    """A run of `trexcmd`, with the part of `subprocess.Popen` that tests use.
+    """Run of `trexcmd` with the part of `subprocess.Popen` that tests use.
 
     Attributes:
         returncode: how it ended; `None` while it runs.
@@ -46,7 +46,7 @@ class VirtualCommand:
         return self.returncode
 
     def send_signal(self, number: int) -> None:
-        """Raise a signal; what its handler raises ends the command."""
+        """Raise a signal. An exception of its handler ends the command."""
         try:
             signal.raise_signal(number)
         except KeyboardInterrupt as error:
@@ -56,18 +56,18 @@ class VirtualCommand:
         self.send_signal(signal.SIGTERM)
 
     def wait(self, timeout: float = LONGEST) -> int:
-        """Let time pass until it has ended; return its exit code."""
+        """Let time pass until the command has ended. Return its exit code."""
         assert self._runtime.run_until(lambda: self.returncode is not None, timeout)
         assert self.returncode is not None
         return self.returncode
 
     def communicate(self, timeout: float = LONGEST) -> tuple[str, str]:
-        """Let time pass until it has ended; return its output and its messages."""
+        """Let time pass until the command has ended. Return its output and its messages."""
         self.wait(timeout)
         return self.result.stdout, self.result.stderr
 
     def ends(self, exits: int) -> Result:
-        """Let time pass until it has ended, with an exit code as wanted."""
+        """Let time pass until the command has ended with an expected exit code."""
         assert self.wait() == exits, self.result.output
         return self.result
 

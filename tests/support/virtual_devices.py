@@ -1,4 +1,4 @@
-"""Simulated devices in virtual time, at the other end of ports that the program opens."""
+"""Simulated devices in virtual time, at ports that the program opens."""
 
 import errno
 import math
@@ -20,14 +20,14 @@ from trex_gui.core.transport.serial_port import Transport, open_error
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 _EPSILON = 1e-9  # seconds; swallows the rounding of summed times
-_SLICE = 0.02  # seconds between two looks whether the cable is still in
-_SLOW = 0.1  # seconds that a write takes on a slow port
-_NO_ROOM = 1.0  # seconds after which a write to a jammed port fails
-_HANDING_OVER = 1.5  # seconds for which the program waits for a port of its own
+_SLICE = 0.02  # seconds between two checks of the cable
+_SLOW = 0.1  # seconds for each write to a slow port
+_NO_ROOM = 1.0  # seconds until a write to a jammed port fails
+_HANDING_OVER = 1.5  # seconds that the program waits for a port that it still has open
 
 
 class VirtualSimulator(SimulatedDevice):
-    """What `trex-sim` simulates, without a process: the same options, the same control lines.
+    """Simulation like `trex-sim`, without a process: same options, same control lines.
 
     Attributes:
         on_write: gets all that a host sends, before it goes out, in the thread of the host.
@@ -66,7 +66,7 @@ class VirtualSimulator(SimulatedDevice):
         return answer
 
     def move_cable_to(self, other: "VirtualSimulator") -> None:
-        """Let another board answer at the open port, from now on; this one has no host then."""
+        """Make another board reply at the open port. This device then has no host."""
         host, self.host = self.host, None
         assert host is not None
         assert other.host is None
@@ -76,17 +76,17 @@ class VirtualSimulator(SimulatedDevice):
     # --- For the ends of its wire -------------------------------------------------------
 
     def catch_up(self) -> None:
-        """Bring the line to the present."""
+        """Process all events on the line up to the current time."""
         self.line.advance_to(self.runtime.now() - self._began + _EPSILON)
 
     @property
     def next_event(self) -> float:
-        """When something happens on the line next, on the clock of the runtime."""
+        """Return the time of the next event on the line, on the runtime's clock."""
         event = self.line.next_event
         return math.inf if event is None else self._began + event
 
     def open(self, settings: PortSettings) -> Transport:
-        """Open its port; see `SerialTransport`."""
+        """Open the port. See `SerialTransport`."""
         deadline = self.runtime.now() + _HANDING_OVER
         while self.host is not None and self.runtime.now() < deadline:
             self.runtime.sleep(_SLICE)
@@ -111,7 +111,7 @@ def _simulation(arguments: Sequence[str]) -> Simulation:
 
 
 class VirtualTransport:
-    """The host's end of a simulated wire."""
+    """Host's end of a simulated wire."""
 
     latency = 0.06
     is_configurable = True
@@ -126,11 +126,11 @@ class VirtualTransport:
         self.use(simulator)
 
     def use(self, simulator: VirtualSimulator) -> None:
-        """Become the host of this device."""
+        """Connect this host to a device."""
         self._simulator = simulator
         self._line = simulator.line
         simulator.catch_up()
-        self._line.receive()  # what was sent before nobody has kept
+        self._line.receive()  # discards bytes sent before
         self._line.host = self._format
 
     def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
@@ -197,7 +197,7 @@ class VirtualTransport:
 
 
 class VirtualProcess(QProcess):
-    """The process of a simulator that the program starts; takes some time to begin."""
+    """Simulated process of a simulator, which takes some time to start."""
 
     _STARTING = 0.3  # seconds
 

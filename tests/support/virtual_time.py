@@ -1,8 +1,8 @@
-"""Virtual time: the whole program on one clock that only tests move.
+"""Virtual time: the whole program on one clock that only tests advance.
 
-Threads of the program become greenlets of the test's own thread; its timers and waits become events
-on one time line. Nothing runs at the same time as anything else, nothing waits, and every run goes
-the same way. What Qt does on its own (painting, layouts, posted events) it does between two events.
+Threads of the program become greenlets in the test's thread. Timers and waits become events on one
+time line. Nothing runs concurrently, nothing waits in real time, and every run is identical. Qt's
+own work (painting, layouts, posted events) happens between two events.
 """
 
 import heapq
@@ -26,25 +26,24 @@ from trex_gui.core.transport.settings import PortSettings
 from trex_gui.ui.runtime import Runtime
 
 START = 1000.0
-"""Virtual seconds at which every test begins."""
+"""Virtual seconds at the start of every test."""
 
 FRAME = 1.0
-"""Virtual seconds between two times that Qt paints, which costs more than all the rest."""
+"""Virtual seconds between two paint events, which cost more than all the rest."""
 
 LOOK = 0.01
-"""Virtual seconds between two looks at a condition that a test waits for."""
+"""Virtual seconds between two checks of a condition."""
 
 WAIT_MS = 60_000
-"""Virtual milliseconds that a test waits for anything unless it says otherwise."""
+"""Default timeout in virtual milliseconds."""
 
 
 BlockerT = TypeVar("BlockerT", SignalBlocker, MultiSignalBlocker)
 
 
 class Event:
-    """Something that is to be done at a moment, unless it is cancelled.
-
-    `of_gui` says that the GUI thread has to do it, which may be busy with waiting.
+    """Action at a time, unless cancelled. `of_gui`: an action of the GUI thread, which may be
+    waiting.
     """
 
     __slots__ = ("action", "of_gui")
@@ -58,13 +57,13 @@ class Event:
 
 
 class Port(Protocol):
-    """What a URL leads to."""
+    """Target of a URL."""
 
     def open(self, settings: PortSettings) -> Transport: ...
 
 
 class VirtualRuntime(Runtime):
-    """The clock, and everything that waits for it.
+    """Clock with everything that waits for it.
 
     Attributes:
         ports: what can be opened, by URL.
@@ -103,7 +102,7 @@ class VirtualRuntime(Runtime):
         return self._run(until, lambda: thread not in self._tasks, with_gui=False)
 
     def start_thread(self, function: Callable[[], object]) -> Callable[[], None]:
-        """Run a function as a thread of Python's; return what waits for its end."""
+        """Run a function as a Python thread. Return a function that waits for its end."""
         key = object()
         task = self._spawn(key, function)
 
@@ -121,23 +120,23 @@ class VirtualRuntime(Runtime):
     def open_transport(self, settings: PortSettings) -> Transport:
         if settings.url in self.ports:
             return self.ports[settings.url].open(settings)
-        super().open_transport(settings).close()  # a port that does not exist has its own message
+        super().open_transport(settings).close()  # a missing port has its own message
         raise RuntimeError(f"{settings.url} is a real port: mark the test realtime")
 
     # --- For simulated devices ----------------------------------------------------------
 
     def at(self, moment: float, action: Callable[[], object], *, of_gui: bool = False) -> Event:
-        """Do something at a moment."""
+        """Schedule an action."""
         event = Event(action, of_gui=of_gui)
         heapq.heappush(self._events, (moment, next(self._order), event))
         return event
 
     def sleep_until(self, moment: float) -> None:
-        """Let the thread that calls this wait until a moment."""
+        """Suspend the calling thread until a time."""
         if moment <= self._now:
             return
         if moment < self._next() and moment <= self._until:
-            self._now = moment  # nothing else has anything to do before
+            self._now = moment  # no other event is due before
             return
         if greenlet.getcurrent() is self._main:
             self._run(moment, lambda: False, with_gui=False)
@@ -146,10 +145,10 @@ class VirtualRuntime(Runtime):
         try:
             self.switch_to_main()
         finally:
-            event.cancel()  # an exception may have been thrown in before
+            event.cancel()  # an exception may have interrupted the wait
 
     def switch_to_main(self) -> None:
-        """Let everything else run, until somebody switches back."""
+        """Run everything else until a switch back."""
         if greenlet.getcurrent() is self._main:
             raise RuntimeError("the GUI thread would wait for ever")
         self._main.switch()
@@ -158,7 +157,7 @@ class VirtualRuntime(Runtime):
 
     @property
     def is_idle(self) -> bool:
-        """Whether no thread runs."""
+        """True if no thread runs."""
         return not self._tasks
 
     def advance(self, seconds: float) -> None:
@@ -167,7 +166,7 @@ class VirtualRuntime(Runtime):
         deliver()
 
     def run_until(self, condition: Callable[[], object], seconds: float) -> bool:
-        """Let time pass until a condition holds, at most so long; return whether it does."""
+        """Let time pass until a condition holds. Return False after the timeout."""
         end = self._now + seconds
         deliver()
         while not condition():
@@ -239,13 +238,13 @@ class VirtualRuntime(Runtime):
 
 
 def deliver() -> None:
-    """Let Qt do what it has to do now."""
+    """Run Qt's pending work."""
     QCoreApplication.processEvents()
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
 
 class VirtualCondition:
-    """Stands in for `threading.Condition`; its lock is always free."""
+    """Replacement of `threading.Condition` whose lock is always free."""
 
     def __init__(self, runtime: VirtualRuntime) -> None:
         self._runtime = runtime
@@ -295,7 +294,7 @@ class VirtualCondition:
 
 
 class VirtualTimer(QTimer):
-    """A timer on the virtual clock."""
+    """Timer on the virtual clock."""
 
     def __init__(self, runtime: VirtualRuntime, parent: QObject) -> None:
         super().__init__(parent)
@@ -304,7 +303,7 @@ class VirtualTimer(QTimer):
         self._due = 0.0
 
     def start(self, *milliseconds: object) -> None:
-        if milliseconds and isinstance(milliseconds[0], int):  # no text of a signal
+        if milliseconds and isinstance(milliseconds[0], int):  # not the text of a signal
             self.setInterval(milliseconds[0])
         self.stop()
         self._schedule(self._runtime.now())
@@ -343,7 +342,7 @@ class VirtualTimer(QTimer):
 
 
 class VirtualQtBot(QtBot):
-    """Waits in virtual time."""
+    """Bot that waits in virtual time."""
 
     def __init__(self, request: Any, runtime: VirtualRuntime) -> None:
         super().__init__(request)
@@ -381,7 +380,7 @@ class VirtualQtBot(QtBot):
 
     def _in_virtual_time(self, blocker: BlockerT) -> BlockerT:
         """Let a blocker of pytest-qt wait in virtual time."""
-        milliseconds, blocker.timeout = blocker.timeout, 0  # it must not wait by itself
+        milliseconds, blocker.timeout = blocker.timeout, 0  # the blocker must not wait by itself
 
         def wait() -> None:
             came = self.runtime.run_until(
@@ -390,5 +389,5 @@ class VirtualQtBot(QtBot):
             if not came and blocker.raising:
                 raise self.TimeoutError(f"no signal within {milliseconds} virtual ms")
 
-        blocker.wait = wait  # type: ignore[method-assign]  # of this one only
+        blocker.wait = wait  # type: ignore[method-assign]  # only for this blocker
         return blocker

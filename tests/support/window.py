@@ -1,4 +1,4 @@
-"""What a user does and sees in a window, by the object names of its widgets.
+"""Drivers that operate a window by the object names of its widgets.
 
 `WidgetDriver` finds, reads and operates widgets below a root; `WindowDriver` is one for the whole
 program. A page object is a `WidgetDriver` for one page, panel or dialog, with the gestures that
@@ -41,13 +41,13 @@ from trex_gui.ui.widgets.behaviour import ConfirmButton
 ObjectT = TypeVar("ObjectT", bound=QObject)
 
 TIMEOUT_MS = 30_000
-"""Milliseconds that a user waits for anything."""
+"""Milliseconds of every wait."""
 
 LEFT = Qt.MouseButton.LeftButton
 
 
 class WidgetDriver:
-    """A part of a window.
+    """Part of a window.
 
     Attributes:
         root: what contains it.
@@ -61,7 +61,7 @@ class WidgetDriver:
     # --- Find and read ------------------------------------------------------------------
 
     def find(self, kind: type[ObjectT], name: str) -> ObjectT:
-        """Return the widget or action with this object name; fail without one."""
+        """Return the widget or action with this object name. Fails without one."""
         found = self.root.findChild(kind, name)
         assert isinstance(found, kind), f"{self.root.objectName()} has no {name}"
         return found
@@ -77,7 +77,7 @@ class WidgetDriver:
         return found[0]
 
     def has(self, name: str) -> bool:
-        """Return whether a widget with this object name can be seen."""
+        """Return whether a widget with this object name is visible."""
         widget = self.root.findChild(QWidget, name)
         return widget is not None and widget.isVisible()
 
@@ -97,11 +97,11 @@ class WidgetDriver:
     # --- Wait ---------------------------------------------------------------------------
 
     def wait(self, condition: Callable[[], object], timeout: int = TIMEOUT_MS) -> None:
-        """Let time pass until a condition holds; `timeout` in milliseconds."""
+        """Let time pass until a condition holds. `timeout` in milliseconds."""
         self.qtbot.waitUntil(lambda: bool(condition()), timeout=timeout)
 
     def wait_for_files(self) -> None:
-        """Wait until the files in use were read or written, and the window has settled."""
+        """Wait until all file operations are done and the window has settled."""
         quiet = 0
 
         def is_quiet() -> bool:
@@ -123,7 +123,7 @@ class WidgetDriver:
     # --- Operate ------------------------------------------------------------------------
 
     def click(self, name: str) -> None:
-        """Click a button or a check box once it can be seen, scrolling to it."""
+        """Click a button or check box once it is visible. Scrolls if necessary."""
         button = self.button(name)
         self.wait(button.isVisible)
         assert button.isEnabled(), f"{name} is disabled"
@@ -142,7 +142,7 @@ class WidgetDriver:
             parent.ensureWidgetVisible(widget)
 
     def select(self, name: str, data: object) -> None:
-        """Select the entry of a combo box with this data, as a user does who opens it."""
+        """Select the entry of a combo box with this data, like a user with the mouse."""
         combo = self.combo(name)
         index = next((i for i in range(combo.count()) if combo.itemData(i) == data), -1)
         assert index >= 0, f"{name} has no {data}"
@@ -150,7 +150,7 @@ class WidgetDriver:
         combo.activated.emit(index)  # offscreen there is no list to open
 
     def choose(self, name: str, data: str) -> None:
-        """Select the entry of a combo box with this data by the keyboard."""
+        """Select the entry of a combo box with this data by keyboard."""
         combo = self.combo(name)
         combo.setFocus()
         QTest.keyClick(combo, Qt.Key.Key_Home)
@@ -169,7 +169,7 @@ class WidgetDriver:
             QTest.keyClick(editor, Qt.Key.Key_Return)
 
     def handle_of(self, slider: QSlider, value: int | None = None) -> QPoint:
-        """Return where the handle of a slider is, or would be for a value."""
+        """Return the position of a slider's handle at a value, by default its own."""
         option = QStyleOptionSlider()
         slider.initStyleOption(option)
         if value is not None:
@@ -193,7 +193,7 @@ class WidgetDriver:
 
 
 class WindowDriver(WidgetDriver):
-    """The whole program."""
+    """Driver of the whole program."""
 
     def __init__(self, program: Program, qtbot: QtBot) -> None:
         super().__init__(program.window, qtbot)
@@ -203,42 +203,42 @@ class WindowDriver(WidgetDriver):
         self.motors = trex(program).device.motors
 
     def find(self, kind: type[ObjectT], name: str) -> ObjectT:
-        """Return the widget or action with this object name, also on a page not yet shown."""
+        """Return the widget or action with this object name. Creates its page."""
         if self.root.findChild(kind, name) is None:
             self.program.complete()
         return super().find(kind, name)
 
     def find_all(self, kind: type[ObjectT]) -> list[ObjectT]:
-        """Return all objects of a type, also on pages not yet shown."""
+        """Return all objects of a type. Creates all pages."""
         self.program.complete()
         return super().find_all(kind)
 
     @property
     def robot(self) -> Robot:
-        """The Aracna, which is loaded for it."""
+        """Model of the Aracna, loaded on first use."""
         return aracna(self.program).robot
 
     @property
     def help(self) -> QDialog:
-        """The window with the help, which was opened before."""
+        """Window of the help, which must be open."""
         assert self.window.help_dialog is not None
         return self.window.help_dialog
 
     # --- Connect ------------------------------------------------------------------------
 
     def connect(self, url: str) -> None:
-        """Choose the port of a TReX, which its user arms as it is, and wait until it is read."""
+        """Connect to a TReX in normal use. Wait until the board is read."""
         self.connect_port(self.program.ports.add_typed(url))
         self.wait(lambda: self.device.link is ConnectionState.CONNECTED)
         self.motors.accept_arming_without_timeout()
 
     def connect_port(self, port: Port) -> None:
-        """Choose an entry of the list of ports and press Connect; returns at once."""
+        """Select an entry of the port list and press Connect. Does not wait."""
         self.select("portCombo", port)
         self.click("connectButton")
 
     def connect_to_demo(self, kind: str = "trex") -> None:
-        """Choose the simulated TReX or Aracna and wait until it is read."""
+        """Connect to the simulated TReX or Aracna. Wait until it is read."""
         self.program.connect_to_demo(kind)
         model = self.device if kind == "trex" else self.robot
         self.wait(lambda: model.link is ConnectionState.CONNECTED)
@@ -255,7 +255,7 @@ class WindowDriver(WidgetDriver):
             self.device.writer.apply()
 
     def drop(self, *paths: Path) -> bool:
-        """Drag files over the window and release them; return whether it takes them."""
+        """Drop files onto the window. Return whether it accepts them."""
         data = QMimeData()
         data.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
         how = (Qt.DropAction.CopyAction, data, LEFT, Qt.KeyboardModifier.NoModifier)
@@ -268,7 +268,7 @@ class WindowDriver(WidgetDriver):
     # --- Look around --------------------------------------------------------------------
 
     def open_page(self, name: str) -> WidgetDriver:
-        """Turn to the page with this object name; return what is on it."""
+        """Show the page with this object name. Return the page."""
         workspace = self.program.workspace(self.program.device_manager.current.plugin.key)
         entries = entries_of({Menu.WINDOW: workspace.page_entries()})
         keys = [entry.key.removeprefix(f"{workspace.key}_") for entry in entries]
@@ -276,7 +276,7 @@ class WindowDriver(WidgetDriver):
         return WidgetDriver(self.find(QWidget, name), self.qtbot)
 
     def each_page(self) -> Iterator[QWidget]:
-        """Show one page after the other, in the area that scrolls it."""
+        """Yield one page after the other, in its scroll area."""
         workspace = self.program.workspace(self.program.device_manager.current.plugin.key)
         for number in range(workspace.count):
             workspace.show_number(number)
@@ -285,7 +285,7 @@ class WindowDriver(WidgetDriver):
             yield page
 
     def dialog(self, name: str) -> WidgetDriver:
-        """Return the dialog with this object name, also one that was not opened yet."""
+        """Return the dialog with this object name. Creates the dialog if necessary."""
         makers: dict[str, Callable[[TrexWorkspace], object]] = {
             "learnDialog": lambda workspace: workspace._tools.learn,
             "powerCycleDialog": lambda workspace: workspace._settings._power,
@@ -300,7 +300,7 @@ class WindowDriver(WidgetDriver):
         return self.find(QAction, f"{key}Action")
 
     def trigger(self, key: str) -> None:
-        """Choose a menu entry."""
+        """Trigger a menu entry."""
         action = self.action(key)
         assert action.isEnabled(), f"{key} is disabled"
         action.trigger()
