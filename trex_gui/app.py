@@ -61,15 +61,15 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
     parser.add_argument(
         "--device",
         choices=[plugin.key for plugin in composition.PLUGINS],
-        help="what --demo simulates and --port leads to (default: a "
-        f"{composition.PLUGINS[0].name}, and what was found on that port)",
+        help="kind of device for --demo or --port (default: the kind found on that port, "
+        f"otherwise a {composition.PLUGINS[0].name})",
     )
     parser.add_argument(
         "--settings",
         metavar="FILE",
         type=_path,
-        help="show what this settings file would change once a board is connected; with neither "
-        "--port nor --demo open the file itself; poses (.ppr) open in the workspace of the robot",
+        help="compare this settings file with the board once it is connected; without --port and "
+        "--demo, open the file; poses (.ppr) open in the workspace of the robot",
     )
     parser.add_argument(
         "--timeout",
@@ -87,7 +87,7 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
     parser.add_argument(
         "--verbose",
         action="store_true",
-        help="write more into the log file, and all of it to the terminal",
+        help="write a detailed log to the log file and to the terminal",
     )
     parser.add_argument("--version", action="version", version=f"trex-gui {__version__}")
     return parser.parse_args(argv)

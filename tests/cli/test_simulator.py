@@ -96,7 +96,7 @@ def start() -> Iterator[Start]:
         sim.close()
 
 
-def ask(url: str, packet: str, size: int, **settings: Any) -> bytes:
+def request(url: str, packet: str, size: int, **settings: Any) -> bytes:
     with serial.serial_for_url(
         url, timeout=LONG_TIMEOUT, **{"baudrate": 19200, **settings}
     ) as port:
@@ -185,7 +185,7 @@ class TestPseudoTerminal:
         os.write(host, b"\x82")
         assert os.read(host, 1) == b"r"
         os.close(host)
-        assert ask(sim.url, "80 07 01", 7) == b"TReX1.2"
+        assert request(sim.url, "80 07 01", 7) == b"TReX1.2"
         with serial.Serial(sim.url, 19200, timeout=LONG_TIMEOUT) as port:
             begin = time.monotonic()
             for _ in range(20):
@@ -198,7 +198,7 @@ class TestPseudoTerminal:
                 port.write(b"\x81")
         assert not link.is_symlink()
         assert sim.control("line plug") == f"ok plugged {link}"
-        assert ask(sim.url, "81", 7) == b"TReX1.2"
+        assert request(sim.url, "81", 7) == b"TReX1.2"
         assert sim.control("quit") == "ok bye"
         assert (sim.wait(), sim.errors()) == (0, "")
         assert not link.is_symlink()
@@ -212,9 +212,9 @@ class TestPseudoTerminal:
         path = tmp_path / "eeprom.json"
         Eeprom.open(path).write("uart_settings", {1200: 0, 76800: 9, 115200: 10}[baud])
         sim = start("--eeprom", str(path))
-        assert ask(sim.url, "82", 1, baudrate=baud) == b"r"
+        assert request(sim.url, "82", 1, baudrate=baud) == b"r"
         assert is_silent(sim, "82", baudrate=19200)
-        assert ask(sim.url, "85", 1, baudrate=baud) == noticed  # 1200 baud is too slow for this
+        assert request(sim.url, "85", 1, baudrate=baud) == noticed  # 1200 baud is too slow for this
 
     def test_existing_file_is_not_replaced_by_link(self, tmp_path: Path) -> None:
         link = tmp_path / "trex"
@@ -233,10 +233,10 @@ class TestTcp:
         assert host == "127.0.0.1"
         assert where[1]
         for _ in range(2):
-            assert ask(sim.url, "81", 7) == b"TReX1.2"
+            assert request(sim.url, "81", 7) == b"TReX1.2"
         sticks: set[bytes] = set()
         while len(sticks) < 5:
-            sticks.add(ask(sim.url, "86 1F", 10))
+            sticks.add(request(sim.url, "86 1F", 10))
         with socket.create_connection(where, LONG_TIMEOUT) as connection:
             connection.sendall(b"\x82")
             assert connection.recv(1) == b"r"
@@ -245,7 +245,7 @@ class TestTcp:
         with pytest.raises(ConnectionRefusedError):
             socket.create_connection(where, LONG_TIMEOUT)
         assert sim.control("line plug") == f"ok plugged {sim.url}"
-        assert ask(sim.url, "82", 1) == b"r"
+        assert request(sim.url, "82", 1) == b"r"
 
 
 @pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")  # pyserial 3.5
@@ -257,19 +257,19 @@ class TestRfc2217:
         sim = start("--rfc2217", "127.0.0.1:0", "--eeprom", str(path))
         assert sim.url.startswith("rfc2217://127.0.0.1:")
         assert is_silent(sim, "82", parity="N")
-        assert ask(sim.url, "85", 1, parity="E") == b"\x04"
+        assert request(sim.url, "85", 1, parity="E") == b"\x04"
         assert is_silent(sim, "82", parity="E", baudrate=38400)
 
     def test_rfc2217_passes_telnet_bytes_and_survives_malformed_client(self, start: Start) -> None:
         sim = start("--rfc2217", "127.0.0.1:0")
         sim.control("channel 1 invalid")
-        assert ask(sim.url, "FF FF 86 01", 2) == b"\xff\xff"
+        assert request(sim.url, "FF FF 86 01", 2) == b"\xff\xff"
         address = sim.url.removeprefix("rfc2217://").split(":")
         with socket.create_connection((address[0], int(address[1])), LONG_TIMEOUT) as host:
             host.sendall(b"\xff\xf0")
             while host.recv(1024):
                 pass
-        assert ask(sim.url, "82", 1) == b"r"
+        assert request(sim.url, "82", 1) == b"r"
 
 
 @pytest.mark.realtime
@@ -291,7 +291,7 @@ class TestEnd:
 
     def test_simulator_runs_without_standard_input(self, start: Start) -> None:
         sim = start("--tcp", "127.0.0.1:0", stdin=subprocess.DEVNULL)
-        assert ask(sim.url, "82", 1) == b"r"
+        assert request(sim.url, "82", 1) == b"r"
         assert sim.process.poll() is None
         sim.process.terminate()
         assert (sim.wait(), sim.errors()) == (0, "")
@@ -305,7 +305,7 @@ class TestEnd:
         assert answers[0] == "ok channel 1 gets 1600us"
         assert answers[1].startswith("error 'bogus' is not a command")
         assert answers[2] == "ok channel 2 gets 1600.4us"
-        assert becomes(lambda: ask(sim.url, "86 03", 4), bytes.fromhex("A0 0F A1 0F"))
+        assert becomes(lambda: request(sim.url, "86 03", 4), bytes.fromhex("A0 0F A1 0F"))
         assert sim.process.poll() is None
 
     @needs_pty
@@ -315,7 +315,7 @@ class TestEnd:
             sim = start("--tcp", "127.0.0.1:0", stdin=slave)
             os.write(master, b"channel 1 4000\n\x04")  # Ctrl-D
             assert sim.line() == "ok channel 1 gets 1600us"
-            assert becomes(lambda: ask(sim.url, "86 01", 2), bytes.fromhex("A0 0F"))
+            assert becomes(lambda: request(sim.url, "86 01", 2), bytes.fromhex("A0 0F"))
             assert sim.process.poll() is None
         finally:
             os.close(slave)
@@ -330,10 +330,10 @@ class TestEeprom:
         path = tmp_path / "eeprom.json"
         Eeprom.open(path).write("device_number", 12)
         first = start("--tcp", "127.0.0.1:0", "--eeprom", str(path))
-        assert ask(first.url, "AF 07 0F 55 2A", 1) == b"\x00"
+        assert request(first.url, "AF 07 0F 55 2A", 1) == b"\x00"
         first.close()
         second = start("--tcp", "127.0.0.1:0", "--eeprom", str(path), "--device", "9")
-        assert ask(second.url, "9F 07", 1) == b"\x0f"
+        assert request(second.url, "9F 07", 1) == b"\x0f"
         assert second.show()["parameters"]["device_number"] == 12
         second.control("quit")
         assert "device 12" in second.errors()

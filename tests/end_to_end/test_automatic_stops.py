@@ -60,7 +60,7 @@ def test_window_shows_stop_reason_and_can_arm_again(
     assert not causes.mistakes
 
     drive(window, quick_simulator)
-    causes.make_a_mistake()
+    causes.raise_in_slot()
     wait_for_banner(window, causes, stopped(MISTAKEN))
     assert causes.mistakes == [ValueError]
     assert is_stopped(quick_simulator)
@@ -72,14 +72,14 @@ def test_same_error_again_disarms_motors_that_were_armed_meanwhile(
 ) -> None:
     window = connected_window
     drive(window, quick_simulator)
-    causes.make_a_mistake()
+    causes.raise_in_slot()
     wait_for_banner(window, causes, stopped(MISTAKEN))
     window.motors.arm()
     assert window.motors.armed
-    causes.make_a_mistake()  # within a second
+    causes.raise_in_slot()  # within a second
     window.wait(lambda: not window.motors.armed)
     reports = len(causes.reports)
-    causes.make_a_mistake()
+    causes.raise_in_slot()
     window.wait(lambda: len(causes.mistakes) == 3)
     window.wait(lambda: not window.device.may_move)
     assert len(causes.reports) <= reports + 1, "the outcome of the stop only"
@@ -137,7 +137,7 @@ def test_no_stop_is_reported_without_stoppable_motors(
     window: WindowDriver, causes: Causes, quick_simulator: SimulatedDevice
 ) -> None:
     causes.lock_the_screen()
-    causes.make_a_mistake()
+    causes.raise_in_slot()
     window.wait(lambda: causes.reports)
     assert causes.reports == [f"{MISTAKEN}."]
     wait_for_banner(window, causes, f"{MISTAKEN}.")

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QTabBar
 from tests.support.pages.settings import HistoryDialog, ReviewDialog
 from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice, StartSimulator
-from tests.support.snapshots import take
+from tests.support.snapshots import create_snapshot
 from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.core.files import data_folder, load
 from trex_gui.devices.trex.settings.history import SettingsHistory
@@ -102,8 +102,8 @@ def test_snapshot_of_another_board_shows_a_note(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     history = window.device.writer.history
-    take(history, timedelta(hours=1), device_number=9)
-    take(history, model="trexjr")
+    create_snapshot(history, timedelta(hours=1), device_number=9)
+    create_snapshot(history, model="trexjr")
     dialog = open_history(window)
     assert "No board is connected" in dialog.text("restoreNote")
 

@@ -98,7 +98,7 @@ def test_error_stops_motors_and_offers_report_with_its_traceback(
             window.motors.arm()
             window.motors.set_speed(1, 60)
             window.wait(lambda: quick_simulator.show()["motors"][0]["speed"] == 60)
-            causes.make_a_mistake()
+            causes.raise_in_slot()
             window.wait_for_text("bannerText", "Internal error (ValueError), so the motors were")
             assert is_stopped(quick_simulator)
     finally:

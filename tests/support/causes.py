@@ -40,7 +40,7 @@ class Causes:
         """Text of the banner, or empty."""
         return self._window.text("bannerText") if self._window.has("bannerText") else ""
 
-    def make_a_mistake(self) -> None:
+    def raise_in_slot(self) -> None:
         """Raise an uncaught exception in a slot, a moment later."""
 
         def fail() -> None:

@@ -25,17 +25,17 @@ class SlowDisk:
         check, sync = files.check_ordinary, os.fsync
 
         def slow_check(path: Path) -> None:
-            self._take_time(f"looks at {path.name}")
+            self._delay(f"looks at {path.name}")
             check(path)
 
         def slow_sync(handle: int) -> None:
-            self._take_time("saves")
+            self._delay("saves")
             sync(handle)
 
         monkeypatch.setattr(files, "check_ordinary", slow_check)
         monkeypatch.setattr(os, "fsync", slow_sync)
 
-    def _take_time(self, what: str) -> None:
+    def _delay(self, action: str) -> None:
         if greenlet.getcurrent() is self._window:
-            self.stalls.append(what)
+            self.stalls.append(action)
         runtime().sleep(SECONDS)

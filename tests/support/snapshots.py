@@ -10,7 +10,7 @@ from trex_gui.devices.trex.settings.history import SettingsHistory, Snapshot
 ADAPTER = "FT232R (ttyUSB0)"
 
 
-def take(
+def create_snapshot(
     history: SettingsHistory,
     ago: timedelta = timedelta(),
     *,
@@ -20,11 +20,11 @@ def take(
     **values: int,
 ) -> Snapshot:
     """Create a snapshot of a factory board with some other values."""
-    there = factory(model)
+    board = factory(model)
     settings = replace(
-        there,
-        parameters={**there.parameters, **values},
-        calibrations={k: c for k, c in there.calibrations.items() if k.source is InputSource.RC},
+        board,
+        parameters={**board.parameters, **values},
+        calibrations={k: c for k, c in board.calibrations.items() if k.source is InputSource.RC},
     )
     now = datetime.now(UTC) - ago
     return history.save(settings, adapter=adapter, reason=reason, now=now)

@@ -215,13 +215,13 @@ class VirtualProcess(QProcess):
         self._state = QProcess.ProcessState.Running
         options = [word for word in arguments if word not in {"-m", "trex_gui.cli.simulator"}]
 
-        def begin() -> None:
+        def on_started() -> None:
             if self._state is QProcess.ProcessState.Running:
                 url = f"/virtual/demo{len(self._runtime.ports)}"
                 self._simulator = VirtualSimulator(self._runtime, url, *options)
                 self._say(f"ready {url}")
 
-        self._runtime.at(self._runtime.now() + self._STARTING, begin, of_gui=True)
+        self._runtime.at(self._runtime.now() + self._STARTING, on_started, of_gui=True)
 
     def _fail_to_start(self) -> None:
         self.errorOccurred.emit(QProcess.ProcessError.FailedToStart)

@@ -42,7 +42,7 @@ class Asleep:
         """Return the time in which the program polled the motors."""
         return self.delay._wait._polls * self.delay._wait._timer.interval()
 
-    def begin_to_sleep(self) -> None:
+    def start_sleep(self) -> None:
         with self.qtbot.waitSignal(self.events.sleeping):
             self.logind.say_sleep(begins=True)
 
@@ -63,7 +63,7 @@ def test_sleep_delay_is_requested_and_held(asleep: Asleep) -> None:
 
 
 def test_sleep_is_delayed_only_until_motors_stop(asleep: Asleep, qtbot: QtBot) -> None:
-    asleep.begin_to_sleep()
+    asleep.start_sleep()
     qtbot.waitUntil(lambda: asleep.waited_ms >= 100, timeout=15_000)
     assert asleep.logind.held == 1
     asleep.may_move = False
@@ -72,7 +72,7 @@ def test_sleep_is_delayed_only_until_motors_stop(asleep: Asleep, qtbot: QtBot) -
 
 
 def test_sleep_delay_times_out_if_motors_keep_moving(asleep: Asleep, qtbot: QtBot) -> None:
-    asleep.begin_to_sleep()
+    asleep.start_sleep()
     begun = time.monotonic()
     qtbot.waitUntil(lambda: asleep.logind.held == 0, timeout=15_000)
     assert time.monotonic() - begun > 0.8
@@ -81,7 +81,7 @@ def test_sleep_delay_times_out_if_motors_keep_moving(asleep: Asleep, qtbot: QtBo
 
 def test_sleep_delay_is_requested_again_after_wake(asleep: Asleep, qtbot: QtBot) -> None:
     asleep.may_move = False
-    asleep.begin_to_sleep()
+    asleep.start_sleep()
     qtbot.waitUntil(lambda: asleep.logind.held == 0)
     asleep.logind.say_sleep(begins=False)
     qtbot.waitUntil(lambda: asleep.logind.held == 1)

@@ -1,7 +1,7 @@
-"""Edits as undo commands. Only these commands change the values that wait for Apply.
+"""Undo commands for edits. Only these commands change the values that wait for Apply.
 
-A change that the device reports is not an edit. A command stores the value that was shown before,
-so undoing an edit after it was applied makes the old value a new edit.
+A change that the device reports is not an edit. A command stores the previous value. Therefore
+undoing an applied edit makes the old value a new edit.
 """
 
 from collections.abc import Callable
@@ -16,11 +16,11 @@ KeyT = TypeVar("KeyT")
 ValueT = TypeVar("ValueT")
 
 
-_OF_A_RUN = 1  # command id: Qt may merge commands with the same id, but never with -1
+_RUN_ID = 1  # Qt may merge commands with one id, but never with the id -1
 
 
 def undo_titles(undone: str, redone: str) -> tuple[str, str]:
-    """Return the menu entries of undo and redo, with the texts of their commands if not empty."""
+    """Return the menu entries of undo and redo. `undone`, `redone`: texts of their commands."""
     return (
         tr("&Undo {0}").format(undone) if undone else tr("&Undo"),
         tr("&Redo {0}").format(redone) if redone else tr("&Redo"),
@@ -28,9 +28,9 @@ def undo_titles(undone: str, redone: str) -> tuple[str, str]:
 
 
 class Edit(QUndoCommand, Generic[KeyT, ValueT]):
-    """Command that replaces a value by calling `put` with the key and the new value.
+    """Command that sets a value by calling `put` with key and value.
 
-    Consecutive edits of the same key with the same `run` are one undo step.
+    Consecutive edits with the same key and `run` are one undo step.
     """
 
     def __init__(
@@ -57,10 +57,10 @@ class Edit(QUndoCommand, Generic[KeyT, ValueT]):
         self._put(self.key, self._before)
 
     def id(self) -> int:
-        return -1 if self.run is None else _OF_A_RUN
+        return -1 if self.run is None else _RUN_ID
 
     def mergeWith(self, other: QUndoCommand) -> bool:
-        """Merge the next edit of the run. If it restores the first value, no undo step is left."""
+        """Merge the next edit of the run. An edit back to the first value removes the step."""
         if not isinstance(other, Edit) or (other.run, other.key) != (self.run, self.key):
             return False
         self.after = other.after

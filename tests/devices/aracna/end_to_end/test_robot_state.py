@@ -152,7 +152,7 @@ def causes(connected_window: RobotWindow, qtbot: QtBot, qapp: QApplication) -> I
 
 
 def reasons(causes: Causes) -> list[tuple[str, Callable[[], None]]]:
-    return [(MISTAKE, causes.make_a_mistake), (LOCKED, causes.lock_the_screen)]
+    return [(MISTAKE, causes.raise_in_slot), (LOCKED, causes.lock_the_screen)]
 
 
 def creep(window: RobotWindow) -> None:
@@ -181,7 +181,7 @@ def test_automatic_halt_at_rest_reports_that_nothing_is_sent(
     causes.lock_the_screen()
     virtual_time.advance(AGAIN)
     assert len(causes.reports) == before, "a locked screen is no news"
-    causes.make_a_mistake()
+    causes.raise_in_slot()
     window.wait(lambda: len(causes.reports) > before)
     assert causes.reports[before:] == [f"{MISTAKE}."]
 
@@ -213,7 +213,7 @@ def test_automatic_halt_reports_remaining_motion_time(
     window.press_disconnect()
     before = robot.remaining()
     window.wait(lambda: robot.remaining() < before - AGAIN)
-    causes.make_a_mistake()
+    causes.raise_in_slot()
     window.wait(lambda: len(causes.reports) == 3)
     assert re.fullmatch(
         rf"{re.escape(MISTAKE)}\. No robot is connected\. "

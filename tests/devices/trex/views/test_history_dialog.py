@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QFileDialog, QLabel, QLineEdit, QPushButton, QWidg
 from pytestqt.qtbot import QtBot
 
 from tests.support.pages.settings import HistoryDialog
-from tests.support.snapshots import take
+from tests.support.snapshots import create_snapshot
 from tests.support.window import WidgetDriver
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.views.history_dialog import HistoryDialog as HistoryWidget
@@ -41,8 +41,8 @@ def test_empty_history_explains_snapshots(dialog: HistoryDialog) -> None:
 
 
 def test_newest_snapshot_is_compared_with_the_previous_one(dialog: HistoryDialog) -> None:
-    take(dialog.history, MINUTE, serial_timeout=5)
-    take(dialog.history, serial_timeout=7)
+    create_snapshot(dialog.history, MINUTE, serial_timeout=5)
+    create_snapshot(dialog.history, serial_timeout=7)
     dialog.open()
     assert dialog.values() == {"serial_timeout": ("0.5 s", "0.7 s")}
     assert "1 will change" in dialog.text("comparisonSummary")
@@ -54,8 +54,8 @@ def test_newest_snapshot_is_compared_with_the_previous_one(dialog: HistoryDialog
 
 
 def test_snapshot_gets_a_name_that_the_search_finds(dialog: HistoryDialog) -> None:
-    take(dialog.history, MINUTE)
-    take(dialog.history)
+    create_snapshot(dialog.history, MINUTE)
+    create_snapshot(dialog.history)
     dialog.open()
     dialog.select_snapshot(1)
     dialog.click("nameSnapshotButton")
@@ -70,7 +70,7 @@ def test_snapshot_gets_a_name_that_the_search_finds(dialog: HistoryDialog) -> No
 
 def test_two_snapshots_are_compared_with_each_other(dialog: HistoryDialog) -> None:
     for ago, wire in ((3, 5), (2, 6), (1, 7)):
-        take(dialog.history, ago * MINUTE, serial_timeout=wire)
+        create_snapshot(dialog.history, ago * MINUTE, serial_timeout=wire)
     dialog.open()
     dialog.select_snapshot(2, 0)
     dialog.wait(lambda: dialog.values() == {"serial_timeout": ("0.7 s", "0.5 s")})
@@ -79,15 +79,15 @@ def test_two_snapshots_are_compared_with_each_other(dialog: HistoryDialog) -> No
 
 
 def test_only_snapshot_shows_what_it_contains(dialog: HistoryDialog) -> None:
-    take(dialog.history, serial_timeout=7)
+    create_snapshot(dialog.history, serial_timeout=7)
     dialog.open()
     assert dialog.values()["serial_timeout"] == ("not given", "0.7 s")
 
 
 def test_damaged_snapshot_is_explained_and_never_offered(dialog: HistoryDialog) -> None:
-    take(dialog.history, 2 * MINUTE)
-    take(dialog.history, MINUTE).path.write_text("rubbish\n", encoding="utf-8")
-    take(dialog.history)
+    create_snapshot(dialog.history, 2 * MINUTE)
+    create_snapshot(dialog.history, MINUTE).path.write_text("rubbish\n", encoding="utf-8")
+    create_snapshot(dialog.history)
     dialog.open()
     dialog.select_snapshot(1)
     dialog.wait_for_text("comparisonSummary", "is damaged and cannot be restored")
@@ -102,8 +102,8 @@ def test_damaged_snapshot_is_explained_and_never_offered(dialog: HistoryDialog) 
 
 
 def test_search_filters_the_list(dialog: HistoryDialog) -> None:
-    take(dialog.history, MINUTE, reason="trexcmd set-settings rover.txt")
-    take(dialog.history)
+    create_snapshot(dialog.history, MINUTE, reason="trexcmd set-settings rover.txt")
+    create_snapshot(dialog.history)
     dialog.open()
     search = dialog.find(QLineEdit, "snapshotSearch")
     QTest.keyClicks(search, "rover")
@@ -118,9 +118,9 @@ def test_search_filters_the_list(dialog: HistoryDialog) -> None:
 
 
 def test_changes_of_another_program_appear_on_refresh(dialog: HistoryDialog) -> None:
-    take(dialog.history, MINUTE, serial_timeout=5)
+    create_snapshot(dialog.history, MINUTE, serial_timeout=5)
     dialog.open()
-    take(dialog.history)
+    create_snapshot(dialog.history)
     dialog.refresh()
     assert dialog.count() == 2
     assert dialog.selected_row() == 1  # the selection remains
@@ -131,7 +131,7 @@ def test_changes_of_another_program_appear_on_refresh(dialog: HistoryDialog) -> 
 
 def test_deletion_needs_confirmation_in_the_dialog(dialog: HistoryDialog) -> None:
     for ago in (3, 2, 1):
-        take(dialog.history, ago * MINUTE)
+        create_snapshot(dialog.history, ago * MINUTE)
     dialog.open()
     dialog.select_snapshot(1)
     dialog.click("deleteSnapshotButton")
@@ -151,7 +151,7 @@ def test_deletion_needs_confirmation_in_the_dialog(dialog: HistoryDialog) -> Non
 
 
 def test_deleting_the_last_snapshot_empties_the_history(dialog: HistoryDialog) -> None:
-    take(dialog.history)
+    create_snapshot(dialog.history)
     dialog.open()
     dialog.click("deleteSnapshotButton")
     dialog.root.close()
@@ -165,7 +165,7 @@ def test_deleting_the_last_snapshot_empties_the_history(dialog: HistoryDialog) -
 def test_copy_is_saved_as_a_settings_file(
     dialog: HistoryDialog, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    snapshot = take(dialog.history)
+    snapshot = create_snapshot(dialog.history)
     path = tmp_path / "copy.txt"
     dialog.open()
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))

@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from pytestqt.modeltest import ModelTester
 from pytestqt.qtbot import QtBot
 
-from tests.support.snapshots import ADAPTER, take
+from tests.support.snapshots import ADAPTER, create_snapshot
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.devices.trex.model.settings.snapshots import SnapshotColumn, SnapshotTable
 from trex_gui.devices.trex.settings.document import Settings
@@ -61,17 +61,17 @@ def text(table: SnapshotTable, row: int, column: SnapshotColumn) -> str:
 def test_table_passes_qt_model_tester(table: ListedHistory, qtmodeltester: ModelTester) -> None:
     qtmodeltester.check(table)  # type: ignore[no-untyped-call] # of pytest-qt
     refresh(table)
-    first, *_ = [take(table.history, ago * MINUTE) for ago in (3, 9, 5)]
+    first, *_ = [create_snapshot(table.history, ago * MINUTE) for ago in (3, 9, 5)]
     refresh(table)
-    take(table.history)
+    create_snapshot(table.history)
     table.history.remove(first)
     refresh(table)
     assert table.rowCount() == 3
 
 
 def test_newest_snapshot_comes_first_with_all_columns(table: ListedHistory) -> None:
-    take(table.history, 5 * MINUTE, reason="trexcmd restore-defaults")
-    take(table.history, device_number=9)
+    create_snapshot(table.history, 5 * MINUTE, reason="trexcmd restore-defaults")
+    create_snapshot(table.history, device_number=9)
     refresh(table)
     assert text(table, 0, SnapshotColumn.REASON) == "Apply of 2 settings"
     assert text(table, 0, SnapshotColumn.BOARD) == "TReX 1.2"
@@ -85,7 +85,7 @@ def test_newest_snapshot_comes_first_with_all_columns(table: ListedHistory) -> N
 def test_times_are_local_and_recent_days_are_named(table: ListedHistory) -> None:
     noon = datetime.now().astimezone().replace(hour=12, minute=3, second=0, microsecond=0)
     now = datetime.now().astimezone()
-    taken = [take(table.history, now - noon + days * DAY) for days in (0, 1, 400)]
+    taken = [create_snapshot(table.history, now - noon + days * DAY) for days in (0, 1, 400)]
     refresh(table)
     assert table.time_text(taken[0]) == "today 12:03"
     assert table.time_text(taken[1]) == f"yesterday {taken[1].taken.astimezone():%H:%M}"
@@ -94,7 +94,7 @@ def test_times_are_local_and_recent_days_are_named(table: ListedHistory) -> None
 
 
 def test_damage_is_shown_until_repair(table: ListedHistory) -> None:
-    path = take(table.history).path
+    path = create_snapshot(table.history).path
     sound = path.read_text(encoding="utf-8")
     path.write_text(f"{sound}nonsense: 3\n" * 9, encoding="utf-8")
     refresh(table)
@@ -117,7 +117,7 @@ def test_damage_is_shown_until_repair(table: ListedHistory) -> None:
 
 
 def test_snapshot_is_reloaded_only_after_a_file_change(table: ListedHistory) -> None:
-    path = take(table.history).path
+    path = create_snapshot(table.history).path
     refresh(table)
     first = content_of(table, table.snapshots[0])
     refresh(table)
@@ -134,7 +134,7 @@ def test_window_reads_no_snapshot_itself(
     table: ListedHistory, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """In virtual time, no thread starts before the test waits."""
-    take(table.history)
+    create_snapshot(table.history)
     refresh(table)
     read: list[str] = []
     for name in ("files", "look_at", "load"):
@@ -156,11 +156,11 @@ def test_window_reads_no_snapshot_itself(
 
 def test_neighbour_is_next_newer_or_older_of_same_product(table: ListedHistory) -> None:
     oldest, junior, middle, damaged, newest = (
-        take(table.history, 9 * MINUTE),
-        take(table.history, 8 * MINUTE, model="trexjr"),
-        take(table.history, 7 * MINUTE),
-        take(table.history, 6 * MINUTE),
-        take(table.history),
+        create_snapshot(table.history, 9 * MINUTE),
+        create_snapshot(table.history, 8 * MINUTE, model="trexjr"),
+        create_snapshot(table.history, 7 * MINUTE),
+        create_snapshot(table.history, 6 * MINUTE),
+        create_snapshot(table.history),
     )
     damaged.path.write_text("", encoding="utf-8")
     refresh(table)
@@ -183,15 +183,17 @@ def test_neighbour_is_next_newer_or_older_of_same_product(table: ListedHistory) 
 def test_words_match_in_every_column(table: ListedHistory, words: str, count: int) -> None:
     now = datetime.now().astimezone()
     noon = now - now.replace(hour=12)
-    take(table.history, noon)
-    take(table.history, noon, reason="restore-defaults", adapter="CP2102 (COM9)", device_number=9)
+    create_snapshot(table.history, noon)
+    create_snapshot(
+        table.history, noon, reason="restore-defaults", adapter="CP2102 (COM9)", device_number=9
+    )
     refresh(table)
     table.set_words(words)
     assert table.rowCount() == count
 
 
 def test_name_and_note_are_edited_in_the_table(table: ListedHistory) -> None:
-    take(table.history)
+    create_snapshot(table.history)
     refresh(table)
     for column, given in ((SnapshotColumn.NAME, "contest"), (SnapshotColumn.NOTE, "as it won")):
         index = table.index(0, column)
