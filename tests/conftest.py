@@ -409,8 +409,8 @@ def full_disk(monkeypatch: pytest.MonkeyPatch) -> None:
     """Make recordings run out of disk space."""
     make = RecordingWriter.__init__
 
-    def make_on_full_disk(writer: RecordingWriter[Any, Any], *args: Any) -> None:
+    def init_on_full_disk(writer: RecordingWriter[Any, Any], *args: Any) -> None:
         make(writer, *args)
         writer._database.execute("PRAGMA max_page_count = 12")
 
-    monkeypatch.setattr(RecordingWriter, "__init__", make_on_full_disk)
+    monkeypatch.setattr(RecordingWriter, "__init__", init_on_full_disk)

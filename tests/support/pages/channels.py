@@ -1,4 +1,4 @@
-"""The page of the channels, which are calibrated by pointing."""
+"""Page of the channels, which the user calibrates by dragging."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -26,7 +26,7 @@ from trex_gui.ui.theme.theme import theme
 
 
 class CurvePlotDriver(WidgetDriver):
-    """A plot whose handles the mouse drags."""
+    """Plot with handles for the mouse."""
 
     def __init__(self, plot: CurvePlot, qtbot: QtBot) -> None:
         super().__init__(plot, qtbot)
@@ -37,7 +37,7 @@ class CurvePlotDriver(WidgetDriver):
         return self.find(QWidget, "curveViewport")
 
     def place(self, handle: Handle) -> QPoint:
-        """Return where a handle can be grabbed, in pixels."""
+        """Return the position of a handle in pixels."""
         assert self.plot.curve is not None
         frame = self.plot._canvas.frame
         y = frame.bottom() - GRIP if handle.is_deadband else frame.top() + 2
@@ -65,12 +65,12 @@ class CurvePlotDriver(WidgetDriver):
 
 
 def input_of(page: WidgetDriver, channel: int) -> str:
-    """Return what the strip of a channel says of its input."""
+    """Return the text of a channel's strip about its input."""
     return spoken_state(page.find(ChannelStrip, f"channel{channel}Strip"))
 
 
 class ChannelsDriver(WidgetDriver):
-    """The page, in the main window or by itself."""
+    """Page, in the main window or alone."""
 
     def __init__(self, widget: ChannelsPage, device: Device, qtbot: QtBot) -> None:
         super().__init__(widget, qtbot)
@@ -104,7 +104,7 @@ class ChannelsDriver(WidgetDriver):
 
     @property
     def live(self) -> str:
-        """What is said of the live input."""
+        """Text about the live input."""
         return self.text("channelLive")
 
     def strip(self, channel: int) -> ChannelStrip:
@@ -143,14 +143,14 @@ class ChannelsDriver(WidgetDriver):
         return action
 
     def apply(self) -> None:
-        """Write all edits, without the window that shows them before."""
+        """Write all edits without the review."""
         self.device.writer.apply()
         self.wait(lambda: not self.device.writer.running)
 
 
 @contextmanager
 def channels_page(qtbot: QtBot) -> Iterator[ChannelsDriver]:
-    """Show the page by itself, without the main window."""
+    """Show the page without the main window."""
     app = QApplication.instance()
     assert isinstance(app, QApplication)
     theme().install(app)

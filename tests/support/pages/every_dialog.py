@@ -38,11 +38,11 @@ BAD_SETTINGS = (
     "motor1_acceleration: 127\nrc_channel_1: [1]\nmotor_mode: 1"
 )
 QT_OF_OURS = {"newSettingsDialog"}
-"""Dialogs of classes of Qt that the program fills."""
+"""Qt's dialog classes that the program fills."""
 
 
 def own_dialogs() -> set[str]:
-    """Return the names of the program's classes of dialogs."""
+    """Return the names of the program's dialog classes."""
     made = re.compile(r"^class (\w+)\((?:Q|Reused)Dialog\b", re.MULTILINE)
     texts = (
         path.read_text("utf-8")
@@ -54,10 +54,10 @@ def own_dialogs() -> set[str]:
 def every_trex_window(
     window: WindowDriver, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> Iterator[QWidget]:
-    """Yield what is shown: the main window at each page, then each other window and dialog.
+    """Yield the main window at each page, then every other window and dialog.
 
-    A window with several pages is yielded once for each. What was yielded is closed afterwards.
-    Fails at the end if a class of dialogs was not opened.
+    A window with several pages is yielded once for each page, then closed. Fails at the end if a
+    class of dialogs was not opened.
     """
     opened: set[str] = set()
     for shown in _trex_windows(window, folder, monkeypatch):
@@ -92,7 +92,7 @@ def _trex_windows(
     yield from _provision(window, folder)
     monkeypatch.setattr(Robots, "find", lambda _: [ROBOT])
     for key in DIALOGS:
-        window.action(key).setEnabled(True)  # whatever the board would need it for
+        window.action(key).setEnabled(True)  # even if the board cannot do it
         window.trigger(key)
         window.wait_for_files()
         runtime().sleep(0.3)
@@ -109,7 +109,7 @@ def _trex_windows(
 
 
 def every_aracna_window(window: WindowDriver, folder: Path) -> Iterator[QWidget]:
-    """Yield the main window with each page of an Aracna, and with files that have errors."""
+    """Yield the main window with each page of an Aracna, and with invalid files."""
     window.program.device_manager.switch_to("aracna", lambda: None)
     yield window.window
     window.connect_to_demo("aracna")
@@ -136,7 +136,7 @@ def _tabs(window: QWidget, tabs: QTabWidget) -> Iterator[QWidget]:
 
 
 def _dialogs(window: QWidget, why: str) -> Iterator[QDialog]:
-    """Yield the open dialogs of a window, and close them."""
+    """Yield the open dialogs of a window. Close each afterwards."""
     shown = [each for each in window.findChildren(QDialog) if each.isVisible()]
     assert shown, why
     for dialog in shown:
@@ -145,7 +145,7 @@ def _dialogs(window: QWidget, why: str) -> Iterator[QDialog]:
 
 
 def _files(window: WindowDriver, folder: Path) -> Iterator[QWidget]:
-    """Open what can be done with a settings file, and files with errors."""
+    """Open the dialogs of a settings file, and invalid files."""
     workspace = trex(window.program).workspace
     files, recordings = workspace.files, workspace.recordings
     editor = open_editor(window, folder)
@@ -171,7 +171,7 @@ def _files(window: WindowDriver, folder: Path) -> Iterator[QWidget]:
 
 
 def _learning(window: WindowDriver) -> Iterator[QWidget]:
-    """Open each page of the dialog, as long as the sticks are moved."""
+    """Open each page of the dialog while the sticks move."""
     sticks = trex(window.program).controller.demo_board
     window.trigger("learn")
     learn = window.dialog("learnDialog")
@@ -203,7 +203,7 @@ def _setup(window: WindowDriver) -> Iterator[QWidget]:
 
 
 def _provision(window: WindowDriver, folder: Path) -> Iterator[QWidget]:
-    """Set up the board as the first of many."""
+    """Set up the board as the first of several."""
     (folder / "profile.txt").write_text("product: TReX\nmotor1_acceleration: 20\n", "utf-8")
     window.trigger("provision")
     shop = window.dialog("provisionDialog")
@@ -221,7 +221,7 @@ def _provision(window: WindowDriver, folder: Path) -> Iterator[QWidget]:
 
 
 def _bench(window: WindowDriver, folder: Path) -> Iterator[QWidget]:
-    """Open a bench test that has ended, and one that was aborted."""
+    """Open a finished bench test and an aborted one."""
     bench = open_bench(window, folder)
     assert isinstance(bench, BenchDialog)
     readings = [(seconds / 10, 1.0 + seconds % 3) for seconds in range(20)]

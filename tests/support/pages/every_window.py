@@ -1,4 +1,4 @@
-"""The windows that may cover the main one, opened as a user does."""
+"""Windows that may cover the main window, opened like a user does."""
 
 from pathlib import Path
 
@@ -57,7 +57,7 @@ def open_setup(window: WindowDriver, folder: Path) -> QWidget:
 
 
 def stop_button(window: QWidget) -> QPushButton:
-    """Return the red button of a window that may cover the main one."""
+    """Return the stop button of a window that may cover the main window."""
     buttons = window.findChildren(QPushButton)
     (button,) = (each for each in buttons if each.objectName().endswith("StopButton"))
     return button

@@ -1,4 +1,4 @@
-"""The gamepad's panel on the Motors page, and its set-up."""
+"""Gamepad panel on the Motors page, and its set-up."""
 
 from typing import Generic, TypeVar
 
@@ -14,13 +14,13 @@ from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
 from trex_gui.gamepad.profile import GamepadProfile
 
 Y = 1
-"""The axis that drives forward."""
+"""Axis that drives forward."""
 
 PadsT = TypeVar("PadsT", bound=HeldPads | VirtualPad)
 
 
 class GamepadPanelPage(WidgetDriver, Generic[PadsT]):
-    """The panel, in the main window or by itself, and a gamepad."""
+    """Panel, in the main window or alone, and a gamepad."""
 
     def __init__(self, panel: GamepadPanel, device: Device, pads: PadsT, qtbot: QtBot) -> None:
         super().__init__(panel, qtbot)

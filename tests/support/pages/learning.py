@@ -1,4 +1,4 @@
-"""The dialog that learns channels and tests the sticks, and a user with a transmitter."""
+"""Dialog that learns channels and tests sticks, with a simulated transmitter."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -21,11 +21,11 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.theme.theme import theme
 
 HOLD_SECONDS = 0.45
-"""How long a user holds a stick: long enough for an end and for a rest."""
+"""Time for which a user holds a stick: enough for an end and for a rest."""
 
 
 class LearningDialog(WidgetDriver):
-    """Learns the channels of a simulated board.
+    """Dialog that learns the channels of a simulated board.
 
     Attributes:
         transmitter: what the sticks put out.
@@ -57,7 +57,7 @@ class LearningDialog(WidgetDriver):
         return self.has(name) and self.is_enabled(name)
 
     def stored(self) -> dict[str, Any]:
-        """Return everything that the board keeps, and how often it wrote any of it."""
+        """Return everything that the board stores, and its number of writes."""
         shown = self.simulator.show()
         found = {key: shown[key] for key in ("parameters", "calibrations", "learned")}
         return {**found, "writes": shown["counters"]["eeprom_writes"]}
@@ -67,7 +67,7 @@ class LearningDialog(WidgetDriver):
         assert self.device.draft.pending == 0
 
     def assert_learned(self, channel: int) -> None:
-        """The ends within 1 % of the travel and 5 deviations, the rest within 1.5 of the truth."""
+        """Assert ends within 1 % of the travel and 5 deviations, and rest within 1.5 of the truth."""
         found = self.device.calibrations.stored(channel)
         assert found is not None
         stick = self.transmitter.sticks[channel]
@@ -77,7 +77,7 @@ class LearningDialog(WidgetDriver):
         assert abs(found.neutral - rest) <= 1.5 * noise, channel
         if rest - low > bound:
             assert 0 < found.minimum - low <= bound, channel
-        else:  # it rests there: the end is as far out as the input can be
+        else:  # the stick rests at this end, which is as far out as the input can be
             assert found.minimum <= stick.source.lowest_count, channel
         if high - rest > bound:
             assert 0 < high - found.maximum <= bound, channel
@@ -98,13 +98,13 @@ class LearningDialog(WidgetDriver):
         self.wait_for_text("learnNote", part)
 
     def click(self, name: str) -> None:
-        """Click a button once it can be clicked."""
+        """Click a button once it is enabled."""
 
         def can_click() -> None:
             assert self.can_click(name), f"{name} cannot be clicked: {self.head}"
 
         self.qtbot.waitUntil(can_click, timeout=TIMEOUT_MS)
-        QCoreApplication.sendPostedEvents()  # buttons that come and go are laid out
+        QCoreApplication.sendPostedEvents()  # updates the layout after buttons appear or disappear
         super().click(name)
 
     def set_value(self, field: str, channel: int, count: int) -> None:
@@ -119,19 +119,19 @@ class LearningDialog(WidgetDriver):
     # --- Move sticks --------------------------------------------------------------------
 
     def use(self, sticks: dict[int, Stick]) -> None:
-        """Take a transmitter with these sticks, and wait until its signals come in."""
+        """Connect a transmitter with these sticks. Wait for its signals."""
         self.transmitter = Transmitter(self.simulator, sticks)
         self.wait(lambda: self.transmitter.is_at_rest(self.device.telemetry.raw_of))
 
     def hold(self) -> None:
-        """Wait for as many measurements as make an end."""
+        """Wait for enough measurements for an end."""
         inputs = self.device.telemetry.inputs
         self.wait(lambda: len(inputs.times) > 0)
         end = float(inputs.times[-1]) + HOLD_SECONDS
         self.wait(lambda: float(inputs.times[-1]) > end)
 
     def push(self, *positions: float) -> None:
-        """Hold every stick somewhere, one place after the other, then let go."""
+        """Hold every stick at one position after the other, then release it."""
         for position in positions:
             for channel in self.transmitter.sticks:
                 self.transmitter.put(channel, position)
@@ -167,7 +167,7 @@ class LearningDialog(WidgetDriver):
         self.wait_for_head("Push every stick")
 
     def apply(self) -> None:
-        """Write the values without the window that shows them before."""
+        """Write the values without the review."""
         self.device.writer.apply()
         self.wait(lambda: self.device.draft.pending == 0 and not self.device.writer.running)
 
@@ -176,7 +176,7 @@ class LearningDialog(WidgetDriver):
 def learning_dialog(
     simulator: SimulatedDevice, qtbot: QtBot, line: LineSettings | None = None
 ) -> Iterator[LearningDialog]:
-    """Connect to a simulated board and give the dialog by itself, without the main window."""
+    """Connect to a simulated board. Open the dialog without the main window."""
     app = QApplication.instance()
     assert isinstance(app, QApplication)
     theme().install(app)

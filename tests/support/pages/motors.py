@@ -1,4 +1,4 @@
-"""The Motors page, and what the motors of a simulated board do meanwhile."""
+"""Motors page, and the motors of a simulated board."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -17,7 +17,7 @@ FULL = ("forward", 127)
 
 
 def is_stopped(simulator: SimulatedDevice, board: str = "") -> bool:
-    """Return whether both motors brake fully, stay so, and the auxiliary motor is off.
+    """Return whether both motors brake fully and the auxiliary motor is off.
 
     `board` names one of several on the line, as in `@9`.
     """
@@ -29,11 +29,11 @@ def is_stopped(simulator: SimulatedDevice, board: str = "") -> bool:
 
 
 Gesture = Callable[[], object]
-"""What a hand does."""
+"""Actions of the mouse or keyboard."""
 
 
 class MotorsPage(WindowDriver):
-    """The window on its Motors page, connected to a simulated board.
+    """Window on its Motors page, connected to a simulated board.
 
     Attributes:
         simulator: the board.
@@ -55,14 +55,14 @@ class MotorsPage(WindowDriver):
         self.wait(self.window.isActiveWindow)
 
     def let_nothing_happen(self, seconds: float) -> None:
-        """Let time pass in which nothing is to change; a check follows."""
+        """Let time pass before a check that nothing has changed."""
         assert isinstance(self.qtbot, VirtualQtBot)
         self.qtbot.runtime.advance(seconds)
 
     # --- Arm and stop -------------------------------------------------------------------
 
     def arm(self) -> None:
-        """Click Arm motors as soon as it is offered, on a board that is armed as it is."""
+        """Click Arm motors once it is enabled, without changing the board."""
         self.motors.accept_arming_without_timeout()
         self.wait(self.button("runButton").isEnabled)
         self.click("runButton")
@@ -72,7 +72,7 @@ class MotorsPage(WindowDriver):
         return self.motors.armed
 
     def press_escape(self) -> None:
-        """Press Esc where the keyboard is, as the system does."""
+        """Press Esc in the focused widget, like the system."""
         window = QApplication.focusWindow()
         assert window is not None
         QTest.keyClick(window, Qt.Key.Key_Escape)
@@ -80,11 +80,11 @@ class MotorsPage(WindowDriver):
     # --- What the board does ------------------------------------------------------------
 
     def target(self, motor: int) -> tuple[str, int]:
-        """Return direction and speed that the board last took for a motor."""
+        """Return the last direction and speed that the board accepted for a motor."""
         return self.targets()[motor - 1]
 
     def targets(self) -> list[tuple[str, int]]:
-        """Return them for both motors at one time."""
+        """Return the last direction and speed of both motors at one time."""
         motors = self.simulator.show()["motors"]
         return [(motor["target_direction"], motor["target_speed"]) for motor in motors]
 
@@ -96,7 +96,7 @@ class MotorsPage(WindowDriver):
     def wait_for_targets(
         self, first: tuple[str, int] | None, second: tuple[str, int] | None, case: object = ""
     ) -> None:
-        """Wait until the board takes this for its motors; `None`: anything."""
+        """Wait until the board accepts these setpoints. `None`: any setpoint."""
 
         def check() -> None:
             for motor, (target, wanted) in enumerate(
@@ -108,7 +108,7 @@ class MotorsPage(WindowDriver):
         self.qtbot.waitUntil(check, timeout=20_000)
 
     def wait_for_brake(self, case: object = "") -> None:
-        """Wait until both motors are to brake fully."""
+        """Wait until both motors have to brake fully."""
         self.wait_for_targets(BRAKE, BRAKE, case)
 
     # --- Pad ----------------------------------------------------------------------------
@@ -118,7 +118,7 @@ class MotorsPage(WindowDriver):
         return self.find(QWidget, "drivePad")
 
     def place_in_pad(self, forward: float, turn: float) -> QPoint:
-        """Return where the pad means this; its ends are beyond what the knob can reach."""
+        """Return the position on the pad. Its ends are beyond the reach of the knob."""
         middle, reach = self.pad.rect().center(), min(self.pad.width(), self.pad.height()) / 2
         return middle + QPoint(round(turn * reach), round(-forward * reach))
 
@@ -135,11 +135,11 @@ class MotorsPage(WindowDriver):
     # --- Sliders ------------------------------------------------------------------------
 
     def hold_slider(self, name: str, value: int) -> QSlider:
-        """Drag the handle of a slider and keep the button down."""
+        """Drag the handle of a slider without releasing the mouse button."""
         return self.drag(name, value, release=False)
 
     def move_slider(self, name: str, value: int) -> None:
-        """Move the mouse over a slider to where its handle would be for a value."""
+        """Move the mouse to the position of a slider's handle at a value."""
         slider = self.find(QSlider, name)
         QTest.mouseMove(slider, self.handle_of(slider, value))
 
@@ -166,7 +166,7 @@ class MotorsPage(WindowDriver):
 
     @contextmanager
     def another_window(self) -> Iterator[None]:
-        """Bring another window to the front, and at the end this one."""
+        """Show another window in front, and finally this window."""
         other = QLineEdit()
         self.qtbot.addWidget(other)
         other.show()

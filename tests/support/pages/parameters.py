@@ -1,4 +1,4 @@
-"""The page of the parameters."""
+"""Page of the parameters."""
 
 from PySide6.QtCore import QModelIndex, Qt
 from PySide6.QtTest import QTest
@@ -10,20 +10,20 @@ from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 
 
 class ParametersPage(WidgetDriver):
-    """The page of the parameters; making this object opens it."""
+    """Page of the parameters. The constructor opens the page."""
 
     def __init__(self, window: WindowDriver) -> None:
         super().__init__(window.open_page("parametersPage").root, window.qtbot)
         self.view = self.find(ParameterView, "parametersView")
 
     def index_of(self, key: str) -> QModelIndex:
-        """Return where the value of a parameter is in the view."""
+        """Return the position of a parameter's value in the view."""
         model = self.view.model()
         assert isinstance(model, ParameterModel)
         return model.index_of(key)
 
     def edit(self, key: str, text: str) -> None:
-        """Open the editor of a parameter with the mouse, and type a value that is accepted."""
+        """Open the editor of a parameter with the mouse. Type a valid value."""
         index = self.index_of(key)
         self.view.scrollTo(index)
         place = self.view.visualRect(index).center()

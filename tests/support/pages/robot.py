@@ -1,4 +1,4 @@
-"""The window with an Aracna: its pages, its playback and the simulated robot behind them."""
+"""Window with an Aracna: pages, playback, and the simulated robot."""
 
 import json
 from collections.abc import Callable
@@ -19,7 +19,7 @@ ROBOT_PAGE, POSES_PAGE, PROBLEMS_PAGE = range(3)
 
 
 class RobotWindow(WindowDriver):
-    """The whole program, with the gestures for an Aracna.
+    """Driver of the whole program with an Aracna.
 
     Attributes:
         simulator: the process of the simulated robot.
@@ -50,7 +50,7 @@ class RobotWindow(WindowDriver):
 
     @property
     def port(self) -> str:
-        """The port that the list shows."""
+        """Port shown in the list."""
         return self.combo("portCombo").currentText()
 
     def is_idle(self) -> bool:
@@ -58,7 +58,7 @@ class RobotWindow(WindowDriver):
         return self.program.device_manager.is_idle
 
     def choose_demo(self, kind: str = "aracna") -> None:
-        """Choose a simulated device in the list of ports and wait until it is read."""
+        """Select a simulated device in the list of ports. Wait until it is read."""
         self.connect_port(self.program.ports.demo_of(kind))
         self.wait_until_up(kind)
 
@@ -77,7 +77,7 @@ class RobotWindow(WindowDriver):
         self.wait(self.is_idle)
 
     def wait_for_silence(self, cause: Callable[[], object]) -> None:
-        """Do something and wait until the robot did not respond; after a reset it is brief."""
+        """Do something. Wait until the robot does not respond, briefly after a reset."""
         before = self._silences
         cause()
         self.wait(lambda: self._silences > before)
@@ -85,7 +85,7 @@ class RobotWindow(WindowDriver):
     # --- The simulated robot ------------------------------------------------------------
 
     def control(self, line: str) -> str:
-        """Send a control line to the simulator; return its answer."""
+        """Send a control line to the simulator. Return the reply."""
         answers: list[str] = []
         self.simulator.send(line, answers.append)
         self.wait(lambda: answers)
@@ -103,17 +103,17 @@ class RobotWindow(WindowDriver):
     # --- Move ---------------------------------------------------------------------------
 
     def wait_for_motion(self, before: int) -> None:
-        """Wait until more than so many motions were sent, and the last one is over."""
+        """Wait until more than `count` motions were sent, and the last is over."""
         self.wait(lambda: len(self.goals) > before and self.robot.state.moving is None)
 
     def move(self) -> None:
-        """Press Move and wait for the robot's answer."""
+        """Press Move. Wait for the robot's reply."""
         before = self.robot.state.moved
         self.click("aracnaMoveButton")
         self.wait(lambda: self.robot.state.moved not in (None, before))
 
     def block_and_lose_motor(self, motor: int) -> None:
-        """Let a motor die on its way; one that is dead before does not take its speed."""
+        """Make a moving motor fail. A motor that failed before does not accept its speed."""
         self.control(f"servo {motor} block")
         slider = self.find(QSlider, f"aracnaSlider{motor}")
         self.drag(slider.objectName(), slider.value() - 32)
@@ -124,7 +124,7 @@ class RobotWindow(WindowDriver):
         self.wait(lambda: self.robot.state.stuck is not None)
 
     def page_text(self, page: str, name: str) -> str:
-        """Return the text of a label that several pages have."""
+        """Return the text of a label that exists on several pages."""
         label = self.find(QWidget, page).findChild(QLabel, name)
         assert label is not None
         return label.text()
@@ -135,13 +135,13 @@ class RobotWindow(WindowDriver):
     # --- Pages --------------------------------------------------------------------------
 
     def show_page(self, index: int) -> None:
-        """Turn to a page of the robot by its menu entry."""
+        """Show a page of the robot by its menu entry."""
         key = ("robot", "poses", "errors")[index]
         self.trigger(f"aracna_{key}")
         assert aracna(self.program).workspace.pages.currentIndex() == index
 
     def choose_row(self, list_name: str, text: str) -> None:
-        """Choose the row of a list that begins with a text."""
+        """Select the row of a list that begins with a text."""
         view = self.find(QListView, list_name)
         model = view.model()
         rows = [model.index(row, 0) for row in range(model.rowCount())]
@@ -153,7 +153,7 @@ class RobotWindow(WindowDriver):
 
     @property
     def menus(self) -> list[str]:
-        """The titles of the menus that are offered."""
+        """Titles of the visible menus."""
         return [
             menu.title().replace("&", "")
             for action in self.window.menuBar().actions()
@@ -163,14 +163,14 @@ class RobotWindow(WindowDriver):
     # --- Mouse and keys -----------------------------------------------------------------
 
     def move_handle(self, slider: QSlider, value: int) -> None:
-        """Move the handle of a slider that is held to a value."""
+        """Move the handle of a held slider to a value."""
         QTest.mouseMove(slider, self.handle_of(slider, value))
 
     def release_handle(self, slider: QSlider) -> None:
         QTest.mouseRelease(slider, LEFT, pos=self.handle_of(slider))
 
     def type_unconfirmed(self, name: str, text: str) -> None:
-        """Type into a box and leave the focus there, without Return."""
+        """Type into a box without leaving it."""
         self.wait(lambda: self.has(name))
         self.window.activateWindow()
         editor = self.find(QWidget, name)

@@ -1,4 +1,4 @@
-"""Settings in dialogs and windows: the review, the power cycle, files and the history."""
+"""Settings in dialogs and windows: review, power cycle, files, history."""
 
 from pathlib import Path
 
@@ -29,7 +29,7 @@ def findings_of(shown: WidgetDriver, where: str) -> list[str]:
 
 
 class ComparisonDialog(WidgetDriver):
-    """A dialog with a table of settings, two values of each."""
+    """Dialog with a table of settings and two values of each setting."""
 
     @property
     def table(self) -> QTableView:
@@ -64,7 +64,7 @@ class ComparisonDialog(WidgetDriver):
 
 
 class ReviewDialog(ComparisonDialog):
-    """The review of edits before they are written, and the result of writing."""
+    """Review of edits before writing, and its result."""
 
     def __init__(self, window: WindowDriver) -> None:
         super().__init__(window.dialog("reviewDialog").root, window.qtbot)
@@ -72,7 +72,7 @@ class ReviewDialog(ComparisonDialog):
 
     @property
     def head(self) -> str:
-        """What will happen, to which board, and what hinders it."""
+        """Text about the write, the board and obstacles."""
         return " ".join(map(self.text, ("reviewHead", "reviewCaption", "reviewTrouble")))
 
     def open(self) -> None:
@@ -81,7 +81,7 @@ class ReviewDialog(ComparisonDialog):
         self.wait(lambda: self.find(ConfirmButton, "writeButton").accepts_clicks)
 
     def write(self) -> None:
-        """Open the review, write what is checked and wait for the result."""
+        """Open the review, write the checked edits, and wait for the result."""
         self.open()
         self.click("writeButton")
         self.wait_for_text("reviewHead", "written and verified")
@@ -92,7 +92,7 @@ class ReviewDialog(ComparisonDialog):
 
 
 class SimulatedPower:
-    """The power switch of a simulated board, and how the program follows it."""
+    """Power switch of a simulated board, and the reaction of the program."""
 
     def __init__(self, window: WindowDriver, simulator: SimulatedDevice) -> None:
         self._window = window
@@ -112,7 +112,7 @@ class SimulatedPower:
 
 
 class LoadDialog(ComparisonDialog):
-    """The dialog that compares a settings file with the board."""
+    """Dialog that compares a settings file with the board."""
 
     def findings(self) -> list[str]:
         return findings_of(self, "load")
@@ -122,14 +122,14 @@ class LoadDialog(ComparisonDialog):
 
 
 class SettingsFiles:
-    """Settings files as the window opens them."""
+    """Settings files opened by the window."""
 
     def __init__(self, window: WindowDriver) -> None:
         self._window = window
         self.files = trex(window.program).workspace.files
 
     def load(self, path: Path, data: str | bytes | None = None) -> LoadDialog:
-        """Open a file, written with `data` before if given; return the dialog that it opens."""
+        """Open a file, after writing `data` into it if given. Return the dialog."""
         if data is not None:
             path.write_bytes(data if isinstance(data, bytes) else data.encode())
         self.files.open_file(path)
@@ -137,12 +137,12 @@ class SettingsFiles:
         return self.load_dialog()
 
     def save(self, path: Path) -> None:
-        """Save the settings shown."""
+        """Save the displayed settings."""
         self.files.shown.save_file(path)
         self._window.wait_for_files()
 
     def load_dialogs(self) -> list[LoadDialog]:
-        """Return the load dialogs that can be seen."""
+        """Return the visible load dialogs."""
         return [
             LoadDialog(dialog, self._window.qtbot)
             for dialog in self._window.find_all(QDialog)
@@ -150,7 +150,7 @@ class SettingsFiles:
         ]
 
     def load_dialog(self) -> LoadDialog:
-        """Return the only load dialog that can be seen."""
+        """Return the only visible load dialog."""
         (dialog,) = self.load_dialogs()
         return dialog
 
@@ -161,7 +161,7 @@ class SettingsFiles:
 
 
 class SettingsEditorWindow(WidgetDriver):
-    """The window of one settings file."""
+    """Window of a settings file."""
 
     def __init__(self, editor: SettingsEditor, qtbot: QtBot) -> None:
         super().__init__(editor, qtbot)
@@ -178,7 +178,7 @@ class SettingsEditorWindow(WidgetDriver):
 
 
 class HistoryDialog(ComparisonDialog):
-    """The dialog of snapshots and the window from whose menu it opens."""
+    """Dialog of snapshots, and the window whose menu opens it."""
 
     def __init__(self, window: WidgetDriver) -> None:
         self.widget = window.find(HistoryWidget, "historyDialog")
@@ -208,7 +208,7 @@ class HistoryDialog(ComparisonDialog):
         return self.text("bannerText")
 
     def count(self) -> int:
-        """Return how many snapshots are listed."""
+        """Return the number of listed snapshots."""
         return self.snapshots.model().rowCount()
 
     def selected_row(self) -> int:
@@ -240,7 +240,7 @@ class HistoryDialog(ComparisonDialog):
 def answer_questions(
     monkeypatch: pytest.MonkeyPatch, button: QMessageBox.StandardButton
 ) -> list[str]:
-    """Press this button in every question; return the questions."""
+    """Press this button in every question. Return the questions."""
     questions: list[str] = []
 
     def question(_window: QWidget, _title: str, text: str, *_: object) -> object:
