@@ -353,7 +353,7 @@ def check_robot_requests(data: bytes, folder: Path) -> None:
     stage.do("reset")
     stage.line.advance(1.1)
     stage.line.receive()
-    assert stage.ask(b".q\n", 0.1) == b".q1,8\r\n"
+    assert stage.request(b".q\n", 0.1) == b".q1,8\r\n"
     for servo in stage.line.servos:
         assert 0 <= servo.goal <= 1023
         assert 0 <= servo.speed <= 1023

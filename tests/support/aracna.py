@@ -61,7 +61,7 @@ class AracnaStage:
             assert answer.startswith("ok"), f"{line}: {answer}"
         return answer.removeprefix("ok").strip()
 
-    def ask(self, line: bytes, seconds: float = 5.0) -> bytes:
+    def request(self, line: bytes, seconds: float = 5.0) -> bytes:
         """Send bytes, let time pass, and return the received bytes."""
         self.line.send(line)
         self.line.advance(seconds)

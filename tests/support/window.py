@@ -149,15 +149,6 @@ class WidgetDriver:
         combo.setCurrentIndex(index)
         combo.activated.emit(index)  # offscreen there is no list to open
 
-    def choose(self, name: str, data: str) -> None:
-        """Select the entry of a combo box with this data by keyboard."""
-        combo = self.combo(name)
-        combo.setFocus()
-        QTest.keyClick(combo, Qt.Key.Key_Home)
-        for _ in range(combo.findData(data)):
-            QTest.keyClick(combo, Qt.Key.Key_Down)
-        assert combo.currentData() == data
-
     def type_into(self, name: str, text: str, *, enter: bool = True) -> None:
         """Replace the text of an editor."""
         editor = self.find(QWidget, name)

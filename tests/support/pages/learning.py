@@ -67,7 +67,7 @@ class LearningDialog(WidgetDriver):
         assert self.device.draft.pending == 0
 
     def assert_learned(self, channel: int) -> None:
-        """Assert ends within 1 % of the travel and 5 deviations, and rest within 1.5 of the truth."""
+        """Assert ends within 1 % of the travel and 5 deviations, and rest within 1.5 counts."""
         found = self.device.calibrations.stored(channel)
         assert found is not None
         stick = self.transmitter.sticks[channel]

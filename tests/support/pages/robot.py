@@ -34,13 +34,13 @@ class RobotWindow(WindowDriver):
         self.speeds: list[tuple[int, ...]] = []
         self._silences = 0
         self.robot.link_changed.connect(self._count_silences)
-        self.robot.reported.connect(self._note)
+        self.robot.reported.connect(self._record)
 
     def _count_silences(self) -> None:
         if self.robot.link is ConnectionState.NOT_RESPONDING:
             self._silences += 1
 
-    def _note(self, report: object) -> None:
+    def _record(self, report: object) -> None:
         if isinstance(report, Moving):
             self.goals.append(report.goals)
         elif isinstance(report, SpeedsHeld):
@@ -57,7 +57,7 @@ class RobotWindow(WindowDriver):
         """Return whether no device is connected."""
         return self.program.device_manager.is_idle
 
-    def choose_demo(self, kind: str = "aracna") -> None:
+    def select_demo(self, kind: str = "aracna") -> None:
         """Select a simulated device in the list of ports. Wait until it is read."""
         self.connect_port(self.program.ports.demo_of(kind))
         self.wait_until_up(kind)
@@ -103,7 +103,7 @@ class RobotWindow(WindowDriver):
     # --- Move ---------------------------------------------------------------------------
 
     def wait_for_motion(self, before: int) -> None:
-        """Wait until more than `count` motions were sent, and the last is over."""
+        """Wait until more than `before` motions were sent, and the last is over."""
         self.wait(lambda: len(self.goals) > before and self.robot.state.moving is None)
 
     def move(self) -> None:
@@ -140,7 +140,7 @@ class RobotWindow(WindowDriver):
         self.trigger(f"aracna_{key}")
         assert aracna(self.program).workspace.pages.currentIndex() == index
 
-    def choose_row(self, list_name: str, text: str) -> None:
+    def select_row(self, list_name: str, text: str) -> None:
         """Select the row of a list that begins with a text."""
         view = self.find(QListView, list_name)
         model = view.model()

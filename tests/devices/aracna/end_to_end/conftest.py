@@ -16,5 +16,5 @@ def window(program: Program, qtbot: QtBot) -> RobotWindow:
 @pytest.fixture
 def connected_window(window: RobotWindow) -> RobotWindow:
     """Return a window connected to the Demo Aracna."""
-    window.choose_demo()
+    window.select_demo()
     return window

@@ -52,13 +52,13 @@ def test_workspace_follows_port(window: RobotWindow, qtbot: QtBot) -> None:
         trex(window.program).workspace.pages,
         aracna(window.program).workspace.pages,
     )
-    window.choose_demo("trex")
+    window.select_demo("trex")
     assert_trex_workspace(window)
     assert window.action("stop").text() == "&Stop motors"
     press_control(window, Qt.Key.Key_2)
     assert (board_tabs.currentIndex(), robot_tabs.currentIndex()) == (1, 0)
 
-    window.choose_demo()
+    window.select_demo()
     assert_robot_workspace(window)
     assert window.action("stop").text() == "&Stop sequence"
     press_control(window, Qt.Key.Key_3)
@@ -66,7 +66,7 @@ def test_workspace_follows_port(window: RobotWindow, qtbot: QtBot) -> None:
     press_control(window, Qt.Key.Key_1)
     assert robot_tabs.currentIndex() == 0
 
-    window.choose_demo("trex")
+    window.select_demo("trex")
     assert_trex_workspace(window)
     assert window.action("stop").text() == "&Stop motors"
     board, robot = window.device.connection.traffic, window.robot.traffic
@@ -93,7 +93,7 @@ def test_escape_stops_robot_from_each_page(connected_window: RobotWindow) -> Non
     window.window.pages.setCurrentIndex(0)
     assert window.has("aracna_startPanel")
     assert not window.button("aracnaMoveButton").isVisible()
-    window.choose_demo()
+    window.select_demo()
 
 
 DEMO_TREX, DEMO_ARACNA = "Demo TReX (no hardware)", "Demo Aracna (no hardware)"
@@ -109,19 +109,19 @@ def test_connect_uses_selected_demo(computer: list[ListPortInfo], window: RobotW
     computer.append(ListPortInfo("/dev/ttyNothing9"))  # the only port, which is offered first
     window.program.ports.refresh()
     assert window.port == "/dev/ttyNothing9"
-    window.choose_demo()
+    window.select_demo()
     window.press_disconnect()
     assert window.port == DEMO_ARACNA
     window.press_connect()
 
-    window.choose_demo("trex")
+    window.select_demo("trex")
     assert window.port == DEMO_TREX
-    window.choose_demo()
+    window.select_demo()
     assert window.port == DEMO_ARACNA
     window.press_disconnect()
     assert window.port == DEMO_ARACNA
 
-    window.choose_demo("trex")
+    window.select_demo("trex")
     window.press_disconnect()
     assert window.port == DEMO_TREX
     window.trigger("connect")

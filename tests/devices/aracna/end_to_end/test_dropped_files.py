@@ -83,7 +83,7 @@ def test_dropped_files_open_in_their_workspace(
 def test_dropped_file_of_other_device_is_rejected(
     window: RobotWindow, write_file: WriteFile
 ) -> None:
-    window.choose_demo()
+    window.select_demo()
     assert window.drop(write_file("walk.PPR", POSES))
     window.wait(lambda: poses(window) == ["low"])
     assert window.robot.link is ConnectionState.CONNECTED
@@ -94,7 +94,7 @@ def test_dropped_file_of_other_device_is_rejected(
     assert shows_robot(window)
     assert trex(window.program).workspace.files.editors == []
 
-    window.choose_demo("trex")
+    window.select_demo("trex")
     assert window.drop(write_file("other.ppr", OTHER_POSES))
     window.wait_for_text("bannerText", "other.ppr is a pose file of an Aracna.")
     assert "connected to TReX: disconnect, then open it again" in banner(window)

@@ -32,7 +32,7 @@ def test_gait_plays_until_stopped(window: RobotWindow, qapp: QApplication, qtbot
     window.show_page(ROBOT_PAGE)
     window.move()
     window.show_page(POSES_PAGE)
-    window.choose_row("aracnaMotions", "push-ups")
+    window.select_row("aracnaMotions", "push-ups")
     window.find(QSpinBox, "aracnaRounds").setValue(0)
     window.trigger("aracna_play")
     window.wait(lambda: robot.state.step is not None and robot.state.step.index == 1)

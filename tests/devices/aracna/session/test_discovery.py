@@ -75,7 +75,7 @@ def test_aracna_is_found_before_long_trex_search_and_answers_first_query() -> No
     assert stage.now - begun < 3.0
     assert stage.transport.closed
     stage.line.host = LINE
-    assert stage.ask(b".q\n") == b".q1,8\r\n", "the probes leave nothing in its line buffer"
+    assert stage.request(b".q\n") == b".q1,8\r\n", "the probes leave nothing in its line buffer"
 
 
 def test_trex_is_found_on_port_of_earlier_aracna() -> None:

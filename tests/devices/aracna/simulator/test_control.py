@@ -73,8 +73,8 @@ def test_unpowered_board_rejects_reset(stage: AracnaStage) -> None:
 
 
 def test_show_reports_current_led_and_servo_states(stage: AracnaStage) -> None:
-    stage.ask(b".v50,50,50,50,50,50,50,50\n.l1\n.c\n", 3)
-    stage.ask(b".l1\n")
+    stage.request(b".v50,50,50,50,50,50,50,50\n.l1\n.c\n", 3)
+    stage.request(b".l1\n")
     stage.do("servo 2 dead")
     stage.line.send(b".c740,740,740,740,740,740,740,740\n")
     stage.line.advance(0.5)

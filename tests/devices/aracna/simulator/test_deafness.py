@@ -138,7 +138,7 @@ def test_busy_board_keeps_three_bytes_of_longer_command_and_restarts(
     assert stage.line.station.bytes_missed == len(line) - HOLDS
     assert is_free(stage).endswith(b".h\r\n")
     assert stage.line.station.firmware.boots == boots_before + 1
-    assert stage.ask(b".q\n") == VERSION
+    assert stage.request(b".q\n") == VERSION
 
 
 @named(LONG_BUSY)
@@ -150,7 +150,7 @@ def test_next_line_completes_truncated_command_and_restarts(
     stage.line.send(GOALS)  # leaves ".c6"
     stage.line.advance(0.0095)
     assert not is_free(stage).endswith(b".h\r\n")
-    assert stage.ask(b".q\n", 0.5) == b".h\r\n"
+    assert stage.request(b".q\n", 0.5) == b".h\r\n"
 
 
 def test_next_command_completes_truncated_one_with_enough_values() -> None:
@@ -159,7 +159,7 @@ def test_next_command_completes_truncated_one_with_enough_values() -> None:
     stage.line.send(GOALS)  # leaves ".c6", which the next line extends to ".c6.c600,…"
     stage.line.advance(0.0095)
     is_free(stage)
-    assert stage.ask(GOALS) == b".c600,600,600,600,600,600,600,600\r\n"
+    assert stage.request(GOALS) == b".c600,600,600,600,600,600,600,600\r\n"
 
 
 def test_command_sent_right_after_speeds_is_truncated(stage: AracnaStage) -> None:
@@ -186,5 +186,5 @@ def test_speeds_sent_after_boot_second_are_accepted() -> None:
     stage = AracnaStage(booted=False)
     assert stage.line.read(4, 1) == b".h\r\n"
     stage.line.advance(BOOT)
-    assert stage.ask(SPEEDS) == SPEEDS.replace(b"\n", b"\r\n")
+    assert stage.request(SPEEDS) == SPEEDS.replace(b"\n", b"\r\n")
     assert stage.line.station.firmware.boots == 1

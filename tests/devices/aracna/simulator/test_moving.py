@@ -33,7 +33,7 @@ def test_reply_gives_each_value_once_motor_has_arrived() -> None:
     goals = [600, 550, 900, 512, 100, 700, 20, 1023]
     speeds = [100, 50, 200, 10, 150, 100, 300, 400]
     stage = AracnaStage()
-    stage.ask(line("v", speeds))
+    stage.request(line("v", speeds))
     times, reply = stamps(stage, goals)
 
     travels = [
@@ -60,7 +60,7 @@ def test_reply_gives_each_value_once_motor_has_arrived() -> None:
 )
 def test_travel_takes_documented_time(speed: int, start: int, seconds: float) -> None:
     stage = AracnaStage(positions=[start] * 8)
-    stage.ask(line("v", [speed] * 8))
+    stage.request(line("v", [speed] * 8))
     times, _ = stamps(stage, [1023] * 8)
     assert times[-1] == pytest.approx(seconds, rel=0.01, abs=2 * BUS)
 
@@ -82,24 +82,24 @@ def test_round_trip_without_motion_takes_documented_time(
 
 def test_first_reply_bytes_precede_any_arrival() -> None:
     stage = AracnaStage()
-    stage.ask(line("v", [1] * 8))
-    assert stage.ask(line("c", [1023] * 8), 1) == b".c"
+    stage.request(line("v", [1] * 8))
+    assert stage.request(line("c", [1023] * 8), 1) == b".c"
 
 
 def test_moving_servo_keeps_old_goal_when_new_one_is_rejected() -> None:
     stage = AracnaStage()
-    stage.ask(line("v", [50] * 8))
+    stage.request(line("v", [50] * 8))
     stage.line.send(line("c", [700] * 8))
     stage.line.advance(0.2)
     stage.do("reset")
     stage.line.advance(1.1)
     stage.line.receive()
-    assert stage.ask(line("c", [1024] * 8)) == line("c", [700] * 8).replace(b"\n", b"\r\n")
+    assert stage.request(line("c", [1024] * 8)) == line("c", [700] * 8).replace(b"\n", b"\r\n")
 
 
 def test_load_slows_servo() -> None:
     stage = AracnaStage()
-    stage.ask(line("v", [100] * 8))
+    stage.request(line("v", [100] * 8))
     stage.do("servo 2 load 0.5")
     times, _ = stamps(stage, [740] * 8)
     assert times[1] == pytest.approx(1, abs=BUS)

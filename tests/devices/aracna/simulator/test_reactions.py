@@ -86,7 +86,7 @@ def stage() -> AracnaStage:
 def test_line_gets_reply_without_changing_servos(
     stage: AracnaStage, line: bytes, reply: bytes
 ) -> None:
-    assert stage.ask(line) == reply
+    assert stage.request(line) == reply
     assert stage.goals == (START,) * 8
     assert stage.speeds == (0,) * 8
     assert not any(servo.torque for servo in stage.line.servos)
@@ -108,11 +108,11 @@ RESTARTING = [
 
 @pytest.mark.parametrize("line", [pytest.param(line, id=name) for name, line in RESTARTING])
 def test_too_few_values_or_long_field_restart_firmware(stage: AracnaStage, line: bytes) -> None:
-    assert stage.ask(line) == HELLO
+    assert stage.request(line) == HELLO
     assert stage.goals == (START,) * 8
     assert stage.speeds == (0,) * 8
     assert stage.line.station.firmware.boots == 2
-    assert stage.ask(b"\n.q\n") == VERSION  # the newline ends the rest of a cut line
+    assert stage.request(b"\n.q\n") == VERSION  # the newline ends the rest of a cut line
 
 
 FIELDS = [
@@ -143,13 +143,13 @@ FIELDS = [
 def test_field_sets_goal_and_speed_or_is_rejected(
     stage: AracnaStage, field: str, goal: int
 ) -> None:
-    stage.ask(f".v{values(START)}\n".encode())
-    assert stage.ask(f".v{values(field)}\n".encode()) == f".v{values(goal)}\r\n".encode()
+    stage.request(f".v{values(START)}\n".encode())
+    assert stage.request(f".v{values(field)}\n".encode()) == f".v{values(goal)}\r\n".encode()
     assert stage.speeds == row_of(goal, START)
-    stage.ask(f".v{values(0, 0)}\n".encode())
-    assert stage.ask(f".c{values(field)}\n".encode()) == f".c{values(goal)}\r\n".encode()
+    stage.request(f".v{values(0, 0)}\n".encode())
+    assert stage.request(f".c{values(field)}\n".encode()) == f".c{values(goal)}\r\n".encode()
     assert stage.goals == row_of(goal, START)
-    last = stage.ask(f".c{values(START)[:-3]}{field}\n".encode())
+    last = stage.request(f".c{values(START)[:-3]}{field}\n".encode())
     assert last == f".c{values(START)[:-3]}{goal}\r\n".encode()
 
 
@@ -171,15 +171,15 @@ WHOLE = [
     ("line", "reply"), [pytest.param(line, reply, id=name) for name, line, reply in WHOLE]
 )
 def test_only_first_eight_values_count(stage: AracnaStage, line: str, reply: str) -> None:
-    assert stage.ask(line.encode()) == f".c{reply}\r\n".encode()
+    assert stage.request(line.encode()) == f".c{reply}\r\n".encode()
     assert stage.goals == tuple(map(int, reply.split(",")))
     assert stage.line.station.firmware.boots == 1
 
 
 def test_first_accepted_goal_enables_torque(stage: AracnaStage) -> None:
-    stage.ask(f".v{values(100)}\n".encode())
+    stage.request(f".v{values(100)}\n".encode())
     assert not stage.line.servos[0].torque
-    stage.ask(f".c{values(1024)}\n".encode())
+    stage.request(f".c{values(1024)}\n".encode())
     assert [servo.torque for servo in stage.line.servos] == [False] + [True] * 7
 
 
@@ -198,8 +198,8 @@ OF_TWO = [
 )
 def test_version_0_has_two_motors(line: bytes, reply: bytes) -> None:
     stage = AracnaStage(motors=2, positions=[START] * 2)
-    assert stage.ask(line) == reply
+    assert stage.request(line) == reply
 
 
 def test_old_builds_omit_motor_count() -> None:
-    assert AracnaStage(motors=2, reports_motors=False).ask(b".q\n") == b".q0\r\n"
+    assert AracnaStage(motors=2, reports_motors=False).request(b".q\n") == b".q0\r\n"

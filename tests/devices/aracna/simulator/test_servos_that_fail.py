@@ -13,21 +13,21 @@ ARRIVED = b".c740,740,740,740,740,740,740,740\r\n"
 
 def test_dead_servo_reports_and_accepts_no_speed(stage: AracnaStage) -> None:
     stage.do("servo 3 dead")
-    assert stage.ask(SPEEDS) == b".v50,50,50,-1,50,50,50,50\r\n"
+    assert stage.request(SPEEDS) == b".v50,50,50,-1,50,50,50,50\r\n"
     stage.do("servo 3 alive")
     assert stage.speeds == (50, 50, 50, 0, 50, 50, 50, 50)
 
 
 def test_dead_servo_stalls_reply_in_mid_line_until_it_recovers(stage: AracnaStage) -> None:
     stage.do("servo 3 dead")
-    assert stage.ask(GOALS, 60) == b".c520,520,520,"
+    assert stage.request(GOALS, 60) == b".c520,520,520,"
     stage.do("servo 3 alive")
-    assert stage.ask(b"") == b"512,520,520,520,520\r\n"  # the servo has not received the goal
-    assert stage.ask(b".q\n") == b".q1,8\r\n"
+    assert stage.request(b"") == b"512,520,520,520,520\r\n"  # the servo has not received the goal
+    assert stage.request(b".q\n") == b".q1,8\r\n"
 
 
 def test_servo_failing_in_motion_arrives_after_recovery(stage: AracnaStage) -> None:
-    stage.ask(SPEEDS)
+    stage.request(SPEEDS)
     stage.line.send(FAR)
     stage.line.advance(1)
     stage.do("servo 3 dead")
@@ -37,51 +37,51 @@ def test_servo_failing_in_motion_arrives_after_recovery(stage: AracnaStage) -> N
     assert stage.positions[3] == stopped
     assert 600 < stopped < 700
     stage.do("servo 3 alive")
-    assert stage.ask(b"") == b"740,740,740,740,740\r\n"
+    assert stage.request(b"") == b"740,740,740,740,740\r\n"
 
 
 def test_reset_ends_reply_stalled_by_dead_servo(stage: AracnaStage) -> None:
     stage.do("servo 0 dead")
-    assert stage.ask(GOALS, 20) == b".c"
+    assert stage.request(GOALS, 20) == b".c"
     stage.do("reset")
-    assert stage.ask(b".q\n") == b".h\r\n.q1,8\r\n"
+    assert stage.request(b".q\n") == b".h\r\n.q1,8\r\n"
 
 
 @pytest.mark.parametrize(("hindered", "freed"), [("block", "free"), ("load 1", "load 0.9")])
 def test_held_servo_stays_moving_until_freed(stage: AracnaStage, hindered: str, freed: str) -> None:
     stage.do(f"servo 6 {hindered}")
-    assert stage.ask(FAR, 20) == b".c740,740,740,740,740,740,"
+    assert stage.request(FAR, 20) == b".c740,740,740,740,740,740,"
     assert stage.line.servos[6].moving
     assert stage.positions[6] == 512
     stage.do(f"servo 6 {freed}")
-    assert stage.ask(b"") == b"740,740\r\n"
+    assert stage.request(b"") == b"740,740\r\n"
 
 
 def test_blocked_servo_at_goal_delays_nothing(stage: AracnaStage) -> None:
-    stage.ask(FAR)
+    stage.request(FAR)
     stage.do("servo 6 block")
-    assert stage.ask(FAR) == ARRIVED
+    assert stage.request(FAR) == ARRIVED
 
 
 def test_reply_stalls_after_letter_without_servo_power(stage: AracnaStage) -> None:
     stage.do("servo power off")
-    assert stage.ask(SPEEDS) == b".v-1,-1,-1,-1,-1,-1,-1,-1\r\n"
-    assert stage.ask(GOALS, 20) == b".c"
+    assert stage.request(SPEEDS) == b".v-1,-1,-1,-1,-1,-1,-1,-1\r\n"
+    assert stage.request(GOALS, 20) == b".c"
     stage.do("servo power on")
-    assert stage.ask(b"") == b"512,512,512,512,512,512,512,512\r\n"
+    assert stage.request(b"") == b"512,512,512,512,512,512,512,512\r\n"
 
 
 def test_lost_position_reads_as_minus_one_and_lost_moving_flag_as_arrived(
     stage: AracnaStage,
 ) -> None:
     stage.do("servo 4 lose position")
-    assert stage.ask(GOALS) == b".c520,520,520,520,-1,520,520,520\r\n"
+    assert stage.request(GOALS) == b".c520,520,520,520,-1,520,520,520\r\n"
     stage.do("servo 4 lose moving")
-    assert stage.ask(GOALS) == b".c520,520,520,520,520,520,520,520\r\n"
+    assert stage.request(GOALS) == b".c520,520,520,520,520,520,520,520\r\n"
 
 
 def test_lost_speed_reads_as_minus_one_though_set(stage: AracnaStage) -> None:
     stage.do("servo 4 lose speed")
-    assert stage.ask(SPEEDS) == b".v50,50,50,50,-1,50,50,50\r\n"
+    assert stage.request(SPEEDS) == b".v50,50,50,50,-1,50,50,50\r\n"
     assert stage.speeds == (50,) * 8
-    assert stage.ask(SPEEDS) == HELD
+    assert stage.request(SPEEDS) == HELD

@@ -37,13 +37,13 @@ def test_boot_loader_delays_hello() -> None:
 
 
 def test_led_is_off_after_restart(stage: AracnaStage) -> None:
-    stage.ask(b".l1\n")
-    stage.ask(b".c\n")
-    assert stage.ask(b".l\n") == b".l0\r\n"
+    stage.request(b".l1\n")
+    stage.request(b".c\n")
+    assert stage.request(b".l\n") == b".l0\r\n"
 
 
 def test_servos_keep_moving_during_board_reset(stage: AracnaStage) -> None:
-    stage.ask(SPEEDS)
+    stage.request(SPEEDS)
     stage.line.send(GOALS)
     stage.line.advance(1)
     before = stage.positions
@@ -58,14 +58,14 @@ def test_servos_keep_moving_during_board_reset(stage: AracnaStage) -> None:
 
 
 def test_restart_by_invalid_line_keeps_servo_settings(stage: AracnaStage) -> None:
-    stage.ask(SPEEDS)
-    stage.ask(GOALS, 10)
-    stage.ask(b".c\n")
+    stage.request(SPEEDS)
+    stage.request(GOALS, 10)
+    stage.request(b".c\n")
     assert (stage.speeds, stage.goals) == ((50,) * 8, (800,) * 8)
 
 
 def test_unpowered_servos_lose_all_but_position(stage: AracnaStage) -> None:
-    stage.ask(SPEEDS)
+    stage.request(SPEEDS)
     stage.line.send(GOALS)
     stage.line.advance(1)
     stage.do("servo power off")
@@ -84,28 +84,28 @@ def test_reset_truncates_reply(stage: AracnaStage) -> None:
     assert stage.line.read(3, 1) == b".q1"
     stage.line.advance(stage.line.byte_time / 2)  # within a byte
     stage.do("reset")
-    assert stage.ask(b"") == HELLO
+    assert stage.request(b"") == HELLO
 
 
 def test_reset_discards_partial_line(stage: AracnaStage) -> None:
-    stage.ask(b".c500,")
+    stage.request(b".c500,")
     stage.do("reset")
     stage.line.advance(1.1)
     stage.line.receive()
-    assert stage.ask(b".q\n") == VERSION
+    assert stage.request(b".q\n") == VERSION
 
 
 def test_unpowered_board_is_silent_and_boots_with_hello(stage: AracnaStage) -> None:
-    stage.ask(SPEEDS)
+    stage.request(SPEEDS)
     stage.do("power off")
-    assert stage.ask(b".q\n") == b""
+    assert stage.request(b".q\n") == b""
     stage.do("power on")
-    assert stage.ask(b"") == HELLO
-    assert stage.ask(b".q\n") == VERSION
+    assert stage.request(b"") == HELLO
+    assert stage.request(b".q\n") == VERSION
     assert stage.speeds == (0,) * 8
 
 
 def test_power_on_while_powered_does_not_restart_board(stage: AracnaStage) -> None:
     stage.do("power on")
-    assert stage.ask(b".q\n") == VERSION
+    assert stage.request(b".q\n") == VERSION
     assert stage.line.station.firmware.boots == 1

@@ -36,19 +36,19 @@ def test_unpaced_bytes_take_no_time_but_servos_and_boot_do() -> None:
 def test_host_at_other_baud_rate_gets_no_valid_reply(baud: int, paced: bool) -> None:
     stage = AracnaStage(paced=paced)
     stage.line.host = SerialFormat(baud)
-    assert VERSION not in stage.ask(b".q\n")
+    assert VERSION not in stage.request(b".q\n")
     stage.do("reset")
-    assert stage.ask(b"") != b".h\r\n"
+    assert stage.request(b"") != b".h\r\n"
     stage.line.host = None
     stage.do("reset")
     stage.line.advance(BOOT)
     stage.line.receive()
-    assert stage.ask(b".q\n") == VERSION
+    assert stage.request(b".q\n") == VERSION
 
 
 def test_board_receives_garbage_from_host_at_other_baud_rate(stage: AracnaStage) -> None:
     stage.line.host = SerialFormat(9600)
-    stage.ask(b".l1\n" * 4)
+    stage.request(b".l1\n" * 4)
     assert stage.line.station.firmware.led is False
     assert stage.line.faults.counters["garbled"] > 4
 
@@ -56,12 +56,12 @@ def test_board_receives_garbage_from_host_at_other_baud_rate(stage: AracnaStage)
 @pytest.mark.parametrize("detection", [Parity.EVEN, Parity.ODD])
 def test_host_with_parity_gets_no_valid_reply(stage: AracnaStage, detection: Parity) -> None:
     stage.line.host = SerialFormat(38400, detection)
-    assert VERSION not in stage.ask(b".q\n" * 3)
+    assert VERSION not in stage.request(b".q\n" * 3)
 
 
 def test_second_stop_bit_is_accepted(stage: AracnaStage) -> None:
     stage.line.host = SerialFormat(38400, stop_bits=2)
-    assert stage.ask(b".q\n") == VERSION
+    assert stage.request(b".q\n") == VERSION
 
 
 def test_replugged_cable_passes_rest_of_reply(stage: AracnaStage) -> None:
@@ -70,7 +70,7 @@ def test_replugged_cable_passes_rest_of_reply(stage: AracnaStage) -> None:
     stage.do("line unplug")
     stage.line.advance(0.0004)
     stage.do("line plug")
-    assert stage.ask(b"", 1) == VERSION[4:]
+    assert stage.request(b"", 1) == VERSION[4:]
 
 
 def test_drop_unsent_discards_queued_bytes(stage: AracnaStage) -> None:
@@ -79,8 +79,8 @@ def test_drop_unsent_discards_queued_bytes(stage: AracnaStage) -> None:
     stage.line.advance(2.5 * stage.line.byte_time)
     stage.line.drop_unsent()
     assert stage.line.backlog == 0
-    assert stage.ask(b"") == b""
-    assert stage.ask(b"\n.q\n").endswith(VERSION)
+    assert stage.request(b"") == b""
+    assert stage.request(b"\n.q\n").endswith(VERSION)
 
 
 # --- Cut replies --------------------------------------------------------------------------
@@ -89,15 +89,15 @@ def test_drop_unsent_discards_queued_bytes(stage: AracnaStage) -> None:
 @pytest.mark.parametrize("passing", [0, 1, 6, 7])
 def test_cut_reply_ends_early_and_next_reply_is_complete(stage: AracnaStage, passing: int) -> None:
     stage.do(f"line cut {passing}")
-    answer = stage.ask(GOALS)
+    answer = stage.request(GOALS)
     assert answer == b".c512,512,"[:passing]
-    assert stage.ask(b".q\n") == VERSION
+    assert stage.request(b".q\n") == VERSION
     assert stage.line.faults.counters["dropped"] == 35 - passing
 
 
 def test_cut_applies_to_next_reply_until_it_is_cancelled(stage: AracnaStage) -> None:
     stage.do("line cut 9")
-    assert stage.ask(b".q\n") == VERSION
-    assert stage.ask(b".q\n") == VERSION[:2]
+    assert stage.request(b".q\n") == VERSION
+    assert stage.request(b".q\n") == VERSION[:2]
     stage.do("line cut 2", "line cut off")
-    assert stage.ask(b".q\n") == VERSION
+    assert stage.request(b".q\n") == VERSION
