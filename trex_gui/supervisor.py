@@ -27,10 +27,10 @@ log = logging.getLogger(__name__)
 UNCONFIRMED_STOP = 1  # exit code if motors may still turn
 INTERNAL_ERROR = 1  # exit code if the interpreter ends while the event loop runs
 
-_REPEAT_S = 1.0  # an error that recurs earlier is caused by its own report
+_REPEAT_S = 1.0  # an error that recurs earlier counts as caused by its own report
 
 _INTERVAL_MS = 500
-_SHORTEST_SLEEP_S = 1.0  # the error of reading two clocks one after the other is smaller
+_SHORTEST_SLEEP_S = 1.0  # smaller differences may come from reading two clocks in turn
 
 
 class SafetySupervisor(QObject):

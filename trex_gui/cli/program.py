@@ -124,7 +124,7 @@ def main() -> None:
     """Inspect, set up and drive a Pololu TReX or TReX Jr motor controller.
 
     Data goes to standard output, messages go to standard error. Exit codes: 0 success, 1 failure
-    of the device or a file, 2 wrong usage. Of diff and audit: 0 equal, 1 different, 2 failure.
+    of the device or a file, 2 wrong usage. For diff and audit: 0 equal, 1 different, 2 failure.
     """
     from trex_gui.core.transport.driven import driven_boards  # noqa: PLC0415 - not for --help
 

@@ -9,7 +9,7 @@ from trex_gui.gamepad.pads import Pad, PadState
 
 WIDEST_DEAD_ZONE = 0.5
 REST = 0.05
-"""Smallest deflection (0 to 1) that does not count as at rest, whatever the dead zone.
+"""Deflection (0 to 1) that counts as at rest even with a smaller dead zone.
 
 Inferred: sticks settle within a few hundredths of their previous position.
 """
@@ -30,7 +30,7 @@ def shape(value: float, dead_zone: float, expo: float) -> float:
 
 class Style(Enum):
     MIXED = "mixed"  # one axis drives forward, the other turns
-    TANK = "tank"  # each axis drives a motor: `first` the left motor (motor 1)
+    TANK = "tank"  # each axis drives a motor; `first` drives the left motor, motor 1
 
 
 @dataclass(frozen=True, slots=True)

@@ -51,7 +51,7 @@ class SignalWatch(QObject):
     at the start (`nohup`) stays ignored.
     """
 
-    caught = Signal(int)  # signal number
+    caught = Signal(int)  # signal number; delivered in the receiver's thread
 
     def __init__(
         self,

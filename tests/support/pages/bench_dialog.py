@@ -33,7 +33,7 @@ class BenchTestDialog(WidgetDriver):
         self._simulator = simulator
 
     @property
-    def note_text(self) -> str:
+    def shown_note(self) -> str:
         return self.text("benchNote")
 
     def figure(self, row: int, column: int) -> str:

@@ -99,7 +99,7 @@ class ChannelsDriver(WidgetDriver):
         return self.find(CurvePlot, "curvePlot")
 
     @property
-    def note_text(self) -> str:
+    def shown_note(self) -> str:
         return self.text("calibrationNote")
 
     @property

@@ -152,7 +152,7 @@ def test_stop_button_stops_on_press(dialog: BenchTestDialog) -> None:
 
 def test_form_fields_define_the_plan(dialog: BenchTestDialog) -> None:
     assert not dialog.is_enabled("benchHoldButton")
-    assert "Connect to a board" in dialog.note_text
+    assert "Connect to a board" in dialog.shown_note
     period = dialog.find(QDoubleSpinBox, "benchPeriod")
     assert not period.isEnabled(), "a step has none"
     dialog.select("benchMotor", 2)
@@ -200,7 +200,7 @@ def test_result_is_compared_with_the_previous_or_selected_test(dialog: BenchTest
 def test_reason_for_an_abort_is_shown(dialog: BenchTestDialog) -> None:
     reason = "Motor 1 drew 12.00 A, more than the abort current of 10 A."
     dialog.bench.add_run(run_of(READINGS, ended=0.5, end=End.ABORTED, reason=reason))
-    note = dialog.note_text
+    note = dialog.shown_note
     assert f"Aborted after 0.50 s: {reason}" in note
 
 
@@ -209,7 +209,7 @@ def test_saved_run_can_be_opened(dialog: BenchTestDialog, tmp_path: Path) -> Non
     path = tmp_path / "test.csv"
     dialog.dialog.save_run(dialog.bench.runs[0], path)
     dialog.wait_for_files()
-    assert "Saved as test.csv" in dialog.note_text
+    assert "Saved as test.csv" in dialog.shown_note
     dialog.dialog.open_run(path)
     dialog.wait_for_files()
     assert len(dialog.bench.runs) == 2
@@ -232,5 +232,5 @@ def test_invalid_file_is_rejected_with_the_reason(
         path.write_bytes(content)
     dialog.dialog.open_run(path)
     dialog.wait_for_files()
-    assert words in dialog.note_text
+    assert words in dialog.shown_note
     assert dialog.bench.runs == ()

@@ -87,21 +87,21 @@ def test_steps_in_one_field_are_undone_together(page: ChannelsDriver) -> None:
 def test_impossible_values_are_rejected_with_a_note(page: ChannelsDriver) -> None:
     page.type_into("minimumEdit", "1600")
     reason = "minimum 1600 µs is above neutral 1500 µs"
-    assert page.note_text == f"The board would reject this: {reason}."
+    assert page.shown_note == f"The board would reject this: {reason}."
     assert page.find(QSpinBox, "minimumEdit").text() == "1000 µs"
     page.type_into("maximumEdit", "1.2 ms")
-    assert "neutral 1500 µs is above maximum 1200 µs" in page.note_text
+    assert "neutral 1500 µs is above maximum 1200 µs" in page.shown_note
     page.type_into("neutralEdit", "nonsense")
-    assert "not a valid value" in page.note_text
+    assert "not a valid value" in page.shown_note
     page.select_channel(2)
-    assert not page.note_text
+    assert not page.shown_note
     page.select_channel(1)
     assert page.device.draft.pending == 0
 
     page.drag_handle(Handle.MINIMUM, 4200)
     assert page.shown().minimum == page.shown().neutral
     page.type_into("neutralEdit", "1520")
-    assert "The deadband (30 µs to each side of neutral)" in page.note_text
+    assert "The deadband (30 µs to each side of neutral)" in page.shown_note
     assert "problem" in page.input(1)
 
 
@@ -344,8 +344,8 @@ def test_rc_mode_disables_rejected_settings_with_one_note(
     page.connect(board.url)
     page.device.calibrations.edit(1, Calibration(2400, 3700, 3800, 60))
     assert page.text("channelDoes").startswith("Channel 1 drives motor 1")
-    assert page.note_text == page.device.writer.blocker
-    assert "serial mode only" in page.note_text
+    assert page.shown_note == page.device.writer.blocker
+    assert "serial mode only" in page.shown_note
     for name in ("minimumEdit", "reversedBox", "learnButton", "learnAllButton"):
         assert not page.is_enabled(name), name
     assert page.action("discardChannel").isEnabled()
@@ -361,7 +361,7 @@ def test_rc_mode_disables_rejected_settings_with_one_note(
     board.do("jumper mode serial", "power cycle")
     page.wait(lambda: page.is_enabled("minimumEdit"))
     assert page.is_enabled("learnButton")
-    assert "serial mode only" not in page.note_text
+    assert "serial mode only" not in page.shown_note
     assert page.action("resetCalibration").isEnabled()
 
 
@@ -371,10 +371,10 @@ def test_value_rejected_by_the_board_is_explained(page: ChannelsDriver) -> None:
     page.device.applied.emit((WriteResult(CalibrationKey.RC_CHANNEL_2, error=error),))
     assert "problem" in page.input(2)
     assert "problem" not in page.input(1)
-    assert "code 2" not in page.note_text
+    assert "code 2" not in page.shown_note
     page.select_channel(2)
-    assert "code 2" in page.note_text
-    assert "minimum is not above neutral" in page.note_text
+    assert "code 2" in page.shown_note
+    assert "minimum is not above neutral" in page.shown_note
     page.device.draft.undo.undo()
     assert "problem" not in page.input(2)
 
