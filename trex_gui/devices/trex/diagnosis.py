@@ -1,9 +1,9 @@
-"""Diagnosis of a line on which no TReX was found, and its remedy.
+"""Diagnosis of a line on which no TReX replies.
 
-After a failed connection some probes of `discovery` are sent, which move no motor: at the settings
-in use, with each other error detection, and at the factory settings. They recognise a board at
-other settings, its boot loader and a qik. A board in learning mode cannot be recognised: its
-jumper holds its transmit line (SO) to ground.
+After a failed connection, probes are sent at the settings in use, with each other error detection,
+and at the factory settings. No probe moves a motor. The replies reveal a board at other settings,
+its boot loader, or a qik. A board in learning mode stays silent, because its jumper holds its
+transmit line (SO) to ground.
 """
 
 import contextlib
@@ -29,7 +29,10 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 
 def explain(settings: ConnectionSettings, *, echo: bool, error: StudioError) -> StudioError:
-    """Return the reason why no TReX was found. `error` and `echo` are of the first query."""
+    """Return the error to report for a failed first query.
+
+    `error` and `echo` are results of this query.
+    """
     where = settings.text()
     if is_unsteady(error):
         return error
@@ -52,10 +55,13 @@ def diagnose(
     progress: Callable[[ScanProgress], None] = ignore_step,
     cancelled: Callable[[], bool] = never_cancelled,
 ) -> StudioError:
-    """Return the finding of some probes, or else the reason as `explain` does.
+    """Probe the line, and return the error to report.
 
-    A silent local line takes a second. With CRC all other polynomials are probed, which takes seven
-    more, unless `quick`. The line settings are restored afterwards. Raises PortUnavailable.
+    A silent local line takes a second. On a line with CRC, `quick` skips the other polynomials,
+    which take seven seconds. The line settings are restored afterwards.
+
+    Raises:
+        PortUnavailable: the port is gone.
     """
     settings, wire = client.settings, client.transport
     plain = explain(settings, echo=client.echo, error=error)
@@ -79,29 +85,28 @@ def diagnose(
 
 
 def _plans(settings: ConnectionSettings, *, quick: bool) -> list[list[Attempt]]:
-    """Return the likely probes. If CRC is used, also probes with every other polynomial."""
+    """Return the likely probes. With CRC, a second plan tries every other polynomial."""
     line = settings.line
     likely = [
         Attempt.at(settings),
         *(
-            Attempt(replace(line, detection=one))
-            for one in (Detection.NONE, Detection.EVEN, Detection.ODD)
+            Attempt(replace(line, detection=detection))
+            for detection in (Detection.NONE, Detection.EVEN, Detection.ODD)
         ),
         Attempt(replace(line, detection=Detection.CRC7), (DEFAULT_POLYNOMIAL,)),
         Attempt(LineSettings()),
     ]
     plans = [list(dict.fromkeys(likely))]
     if line.has_crc and not quick:
-        plans.append(
-            [each for each in attempts(full=True) if each.line == line and each not in likely]
-        )
-    return [[each for each in plan if not each.is_unsafe] for plan in plans]
+        every = attempts(full=True)
+        plans.append([probe for probe in every if probe.line == line and probe not in likely])
+    return [[probe for probe in plan if not probe.is_unsafe] for plan in plans]
 
 
 def _elsewhere(settings: ConnectionSettings, board: FoundBoard) -> StudioError:
     used, found = settings.line, board.settings.line
     number = settings.device_number
-    name = settings.label, board.name
+    names = settings.label, board.name
     if (found.baud, found.detection) != (used.baud, used.detection):
         code, texts = ErrorCode.OTHER_LINE, (found.short, used.short)
     elif found.has_crc and board.settings.polynomial != settings.polynomial:
@@ -110,5 +115,5 @@ def _elsewhere(settings: ConnectionSettings, board: FoundBoard) -> StudioError:
     elif number is not None and board.device_number != number:
         code, texts = ErrorCode.OTHER_NUMBER, (str(board.device_number), str(number))
     else:
-        return TrexNoReplyError(ErrorCode.REPLIES_LOST, *name)
-    return BoardElsewhere(code, *name, *texts, board.settings)
+        return TrexNoReplyError(ErrorCode.REPLIES_LOST, *names)
+    return BoardElsewhere(code, *names, *texts, board.settings)

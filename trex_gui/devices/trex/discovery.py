@@ -1,4 +1,4 @@
-"""Scan for a TReX whose line settings are unknown: probes, replies and diagnosis."""
+"""Scan for a TReX at unknown line settings."""
 
 import contextlib
 from collections.abc import Callable, Iterator, Sequence
@@ -24,25 +24,24 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_nu
 _LIKELY = (19200, 115200, 9600, 38400, 57600)
 
 _LAST_PROBES = 5
-"""Number of final probes of the default settings, since a line may have swallowed replies. Other
-likely settings are probed again once. On a silent line all this takes two seconds more."""
+"""Number of probes of the default settings at the end of a scan, because a line may lose replies.
+The other likely settings get one more probe. On a silent line all this takes two seconds."""
 
-NUMBERS = 128  # device numbers that a board can have, from 0 on
+NUMBERS = 128  # count of device numbers, 0 to 127
 
 _QIK = frozenset({b"1", b"2"})
-"""Replies of a Pololu qik, to which 81 is a request for its firmware version.
+"""Replies of a Pololu qik to 81, which requests its firmware version.
 
 Ref: qik 2s9v1 User's Guide 5.a, qik 2s12v10 User's Guide 5.b.
 """
 
-_SHOWN = 12  # longest excerpt, in bytes, of an unknown reply
+_SHOWN = 12  # bytes of an unknown reply that a message quotes
 
 
 def attempts(*, full: bool = False) -> Iterator[Attempt]:
-    """Yield every probe, likely probes first.
+    """Yield every probe, likely settings first.
 
-    `full` adds every CRC-7 polynomial but the default, which takes some minutes. Ten polynomials
-    cannot be probed safely at two of the rates (`UNSAFE`).
+    `full` adds all other CRC-7 polynomials, which take some minutes. `UNSAFE` probes are left out.
     """
     rates = [*_LIKELY, *sorted({*baud_rates()} - {*_LIKELY}, reverse=True)]
     for stop_bits in (1, 2):
@@ -54,11 +53,11 @@ def attempts(*, full: bool = False) -> Iterator[Attempt]:
             yield Attempt(line, (DEFAULT_POLYNOMIAL,))
     if not full:
         return
-    alike: dict[int, list[int]] = {}
+    by_checksum: dict[int, list[int]] = {}
     for polynomial in range(0x80, 0x100):
         if polynomial != DEFAULT_POLYNOMIAL:
-            alike.setdefault(checksum(polynomial), []).append(polynomial)
-    for stop_bits, baud, polynomials in product((1, 2), rates, alike.values()):
+            by_checksum.setdefault(checksum(polynomial), []).append(polynomial)
+    for stop_bits, baud, polynomials in product((1, 2), rates, by_checksum.values()):
         attempt = Attempt(LineSettings(baud, Detection.CRC7, stop_bits), tuple(polynomials))
         if not attempt.is_unsafe:
             yield attempt
@@ -68,9 +67,9 @@ def attempts(*, full: bool = False) -> Iterator[Attempt]:
 class FoundBoard:
     settings: ConnectionSettings  # with a device number only if boards share the line
     signature: Signature
-    device_number: int | None = None  # number that the board stores, if it was read
+    device_number: int | None = None  # stored number, if it was read
     echo: bool = False
-    note: str = ""  # a hint for the user; may be empty
+    note: str = ""  # hint for the user; may be empty
 
     @property
     def name(self) -> str:
@@ -80,10 +79,12 @@ class FoundBoard:
 def boards_by_number(
     client: TrexClient, progress: Callable[[int], object], cancelled: Callable[[], bool]
 ) -> list[FoundBoard]:
-    """Return the boards on an open line that reply to a device number, in numerical order.
+    """Probe each device number, and return the boards in numerical order.
 
-    `progress` gets each number before it is probed. Boards that share a number are left out. Raises
-    PortUnavailable.
+    `progress` receives each number before its probe. Boards that share a number are left out.
+
+    Raises:
+        PortUnavailable: the port is gone.
     """
     found: list[FoundBoard] = []
     for number in range(NUMBERS):
@@ -109,21 +110,21 @@ class TrexProber:
         known: bool = False,
         plans: Sequence[Sequence[Attempt]] = (),
     ) -> None:
-        """Prepare the probes of `plans`, or probes of all settings if it is empty.
+        """Prepare the probes of `plans`, by default of all settings.
 
-        `full` tries every polynomial, and each device number even where one board replies.
+        `full` adds every polynomial, and every device number even if one board replies.
         """
-        del known  # a probe moves nothing, whatever is connected
+        del known  # no probe moves a motor
         self.found: list[FoundBoard] = []
         self._settings = ConnectionSettings.on(settings)
         self._full = full
         self.echo = False  # whether sent bytes came back
-        self._strange: list[tuple[SerialFormat, bytes]] = []  # unknown data, and where
+        self._strange: list[tuple[SerialFormat, bytes]] = []  # unknown data, by line settings
         self._is_loader = False
         self._several: LineSettings | None = None  # settings at which several boards reply
         self._skipped: list[LineSettings] = []  # settings unsupported by the port
-        self._asks_numbers = not plans  # if several boards reply at once
-        self._is_fixed = False  # the rate is set at the other end, so only one probe was possible
+        self._probes_numbers = not plans  # whether several boards are probed by number
+        self._is_fixed = False  # whether the other end sets the rate, which allows one probe only
         plan = list(attempts(full=full))
         likely = plan[: len(_LIKELY)]
         again = likely + likely[:1] * (_LAST_PROBES - 1)
@@ -131,7 +132,7 @@ class TrexProber:
 
     @property
     def parts(self) -> tuple[int, ...]:
-        """Number of probes by part: likely rates, all others, likely rates again, or `plans`."""
+        """Number of probes in each part of the scan."""
         return tuple(len(plan) for plan in self._plans)
 
     @property
@@ -150,7 +151,7 @@ class TrexProber:
     ) -> None:
         plan = list(self._plans[part])
         if not wire.is_configurable:
-            # Only one probe: a flush byte at the same rate would not separate several.
+            # A flush byte at the same rate cannot separate probes, so only one is sent.
             self._is_fixed = True
             plan = plan[:1] if part == 0 else []
         for done, attempt in enumerate(plan):
@@ -159,19 +160,19 @@ class TrexProber:
             progress(ScanProgress(done, len(plan), attempt.line))
             self._probe(wire, attempt)
             if self.is_over:
-                is_shared = self._several is not None and self._asks_numbers
+                is_shared = self._several is not None and self._probes_numbers
                 if is_shared or (self._full and not self._is_loader):
                     self._probe_each_number(wire, attempt, progress, cancelled)
                 return
 
     def recall(self, wire: Transport, settings: ConnectionSettings) -> None:
-        """Send one probe for a board that was found at these settings before."""
+        """Send one probe at these settings."""
         self._settings, attempt = settings, Attempt.at(settings)
         if not attempt.is_unsafe:
             self._probe(wire, attempt, settings.device_number)
 
     def _probe(self, wire: Transport, attempt: Attempt, number: int | None = None) -> None:
-        """Send one probe. `number` addresses one board if several boards reply."""
+        """Send one probe. `number` selects one board if several reply."""
         try:
             if attempt.number is None:
                 flush(wire, self._settings.timeouts.extra)
@@ -193,13 +194,13 @@ class TrexProber:
         elif reply.kind is ReplyKind.SEVERAL:
             self._several = attempt.line
         elif reply.kind is ReplyKind.BOOT_LOADER:
-            # Noise may look like a boot loader once.
+            # Noise may look like a boot loader, but hardly twice.
             self._is_loader = send_probe(wire, attempt, extra).kind is ReplyKind.BOOT_LOADER
         elif reply.kind is not ReplyKind.NOTHING and attempt.line not in dict(self._strange):
             self._strange.append((attempt.line, reply.data))
 
     def _confirm(self, wire: Transport, attempt: Attempt, number: int | None) -> FoundBoard | None:
-        """Read a board that responded, at its line settings. `None` if that fails."""
+        """Read the board after its reply. `None` if this fails."""
         for polynomial in attempt.polynomials or (DEFAULT_POLYNOMIAL,):
             settings = self._settings_at(attempt.line, polynomial, number)
             client = TrexClient(wire, settings, echo=self.echo)
@@ -216,7 +217,7 @@ class TrexProber:
             if is_several(client, stored_number):
                 self._several = attempt.line
                 return None
-            note = _note(attempt.line, signature, stored)
+            note = _line_hint(attempt.line, signature, stored)
             return FoundBoard(settings, signature, stored_number, self.echo, note)
         return None
 
@@ -227,7 +228,7 @@ class TrexProber:
         progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
-        """Probe each device number. If several boards respond, they replace the found board."""
+        """Probe each device number. Several boards replace the found board."""
         polynomial = (attempt.polynomials or (DEFAULT_POLYNOMIAL,))[0]
         if self.found:
             polynomial = self.found[0].settings.polynomial
@@ -249,7 +250,7 @@ class TrexProber:
 
     @property
     def recognised(self) -> TrexBadReplyError | None:
-        """Error that names a known device that replies but cannot be connected to."""
+        """Error for a known device that cannot be connected to."""
         url = self._settings.label
         if self._is_loader:
             return TrexBadReplyError(ErrorCode.BOOT_LOADER, url)
@@ -260,7 +261,7 @@ class TrexProber:
         return None
 
     def diagnosis(self) -> Diagnosis:
-        """Explain why no board was found, and what to check."""
+        """Return the likely cause and its remedy."""
         evidence, text = self._evidence()
         if self._skipped:
             rates = sorted({line.baud for line in self._skipped})
@@ -309,24 +310,24 @@ class TrexProber:
         return Evidence.STRANGE, text
 
 
-def _note(line: LineSettings, signature: Signature, stored: int) -> str:
-    """Return a hint if the stored line settings differ from the settings in use."""
+def _line_hint(used: LineSettings, signature: Signature, wire: int) -> str:
+    """Compare the stored line settings with the settings in use."""
     try:
-        kept = LineSettings.from_wire(stored)
+        stored = LineSettings.from_wire(wire)
     except BadRequest:
-        return tr("Its UART settings hold {0:#04x}, which is not a known setting.").format(stored)
-    if kept == line:
+        return tr("Its UART settings hold {0:#04x}, which is not a known setting.").format(wire)
+    if stored == used:
         return ""
-    real = kept.real_baud(signature.firmware)
-    if real != kept.baud and real == line.baud:
+    real = stored.real_baud(signature.firmware)
+    if real != stored.baud and real == used.baud:
         return tr(
             "It is set to {0} baud, which firmware {1} runs at half the rate: connect at {2}."
-        ).format(kept.baud, signature.firmware, line.baud)
-    if replace(kept, stop_bits=line.stop_bits) == line:
+        ).format(stored.baud, signature.firmware, used.baud)
+    if replace(stored, stop_bits=used.stop_bits) == used:
         return tr("It is set to {0} stop bits; both numbers work on this line.").format(
-            kept.stop_bits
+            stored.stop_bits
         )
-    return tr("Switched off and on, it will run at {0}.").format(kept.text())
+    return tr("Switched off and on, it will run at {0}.").format(stored.text())
 
 
 def recall(wire: Transport, settings: PortSettings, packed: str) -> FoundBoard | None:
@@ -338,4 +339,3 @@ def recall(wire: Transport, settings: PortSettings, packed: str) -> FoundBoard |
 
 
 TREX_PROBER = ProberInfo("TReX", TrexProber, recall=recall)
-"""Prober of TReX boards, which send nothing unsolicited."""

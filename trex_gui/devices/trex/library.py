@@ -1,7 +1,7 @@
-"""Board interface for programs: read, set up and drive a board. See `Trex`.
+"""Library for programs that read, set up and drive boards. See `Trex`.
 
-As in the window, a session in its own thread owns the line. It polls, confirms stops, and has a
-guardian process that stops the motors if the program is killed.
+A session in its own thread owns the line. It polls, confirms stops, and has a guardian process that
+stops the motors if the program is killed.
 """
 
 import logging
@@ -61,13 +61,13 @@ from trex_gui.devices.trex.settings.writer import write_settings
 log = logging.getLogger(__name__)
 
 _STATUS_TIMEOUT = 5.0  # seconds for a sample of each kind, which takes 2 s at 1200 baud
-_LEASE_ANSWER = 3.0  # seconds within which a server replies
-_WRITING = 60.0  # seconds to write all settings at 1200 baud
+_LEASE_TIMEOUT = 3.0  # seconds for the reply of a server
+_WRITE_TIMEOUT = 60.0  # seconds for all settings at 1200 baud
 
 
 @dataclass(frozen=True, slots=True)
 class ChannelStatus:
-    """An input channel."""
+    """Measurements of an input channel."""
 
     raw: int | None  # in counts; `None` without a signal
     value: float | None  # in µs or V; `None` without a signal
@@ -80,9 +80,9 @@ class BoardStatus:
 
     product: str
     firmware: str
-    mode: str  # a sentence
+    mode: str  # description, a sentence
     serial_controls: bool  # whether motor commands reach the motors
-    currents: tuple[float, float]  # of motors 1 and 2, in amperes
+    currents: tuple[float, float]  # motors 1 and 2, in amperes
     channels: Mapping[int, ChannelStatus]  # by number, 1 to 5
     errors: tuple[str, ...]  # names of the error bits since the last status
 
@@ -98,14 +98,13 @@ def snapshots() -> tuple[Snapshot, ...]:
 class Trex:
     """A TReX or TReX Jr on a serial line. Use it in a `with` statement.
 
-    However the block ends, motors that were driven are stopped and the port is closed. While motors
-    run, use `wait` instead of `time.sleep`. After half a second without a call they are stopped,
-    since a program that hangs cannot stop them. Use it from one thread.
+    The end of the block stops the motors and closes the port, also after an error. While motors
+    run, use `wait` instead of `time.sleep`. After half a second without a call the motors are
+    stopped, because a program that hangs cannot stop them. Use all methods from one thread.
 
-    Methods raise `NoReply` or `BadReply` if the board does not reply as it should,
-    `PortUnavailable` if the line is gone, `BadRequest` for an invalid value, and
-    `MotorsStoppedError` if the motors were stopped for another reason than `stop`. Each of them
-    is a `StudioError` whose text is for users.
+    Methods raise `NoReply` or `BadReply` for a missing or invalid reply, `PortUnavailable` if the
+    line is gone, `BadRequest` for an invalid value, and `MotorsStoppedError` if the motors stopped
+    without a call of `stop`. Each error is a `StudioError` with a text for users.
     """
 
     def __init__(
@@ -125,12 +124,12 @@ class Trex:
         Args:
             url: `/dev/ttyUSB0`, `COM3`, `socket://host:port`, `rfc2217://host:port`,
                 `trex://user@host/name` for a board that another computer serves.
-            baud: in bit/s.
+            baud: rate in bit/s.
             detection: parity, or CRC-7 with this `polynomial`.
             stop_bits: 1 or 2.
             device_number: 0 to 127 for one board of several; `None` for the compact protocol.
-            polynomial: of the CRC-7, 0x80 to 0xFF.
-            reserved: numbers of other devices on the line; needs a `device_number`.
+            polynomial: CRC-7 polynomial, 0x80 to 0xFF.
+            reserved: numbers of other devices on the line. Needs a `device_number`.
             timeout: seconds added to the deadline of each reply.
         """
         if detection.upper() not in Detection.__members__:
@@ -145,9 +144,9 @@ class Trex:
         self._opened: OpenBoard | None = None
 
     def __enter__(self) -> Self:
-        """Open the port and read everything that the board stores. This moves nothing."""
+        """Open the port and read the board. No motor moves."""
         if self._opened is not None and self._opened.session.closed is None:
-            raise PortUnavailable("The line is open already.")  # until its block ends
+            raise PortUnavailable("The line is open already.")
         session = OpenSession(self.settings)
         (self._opened,) = session.boards.values()
         session.open()
@@ -173,7 +172,7 @@ class Trex:
 
     @property
     def state(self) -> DeviceState:
-        """Stored values as they were last read. The session updates them."""
+        """Stored values. The session updates them."""
         return self._board.state
 
     @property
@@ -187,7 +186,7 @@ class Trex:
         samples, begun = board.mirror.newest.samples, board.session.clock()
         wanted = {Raw, Remapped, Currents, Control}
         board.session.wait_for(
-            lambda: wanted <= {kind for kind, one in samples.items() if one.time >= begun},
+            lambda: wanted <= {kind for kind, s in samples.items() if s.time >= begun},
             _STATUS_TIMEOUT,
         )
         newest = board.mirror.newest
@@ -212,7 +211,7 @@ class Trex:
         )
 
     def errors(self) -> tuple[ErrorEntry, ...]:
-        """Return every error bit, with its count since the port was opened and what to do."""
+        """Return every error bit with its remedy, counted since the port was opened."""
         return self._board.mirror.errors.entries
 
     def motor_status(self) -> tuple[str, ...]:
@@ -238,9 +237,10 @@ class Trex:
         return self._board.mirror.quality
 
     def measurements(self, seconds: float) -> Iterator[Row]:
-        """Yield a row for each new pair of motor currents, as `trexcmd stream` writes them.
+        """Yield a row for each new pair of motor currents.
 
-        Keys include the units: `time_s`, `motor_1_current_A`, `channel_1_us`, …
+        Rows are those of `trexcmd stream`, with units in the keys: `time_s`, `motor_1_current_A`,
+        `channel_1_us`, …
 
         Raises:
             NoReply: the board falls silent, or never replies.
@@ -274,11 +274,11 @@ class Trex:
         return self.state.specs[key].text(self.parameter(key))
 
     def set_parameters(self, *, force: bool = False, **values: int | str) -> tuple[str, ...]:
-        """Store parameters and read them back. Return the keys of those that changed.
+        """Store and verify parameters. Return the changed keys.
 
         A value is the wire value or a text with its unit, such as `"0.5 s"`. `force` also sends
-        a wire value that only an inferred limit forbids. As for every change, a snapshot of the
-        stored values is saved first, in the history that the window uses.
+        a wire value that only an inferred limit forbids. A snapshot of the stored values is saved
+        first, in the history of the window.
 
         Raises:
             Rejected: the board does not accept a value. Earlier values are stored.
@@ -293,13 +293,13 @@ class Trex:
         return tuple(changed)
 
     def calibration(self, channel: int) -> Calibration:
-        """Return the calibration of a channel for the inputs in use, in counts."""
+        """Return a channel's calibration for the active input source, in counts."""
         if channel not in self.state.calibrations:
             raise BadRequest(f"No calibration of channel {channel} was read.")
         return self.state.calibrations[channel]
 
     def set_calibration(self, channel: int, calibration: Calibration) -> None:
-        """Store the calibration of a channel for the inputs in use. See `set_parameters`."""
+        """Store a channel's calibration for the active input source. See `set_parameters`."""
         if problem := calibration.problem():
             raise BadRequest(f"channel {channel}: {problem}")
         if self.state.calibrations.get(channel) != calibration:
@@ -318,10 +318,10 @@ class Trex:
     def compare_settings(self, file: str | Path) -> tuple[ComparisonRow, ...]:
         """Return the differences from a settings file. `before` is the board's value.
 
-        Calibrations of the inputs that are not in use are left out: the board hides them.
+        Calibrations of the inactive input source are left out, because the board hides them.
 
         Raises:
-            StudioError: the file cannot be used, or is of another model.
+            StudioError: the file cannot be used, or is for another model.
         """
         wanted, _ = read_settings(load(Path(file)), str(file))
         try:
@@ -331,10 +331,10 @@ class Trex:
         return tuple(row for row in result.rows if row.changed)
 
     def lost_settings(self) -> tuple[ComparisonRow, ...]:
-        """Return the differences from the settings that a program here applied last.
+        """Return the differences from the settings last applied on this computer.
 
-        A board that has the factory device number, and to which nothing was applied, counts as the
-        previous board at this adapter. Check `device_number` before you apply the result.
+        A board with the factory device number and without applied settings counts as the previous
+        board at this adapter. Check `device_number` before you apply the result.
         """
         self._board.keeper.load()
         return self._board.keeper.memory.differing.rows
@@ -342,7 +342,7 @@ class Trex:
     def apply_settings(
         self, wanted: str | Path | Iterable[ComparisonRow], *, force: bool = False
     ) -> tuple[str, ...]:
-        """Store the values of a settings file, or `after` of rows. Return the keys.
+        """Store a settings file, or the `after` values of rows. Return the keys.
 
         Values that the board already stores are not written. Raises the errors of `set_parameters`
         and `compare_settings`.
@@ -359,12 +359,12 @@ class Trex:
         return tuple(row.key for row in rows)
 
     def restore_defaults(self) -> None:
-        """Request a reset of every parameter at the next power cycle. See `set_parameters`.
+        """Reset every parameter at the next power cycle. See `set_parameters`.
 
-        The calibrations stay (inferred).
+        Calibrations do not change (inferred).
 
         Raises:
-            BadRequest: another board on the line has the device number that this one would get.
+            BadRequest: another board on the line has the default device number.
         """
         spec = self.state.specs[ParameterKey.FACTORY_RESET]
         self._write(((spec.key, spec.maximum),))
@@ -372,7 +372,7 @@ class Trex:
     def set_note(self, key: str, text: str) -> None:
         """Save a note on a setting on this computer. Empty text removes the note.
 
-        `key` belongs to a parameter, or to a calibration, such as `rc_channel_2`.
+        `key` is a parameter, or a calibration such as `rc_channel_2`.
         """
         wanted = {**self._notes(), key: clean_note(text)[:LONGEST_NOTE].rstrip()}
         notes = {key: note for key, note in wanted.items() if note}
@@ -396,7 +396,7 @@ class Trex:
         transaction = board.keeper.prepare(state, self.settings, reason, parameters, calibrations)
         written = board.session.result(
             lambda number: board.addressed(Write(number, parameters, calibrations, before=state)),
-            _WRITING,
+            _WRITE_TIMEOUT,
         )
         assert isinstance(written, Written)  # noqa: S101 - for the type checker
         transaction.finish(written.results, written.state, utc_now())
@@ -408,15 +408,15 @@ class Trex:
 
     @property
     def driver(self) -> str:
-        """User who drives a network board. Empty if no user drives it, or if it is local."""
+        """User who drives a network board. Empty for a free or a local board."""
         lease = self._board.session.lease
         return "" if lease is None else lease.driver
 
     def request_lease(self, seconds: float = 0.0, *, take: bool = False) -> None:
-        """Drive a board of the network in place of another user, whose motors are stopped first.
+        """Request a network board from the user who drives it.
 
-        Waits `seconds` for the board to be handed over. An owner may `take` it. A free lease needs
-        no call: `drive` and changes of settings request it.
+        The motors are stopped first. The call waits `seconds` for the handover. An owner may `take`
+        the lease. A free lease needs no call: `drive` and changes of settings request it.
 
         Raises:
             TrexRequestError: this user may not drive, or the board was not handed over.
@@ -428,14 +428,16 @@ class Trex:
         if not (lease.may_take if take else lease.may_drive):
             raise TrexRequestError(ErrorCode.MAY_NOT_TAKE if take else ErrorCode.MAY_NOT_DRIVE)
         board.session.put(TakeLease() if take else AskLease())
-        end = board.session.clock() + _LEASE_ANSWER + seconds
+        end = board.session.clock() + _LEASE_TIMEOUT + seconds
         while not board.session.has_lease:
             if board.session.clock() >= end:
                 raise TrexRequestError(ErrorCode.OTHER_DRIVES)
             board.pump(end)
 
     def release_lease(self, user: str = "") -> None:
-        """Stop, and release a network board to a `user` who has asked, or to any user.
+        """Stop the motors, and release a network board.
+
+        `user` names a waiting user who gets the lease.
 
         Raises:
             BadRequest: `user` has not asked to drive.
@@ -448,7 +450,7 @@ class Trex:
         if user and user not in lease.waiting:
             raise BadRequest(f"{user} has not asked to drive.")
         board.session.put(HandOver(user) if user else ReturnLease())
-        board.session.wait_for(lambda: not board.session.has_lease, _LEASE_ANSWER)
+        board.session.wait_for(lambda: not board.session.has_lease, _LEASE_TIMEOUT)
 
     # --- Motors -------------------------------------------------------------------------
 
@@ -460,10 +462,10 @@ class Trex:
         auxiliary: int | None = None,
         accelerate: bool = False,
     ) -> None:
-        """Set speeds of -127 to 127, 0 to 127 for the auxiliary motor. `None` changes nothing.
+        """Set motor speeds, -127 to 127. `None` changes nothing.
 
-        The motors run until `stop`, the end of the block, or half a second without a call.
-        `accelerate` uses the acceleration that is set in the board.
+        The auxiliary motor has speeds of 0 to 127. The motors run until `stop`, the end of the
+        block, or half a second without a call. `accelerate` uses the board's acceleration.
 
         Raises:
             BadRequest: a speed is out of range, or serial commands do not reach the motors.
@@ -481,7 +483,7 @@ class Trex:
         board.pump(board.session.clock())  # newer reports may forbid driving
         board.session.require_drivable()
         board.session.arm()
-        board.driven |= {one.motor: one.drive.signed for one in motors}
+        board.driven |= {setpoint.motor: setpoint.drive.signed for setpoint in motors}
         if len(motors) == 2:
             board.session.put(board.addressed(SetMotors((motors[0], motors[1]))))
         elif motors:
@@ -499,7 +501,7 @@ class Trex:
         self._board.session.stop()
 
     def wait(self, seconds: float) -> None:
-        """Let time pass while motors run."""
+        """Wait without stopping the motors."""
         board = self._board
         end = board.session.clock() + seconds
         while board.session.clock() < end:
@@ -520,21 +522,24 @@ class LineOptions(TypedDict, total=False):
 class TrexLine:
     """Boards on one line that are driven together. Use it in a `with` statement.
 
-    Arming and stopping apply to all boards. A board that falls silent, restarts, stops by itself
-    or returns to its channels stops the other boards, and the error names it. `line[9]` is the
-    `Trex` of a board, whose `stop`, `wait` and lease apply to all boards as well.
+    Arming and stopping apply to all boards. If a board falls silent, restarts, stops by itself or
+    returns to its channels, all boards stop, and the error names this board. `line[9]` is the
+    `Trex` of board 9. Its `stop`, `wait` and lease apply to all boards.
     """
 
     def __init__(self, url: str, *, boards: Iterable[int], **options: Unpack[LineOptions]) -> None:
-        """Describe the line. `boards` are device numbers, 0 to 127. See `Trex` for the rest."""
+        """Describe the line. `boards` are device numbers, 0 to 127.
+
+        See `Trex` for the other arguments.
+        """
         numbers = tuple(boards)
-        self._boards = {one: Trex(url, device_number=one, **options) for one in numbers}
+        self._boards = {number: Trex(url, device_number=number, **options) for number in numbers}
         first = next(iter(self._boards.values()), Trex(url))
         self._settings = first.settings.with_group(numbers)
         self._session: OpenSession | None = None
 
     def __enter__(self) -> Self:
-        """Open the port and read every board. This moves nothing."""
+        """Open the port and read every board. No motor moves."""
         if self._session is not None and self._session.closed is None:
             raise PortUnavailable("The line is open already.")
         session = self._session = OpenSession(self._settings)
@@ -588,5 +593,5 @@ class TrexLine:
         next(iter(self)).stop()
 
     def wait(self, seconds: float) -> None:
-        """Let time pass while motors run."""
+        """Wait without stopping the motors."""
         next(iter(self)).wait(seconds)

@@ -1,4 +1,4 @@
-"""Session of an open line in its own thread, for programs that drive boards."""
+"""Session of an open line, for programs that drive boards."""
 
 import logging
 from collections import deque
@@ -42,16 +42,16 @@ log = logging.getLogger(__name__)
 
 NOT_OPEN = "The line is not open: use a Trex inside of its `with` block."
 _LATE = "The program did not call the board for more than half a second while motors were driven."
-_STOPPING = 10.0  # seconds until a stop is confirmed or not
-_MOST_WAITING = 1000  # reports that wait for a program that does not read them
+_STOP_TIMEOUT = 10.0  # seconds for the confirmation of a stop
+_MOST_QUEUED = 1000  # reports or events that the program has not read
 
 
 class MotorsStoppedError(StudioError):
-    """The motors were stopped, or stopped by themselves, without a `stop` by the program."""
+    """The motors stopped without a `stop` by the program."""
 
 
 class OpenSession:
-    """Session of a line, for a program that drives its boards from one thread."""
+    """Session of a line, for a program with one thread."""
 
     def __init__(self, settings: ConnectionSettings) -> None:
         computer = host()
@@ -74,11 +74,11 @@ class OpenSession:
     def _put_report(self, report: Report) -> None:
         """Queue a report of the session. If the queue is full, only status bits are kept."""
         batch = report.report if isinstance(report, OfBoard) else report
-        if isinstance(batch, Batch) and len(self._reports) >= _MOST_WAITING:
-            kept = tuple(one for one in batch.samples if isinstance(one, LatchedStatus))
-            if not kept:
+        if isinstance(batch, Batch) and len(self._reports) >= _MOST_QUEUED:
+            latched = tuple(s for s in batch.samples if isinstance(s, LatchedStatus))
+            if not latched:
                 return
-            batch = Batch(kept, batch.counters)
+            batch = Batch(latched, batch.counters)
             report = OfBoard(report.number, batch) if isinstance(report, OfBoard) else batch
         self._reports.put(report)
 
@@ -89,16 +89,16 @@ class OpenSession:
     def open(self) -> None:
         """Wait until every board is read."""
         try:
-            self.wait_for(lambda: all(one.mirror.state for one in self.boards.values()))
+            self.wait_for(lambda: all(board.mirror.state for board in self.boards.values()))
         except BaseException:
             self.close()
             raise
 
-    def result(self, make: Callable[[int], object], seconds: float) -> object:
-        """Return the value of a request's outcome."""
+    def result(self, request: Callable[[int], object], seconds: float) -> object:
+        """Send `request(number)`, and return the value of its outcome."""
         number = next(self._ids)
         self.require_open()
-        self.put(make(number))
+        self.put(request(number))
         self.wait_for(lambda: number in self._outcomes, seconds)
         outcome = self._outcomes.pop(number)
         if outcome.error is not None:
@@ -116,7 +116,7 @@ class OpenSession:
         return self.lease is None or self.lease.is_mine
 
     def require_drivable(self) -> None:
-        """Raise NoReply or BadRequest unless every board follows serial commands."""
+        """Raise NoReply or BadRequest if a board does not follow serial commands."""
         for board in self.boards.values():
             if not board.mirror.is_responding:
                 raise NoReply(board.named(Reason(DriveBlocker.SILENT).text()))
@@ -129,9 +129,8 @@ class OpenSession:
             self.put(Arm())
 
     def stop(self) -> None:
-        """Stop every board."""
         self.is_armed = False
-        self.result(Stop, _STOPPING)
+        self.result(Stop, _STOP_TIMEOUT)
         for board in self.boards.values():
             board.driven.clear()
 
@@ -143,9 +142,9 @@ class OpenSession:
             self.pump(end)
 
     def pump(self, end: float) -> list[tuple["OpenBoard", Sample]]:
-        """Send a heartbeat if motors are armed. Handle the next report and all queued reports.
+        """Handle the next report and all queued reports.
 
-        Return the samples, each with its board.
+        Returns each sample with its board. Sends a heartbeat if motors are armed.
         """
         if self.is_armed:
             self.put(Heartbeat())
@@ -160,7 +159,7 @@ class OpenSession:
             elif not isinstance(report, Closed):
                 del boards[1:]
             for board in boards:
-                samples += ((board, one) for one in board.handle(report))
+                samples += ((board, sample) for sample in board.handle(report))
             self._handle(report)
             report = self._reports.get(0.0)
         return samples
@@ -168,8 +167,8 @@ class OpenSession:
     def _handle(self, report: Report) -> None:
         match report:
             case Connected(settings=settings) if self._group not in {(), settings.group}:
-                there = ", ".join(map(str, settings.group)) or str(settings.device_number)
-                raise BadRequest(f"The server of this line drives the boards {there}.")
+                served = ", ".join(map(str, settings.group)) or str(settings.device_number)
+                raise BadRequest(f"The server of this line drives the boards {served}.")
             case Outcome(id=number):
                 self._outcomes[number] = report
             case Closed():
@@ -186,7 +185,7 @@ class OpenSession:
         return self.closed
 
     def end(self, error: BaseException | None) -> None:
-        """Close the line, perhaps after an error. NoReply if a stop was not confirmed."""
+        """Close the line. An unconfirmed stop raises NoReply, or adds a note to `error`."""
         closed = self.close()
         if closed is not None and closed.may_move:
             text = "The stop is not confirmed. If a motor still turns, cut its power."
@@ -201,15 +200,14 @@ class OpenBoard:
     def __init__(
         self, session: OpenSession, number: int | None, settings: ConnectionSettings
     ) -> None:
-        """Create the board. `number`: device number of a board in a group."""
         self.session = session
         self.keeper = Keeper(log.info, log.warning)
         self.mirror = BoardMirror(self.keeper.memory)
         self.mirror.adapter = adapter_key(settings.url)
         self.driven: dict[int, int] = {}  # speed by motor since the last confirmed stop
         self.errors: dict[str, None] = {}  # names of the bits since the last status
-        self.events = deque[Event](maxlen=_MOST_WAITING)  # events since the program last read them
-        self._number = number
+        self.events = deque[Event](maxlen=_MOST_QUEUED)  # since the program last read them
+        self._number = number  # device number in a group; `None` for a single board
 
     @property
     def state(self) -> DeviceState:
@@ -217,7 +215,7 @@ class OpenBoard:
         return self.mirror.state
 
     def addressed(self, request: Any) -> Any:
-        """Return a request for this board, and for no other board of its group."""
+        """Address a request to this board of its group."""
         return request if self._number is None else ToBoard(self._number, request)
 
     def pump(self, end: float) -> list[Sample]:
@@ -257,7 +255,7 @@ class OpenBoard:
             self._stop_all(f"The board reports: {', '.join(latched.names)}.")
 
     def _stop_all(self, reason: str) -> None:
-        """Stop every board and raise MotorsStoppedError, if the motors are armed."""
+        """If the motors are armed, stop every board and raise MotorsStoppedError."""
         if self.session.is_armed:
             self.session.stop()
             self._fail(f"{reason} The motors were stopped.")
@@ -268,7 +266,7 @@ class OpenBoard:
         raise MotorsStoppedError(text if is_named else self.named(text))
 
     def named(self, text: str) -> str:
-        """Return a text, with the number of this board if it is in a group."""
+        """Put the number of a board in a group before a text."""
         return text if self._number is None else f"Board {self._number}: {text}"
 
     def drive_inputs(self) -> DriveInputs:

@@ -1,23 +1,23 @@
-"""The Pololu TReX and TReX Jr as a device of the program."""
+"""Device plugin for the Pololu TReX and TReX Jr."""
 
 from trex_gui.core.plugin import CommandInfo, DevicePlugin, Lazy
 
-_HERE = "trex_gui.devices.trex"
+_PACKAGE = "trex_gui.devices.trex"
 
 
 def _command(target: str, text: str) -> CommandInfo:
-    return CommandInfo(Lazy(f"{_HERE}.cli.{target}"), text)
+    return CommandInfo(Lazy(f"{_PACKAGE}.cli.{target}"), text)
 
 
 TREX = DevicePlugin(
     key="trex",
     name="TReX",
-    prober=Lazy(f"{_HERE}.discovery:TREX_PROBER"),
-    port_reports=Lazy(f"{_HERE}.cli.common:PORT_REPORTS"),
+    prober=Lazy(f"{_PACKAGE}.discovery:TREX_PROBER"),
+    port_reports=Lazy(f"{_PACKAGE}.cli.common:PORT_REPORTS"),
     simulator_arguments=("--demo",),
-    controller=Lazy(f"{_HERE}.model.controller:TrexController"),
-    workspace=Lazy(f"{_HERE}.views.workspace:TrexWorkspace"),
-    tour=Lazy(f"{_HERE}.views.tour:tour_steps"),
+    controller=Lazy(f"{_PACKAGE}.model.controller:TrexController"),
+    workspace=Lazy(f"{_PACKAGE}.views.workspace:TrexWorkspace"),
+    tour=Lazy(f"{_PACKAGE}.views.tour:tour_steps"),
     commands={
         "boards": _command("status:boards", "List the boards that share a line, by device number."),
         "status": _command(
@@ -58,5 +58,5 @@ TREX = DevicePlugin(
             "replay:replay", "Compare a traffic log with what the simulated board replies."
         ),
     },
-    simulator=Lazy(f"{_HERE}.simulator.command:SIMULATOR"),
+    simulator=Lazy(f"{_PACKAGE}.simulator.command:SIMULATOR"),
 )

@@ -1,14 +1,14 @@
-"""One probe for a TReX whose line settings are unknown, without moving a motor.
+"""Probe for a TReX at unknown line settings, which moves no motor.
 
-A board at another rate misreads the bytes, and takes some of them for the start of a packet. Two
-probes, each harmless by itself, could form a motor command. Two rules prevent that.
+A board at another rate misreads the bytes, and may see the start of a packet. Two harmless probes
+could then form a motor command. Two rules prevent this.
 
-- The only probe is 81, alone or with its checksum: the signature, which changes nothing.
-- Before each probe `core.discovery.flush` ends every packet that may have begun, so the effect
-  of a probe depends neither on what was sent before nor on the order of the rates.
+- The only probe is 81 (get signature), alone or with its checksum. It changes nothing.
+- Before each probe, `core.discovery.flush` ends every packet that may have started. The effect of a
+  probe then depends neither on earlier bytes nor on the order of the rates.
 
-The tests send every probe to every board: none receives a motor command, at any rate, with any
-polynomial and any device number.
+The tests send every probe to boards with every rate, polynomial and device number. No board
+receives a motor command.
 """
 
 import contextlib
@@ -24,18 +24,18 @@ from trex_gui.devices.trex.protocol.framing import Framing, crc7
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 QUIET = 0.13
-"""Seconds of silence after a probe. A board may answer a misread probe, and receives nothing while
-it answers. Eleven bytes of eleven bits take 0.1 s at 1200 baud."""
+"""Seconds of silence after a probe. A board may reply to a misread probe, and receives nothing
+during its reply. Eleven bytes of eleven bits take 0.1 s at 1200 baud."""
 
 UNSAFE = frozenset(product((14400, 28800), (0x2E, 0x4E)))
-"""Rates and checksums that are not probed while the settings of the board are unknown. At 8/3 of
-the rate (38400, 76800 baud) with odd parity it may receive 81 2E as F0 0E, which starts the
-auxiliary motor. The same is true of 81 4E."""
+"""Rates and checksums that are not probed at unknown settings. A board at 8/3 of the rate (38400,
+76800 baud) with odd parity may receive 81 2E as F0 0E, which starts the auxiliary motor. 81 4E can
+have this effect, too."""
 
 _PROBE = GetSignature().opcode.to_bytes()
 _NAME = b"TReX"
 
-_LOADER = b"?"  # sent after the echo of each byte by a board that waits for new firmware
+_LOADER = b"?"  # follows the echo of each byte while the boot loader waits for firmware
 
 
 def checksum(polynomial: int) -> int:
@@ -44,11 +44,11 @@ def checksum(polynomial: int) -> int:
 
 @dataclass(frozen=True, slots=True)
 class Attempt:
-    """One probe: its line settings, and the polynomials that give its checksum."""
+    """Probe at line settings. Its `polynomials` have one checksum."""
 
     line: LineSettings
     polynomials: tuple[int, ...] = ()
-    number: int | None = None  # device number, if other devices share the line
+    number: int | None = None  # device number on a line with other devices
 
     @classmethod
     def at(cls, settings: ConnectionSettings) -> "Attempt":

@@ -39,7 +39,7 @@ STOP = "stop"  # kind of the marker after which the motors have no setpoint
 
 @dataclass(frozen=True, slots=True)
 class SetpointRecord:
-    """Setpoint of motor 1 or 2, at the time when it was handed to the line."""
+    """Setpoint of motor 1 or 2, when it was sent."""
 
     time: float
     motor: int
@@ -77,8 +77,7 @@ class OfBoardRecord:
         return self.record.time
 
 
-Record = OwnRecord | OfBoardRecord
-"""Times are seconds on the session's clock."""
+Record = OwnRecord | OfBoardRecord  # times are seconds on the session's clock
 
 
 def setpoint_record(
@@ -103,8 +102,7 @@ class Header:
     settings: str = ""  # stored settings at the start, as the text of a settings file
     device_number: int | None = None  # `None` if the board was addressed without a number
     program: str = f"TReX Studio {__version__}"
-    # Other boards in the recording: ampere per count, by number
-    others: Mapping[int, float] = field(default_factory=dict)
+    others: Mapping[int, float] = field(default_factory=dict)  # A per count of other boards
 
     @classmethod
     def of(
@@ -217,7 +215,7 @@ def sample_kinds(source: InputSource, current_unit: float) -> tuple[SampleKind, 
 
 
 def _with_board(kind: SampleKind, own: int | None, others: Mapping[int, float]) -> SampleKind:
-    """Return a kind of samples with a column for the board. `own`: number in the header."""
+    """Add a column for the board. `own`: number in the header."""
 
     def pack(record: OwnRecord | OfBoardRecord) -> Sequence[Value]:
         if isinstance(record, OfBoardRecord):
@@ -232,8 +230,8 @@ def _with_board(kind: SampleKind, own: int | None, others: Mapping[int, float]) 
     columns = kind.columns
     if kind.type is Currents:
         columns = tuple(
-            replace(one, physical=one.physical and replace(one.physical, scales=others))
-            for one in columns
+            replace(column, physical=column.physical and replace(column.physical, scales=others))
+            for column in columns
         )
     board = Column(SOURCE, "INTEGER", "device number", optional=own is None)
     return replace(kind, columns=(*columns, board), pack=pack, unpack=unpack)
@@ -244,7 +242,7 @@ def _kinds(header: Header) -> tuple[SampleKind, ...]:
     if not header.others:
         return kinds
     number, others = header.device_number, header.others
-    return tuple(one if one is MARKERS else _with_board(one, number, others) for one in kinds)
+    return tuple(kind if kind is MARKERS else _with_board(kind, number, others) for kind in kinds)
 
 
 def _type_of(record: Record) -> type[object]:
@@ -261,12 +259,11 @@ def _setpoint(  # noqa: PLR0917 - a value for each column
 FORMAT = RecordingFormat("trex", Header.from_values, _kinds, _type_of)
 
 
-Row = dict[str, float | int | str | None]
-"""Newest measurements by column name. The names include the units."""
+Row = dict[str, float | int | str | None]  # newest measurements by column name with unit
 
 
 class MeasurementTable:
-    """Rows of measurements, one row for each new pair of motor currents."""
+    """Rows of measurements, one per new pair of motor currents."""
 
     def __init__(self, mode: Mode, unit: float) -> None:
         self.mode = mode
@@ -301,10 +298,10 @@ class MeasurementTable:
 
 @dataclass(slots=True)
 class BoardSnapshot(Newest):
-    """State of a board at a time of a recording. `setpoints` is by motor, 1 or 2."""
+    """State of a board at one moment of a recording."""
 
     settings: str = ""
-    setpoints: Mapping[int, Drive] = field(default_factory=dict)
+    setpoints: Mapping[int, Drive] = field(default_factory=dict)  # by motor, 1 or 2
     auxiliary: int | None = None
 
     @classmethod

@@ -1,4 +1,4 @@
-"""calibration get, calibration set."""
+"""Commands calibration get and calibration set."""
 
 from dataclasses import asdict, astuple, replace
 from typing import Any
@@ -38,7 +38,8 @@ def calibration() -> None:
 def get_command(as_json: bool, **options: Any) -> None:
     """Show the calibration of each channel, in counts and in physical units.
 
-    With --json, the fields of a channel are counts; pulse_us or voltage_V has them in that unit.
+    With --json, the fields of a channel are counts, and pulse_us or voltage_V holds the physical
+    values.
     """
     with open_line(link_settings(options)) as client:
         state = read_board(client)
@@ -79,10 +80,10 @@ def set_command(channel: int, **options: Any) -> None:
     """
     given = {name: _parse(name, options.pop(name)) for name in CALIBRATION_FIELDS}
     link = link_settings(options)
-    meant = {source for _, source in given.values() if source}
-    if len(meant) > 1:
+    sources = {source for _, source in given.values() if source}
+    if len(sources) > 1:
         raise click.UsageError("A calibration is in µs or in V, not in both.")
-    try:  # before a snapshot is saved
+    try:
         wanted = Calibration(**{name: count for name, (count, _) in given.items()})
         wanted.encode()
     except BadRequest as error:
@@ -90,7 +91,7 @@ def set_command(channel: int, **options: Any) -> None:
     with open_line_to_change(link) as (client, rates):
         state = read_board(client)
         source = state.source
-        if meant - {source}:
+        if sources - {source}:
             raise BadRequest(
                 f"The board measures its inputs as {source.value} now, so values are in "
                 f"{source.unit}."

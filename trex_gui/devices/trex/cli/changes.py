@@ -1,4 +1,4 @@
-"""Common steps before and after a command changes stored settings."""
+"""Common steps of commands that change stored settings."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -24,7 +24,7 @@ from trex_gui.devices.trex.settings.rules import Context, lint
 
 
 def read_board(client: TrexClient) -> DeviceState:
-    """Read everything, with a progress line. See `identify` for errors."""
+    """Read everything with a progress line. Raises the errors of `identify`."""
     identify(client)
     with ProgressLine("Reading") as line:
         return read_everything(client.request, line, has_crc=client.has_crc)
@@ -48,7 +48,7 @@ def say_changes(result: Comparison) -> None:
 def require_consent(
     file: str, state: DeviceState, wanted: Mapping[str, int], *, force: bool
 ) -> None:
-    """Raise SettingsError for values beyond inferred limits, unless `force` is on.
+    """Raise SettingsError for values beyond inferred limits. `force` accepts them.
 
     Values that boards with this model and firmware have stored before need no consent.
     """
@@ -64,7 +64,7 @@ def require_consent(
 
 
 def keeper_of(client: TrexClient, state: DeviceState) -> Keeper:
-    """Return the keeper of a board that was just read, with its record."""
+    """Return a keeper with the record of this board."""
     keeper, adapter = Keeper(say, say_warning), adapter_key(client.settings.url)
     keeper.memory.take_board(
         settings_of(state), state.source, utc_now(), opened=True, adapter=adapter
@@ -88,12 +88,13 @@ def change_one(
     what: str,
     command: str,
 ) -> None:
-    """Store one setting if it differs from the stored value.
+    """Store the setting of `after` that differs from the stored settings.
 
-    `after` has the settings to store. Nothing was written after Rejected (the board is not in
-    serial mode) or SettingsError (the snapshot could not be saved).
+    `what` names the setting for the user. `command` is the snapshot's reason.
 
-    `what` names the setting for the user; `command` is the snapshot's reason.
+    Raises:
+        Rejected: the board is not in serial mode. Nothing was written.
+        SettingsError: the snapshot could not be saved. Nothing was written.
     """
     before, link = settings_of(state), client.settings
     result = compare(before, after)
@@ -106,7 +107,7 @@ def change_one(
     parameters = after.parameters.items() - before.parameters.items()
     calibrations = after.calibrations.items() - before.calibrations.items()
     write_one(client, state, command, list(parameters), list(calibrations))
-    say_what_follows(client, link, state, dict(parameters))
+    say_next_steps(client, link, state, dict(parameters))
 
 
 def write_one(
@@ -116,7 +117,7 @@ def write_one(
     parameters: Sequence[tuple[str, int]],
     calibrations: Sequence[tuple[CalibrationKey, Calibration]] = (),
 ) -> None:
-    """Store one setting if the stored values are still as read. Raise the error if this fails."""
+    """Store one setting. Raise the error of a failed write."""
     with Interruption():
         (stored,) = keeper_of(client, state).write(client, state, command, parameters, calibrations)
     if stored.error is not None:
@@ -126,32 +127,32 @@ def write_one(
 def board_settings(state: DeviceState) -> Settings:
     """Return the stored settings of a board, with the notes saved on this computer."""
     stored = settings_of(state)
-    return replace(stored, notes=remembered(stored).settings.notes)
+    return replace(stored, notes=record_of(stored).settings.notes)
 
 
-def remember_notes(client: TrexClient, state: DeviceState, notes: Mapping[str, str]) -> None:
-    """Save these notes in addition to existing notes on the board's settings."""
+def save_notes(client: TrexClient, state: DeviceState, notes: Mapping[str, str]) -> None:
+    """Add notes to the record of a board."""
     if not notes:
         return
     memory = keeper_of(client, state).memory
-    kept = {} if memory.record is None else memory.record.settings.notes
-    if (wanted := {**kept, **notes}) != kept:
+    saved = {} if memory.record is None else memory.record.settings.notes
+    if (wanted := {**saved, **notes}) != saved:
         memory.set_notes(wanted)
         say(f"{counted(len(notes), 'note')} kept on this computer: a board stores none.")
 
 
-def remembered(stored: Settings) -> BoardRecord:
-    """Return this computer's record of a board. Empty, with a warning, if it is damaged."""
+def record_of(stored: Settings) -> BoardRecord:
+    """Load the record of a board. If it is damaged, warn and return an empty record."""
     board = BoardIdentity.of(stored)
     return read_record(board, say_warning) or BoardRecord(Settings(board.product, board.firmware))
 
 
-def say_what_follows(
+def say_next_steps(
     client: TrexClient, link: ConnectionSettings, state: DeviceState, stored: dict[str, int]
 ) -> None:
-    """Report settings that need a power cycle, and how to reach the board before and after.
+    """Report pending settings, and the options that reach the board.
 
-    `link` and `state` are from before the write. `stored` are the parameters that were written.
+    `link` and `state` are from before the write. `stored` has the written parameters.
     """
     specs = state.specs
     if waiting := sorted(specs[key].name for key in stored if specs[key].needs_power_cycle):
@@ -162,12 +163,12 @@ def say_what_follows(
 
 
 def say_how_to_reach(used: ConnectionSettings, stored: dict[str, int], firmware: str) -> None:
-    """Report the options to reach the board after its next start, if they will change.
+    """Report the options that reach the board after its next start, if they change.
 
-    `used`: the present connection. `stored`: wire values of all stored parameters, by key.
+    `stored` has the wire values of all stored parameters, by key.
     """
-    coming = after_power_cycle(used, stored, firmware)
-    if coming is None:
+    after = after_power_cycle(used, stored, firmware)
+    if after is None:
         say("Its UART settings have an unknown value; find the board with trexcmd find.")
-    elif (options := as_options(coming)) != as_options(used):
+    elif (options := as_options(after)) != as_options(used):
         say(f"After it is switched off and on, reach it with {options}")

@@ -1,4 +1,4 @@
-"""check-settings: check, repair and convert a settings file without a board."""
+"""Command check-settings."""
 
 from dataclasses import asdict, dataclass
 from typing import Any
@@ -21,10 +21,10 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 @dataclass(slots=True)
 class _Checked:
-    """Settings file with its repairs and findings, in the order of the report."""
+    """Settings file with its repairs and findings."""
 
     data: bytes
-    text: str | bytes = b""  # with repaired values, but without the changes in `settings`
+    text: str | bytes = b""  # repaired values, but without the changes in `settings`
     settings: Settings | None = None
     repairs: tuple[str, ...] = ()
     findings: tuple[Finding, ...] = ()
@@ -63,7 +63,7 @@ class _Checked:
         }
 
     def written(self, settings: Settings, *, keep_all: bool) -> str:
-        """Return the text with the settings. Adds a missing newline at the end.
+        """Return the text changed to `settings`. Adds a missing newline at the end.
 
         Raises:
             SettingsError: `keep_all` is on, and comments or order would be lost.
@@ -116,10 +116,10 @@ def check_settings(
     """Check a settings file without a board. With OUT, write the checked file there.
 
     Lists errors and warnings by line on standard error; - is standard input or output. With
-    --fix, values with units become wire values, numbers beyond their range the nearest one in it,
-    and proposals of warnings are accepted. With --for, values that mean something else to the
-    other board are converted, and what it does not have becomes a comment. Each change is listed;
-    comments and order are kept. Nothing is written while errors are left.
+    --fix, values with units become wire values, numbers outside a range become its nearest limit,
+    and the proposals of warnings are accepted. With --for, values with another meaning for the
+    other board are converted, and settings that it does not have become comments. Each change is
+    listed; comments and order are kept. Nothing is written while errors remain.
     """
     target = out if out is not None else file if fix and board is None else None
     if as_json and target == "-":

@@ -1,4 +1,4 @@
-"""Parts that several commands share: options, the open line, reports of list and find."""
+"""Options and connections that several commands share."""
 
 import contextlib
 import difflib
@@ -119,7 +119,7 @@ link_options = all_options(
 
 
 def link_settings(options: Mapping[str, Any], url: str | None = None) -> ConnectionSettings:
-    """Create settings from the common options. UsageError if they contradict each other."""
+    """Create settings from the common options. UsageError if the options conflict."""
     url = url or required_port(options["port"])
     if options["crc"] and options["parity"] != "none":
         raise click.UsageError("A TReX has either CRC or parity, not both.")
@@ -147,7 +147,7 @@ boards_option = click.option(
 
 
 def grouped(settings: ConnectionSettings, boards: str) -> ConnectionSettings:
-    """Return settings for the boards with these numbers. UsageError if they do not form a group."""
+    """Return settings for a group of boards. UsageError if the numbers are invalid."""
     if not boards:
         return settings
     try:
@@ -157,7 +157,7 @@ def grouped(settings: ConnectionSettings, boards: str) -> ConnectionSettings:
 
 
 def as_options(settings: ConnectionSettings) -> str:
-    """Return link settings as options of this program, to paste after a command."""
+    """Return link settings as command-line options."""
     line = settings.line
     words = ["--port", settings.url, "--baud", str(line.baud)]
     if line.has_crc:
@@ -194,22 +194,22 @@ def open_port(
 ) -> tuple[Transport, ConnectionSettings]:
     """Open a port, or connect to a server. Also return the settings that address the board.
 
-    `logged` wraps the function that opens the port, in addition to the traffic option.
+    `logged` wraps the function that opens the port.
     """
-    present = host()
+    computer = host()
     if not is_served(settings.url):
-        return logged(present.open_transport)(settings), settings
+        return logged(computer.open_transport)(settings), settings
     from trex_gui.devices.trex.cli.remote_transport import RemoteTransport  # noqa: PLC0415 - rare
 
-    remote = RemoteTransport(settings, present)
+    remote = RemoteTransport(settings, computer)
     opened = logged(lambda _: remote)
-    return (present.logged(opened) if present.logged else opened)(settings), remote.settings
+    return (computer.logged(opened) if computer.logged else opened)(settings), remote.settings
 
 
 @contextlib.contextmanager
 def open_line(settings: ConnectionSettings) -> Iterator[TrexClient]:
-    """Open the line. Any error on it ends the program with its message."""
-    with refusals(), _begun(*open_port(settings)) as client:
+    """Open the line. An error ends the program with its message."""
+    with refusals(), _open_client(*open_port(settings)) as client:
         yield client
 
 
@@ -220,13 +220,13 @@ def open_line_to_change(
     """Open the line. Also yield the baud rates that the port supports, `None` if unknown."""
     with refusals():
         transport, settings = open_port(settings)
-        rates = transport.rates(baud_rates())  # allowed only before anything is sent
-        with _begun(transport, settings) as client:
+        rates = transport.rates(baud_rates())  # allowed only before the first packet
+        with _open_client(transport, settings) as client:
             yield client, rates
 
 
 @contextlib.contextmanager
-def _begun(transport: Transport, settings: ConnectionSettings) -> Iterator[TrexClient]:
+def _open_client(transport: Transport, settings: ConnectionSettings) -> Iterator[TrexClient]:
     client = TrexClient(transport, settings)
     try:
         client.detect_echo()
@@ -237,17 +237,16 @@ def _begun(transport: Transport, settings: ConnectionSettings) -> Iterator[TrexC
 
 
 def identify(client: TrexClient, *, quick: bool = False) -> Signature:
-    """Return the signature of the board that replies.
+    """Return the signature of the board that replies. See `diagnose` for `quick`.
 
     Raises:
-        NoReply, BadReply: no board replies, or a board at other settings. The error says what
-            to check, or which options reach the board. See `diagnose` for `quick`.
+        NoReply, BadReply: no single board replies at these settings. The text has a remedy.
     """
     try:
         try:
             return _only_board(client)
         except BadReply:
-            # A line that was just opened may have lost the expected echo.
+            # The line may have lost the echo just after it was opened.
             client.detect_echo()
             return _only_board(client)
     except (NoReply, BadReply) as error:
@@ -277,11 +276,11 @@ def _only_board(client: TrexClient) -> Signature:
     return signature
 
 
-# --- What list and find report ----------------------------------------------------------
+# --- Reports of list and find -----------------------------------------------------------
 
 
 def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
-    """Identify a board at the line settings of the options. `trexcmd find` tries others, too."""
+    """Identify a board at the line settings of the options."""
     settings = link_settings(options, url)
     client = TrexClient(*open_port(settings))
     try:
@@ -317,7 +316,7 @@ PORT_REPORTS = PortReports(_identify, _describe, row_of)
 
 
 def specs_of(name: str) -> list[ParameterSpec]:
-    """Return a parameter's specs by model and firmware. UsageError if there are none."""
+    """Return a parameter's spec for each model and firmware. UsageError if none has it."""
     specs = []
     for model in device_table().models:
         for firmware in model.firmware:

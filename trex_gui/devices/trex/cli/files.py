@@ -1,4 +1,4 @@
-"""Settings files of the command line, and commands that use them but change no board."""
+"""Commands that use settings files without changing a board."""
 
 import sys
 from dataclasses import asdict, replace
@@ -12,7 +12,7 @@ from trex_gui.core.code import Language
 from trex_gui.core.command_io import TROUBLE, FileName
 from trex_gui.core.files import LARGEST_FILE, load, save
 from trex_gui.core.texts import counted
-from trex_gui.devices.trex.cli.changes import board_settings, read_board, remembered
+from trex_gui.devices.trex.cli.changes import board_settings, read_board, record_of
 from trex_gui.devices.trex.cli.common import link_options, link_settings, open_line, specs_of
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, CalibrationKey
@@ -54,7 +54,7 @@ def save_file(file: str, text: str) -> None:
 
 
 def visible(wanted: Settings, state: DeviceState) -> Settings:
-    """Remove the calibrations of the other input source, which the board does not show."""
+    """Remove the calibrations of the inactive input source, which the board hides."""
     given = wanted.calibrations
     kept = {key: found for key, found in given.items() if key.source is state.source}
     if len(kept) < len(given):
@@ -72,9 +72,9 @@ def print_comparison(result: Comparison) -> None:
 
 
 class ComparisonCommand(click.Command):
-    """Command whose function returns whether all settings are equal.
+    """Command that returns whether all settings are equal.
 
-    Exit codes as in diff(1): 0 equal, 1 different, 2 failure.
+    The exit codes are those of diff(1): 0 equal, 1 different, 2 failure.
     """
 
     def invoke(self, ctx: click.Context) -> Any:
@@ -108,8 +108,8 @@ def _print_differences(
 def get_settings(file: str, **options: Any) -> None:
     """Save the board's settings to FILE. - is standard output.
 
-    All parameters, the notes kept on this computer, and the calibrations of the active input
-    source: the board does not show the others. An existing file is replaced.
+    FILE has all parameters, the notes saved on this computer, and the calibrations of the active
+    input source, because the board hides the others. An existing file is replaced.
     """
     with open_line(link_settings(options)) as client:
         state = read_board(client)
@@ -128,13 +128,13 @@ def get_settings(file: str, **options: Any) -> None:
 @link_options
 @click.argument("first", metavar="FILE", required=False, type=FILE)
 @click.argument("second", metavar="[FILE]", required=False, type=FILE)
-@click.option("--last", is_flag=True, help="Compare with what was applied last to the board.")
+@click.option("--last", is_flag=True, help="Compare with the settings applied last to the board.")
 @json_option
 def diff(first: str | None, second: str | None, last: bool, as_json: bool, **options: Any) -> bool:
     """Show how the second FILE differs from the first, or FILE from the board.
 
-    Prints nothing if they are equal; old values are left of new ones. With --last the board is
-    compared with what this computer applied to it last, in the window or with trexcmd. Exit
+    Prints nothing if they are equal; old values are left of new values. With --last, the board is
+    compared with the settings that this computer applied last, in the window or with trexcmd. Exit
     codes: 0 equal, 1 different, 2 wrong usage or not readable.
     """
     if first == second == "-":
@@ -145,7 +145,7 @@ def diff(first: str | None, second: str | None, last: bool, as_json: bool, **opt
         with open_line(link_settings(options)) as client:
             state = read_board(client)
         before = board_settings(state)
-        record = remembered(before)
+        record = record_of(before)
         if record.applied is None:
             raise CommandFailed("Nothing was applied to this board from this computer yet.")
         after = record.applied_to(before)
@@ -169,10 +169,10 @@ def diff(first: str | None, second: str | None, last: bool, as_json: bool, **opt
 @click.option("--ignore", "ignored", multiple=True, metavar="KEY", help="Do not check KEY.")
 @json_option
 def audit(profile: str, ignored: tuple[str, ...], as_json: bool, **options: Any) -> bool:
-    """Check that the board stores what PROFILE gives. - is standard input.
+    """Check that the board stores the settings of PROFILE. - is standard input.
 
-    Settings that PROFILE does not give are not checked, nor are notes. Prints what differs, the
-    board's value left. Exit codes: 0 equal, 1 different, 2 wrong usage or not readable.
+    Notes, and settings that PROFILE does not give, are not checked. Prints the differences, with
+    the board's values on the left. Exit codes: 0 equal, 1 different, 2 wrong usage or not readable.
     """
     left_out = {name if name in CALIBRATION_KEYS else specs_of(name)[0].key for name in ignored}
     wanted = read_file(profile)

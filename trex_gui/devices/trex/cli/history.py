@@ -1,4 +1,4 @@
-"""history: list, show, compare, name and keep snapshots of settings."""
+"""Command history and its subcommands."""
 
 from dataclasses import asdict
 from pathlib import Path
@@ -34,13 +34,13 @@ snapshot first. To restore number 3:
 trexcmd history diff 3
 trexcmd set-settings "$(trexcmd history path 3)"
 
-Number 1 is the newest; a new snapshot increases the numbers of the others. A snapshot that was
-given a name can be called by it instead, and is kept.
+Number 1 is the newest; a new snapshot increases the numbers of the others. A snapshot with a name
+can be selected by its name instead, and is kept.
 """
 
 
 @click.group(invoke_without_command=True, help=_HELP)
-@click.option("--find", "words", metavar="TEXT", help="Only snapshots that have these words.")
+@click.option("--find", "words", metavar="TEXT", help="Only snapshots with these words.")
 @json_option
 @click.pass_context
 def history(ctx: click.Context, words: str | None, as_json: bool) -> None:
@@ -116,8 +116,8 @@ def show(which: str, as_json: bool) -> None:
 def diff(ctx: click.Context, /, first: str, second: str | None, **options: Any) -> bool:
     """Show how the second snapshot differs from the first, or a snapshot from the board.
 
-    Prints nothing if they are equal. Exit codes are those of `trexcmd diff`. The values of the
-    board are left, those that set-settings with this snapshot would restore are right.
+    Prints nothing if they are equal. Exit codes are those of `trexcmd diff`. The board's values are
+    on the left, the values that this snapshot would restore on the right.
     """
     other = None if second is None else str(_path_of(second))
     return bool(ctx.invoke(diff_settings, first=str(_path_of(first)), second=other, **options))
@@ -126,11 +126,11 @@ def diff(ctx: click.Context, /, first: str, second: str | None, **options: Any) 
 @history.command("name")
 @click.argument("which", metavar="N|NAME", shell_complete=_complete_number)
 @click.argument("name", required=False)
-@click.option("--note", metavar="TEXT", help="Keep a note with it; an empty one removes it.")
+@click.option("--note", metavar="TEXT", help="Note on the snapshot; an empty text removes it.")
 def name(which: str, name: str | None, note: str | None) -> None:
     """Give a snapshot a name, a note or both.
 
-    One with a name is kept, however many follow it, until its name is removed with "".
+    A snapshot with a name is kept, however many follow it, until its name is removed with "".
     """
     given = {"name": name, "note": note}
     texts = {kind: text for kind, text in given.items() if text is not None}
@@ -151,9 +151,9 @@ def path(which: str) -> None:
 @click.argument("count", metavar="COUNT|all", required=False)
 @click.option("--yes", is_flag=True, help="Do not ask.")
 def keep(count: str | None, yes: bool) -> None:
-    """Set how many snapshots are kept, also by the window, or print the number.
+    """Set the number of snapshots that trexcmd and the window keep, or print it.
 
-    Asks before it removes older ones.
+    Asks before it removes older snapshots.
     """
     history = SettingsHistory()
     if count is None:
@@ -185,7 +185,7 @@ def _count(word: str) -> int | None:
 def _path_of(word: str) -> Path:
     """Return the file of a snapshot by number or name. Any other word is a path."""
     is_number = word.isdecimal() and len(word) <= 9
-    if not is_number and all(one.name != word for one in SettingsHistory().snapshots()):
+    if not is_number and all(found.name != word for found in SettingsHistory().snapshots()):
         return Path(word)
     return _snapshot_of(word).path
 
@@ -193,7 +193,7 @@ def _path_of(word: str) -> Path:
 def _snapshot_of(word: str) -> Snapshot:
     history = SettingsHistory()
     snapshots = history.snapshots()
-    named = next((one for one in snapshots if one.name == word), None)
+    named = next((snapshot for snapshot in snapshots if snapshot.name == word), None)
     if named is not None and not word.isdecimal():
         return named
     if not word.isdecimal() or len(word) > 9:

@@ -1,4 +1,4 @@
-"""motor, stop: run motors and stop them."""
+"""Commands motor and stop."""
 
 import math
 import time
@@ -104,31 +104,31 @@ def motor(
 
 
 def run_motors(
-    settings: ConnectionSettings, orders: Sequence[Setpoint | SendPacket], seconds: float | None
+    settings: ConnectionSettings, commands: Sequence[Setpoint | SendPacket], seconds: float | None
 ) -> None:
-    """Arm the motors, send the orders, and stop after `seconds` or Ctrl-C. Print replies.
+    """Arm the motors, send the commands, and stop after `seconds` or Ctrl-C. Print replies.
 
     Raises:
-        CommandFailed: the run did not end as intended. The motors were stopped if possible.
+        CommandFailed: the run ended early or with an error. The motors were stopped if possible.
     """
     clock, open_port = host().clock, host().open_transport
     wait: Callable[[float], None] = time.sleep
     if is_served(settings.url) and host().logged:
         raise click.UsageError("--traffic shows the line where it is: give it to trexcmd serve.")
     if not is_served(settings.url):
-        with refusals():  # Ctrl-C may end a slow opening, as on another computer
+        with refusals():  # Ctrl-C may interrupt a slow opening over the network
             transport = host().open_transport(settings)
         clock, wait, open_port = transport.clock, transport.wait, lambda _settings: transport
     with Interruption(precious=True) as interrupted:
         end = math.inf if seconds is None else seconds
-        run = _Run(orders, end, interrupted, clock, wait, settings.group or (None,))
+        run = _Run(commands, end, interrupted, clock, wait, settings.group or (None,))
         for board in run.boards.values():
             board.adapter = adapter_key(settings.url)
         session_at(settings, run, run.handle, open_port, clock).run()
     run.conclude()
 
 
-STOP_ID = -1  # number of the final stop; orders have other numbers
+STOP_ID = -1  # request number of the final stop; packets have higher numbers
 
 _CAUSES = {
     TimeoutStop.OFF: "Serial Timeout is off",
@@ -180,17 +180,17 @@ def _stop_served(names: Sequence[str]) -> None:
 
 def _stop_at(settings: ConnectionSettings) -> None:
     with open_line(settings) as first:
-        clients = [first.to_board(settings.of_board(one)) for one in settings.group] or [first]
+        clients = [first.to_board(settings.of_board(n)) for n in settings.group] or [first]
         runs = [
             MotorDriver(
-                MotorOutput(lambda _report: None), one, StatusReader(one.transport.clock)
+                MotorOutput(lambda _report: None), client, StatusReader(client.transport.clock)
             ).final_stop(careful=True)
-            for one in clients
+            for client in clients
         ]
         stop_together(runs)
-        # Boards that have not confirmed the stop come first
-        results = sorted(zip(runs, clients, strict=True), key=lambda one: one[0].is_confirmed)
-        failed = {client: _why_not_stopped(client, run) for run, client in results}
+        # Boards that have not confirmed the stop come first.
+        results = sorted(zip(runs, clients, strict=True), key=lambda pair: pair[0].is_confirmed)
+        failed = {client: _stop_problem(client, run) for run, client in results}
         texts = [
             f"Board {client.settings.device_number}: {text}" if settings.group else text
             for client, text in failed.items()
@@ -200,11 +200,11 @@ def _stop_at(settings: ConnectionSettings) -> None:
             raise CommandFailed("\n".join(texts))
 
 
-def _why_not_stopped(client: TrexClient, run: StopRun) -> str:
-    """Return the reason why motors may turn after a stop, or an empty text."""
+def _stop_problem(client: TrexClient, run: StopRun) -> str:
+    """Return the reason why a motor may still turn. Empty after a confirmed stop."""
     if not run.is_confirmed:
         try:
-            identify(client, quick=True)  # says why there is no reply
+            identify(client, quick=True)  # raises the reason for a missing reply
         except (NoReply, BadReply) as error:
             return f"{_UNCONFIRMED} {error}"
         return (
@@ -234,7 +234,7 @@ def _setpoint(which: str, speed: int, *, accelerate: bool, brake: bool) -> Setpo
 
 
 class _Reader(Keeper):
-    """Reads the records of a board, and saves nothing, as a run changes no setting."""
+    """Keeper that saves nothing, because a run changes no setting."""
 
     def save(self, board: BoardIdentity, record: BoardRecord | None) -> None:
         pass
@@ -242,13 +242,12 @@ class _Reader(Keeper):
 
 @dataclass(slots=True)
 class _Run:
-    """Drives motors through a session on the same thread, as its inbox and its listener.
+    """Inbox and listener of a session that drives motors on this thread.
 
-    The motors are armed after the first round of polling. By then it is known who controls them,
-    and old error bits are read.
+    The motors are armed after the first round of polling, which reads their control and old errors.
     """
 
-    _orders: Sequence[Setpoint | SendPacket]
+    _commands: Sequence[Setpoint | SendPacket]
     _seconds: float
     _interrupted: Interruption
     _clock: Callable[[], float]
@@ -263,14 +262,14 @@ class _Run:
     _is_running: bool = False
     _is_ending: bool = False
     _is_guarded: bool = False
-    _by_serial: dict[int | None, bool] = field(default_factory=dict)  # control, by board
+    _by_serial: dict[int | None, bool] = field(default_factory=dict)  # serial control, by board
     _reason: str | None = None
     _stop_error: StudioError | None = None
     _line_error: StudioError | None = None
 
     def __post_init__(self) -> None:
-        self._keepers = {one: _Reader(say, say_warning) for one in self._numbers}
-        self.boards = {one: BoardMirror(kept.memory) for one, kept in self._keepers.items()}
+        self._keepers = {number: _Reader(say, say_warning) for number in self._numbers}
+        self.boards = {n: BoardMirror(keeper.memory) for n, keeper in self._keepers.items()}
 
     # --- The inbox ----------------------------------------------------------------------
 
@@ -289,18 +288,18 @@ class _Run:
 
     def _start(self) -> None:
         self._is_running = True
-        self._requests += (Arm(), *self._addressed(self._orders))
+        self._requests += (Arm(), *self._addressed(self._commands))
         self._heartbeat_at = self._now + HEARTBEAT_INTERVAL
         self._end = self._now + self._seconds
         endless = math.isinf(self._seconds)
         say("Running; Ctrl-C stops." if endless else f"Running {self._seconds:g} s.")
 
-    def _addressed(self, orders: Sequence[Setpoint | SendPacket]) -> list[Request]:
-        """Return these orders for each board."""
+    def _addressed(self, commands: Sequence[Setpoint | SendPacket]) -> list[Request]:
+        """Return a request for each board and command."""
         return [
-            order if number is None else ToBoard(number, order)
+            command if number is None else ToBoard(number, command)
             for number in self._numbers
-            for order in orders
+            for command in commands
         ]
 
     def _finish(self, reason: str | None = None) -> None:
@@ -341,8 +340,8 @@ class _Run:
             case NotResponding(reason=reason):
                 text = f"The board has stopped responding: {reason}"
                 self._finish(self._named(number, text))
-            case MotorsStopped(reason=ErrorCode() as code, board=left):
-                self._finish(describe(code, (left,)))
+            case MotorsStopped(reason=ErrorCode() as code, board=stopped):
+                self._finish(describe(code, (stopped,)))
             case Outcome():
                 self._handle_outcome(report)
             case Closed(error=error):
@@ -365,20 +364,19 @@ class _Run:
         if not state.serial_controls:
             self._finish(self._named(number, board.control_text))
             return
-        is_ignored = any(isinstance(one, SetMotor) and one.motor == 2 for one in self._orders)
-        if board.is_joint and is_ignored:
+        if board.is_joint and any(isinstance(c, SetMotor) and c.motor == 2 for c in self._commands):
             say("Warning: in joint mode both drivers work as motor 1; motor 2 is ignored.")
         self._keepers[number].load()
-        silence = board.timeout_stop
-        if not silence.is_reliable:
+        timeout_stop = board.timeout_stop
+        if not timeout_stop.is_reliable:
             program = "" if self._is_guarded else ", and also if this program is killed"
-            verb = "may keep" if silence is TimeoutStop.DOUBTFUL else "keeps"
+            verb = "may keep" if timeout_stop is TimeoutStop.DOUBTFUL else "keeps"
             wanted = {"serial_timeout": '"0.5 s"', "uart_error_shutdown": "on"}.items()
             missing = [f"`trexcmd set {k} {v}`" for k, v in wanted if not state.parameters.get(k)]
             remedy = " and ".join(missing)
             warning = "Warning" if number is None else f"Warning, board {number}"
             say(
-                f"{warning}: {_CAUSES[silence]}, so the motor {verb} running if the cable or "
+                f"{warning}: {_CAUSES[timeout_stop]}, so the motor {verb} running if the cable or "
                 f"this computer fails{program}.{remedy and f' Remedy: {remedy}.'}"
             )
 
@@ -394,8 +392,8 @@ class _Run:
         elif not self._is_ending:
             say(f"The board reports: {names}.")
             if latched.uart:  # such an error may have made the board stop the motors
-                again = [one for one in self._orders if not isinstance(one, SendPacket)]
-                self._requests += self._addressed(again)
+                setpoints = [c for c in self._commands if not isinstance(c, SendPacket)]
+                self._requests += self._addressed(setpoints)
 
     def _handle_control(self, number: int | None, *, by_serial: bool) -> None:
         self._by_serial[number] = by_serial
@@ -406,12 +404,12 @@ class _Run:
     # --- The end ------------------------------------------------------------------------
 
     def conclude(self) -> None:
-        """Report the end of the run. CommandFailed if it was not intended."""
+        """Report the end of the run. CommandFailed if it ended early or with an error."""
         error = self._line_error or self._stop_error
         if error is not None:
             text = str(error)
             if self._is_running and isinstance(error, PortUnavailable):
-                motors = {one.motor for one in self._orders if not isinstance(one, SendPacket)}
+                motors = {c.motor for c in self._commands if not isinstance(c, SendPacket)}
                 remedy = self.boards[self._numbers[0]].silence_remedy
                 text = f"{turning_text(motors)} {remedy} {text}"
             raise CommandFailed(text) from error

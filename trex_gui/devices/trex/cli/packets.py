@@ -1,4 +1,4 @@
-"""raw, decode: packets in hexadecimal."""
+"""Commands raw and decode."""
 
 from typing import Any
 
@@ -41,17 +41,17 @@ def _bytes(words: tuple[str, ...]) -> bytes:
 def raw(packet: tuple[str, ...], *, motors: bool, seconds: float | None, **options: Any) -> None:
     """Send the bytes of PACKET ("86 1F") unchanged and print each reply.
 
-    Says first what they mean. Several packets go one by one: the board does not listen while it
-    replies. What may move a motor is rejected without --motors; with it the stop is repeated
-    until the board confirms it, also after a signal or an error.
+    Describes the packets first. Several packets are sent one by one, because the board does not
+    listen while it replies. Packets that may move a motor are rejected without --motors. With
+    --motors, the stop is repeated until the board confirms it, also after a signal or an error.
     """
     link = link_settings(options)
     packets = packets_of(_bytes(packet), link.framing.polynomial)
-    for one in packets:
-        is_shared = link.device_number is not None and one.writes_everywhere
+    for item in packets:
+        is_shared = link.device_number is not None and item.writes_everywhere
         board = "Every board on the line" if is_shared else "The board"
-        say(f"{one.hexadecimal}: {one.words()}{_note(one, board)}")
-    moving = any(one.moves for one in packets)
+        say(f"{item.hexadecimal}: {item.words()}{_effect_text(item, board)}")
+    moving = any(item.moves for item in packets)
     if moving and not motors:
         raise click.UsageError(
             "This may move a motor, and nothing was sent. Give --motors to send it; every motor "
@@ -61,15 +61,15 @@ def raw(packet: tuple[str, ...], *, motors: bool, seconds: float | None, **optio
         raise click.UsageError("--seconds is for motor commands, and this has none.")
     if moving:
         numbered = enumerate(packets, STOP_ID + 1)
-        run_motors(link, [SendPacket(number, one) for number, one in numbered], seconds)
+        run_motors(link, [SendPacket(number, item) for number, item in numbered], seconds)
         return
     with open_line(link) as client:
-        for one in packets:
-            if received := client.send_packet(one.packet).raw:
+        for item in packets:
+            if received := client.send_packet(item.packet).raw:
                 click.echo(hex_text(received))
 
 
-def _note(packet: RawPacket, board: str) -> str:
+def _effect_text(packet: RawPacket, board: str) -> str:
     if packet.moves:
         return ". This may move a motor"
     return f". {board} stores it at once, without a snapshot" if packet.writes else ""

@@ -1,4 +1,4 @@
-"""set and restore-defaults: change one parameter, or all."""
+"""Commands set and restore-defaults."""
 
 import re
 from dataclasses import replace
@@ -56,7 +56,7 @@ def set_command(name: str, value: str, force: bool, **options: Any) -> None:
     stored settings. Writes nothing if the board has this value already.
 
     With --force, limits that no source confirms do not count: the board may reject the value or
-    store another one. What it stores is remembered as accepted by its firmware.
+    store another value. The stored value is remembered as accepted by the firmware.
     """
     link = link_settings(options)
     _check_value(name, value)
@@ -66,7 +66,7 @@ def set_command(name: str, value: str, force: bool, **options: Any) -> None:
         wire = _wire(spec, value)
         try:
             require_consent(spec.name, state, {spec.key: wire}, force=force)
-        except SettingsError as error:  # the value was typed, so this is wrong usage
+        except SettingsError as error:
             raise click.UsageError(str(error)) from error
         stored = settings_of(state)
         change_one(

@@ -1,4 +1,4 @@
-"""provision: set up many boards in turn on one cable."""
+"""Command provision."""
 
 import sys
 from collections.abc import Callable
@@ -32,9 +32,9 @@ from trex_gui.devices.trex.settings.provision_record import (
     result_text,
 )
 
-_LOOK_S = 0.5  # seconds between two attempts to reach a board
-_PULSE = 30  # speed of 127
-_FIRST_S, _NEXT_S = 0.8, 0.25  # seconds until a key counts as released; its first repeat is late
+_RETRY_S = 0.5  # seconds between two attempts to reach a board
+_PULSE = 30  # speed, of at most 127
+_FIRST_S, _NEXT_S = 0.8, 0.25  # longest seconds until the first and the next repeat of a held key
 _ENTER = {"\r", "\n"}
 _END = {"q", "\x04", ""}  # Ctrl-D in a terminal, the end of a pipe
 
@@ -56,7 +56,7 @@ _END = {"q", "\x04", ""}  # Ctrl-D in a terminal, the end of a pipe
     type=click.IntRange(0, NUMBERS - 1),
     default=1,
     show_default=True,
-    help="The first device number to give.",
+    help="First device number to assign.",
 )
 @click.option("--pulse", is_flag=True, help="Then turn each motor slowly while Space is held.")
 @click.option("--limit", type=click.IntRange(1), metavar="N", help="End after N boards.")
@@ -72,30 +72,30 @@ def provision(
 ) -> None:
     """Set up one board after the other with the settings of PROFILE, on the same cable.
 
-    Waits for a board, gives a new one a free device number and a name, shows what differs, and
-    writes it on one key: Enter writes, s skips the board, q ends. Every value is read back, and a
-    line is added to the record. Then the board is unplugged, and the next one follows.
+    Waits for a board, assigns a free device number and a name to a new board, and shows the
+    differences. Enter writes them, s skips the board, q ends. Every value is read back, and a line
+    is added to the record. Then unplug the board and connect the next board.
 
-    Boards have no serial number. One whose device number is in the record keeps it, and the record
-    says whether its calibrations are those of last time, too.
+    Boards have no serial number. A board whose device number is in the record keeps this number,
+    and the record says whether its calibrations have changed.
     """
     link = link_settings(options)
     if link.device_number is not None:
         raise click.UsageError("One board at a time is set up here, without --protocol expanded.")
     if pulse and not sys.stdin.isatty():
-        raise click.UsageError("--pulse needs a terminal: it looks which key is held.")
+        raise click.UsageError("--pulse needs a terminal, which shows that a key is held.")
     wanted = read_file(profile)
     with refusals():
         record = ProvisionRecord(Path(file), name=name, first=first)
-        shop = _Shop(link, profile, wanted, record, pulses=pulse)
+        setup = _Setup(link, profile, wanted, record, pulses=pulse)
         done = 0
-        while done != limit and shop.set_up_next(is_last=done + 1 == limit):
+        while done != limit and setup.set_up_next(is_last=done + 1 == limit):
             done += 1
     say(f"{counted(done, 'board')} in {file}.")
 
 
 @dataclass
-class _Shop:
+class _Setup:
     link: ConnectionSettings
     profile: str
     wanted: Settings  # content of the profile
@@ -124,23 +124,23 @@ class _Shop:
         return wants_more
 
     def _wait_for_board(self, stack: ExitStack) -> Trex:
-        trex, said = Trex(self.link.url), ""
+        trex, last_text = Trex(self.link.url), ""
         trex.settings = self.link
         while True:
             try:
                 return stack.enter_context(trex)
             except StudioError as error:
                 is_expected = getattr(error, "code", None) is ErrorCode.NO_BOARD
-                if not is_expected and str(error) != said:
-                    said = str(error)
-                    say(said)
+                if not is_expected and str(error) != last_text:
+                    last_text = str(error)
+                    say(last_text)
             with (condition := host().condition()):
-                condition.wait(_LOOK_S)
+                condition.wait(_RETRY_S)
 
     def _set_up(self, trex: Trex) -> bool:
         try:
             rows = self._differing(trex)
-        except BadRequest as error:  # another model; the next board may fit
+        except BadRequest as error:  # another model, but the next board may fit
             say(str(error))
             return True
         stored = settings_of(trex.state)
@@ -154,7 +154,7 @@ class _Shop:
         click.echo(err=True)
         if key in _END:
             return False
-        trex.wait(0.05)  # NoReply if the board was unplugged meanwhile
+        trex.wait(0.05)  # raises NoReply if the board was unplugged
         if key in _ENTER:
             self._save(board)  # record the number before the board may get it
             result = self._write(trex, board.number, rows)
@@ -199,12 +199,12 @@ class _Shop:
 
 
 def pulse(trex: Trex, motor: int, typed: Callable[[], str]) -> bool:
-    """Turn a motor slowly while Space is held. Return whether Enter ended it, not q or Esc.
+    """Turn a motor slowly while Space is held. Return whether Enter ended it.
 
     `typed` returns the keys typed since its last call.
     """
     say(f"Hold Space to turn motor {motor}; Enter: go on; q: end.")
-    clock, pressed, presses = host().clock, 0.0, 0  # presses since the motor turns
+    clock, pressed, presses = host().clock, 0.0, 0  # presses since the motor started
     typed()
     while True:
         keys = typed()
@@ -222,7 +222,7 @@ def pulse(trex: Trex, motor: int, typed: Callable[[], str]) -> bool:
 
 
 def read_key() -> str:
-    """Wait for a key of the terminal, or read the next character of a pipe. Empty at its end."""
+    """Wait for a key of the terminal, or read a character of a pipe. Empty at its end."""
     return click.getchar() if sys.stdin.isatty() else sys.stdin.read(1)
 
 

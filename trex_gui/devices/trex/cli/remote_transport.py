@@ -1,6 +1,6 @@
-"""Transport to a served board, for commands that work packet by packet.
+"""Transport to a served board, for commands that send single packets.
 
-Their packets cross the network as `SendPacket`, between the server's own transactions.
+Each packet crosses the network as a `SendPacket`, between the server's own transactions.
 """
 
 import time
@@ -24,8 +24,8 @@ from trex_gui.devices.trex.session.messages import (
     SetWatched,
 )
 
-_OPENING = 20.0  # seconds for the server to read the board
-_TRANSACTION = 10.0  # seconds for one packet, after the requests of other clients
+_OPEN_TIMEOUT = 20.0  # seconds for the server to read the board
+_REPLY_TIMEOUT = 10.0  # seconds for one packet, after the requests of other clients
 
 
 class RemoteTransport:
@@ -53,7 +53,7 @@ class RemoteTransport:
         self._inbox.put(SetWatched(False))
         try:
             connected = self._wait_for(
-                lambda one: isinstance(one, Connected | NotResponding), _OPENING
+                lambda report: isinstance(report, Connected | NotResponding), _OPEN_TIMEOUT
             )
         except BaseException:
             self.close()
@@ -61,7 +61,7 @@ class RemoteTransport:
         if not isinstance(connected, Connected):
             self.close()
             raise NoReply(getattr(connected, "reason", ""))
-        self.settings = connected.settings  # how the server addresses the board
+        self.settings = connected.settings  # with the device number that the server uses
 
     def _wait_for(self, is_wanted: Callable[[Report], object], seconds: float) -> Report:
         end = self.clock() + seconds
@@ -74,7 +74,7 @@ class RemoteTransport:
                 return report
         raise NoReply(f"The server did not answer within {seconds:g} s.")
 
-    # --- A transport --------------------------------------------------------------------
+    # --- Transport ----------------------------------------------------------------------
 
     def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
         del wanted
@@ -94,7 +94,7 @@ class RemoteTransport:
         number = next(self._ids)
         self._inbox.put(SendPacket(number, RawPacket(Malformed(data, ""))))
         outcome = self._wait_for(
-            lambda one: isinstance(one, Outcome) and one.id == number, _TRANSACTION
+            lambda report: isinstance(report, Outcome) and report.id == number, _REPLY_TIMEOUT
         )
         assert isinstance(outcome, Outcome)  # noqa: S101 - checked
         if outcome.error is None and isinstance(outcome.value, bytes):

@@ -1,4 +1,4 @@
-"""replay: a saved transcript on the simulated board, in virtual time."""
+"""Command replay, which runs in virtual time."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
@@ -37,9 +37,9 @@ _MEASURED = (
     c.GetStatus,
     c.GetUartErrors,
 )
-"""Queries whose replies depend on sticks, motors and line, so only their size is compared."""
+"""Queries of measurements and errors. Only the size of their replies is compared."""
 
-_WAIT = 0.3  # virtual seconds for a reply: the longest write takes 32 ms
+_WAIT = 0.3  # virtual seconds for a reply; the longest write takes 32 ms
 _LONGEST_GAP = 2.0  # virtual seconds between two rows; longer pauses are shortened
 
 _SAMPLE = 50  # rows examined to find the CRC in use
@@ -49,14 +49,14 @@ _JUMPERS = {Mode.RC: "rc", Mode.ANALOG: "analog"}
 
 @click.command()
 @click.argument("file", type=FileName(dir_okay=False))
-@click.option("--all", "everything", is_flag=True, help="Print every difference, not the first.")
+@click.option("--all", "everything", is_flag=True, help="Print all differences, not only one.")
 def replay(file: str, everything: bool) -> None:
     """Send the packets of a traffic log to a simulated board and compare the replies.
 
-    FILE is what the traffic page saves and --traffic writes. The simulated board begins with the
-    model, mode and stored values that the replies in FILE show; no port is opened and nothing real
-    moves. Probes of a search are left out, and of measurements and error bits only the size is
-    compared. The exit code is 1 if a reply differs.
+    FILE is a log saved by the traffic page or written by --traffic. The simulated board starts with
+    the model, mode and stored values that the replies in FILE show. No port is opened and no real
+    motor moves. Probes of a search are left out. Measurements and error bits are compared only by
+    size. The exit code is 1 if a reply differs.
     """
     with refusals():
         recorded = RecordedTraffic.load(Path(file))
@@ -122,11 +122,11 @@ class RecordedTraffic:
         found.is_echoed = len(echoed) * 2 > len(answered)
         written: set[object] = set()
         for row in rows:
-            found._learn(row, written)
+            found._record_values(row, written)
         return found
 
-    def _learn(self, row: TranscriptRow, written: set[object]) -> None:
-        """Record values that the file has not changed before this row."""
+    def _record_values(self, row: TranscriptRow, written: set[object]) -> None:
+        """Record values of this row that no earlier row has `written`."""
         packet, reply = last_exchange(self._transaction(row))
         if isinstance(packet, Packet) and isinstance(reply, Reply) and reply.raw:
             parameter = parameter_number(ParameterKey.DEVICE_NUMBER)
@@ -145,10 +145,10 @@ class RecordedTraffic:
                 if number not in written:
                     self.parameters.setdefault(number, value)
             case Packet(command=c.GetCalibration(channel=number)), Reply(
-                value=Calibration() as one
+                value=Calibration() as calibration
             ):
                 if (self.mode.source, number) not in written:
-                    self.calibrations.setdefault((self.mode.source, number), one)
+                    self.calibrations.setdefault((self.mode.source, number), calibration)
 
     def _transaction(self, row: TranscriptRow) -> Transaction:
         return Transaction(
@@ -226,8 +226,8 @@ def _polynomial(rows: Sequence[TranscriptRow]) -> int | None:
     """Return the CRC polynomial that makes most packets readable. `None`: no CRC."""
 
     def damaged(polynomial: int | None) -> int:
-        packets = (one for row in rows[:_SAMPLE] for one in packets_of(row.sent, polynomial))
-        return sum(isinstance(one.packet, Malformed) for one in packets)
+        packets = (item for row in rows[:_SAMPLE] for item in packets_of(row.sent, polynomial))
+        return sum(isinstance(item.packet, Malformed) for item in packets)
 
     every: tuple[int | None, ...] = (None, DEFAULT_POLYNOMIAL, *range(0x80, 0x100))
     return min(every, key=damaged)

@@ -1,4 +1,4 @@
-"""report: a zip for support, with the state of the board, the ports and the program."""
+"""Command report."""
 
 import json
 import time
@@ -31,32 +31,30 @@ from trex_gui.devices.trex.settings.writer import write_settings
 def report(file: str, **options: Any) -> None:
     """Save a report for support: versions, ports, status, settings and traffic in one zip.
 
-    With - all of it is printed instead, to look at it first. Names of users and computers, network
-    addresses and serial numbers of adapters are masked. Without a board that replies, the report
-    says why. Reading the error bits clears them in the board.
+    With -, the report is printed instead. Names of users and computers, network addresses and
+    serial numbers of adapters are masked. If no board replies, the report says why. Reading the
+    error bits clears them in the board.
     """
     with refusals():
         files = create_report(_parts(options))
         if file == "-":
-            for one in files:
-                click.echo(f"==> {one.name} <==\n{one.text}")
+            for part in files:
+                click.echo(f"==> {part.name} <==\n{part.text}")
             return
         save_report(Path(file), files)
-    for one in files:
-        say(f"{one.name}: {counted(len(one.data), 'byte')}")
+    for part in files:
+        say(f"{part.name}: {counted(len(part.data), 'byte')}")
     click.echo(file)
 
 
 def _parts(options: dict[str, Any]) -> dict[str, Callable[[], str]]:
-    """Read the board for the report. `status.txt` gives the reason if that fails."""
+    """Read the board for the report. `status.txt` has the error if this fails."""
     if not options["port"]:
         return {}
-    settings, present = link_settings(options), host()
-    writer = TranscriptWriter(None, TrexDecoder(), time.time() - present.clock())
+    settings, clock = link_settings(options), host().clock
+    writer = TranscriptWriter(None, TrexDecoder(), time.time() - clock())
     try:
-        client = TrexClient(
-            *open_port(settings, lambda plain: logged(writer.record, plain, present.clock))
-        )
+        client = TrexClient(*open_port(settings, lambda plain: logged(writer.record, plain, clock)))
         try:
             client.detect_echo()
             identify(client)

@@ -1,4 +1,4 @@
-"""Commands serve and robots, for boards that other computers use over the network."""
+"""Commands serve and robots, for boards on the network."""
 
 import ipaddress
 import secrets
@@ -49,7 +49,7 @@ _EVERYWHERE = "0.0.0.0"  # noqa: S104 - users are checked
     "--listen",
     metavar="HOST:PORT",
     default=None,
-    help=f"Where to listen; with users every address at {PORT}, else this computer only.",
+    help=f"Listening address. Default: every address at {PORT} with --users, else this computer.",
 )
 @click.option("--users", "users_file", type=FileName(dir_okay=False), help="File of the users.")
 @click.option(
@@ -63,7 +63,7 @@ _EVERYWHERE = "0.0.0.0"  # noqa: S104 - users are checked
     type=click.Choice(list(ROLES)),
     default="drive",
     show_default=True,
-    help="What the new user may do.",
+    help="Role of the new user.",
 )
 @click.option(
     "--tls",
@@ -88,10 +88,10 @@ def serve(
 ) -> None:
     """Serve the board to the window, trexcmd and programs of other computers.
 
-    They reach it as trex://HOST/NAME. One of them drives at a time; every user can watch it and
-    stop it. The motors are stopped here, half a second after the last heartbeat of the driver.
+    They reach the board as trex://HOST/NAME. One user drives at a time; every user can watch and
+    stop it. This computer stops the motors half a second after the last heartbeat of the driver.
 
-    Without --users only programs on this computer reach it.
+    Without --users, only programs on this computer reach the board.
     """
     if install:
         click.echo(_install_text())
@@ -111,7 +111,7 @@ def serve(
         users = read_users(Path(users_file)) if users_file else ()
         address = Address.of_host(listen or (_EVERYWHERE if users else "127.0.0.1"))
         if not users and not _is_local(address.host):
-            raise click.UsageError("Without --users only this computer can be listened at.")
+            raise click.UsageError("Without --users, --listen can only name this computer.")
         require_network()
         from trex_gui.devices.trex.serve.served_board import ServedBoard  # noqa: PLC0415 - an extra
 
@@ -155,7 +155,7 @@ def _install_text() -> str:
     return _INSTALL.format("\n".join(texts), command).replace("@COMMAND@", str(command))
 
 
-# --- Users: a file with a line NAME ROLE SECRET for each --------------------------------
+# --- Users: a file with lines NAME ROLE SECRET ------------------------------------------
 
 
 def read_users(path: Path) -> tuple[User, ...]:
@@ -214,14 +214,14 @@ def _is_user(name: str) -> bool:
 @click.command()
 @click.argument("hosts", nargs=-1, metavar="[USER@HOST[:PORT]]...")
 @click.option(
-    "--release", metavar="NAME", help="As an owner, end the lease of who drives this board."
+    "--release", metavar="NAME", help="As an owner, end the lease of this board's driver."
 )
 @json_option
 def robots(hosts: tuple[str, ...], release: str | None, *, as_json: bool) -> None:
-    """List the boards that are served: who drives each, and what is wrong with it.
+    """List the served boards, with their drivers and problems.
 
-    Asks these computers; without any, this one, those with a secret in the file of secrets, and
-    those that answer on the local network.
+    Asks the given computers. Default: this computer, the computers in the file of secrets, and
+    every server that answers on the local network.
     """
     with refusals():
         with Robots() as boards:

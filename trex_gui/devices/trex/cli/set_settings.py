@@ -1,4 +1,4 @@
-"""Command set-settings: write a settings file to one or several boards on one line."""
+"""Command set-settings."""
 
 from dataclasses import replace
 from functools import partial
@@ -14,11 +14,11 @@ from trex_gui.devices.trex.cli.changes import (
     board_settings,
     keeper_of,
     read_board,
-    remember_notes,
     require_consent,
     require_serial_mode,
+    save_notes,
     say_changes,
-    say_what_follows,
+    say_next_steps,
     warn,
 )
 from trex_gui.devices.trex.cli.common import (
@@ -62,7 +62,7 @@ def _read_numbers(text: str) -> tuple[int, ...]:
 @click.argument("file", type=FILE)
 @click.option("--dry-run", is_flag=True, help="Show what would change, and write nothing.")
 @click.option(
-    "--convert", is_flag=True, help="Take a file of the other model, or of newer firmware."
+    "--convert", is_flag=True, help="Accept a file for the other model, or for newer firmware."
 )
 @click.option(
     "--devices",
@@ -84,34 +84,34 @@ def set_settings(
 ) -> None:
     """Write the settings of FILE to the board. - is standard input.
 
-    Checks the file, saves a snapshot of what the board stores, writes only what differs, the
-    serial settings last, and reads each value back. Ctrl-C ends it after the setting that is
-    being written. Notes of the file are kept on this computer.
+    Checks the file, saves a snapshot of the stored settings, writes only the differences, the
+    serial settings last, and reads each value back. Ctrl-C ends the command after the current
+    setting. Notes of the file are kept on this computer.
 
-    --dry-run ends as the writing would, with 0 whatever changes: `trexcmd audit FILE` ends with 1
-    if the board has other settings.
+    --dry-run has the exit codes of a real run, so differences give 0. `trexcmd audit FILE` exits
+    with 1 if the board has other settings.
 
-    With --convert, values that mean something else to this board are converted, what it does not
-    have is left out, and both are listed.
+    With --convert, values with another meaning for this board are converted, and settings that it
+    does not have are left out. Both are listed.
 
-    With --devices every board is read and checked before the first is written. The first error
-    ends it: boards that come later are unchanged.
+    With --devices, every board is read and checked before the first is written. The first error
+    ends the command: later boards are unchanged.
     """
     wanted = read_file(file)
-    chosen = link_settings(options)
+    base = link_settings(options)
     command = shell_words("trexcmd", "set-settings", file)
     review = partial(_review, file, dry_run=dry_run, convert=convert, force=force)
     if devices is None:
-        with open_line_to_change(chosen) as (client, rates):
+        with open_line_to_change(base) as (client, rates):
             state, rows = review(wanted, client, rates)
             if rows:
-                _write(client, chosen, state, command, rows)
+                _write(client, base, state, command, rows)
         return
     wanted = wanted.without(REACH)
     work = []
     for number in devices:
         say(f"Device {number}:")
-        link = replace(chosen, device_number=number)
+        link = replace(base, device_number=number)
         with open_line_to_change(link) as (client, rates):
             work.append((link, *review(wanted, client, rates)))
     for link, state, rows in work:
@@ -131,7 +131,7 @@ def _review(
     convert: bool,
     force: bool,
 ) -> tuple[DeviceState, list[ComparisonRow]]:
-    """Report the changes to the board. Return the state of the board, and the rows to write."""
+    """Report the changes to the board. Return its state, and the rows to write."""
     state = read_board(client)
     if convert:
         conversion = convert_settings(wanted, state.signature.model, state.signature.firmware)
@@ -151,7 +151,7 @@ def _review(
         require_consent(name_of(file), state, wanted.parameters, force=force)
         require_serial_mode(state, "These settings")
         say_changes(result)
-    remember_notes(client, state, wanted.notes)
+    save_notes(client, state, wanted.notes)
     return state, [row for row in result.rows if row.changed]
 
 
@@ -165,9 +165,9 @@ def _fitted(file: str, wanted: Settings, state: DeviceState) -> Settings:
         )
         raise SettingsError(name_of(file), [Finding(1, "product", message)])
     known = {spec.key for spec in state.specs.readable}
-    if strangers := [key for key in wanted.parameters if key not in known]:
+    if unknown := [key for key in wanted.parameters if key not in known]:
         message = f"{board} does not have it; --convert leaves it out"
-        raise SettingsError(name_of(file), [Finding(None, key, message) for key in strangers])
+        raise SettingsError(name_of(file), [Finding(None, key, message) for key in unknown])
     if wanted.firmware not in {None, board.firmware}:
         say(f"Warning: these settings are for firmware {wanted.firmware}, the board is a {board}.")
     return replace(visible(wanted, state), firmware=board.firmware)
@@ -175,7 +175,7 @@ def _fitted(file: str, wanted: Settings, state: DeviceState) -> Settings:
 
 def _write(
     client: TrexClient,
-    chosen: ConnectionSettings,
+    link: ConnectionSettings,
     state: DeviceState,
     command: str,
     rows: list[ComparisonRow],
@@ -197,23 +197,23 @@ def _write(
         say(f"Stored: {', '.join(names[key] for key in stored)}.")
     say(f"{len(stored)} of {counted(len(results), 'change')} stored and verified.")
     after = {key: wire for key, wire in stored.items() if isinstance(wire, int)}
-    say_what_follows(client, chosen, state, after)
+    say_next_steps(client, link, state, after)
     if failed:
-        begun = "Interrupted: not" if interrupted else "Not"
-        raise CommandFailed(f"{begun} all settings were stored; the others are unchanged.")
+        prefix = "Interrupted: not" if interrupted else "Not"
+        raise CommandFailed(f"{prefix} all settings were stored; the others are unchanged.")
 
 
 def _say_failures(failed: list[WriteResult], names: dict[str, str]) -> None:
     """Report failed writes. Settings not tried after a fatal error are only listed."""
-    said: set[int] = set()
+    reported: set[int] = set()
     untried: list[str] = []
     for result in failed:
         name, text = names[result.key], str(result.error)
-        if id(result.error) in said or isinstance(result.error, Skipped):
+        if id(result.error) in reported or isinstance(result.error, Skipped):
             untried.append(name)
             continue
-        said.add(id(result.error))
+        reported.add(id(result.error))
         say(text if text.startswith(name) else f"{name}: {text}")
     if untried:
-        after = " after that" if said else ""
+        after = " after that" if reported else ""
         say(f"Not tried{after}: {', '.join(untried)}.")

@@ -1,4 +1,4 @@
-"""Commands status, get and boards, which read boards without changing them."""
+"""Commands status, get and boards, which change nothing."""
 
 import json
 from typing import Any
@@ -60,9 +60,9 @@ from trex_gui.devices.trex.session.messages import Batch, Connected, ReadReason
 from trex_gui.devices.trex.settings.board_records import utc_now
 
 _LATCHES_AGAIN = 0.05
-"""Seconds after which a lasting error is latched again. Shorter than any serial timeout.
+"""Seconds until a lasting error is latched again, shorter than any serial timeout.
 
-Inferred: faults and limits are checked with the ramps, at 100 Hz.
+Inferred: the board checks faults and limits with its ramps, at 100 Hz.
 """
 
 _TITLES = {
@@ -81,27 +81,27 @@ _ERROR_TITLES = {False: "Errors", True: "Latched before, perhaps by a search for
 def status(as_json: bool, **options: Any) -> None:
     """Show the state of the board, its measurements and its parameters.
 
-    Errors are those since they were last read, which clears them in the board. The board may
-    measure currents wrong by 20 % (twin). The vendor's document gives channel 3 six bits, 0 to 63;
-    the program reads seven (inferred).
+    Shows the errors since the last read, which clears them in the board. The measured currents may
+    be wrong by 20 % (twin). The vendor's document gives channel 3 six bits, 0 to 63; the program
+    reads seven (inferred).
 
     With --json, measurements are numbers with the unit in the key, as in stream and in
     recordings: motor_1_current_A, motor_2_current_A; for each channel raw (counts), pulse_us or
     voltage_V, null without a valid signal, and remapped (-127 to 127). mode is R or A for RC and
     analog mode, r or a for serial mode with these inputs. Errors have the name of their column in
-    recordings and a text; is_earlier marks line errors that a search for the board may have caused
-    before. Each parameter has its wire value and a text.
+    recordings and a text; is_earlier marks line errors that an earlier search for the board may
+    have caused. Each parameter has its wire value and a text.
 
     motors has each reason why they do not follow serial commands, with its effect: stops (or may
     stop) the motors, blocks serial commands, limits the speed, or note. leds has the pattern that
     this state shows on the board; where a channel commands a speed and no current flows, safe-start
-    may hold the motors (inferred), and a motor without load looks the same. Errors that are over
-    are not among the reasons.
+    may hold the motors (inferred), and a motor without load looks the same. Past errors are not
+    among the reasons.
 
     setpoints has the speed at which motors 1, 2 and 3 (auxiliary) are set to turn, -127 to 127, and
     its source: channel, safe_start (it holds the motor), joint (motor 2 works with motor 1),
     not_armed (serial commands control the motors, and this command sends none) or unknown. events
-    has what the log of the window would show, serial errors for instance.
+    has the entries of the window's log, such as serial errors.
     """
     with open_line(link_settings(options)) as client:
         identify(client)
@@ -170,9 +170,9 @@ def get_command(name: str, as_json: bool, **options: Any) -> None:
 def boards(as_json: bool, **options: Any) -> None:
     """List the boards that share the line, with the options that reach each.
 
-    Asks for every device number which board has it, at the line settings of the options. No TReX
-    moves a motor or changes anything. A board that is off, or has the number of another one, is not
-    listed; `trexcmd find` also looks at other line settings.
+    Probes every device number at the line settings of the options. No motor moves and no setting
+    changes. Boards that are off or share a number are not listed. `trexcmd find` also probes other
+    line settings.
     """
     link = link_settings(options)
     progress = ProgressLine("Asking")
@@ -193,7 +193,7 @@ def boards(as_json: bool, **options: Any) -> None:
 
 def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
     reader = StatusReader(client.transport.clock)
-    earlier = reader.read(client.request)  # errors since the last read, perhaps long ago
+    earlier = reader.read(client.request)  # errors since the last read
     raw = query(client.request, GetRawChannels())
     remapped = query(client.request, GetRemappedChannels())
     currents = query(client.request, GetCurrents())
@@ -265,10 +265,10 @@ def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
 
 
 def _errors(before: LatchedStatus, active: LatchedStatus) -> list[dict[str, str | bool]]:
-    """Return a row per bit. Line errors that are over may come from a search for the board."""
+    """Return a row per bit. A search for the board may have caused earlier line errors."""
     status, uart = before.status | active.status, before.uart | active.uart
     earlier = before.uart & ~active.uart & ~UartError.TIMEOUT
-    is_announced = bool(earlier) and earlier == uart  # the status bit is of earlier errors only
+    is_announced = bool(earlier) and earlier == uart  # the status bit reports no newer error
     rows: list[tuple[str, Status | UartError, bool]] = [
         *(("status", bit, bit is Status.UART_ERROR and is_announced) for bit in status),
         *(("uart", bit, bool(bit & earlier)) for bit in uart),

@@ -1,4 +1,4 @@
-"""The command stream: measurements line by line, as fast as the board updates them."""
+"""Command stream."""
 
 import contextlib
 import csv
@@ -24,13 +24,13 @@ from trex_gui.devices.trex.protocol.commands import GetMode
 from trex_gui.devices.trex.recording import MeasurementTable, Row
 from trex_gui.devices.trex.session.polling import Schedule, rates
 
-_FLUSH = 0.25  # seconds after which other programs can read what was written
-_SLICE = 0.02
+_FLUSH = 0.25  # seconds until other programs can read a row
+_SLICE = 0.02  # longest wait in seconds between two checks for signals
 _FAILURES = 10  # consecutive failures after which the board counts as gone
 
 
 def _read_separator(_context: click.Context, _option: click.Parameter, text: str) -> str:
-    """Read the separator. Quotes, line ends and characters of numbers are rejected."""
+    """Reject quotes, line ends and characters of numbers."""
     character = {"tab": "\t", r"\t": "\t"}.get(text.lower(), text)
     if len(character) != 1 or character.isalnum() or character in '"\r\n.-+_':
         raise click.BadParameter(f'{text!r} is not a character such as ";", or "tab".')
@@ -79,9 +79,8 @@ def stream(
     """Write the measurements of the board as CSV: a row for each new pair of motor currents.
 
     The header has the units. The other columns of a row hold the newest values; error bits are in
-    the first row after they were read, which clears them in the board. With --interval, rows
-    between two that are written are left out, but none of their error bits. The board may measure
-    currents wrong by 20 % (twin).
+    the first row after they were read, which clears them in the board. --interval leaves out rows,
+    but none of their error bits. The measured currents may be wrong by 20 % (twin).
     """
     if as_json and file is not None:
         raise click.UsageError(
@@ -94,7 +93,7 @@ def stream(
         unit = identify(client).model.current_unit
         mode = agreed(client.request, GetMode(), has_crc=client.has_crc)
         table = MeasurementTable(mode, unit)
-        with _target(file) as target:  # opened last: without a board the file is unchanged
+        with _target(file) as target:  # opened last, so that a missing board changes no file
             rows = csv.DictWriter(target, list(table.row), lineterminator="\n", delimiter=separator)
             if not as_json:
                 rows.writeheader()
@@ -122,7 +121,7 @@ def stream(
                 raise CommandFailed(reason)
 
 
-class _ModeChanged(Exception):  # noqa: N818 - no error, an event
+class _ModeChanged(Exception):  # noqa: N818 - an event
     pass
 
 
@@ -149,10 +148,10 @@ def _rows(
     clock = client.transport.clock
     reader = StatusReader(clock)
     schedule = Schedule()
-    begun = clock()
-    schedule.start(rates(table.mode.source), begun)
-    failures, due = 0, begun
-    while not interrupted and (seconds is None or clock() - begun < seconds):
+    started = clock()
+    schedule.start(rates(table.mode.source), started)
+    failures, due = 0, started
+    while not interrupted and (seconds is None or clock() - started < seconds):
         now = clock()
         topic = schedule.next(now)
         if topic is None:
@@ -175,4 +174,4 @@ def _rows(
             continue
         if sample and table.add(sample) and sample.time >= due:
             due = sample.time + interval
-            yield table.finish(sample.time - begun)
+            yield table.finish(sample.time - started)

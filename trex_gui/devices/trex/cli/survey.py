@@ -1,4 +1,4 @@
-"""The command survey: facts about a board's firmware, for the tables of this program."""
+"""Command survey."""
 
 import json
 from collections.abc import Callable, Iterable, Sequence
@@ -29,27 +29,26 @@ from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.version import __version__
 
 _ALL = range(HIGHEST_WIRE + 1)
-_SAMPLES = {0, 1, 2, 4, 8, 16, 32, 64, 127}  # tried in each range to find bits that are not stored
+_SAMPLES = {0, 1, 2, 4, 8, 16, 32, 64, 127}  # values that reveal bits that are not stored
 _SILENT = "no reply"
-_Store = Callable[[ParameterSpec, int], int]
-"""Writes a value and returns the stored value."""
+_Store = Callable[[ParameterSpec, int], int]  # writes a value and returns the stored value
 
 
 @click.command()
 @link_options
 @click.argument("file", type=FileName(dir_okay=False))
 @click.option("--limits", is_flag=True, help="Also try each range without a source; asks first.")
-@click.option("--as-new", is_flag=True, help="Say that the board stores what it came with.")
+@click.option("--as-new", is_flag=True, help="State that the board has its factory settings.")
 def survey(file: str, *, limits: bool, as_new: bool, **options: Any) -> None:
-    """Write what the firmware of a board knows to FILE, for the makers of this program.
+    """Write facts about a board's firmware to FILE, for the makers of this program.
 
     Reads all 128 parameter numbers, the calibrations and every other query, which clears the error
-    bits. A number that the board does not know is a serial error to it, which may stop motors that
-    the channels drive. FILE names no person, computer, port or adapter, and has no notes.
+    bits. An unknown number is a serial error for the board, which may stop motors driven by the
+    channels. FILE names no person, computer, port or adapter, and has no notes.
 
     With --limits, each range that no document confirms is tried: values are written and read back,
-    and the setting is restored. Motors are never driven; device number and serial settings are
-    left alone. Saves a snapshot first, and restores everything in the end, also after Ctrl-C.
+    and the setting is restored. Motors are never driven; device number and serial settings never
+    change. Saves a snapshot first, and restores everything at the end, also after Ctrl-C.
     """
     with open_line(link_settings(options)) as client:
         state = read_board(client)
@@ -86,7 +85,7 @@ def survey(file: str, *, limits: bool, as_new: bool, **options: Any) -> None:
 
 
 class _AnyByte(c.GetParameter):
-    """Query of a number that may be no parameter. Its reply may be any byte."""
+    """Query of a number that may not be a parameter. Its reply may be any byte."""
 
     def parse(self, reply: bytes) -> int:
         return reply[0]
@@ -106,7 +105,7 @@ class _Survey:
         try:
             value = agreed(self._request, command, has_crc=self._has_crc)
         except NoReply:
-            query(self._request, c.GetMode())  # raises an error if the board is gone
+            query(self._request, c.GetMode())  # raises NoReply if the board is gone
         else:
             if value <= HIGHEST_WIRE and "FORMAT" not in self._errors_of(command):
                 self.stored[number] = value
@@ -123,7 +122,7 @@ class _Survey:
         tried: dict[int, int | None] = {stored: stored}
         values = [wire for wire in _ALL if wire in spec.valid or spec.is_open(wire)]
 
-        def takes(wire: int) -> bool:
+        def accepts(wire: int) -> bool:
             if interrupted:
                 raise click.Abort
             if wire not in tried:
@@ -132,16 +131,16 @@ class _Survey:
 
         for end in (values[0], values[-1]):
             good, bad = stored, end
-            while not takes(bad) and abs(bad - good) > 1:
+            while not accepts(bad) and abs(bad - good) > 1:
                 middle = (good + bad) // 2
-                good, bad = (middle, bad) if takes(middle) else (good, middle)
-        taken = list(filter(takes, sorted({*tried, *_SAMPLES} & {*values})))
-        whole: Sequence[int] = range(taken[0], taken[-1] + 1)
-        if not all(map(takes, tried.keys() & whole)):  # the range has gaps
+                good, bad = (middle, bad) if accepts(middle) else (good, middle)
+        accepted = list(filter(accepts, sorted({*tried, *_SAMPLES} & {*values})))
+        whole: Sequence[int] = range(accepted[0], accepted[-1] + 1)
+        if not all(map(accepts, tried.keys() & whole)):  # the range has gaps
             whole = values
         altered = [f"{w} as {s}" for w, s in sorted(tried.items()) if s not in {None, w}]
         number = f"0x{spec.number:02X}"
-        self._tables["ranges"][number] = _spans(filter(takes, whole), "d")
+        self._tables["ranges"][number] = _spans(filter(accepts, whole), "d")
         self._tables["altered"] |= {number: ", ".join(altered)} if altered else {}
         self._try(store, spec, stored)
 
@@ -158,7 +157,7 @@ class _Survey:
 
     def _errors_of(self, command: c.Command[Any]) -> list[str]:
         """Return the errors that a command causes every time, without errors from noise."""
-        always = ~UartError.TIMEOUT  # waiting for a reply may cause a timeout
+        always = ~UartError.TIMEOUT  # the wait for a reply may cause a timeout
         for _ in range(ATTEMPTS):
             query(self._request, c.GetUartErrors())
             with suppress(NoReply, BadReply):
