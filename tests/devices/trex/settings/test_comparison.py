@@ -165,7 +165,7 @@ def test_notes_of_the_right_side_are_offered_and_reported() -> None:
     )
     after = replace(before, parameters={**values, "serial_timeout": 9}, notes={"motor_mode": "two"})
     comparison = compare(before, after)
-    assert {row.key: (row.changed, row.brings_note) for row in comparison.differing} == {
+    assert {row.key: (row.changed, row.adds_note) for row in comparison.differing} == {
         "serial_timeout": (True, False),
         "motor_mode": (False, True),
     }

@@ -1,6 +1,6 @@
-"""Reading and writing of bench tests as text files for spreadsheets.
+"""Bench tests as text files for spreadsheets.
 
-The facts of the test come first, one `# name: value` on each line. Then follows a table:
+Facts come first, one `# name: value` on each line. A table follows:
 
 ```
 time_s,setpoint,current_a
@@ -8,7 +8,7 @@ time_s,setpoint,current_a
 0.0113,40,5.85
 ```
 
-Each row is a setpoint (no current) or a reading, in the order of time. Speeds are -127 to 127.
+Each row is a setpoint (without current) or a reading, in the order of time. Speeds are -127 to 127.
 Times are in seconds since the first setpoint.
 """
 
@@ -35,11 +35,16 @@ ValueT = TypeVar("ValueT")
 
 
 class BenchFileError(StudioError):
-    """A file is not a bench test. The text names the line and the reason."""
+    """The file is not a bench test. The text names the line and the reason."""
 
 
 def load_run(path: Path) -> Run:
-    """Return the test in a file. SettingsError if it cannot be read, BenchFileError if damaged."""
+    """Return the test in a file.
+
+    Raises:
+        SettingsError: the file cannot be read.
+        BenchFileError: the file is damaged.
+    """
     data = load(path, tr("bench tests"), _LARGEST_FILE)
     try:
         return from_csv(data.decode("utf-8"))
@@ -135,7 +140,7 @@ def _fact(facts: dict[str, str], name: str, read: Callable[[str], ValueT]) -> Va
 
 
 def _number(text: str) -> float:
-    """Return a finite number, which can be drawn. ValueError otherwise."""
+    """Return a finite number, or raise ValueError."""
     value = float(text)
     if not math.isfinite(value):
         raise ValueError(text)

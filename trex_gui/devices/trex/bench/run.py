@@ -1,4 +1,4 @@
-"""A bench test: its plan, its profile, its measurements, and their figures."""
+"""Plan, profile, measurements and figures of a bench test."""
 
 import math
 from bisect import bisect_right
@@ -14,17 +14,17 @@ from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import Number, tr, tr_noop
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 
-SHORTEST = 0.2  # least seconds of a test or a period: ten steps of the profile
-LONGEST = 120.0  # most seconds of a test; the user holds a button throughout
-LONGEST_GAP = 0.5  # seconds between two readings over which no charge is counted
-BAND = 0.1  # deviation that counts as settled, as a share of the steady current
+SHORTEST = 0.2  # seconds of a test or a period, ten steps of the profile
+LONGEST = 120.0  # seconds of a test, during which the user holds a button
+LONGEST_GAP = 0.5  # seconds between two readings; a longer gap has no charge
+BAND = 0.1  # share of the steady current within which a current is settled
 _TAIL = 0.3  # final share of a constant setpoint, whose current counts as steady
 _SHORTEST_PLATEAU = 0.4  # seconds of a constant setpoint, with ten readings in its tail
 _NOISE_COUNTS = 2  # least reading that is a current; a single count may be noise
 
 
 class Shape(Enum):
-    """The shape of a profile. Saved files contain the values."""
+    """Shape of a profile. Saved files contain the values."""
 
     STEP = "step"
     RAMP = "ramp"
@@ -46,10 +46,10 @@ _TITLES = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Profile:
-    """A speed for each moment of a test."""
+    """Speed over the time of a test."""
 
-    # Step: the speed at once, then constant. Ramp: rises linearly for one `period`, then constant.
-    # Reverse: half a period forward, half backward, repeatedly. Sine.
+    # Step: constant speed. Ramp: linear rise for one `period`, then constant speed. Reverse: half a
+    # period forward, half a period backward, repeated. Sine.
     shape: Shape = Shape.STEP
     speed: int = 40  # highest speed, -127 to 127 and not 0; a negative speed starts backward
     duration: float = 3.0  # total seconds
@@ -86,13 +86,13 @@ class Profile:
                 return math.sin(2 * math.pi * seconds / self.period)
 
     def limited(self, ceiling: int) -> "Profile":
-        """Return the same profile with its speed limited to a ceiling (1-127)."""
+        """Limit the speed to a ceiling (1-127)."""
         if abs(self.speed) <= ceiling:
             return self
         return replace(self, speed=ceiling if self.speed > 0 else -ceiling)
 
     def plateau(self, end: float) -> tuple[float, float] | None:
-        """Return the first span of constant speed in a test until `end`, or `None`."""
+        """Return start and end of the first constant speed before `end`, or `None`."""
         if self.shape is Shape.SINE:
             return None
         first = self.period if self.shape is Shape.RAMP else 0.0
@@ -118,7 +118,7 @@ class Plan:
     profile: Profile = field(default_factory=Profile)
     accelerate: bool = True  # through the board's ramp, brake duration and limit, or at once
     abort_current: float = 10.0  # A; one reading above it stops everything
-    abort_at_limit: bool = False  # whether reaching the board's current limit stops everything, too
+    abort_at_limit: bool = False  # whether the board's current limit also stops everything
 
 
 class End(Enum):
@@ -131,7 +131,7 @@ class End(Enum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Run:
-    """A test and its measurements. All times in seconds since its first setpoint."""
+    """Test with its measurements. Times are in seconds since the first setpoint."""
 
     motor: int  # 1 or 2
     profile: Profile
@@ -140,7 +140,7 @@ class Run:
     ampere: float  # A per count of the current measurement
     started: datetime  # local date and time
     end: End
-    reason: str = ""  # for the user: why the test was aborted
+    reason: str = ""  # reason of an abort, for the user
     ended: float  # when the motor started to brake
     setpoints: Sequence[tuple[float, int]]  # time and signed speed
     currents: Sequence[tuple[float, float]]  # time and A, also after the end
@@ -158,7 +158,7 @@ class Run:
         return self.setpoints[index - 1][1] if index and seconds <= self.ended else 0
 
     def current_at(self, seconds: float) -> float | None:
-        """Return the last reading in A at a moment. `None` outside the readings."""
+        """Return the latest reading in A at a time. `None` outside the readings."""
         index = bisect_right(self.currents, seconds, key=itemgetter(0))
         if not index or seconds > self.currents[-1][0]:
             return None
@@ -167,16 +167,16 @@ class Run:
 
 @dataclass(frozen=True, slots=True)
 class Figures:
-    """The figures of a test. `None` where the readings are not sufficient."""
+    """Figures of a test. `None` if the readings are not sufficient."""
 
     peak: float | None = None  # highest reading, A
     mean: float | None = None  # A, from the first setpoint until the motor began to brake
     charge: float | None = None  # mAh, over the same time as `mean`
     steady: float | None = None  # A at the end of the first constant setpoint
-    # s from the first setpoint until the current stayed within a share of `steady`, at least two
-    # counts. To come within it is not enough: an inrush passes the steady current on its way up.
+    # Seconds from the first setpoint until the current stays within `BAND` of `steady`, or within
+    # two counts. A single crossing does not count: an inrush crosses the steady current.
     settled: float | None = None
-    delay: float | None = None  # s from the first setpoint to the first reading that is a current
+    delay: float | None = None  # s from the first setpoint to the first current above the noise
 
 
 def figures(run: Run) -> Figures:
@@ -192,9 +192,10 @@ def figures(run: Run) -> Figures:
     settled = None
     if steady:
         within = max(BAND * steady, noise) + 1e-9
-        held = [(time, amps) for time, amps in driven if command <= time < last]
-        left_at = max((time for time, amps in held if abs(amps - steady) > within), default=-1.0)
-        settled = next((time - command for time, _ in held if time > left_at), None)
+        constant = [(time, amps) for time, amps in driven if command <= time < last]
+        outside = (time for time, amps in constant if abs(amps - steady) > within)
+        left_at = max(outside, default=-1.0)
+        settled = next((time - command for time, _ in constant if time > left_at), None)
     flowing = (time - command for time, amps in driven if time >= command and amps >= noise - 1e-9)
     return Figures(
         peak=max(amps for _, amps in driven),

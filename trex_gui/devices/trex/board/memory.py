@@ -159,7 +159,7 @@ class BoardMemory:
             return
         lost, self._lost = self._lost, None
         if lost is not None and board == BoardIdentity.of(lost.settings):
-            self.record = self.record.together_with(lost)
+            self.record = self.record.merged_with(lost)
             self._files.save(self._board, None)
             self._files.save(board, self.record)
         else:

@@ -1,1 +1,1 @@
-"""From samples of the channel inputs to a calibration."""
+"""Calibration of channels from samples of their inputs."""

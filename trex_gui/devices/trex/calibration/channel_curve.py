@@ -1,4 +1,4 @@
-"""Curves that map raw counts of channels, and the mix of two channels."""
+"""Curves from raw counts to outputs, and the mix of two channels."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -16,7 +16,7 @@ _NEAR = 10  # largest difference between two readings while a stick moves
 
 @dataclass(frozen=True, slots=True)
 class ChannelCurve:
-    """A channel's calibration and its bits in the masks. `remap` computes the output."""
+    """Calibration of a channel, with its bits in the masks."""
 
     calibration: Calibration
     reversed_: bool = False
@@ -27,7 +27,7 @@ class ChannelCurve:
     def stored(
         cls, channel: int, calibration: Calibration, value_of: Callable[[ParameterKey], int | None]
     ) -> Self:
-        """Return the curve of a channel (1-5). `value_of` gives the stored masks of a board."""
+        """Return the curve of a channel (1-5). `value_of` returns the stored masks."""
 
         def has(key: ParameterKey) -> bool:
             return channel in channels_in(value_of(key) or 0)
@@ -50,7 +50,7 @@ class ChannelCurve:
         )
 
     def corners(self, low: int, high: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
-        """Return the raw counts next to each change of the output, and their outputs.
+        """Return the raw counts beside each change of the output, and their outputs.
 
         A line through these points equals the line through all points.
         """
@@ -59,9 +59,9 @@ class ChannelCurve:
     def threshold(self, channel: int) -> float | None:
         """Return the count at which a switch (4 flip, 5 override) switches.
 
-        `None` for other channels and for an ignored one, which never switches. Ref: User's
-        Guide 4.a: a switch is active below a threshold. Inferred: the position of the
-        threshold, and that a reversed channel counts from the other end.
+        `None` for other channels and for an ignored channel. Ref: User's Guide 4.a: a switch is
+        active below a threshold. Inferred: the position of the threshold, and that a reversed
+        channel counts from the other end.
         """
         if channel not in _SWITCHES or self.ignored:
             return None
@@ -88,12 +88,13 @@ def _corners(curve: ChannelCurve, low: int, high: int) -> tuple[tuple[int, ...],
 
 
 def is_mixed(outputs: tuple[int, int], reported: tuple[int, int]) -> bool | None:
-    """Return whether channels 1 and 2 were mixed. `None` if unknown, as at neutral.
+    """Return whether channels 1 and 2 were mixed. `None` if unknown, such as at neutral.
 
-    No command reads the mix jumper, so it is inferred from the output of each curve and the
-    values that the board reports.
+    No command reads the mix jumper, so the outputs of the curves are compared with the values that
+    the board reports. Values that fit neither case give `None`.
+
     Ref: a user's measurement (Pololu forum, viewtopic 9053): the jumper alters the remapped
-    values in serial mode, too. Inferred: the sums. So values that fit neither case give `None`.
+    values in serial mode, too. Inferred: the sums.
     """
     turn, forward = outputs
     mixed = _clipped(forward + turn), _clipped(forward - turn)

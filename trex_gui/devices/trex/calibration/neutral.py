@@ -11,26 +11,26 @@ from trex_gui.devices.trex.calibration.problems import CalibrationProblem, Probl
 from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.devices.trex.protocol.flags import InputSource
 
-SAMPLING_SECONDS = 1.5  # some 75 values of a board that renews them 50 times a second
-_LEAST_SAMPLES = 15  # a slow line needs more time for them
-_SHOWN_LEAST = 0.1  # seconds that are shown as left while a sample is missing
+SAMPLING_SECONDS = 1.5  # about 75 values at 50 updates a second
+_LEAST_SAMPLES = 15  # take longer than `SAMPLING_SECONDS` on a slow line
+_SHOWN_LEAST = 0.1  # least remaining seconds to show while a sample is missing
 _JUDGED_FROM = 5  # least samples to report a problem
 _MOST_INVALID = 0.05  # share of samples without a signal; the board bridges 100 ms by itself
-_MOST_SPIKES = 0.03  # share of lone wild values that is still good
+_MOST_SPIKES = 0.03  # acceptable share of lone wild values
 _SPIKE_LENGTH = 2  # most samples of one wild pulse, which may be read twice
-_BESIDE = 3  # samples to each side that a sample is compared with: more than a spike lasts
+_BESIDE = 3  # neighbours on each side for a comparison, more than a spike lasts
 
 _STUCK_SHOWN = 0.3
-"""Share of lost pulses from which they are reported. Inferred: the estimate from 75 values errs by
-0.1, so a share of a third is missed now and then, and a share of 45 % is not."""
+"""Least share of lost pulses to report. Inferred: the estimate from 75 values errs by 0.1, so it
+sometimes misses a share of a third, but not a share of 45 %."""
 
 _STUCK_JUDGED_FROM = 2.0
-"""Counts of noise (0.8 us) from which a repeated value can be distinguished from a new value that
-is equal. A quieter signal hides its lost pulses until 100 ms are missing."""
+"""Least counts of noise (0.8 us) to distinguish a repeated value from an equal new value. A quieter
+signal hides its lost pulses until 100 ms are missing."""
 
-_STUCK_INTERVAL = 0.03  # longest interval, in seconds, at which repeats can be seen
+_STUCK_INTERVAL = 0.03  # longest interval in seconds that shows repeats
 _RANGE_OF_NOISE = 10.0  # standard deviations: 75 normal values span 4.8, seldom 6.5
-_DRIFT_OF_NOISE = 6.0  # standard deviations by which noise alone never moves a median
+_DRIFT_OF_NOISE = 6.0  # standard deviations of a median that noise alone never causes
 _MEDIAN_ERROR = 1.25  # deviation of a median of normal values, times the root of their number
 _MAD_TO_DEVIATION = 1.4826  # of a normal distribution, for a median absolute deviation of 1
 _LEAST_DEVIATION = 1.0  # counts; a converter that rounds to whole counts shows no less
@@ -48,7 +48,7 @@ class ChannelSample:
 
 @dataclass(frozen=True, slots=True)
 class InputLimits:
-    """Least movements, in counts, that are reported even of a quiet signal."""
+    """Least movements to report, in counts."""
 
     moved: int
     drifted: int
@@ -59,7 +59,7 @@ LIMITS = {
     InputSource.RC: InputLimits(moved=25, drifted=12, noisy=312),  # 10, 5 and 125 us
     InputSource.ANALOG: InputLimits(moved=8, drifted=4, noisy=128),  # 39, 20 and 626 mV
 }
-"""Inferred: a hand moves a stick further than this, and a spring holds it closer."""
+"""Inferred: a hand moves a stick further, and a spring holds it closer."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +77,7 @@ class Neutral:
 
     @property
     def seconds_left(self) -> float:
-        """Remaining sampling time, as far as it is known. 0 when it is complete."""
+        """Estimated remaining sampling time. 0 when the measurement is complete."""
         time_left = max(0.0, SAMPLING_SECONDS - self.seconds)
         if self.samples >= _LEAST_SAMPLES:
             return time_left
@@ -86,12 +86,12 @@ class Neutral:
 
     @property
     def deadband(self) -> int:
-        """The least deadband that holds the channel still, in counts."""
+        """Least deadband that hides the noise, in counts."""
         return max(deadband_floor(self.source), self.noise)
 
     @property
     def noise_text(self) -> str:
-        """The noise to each side, such as `±2.0 µs`."""
+        """Noise to each side, such as `±2.0 µs`."""
         return swing_text(self.noise / 2, self.source)
 
 
@@ -101,7 +101,7 @@ def deadband_floor(source: InputSource) -> int:
 
 
 def swing_text(counts: float, source: InputSource) -> str:
-    """Return a small swing to both sides, with the decimals that it needs: `±2.0 µs`, `±15 mV`."""
+    """Return a small swing to both sides, such as `±2.0 µs` or `±15 mV`."""
     if source is InputSource.RC:
         return f"±{Number(source.physical(counts)):.1f} µs"
     return f"±{1000 * source.physical(counts):.0f} mV"
@@ -116,7 +116,7 @@ def lost_pulses(share: float, *, fatal: bool = True) -> CalibrationProblem:
 
 
 def measure_neutral(samples: Sequence[ChannelSample], source: InputSource) -> Neutral | None:
-    """Judge a channel that should be at rest. `None` before the first valid sample."""
+    """Measure a channel at rest. `None` before the first valid sample."""
     if not samples:
         return None
     counts = [sample.count for sample in samples if sample.count is not None]
@@ -146,10 +146,9 @@ def measure_neutral(samples: Sequence[ChannelSample], source: InputSource) -> Ne
 
 
 def _deviation(counts: Sequence[int]) -> float:
-    """Return the standard deviation of the noise, whatever else the signal does.
+    """Return the standard deviation of the noise.
 
-    It is computed from medians of the differences between neighbours, so neither a steady movement
-    nor a few wild values count as noise.
+    Medians of the differences between neighbours exclude a steady movement and a few wild values.
     """
     steps = [b - a for a, b in pairwise(counts)]
     moving = [step for step in steps if step]
@@ -161,7 +160,7 @@ def _deviation(counts: Sequence[int]) -> float:
 
 
 def _without_spikes(counts: Sequence[int], limit: float) -> tuple[Sequence[int], int]:
-    """Leave out lone wild values. Return the other values and the number of spikes.
+    """Remove lone wild values. Return the other values and the number of spikes.
 
     Values are compared with their neighbours, because a drifting stick is far from its own median.
     """
@@ -176,7 +175,7 @@ def _without_spikes(counts: Sequence[int], limit: float) -> tuple[Sequence[int],
         if is_wild and len(run) <= _SPIKE_LENGTH:
             lone.update(run)
             spikes += run[-1] + 1 < len(counts)  # the last sample may start a movement
-    # If there are only two values, far apart, both are wild.
+    # Of only two values, far apart, both are wild.
     return [count for index, count in enumerate(counts) if index not in lone] or counts, spikes
 
 
@@ -216,11 +215,11 @@ def _jitter(invalid: float, spikes: int, total: int) -> CalibrationProblem | Non
 
 
 def _stuck(counts: Sequence[int], spread: float, interval: float) -> tuple[CalibrationProblem, ...]:
-    """Estimate how many pulses are lost, though the board repeats the last value for each.
+    """Estimate the share of lost pulses, for which the board repeats the last value.
 
-    Each value differs from the previous value, unless they are equal by chance or one was read
-    twice. So only the third and later equal values in a row count. If the share of equal neighbours
-    is `p`, the share of these values is `p * p`.
+    Two neighbours may be equal by chance or by a double read. So only the third and later equal
+    values in a row count. If the share of equal neighbours is `p`, the share of these values is
+    `p * p`.
     """
     if spread < _STUCK_JUDGED_FROM or interval > _STUCK_INTERVAL:
         return ()

@@ -1,4 +1,4 @@
-"""Problems of a channel that is learned, as codes. `problem_text` has their sentences."""
+"""Codes of calibration problems. `problem_text` has their sentences."""
 
 from dataclasses import dataclass
 from enum import Enum, auto
@@ -27,11 +27,11 @@ class ProblemKind(Enum):
 
 @dataclass(frozen=True, slots=True)
 class CalibrationProblem:
-    """A problem. Nothing can be learned while a `fatal` one remains."""
+    """Problem of a channel. A `fatal` problem prevents a calibration."""
 
     kind: ProblemKind
-    variant: str = ""  # which of the sentences of this kind applies
-    values: tuple[object, ...] = ()  # quantities that the sentence names, in its order
+    variant: str = ""  # selects a sentence of this kind
+    values: tuple[object, ...] = ()  # values for the placeholders of the sentence
     fatal: bool = True
 
 

@@ -1,4 +1,4 @@
-"""Calibration that fits the measurements, and the reasons for its values."""
+"""Calibration from measurements, with reasons for its values."""
 
 from dataclasses import dataclass
 from math import ceil
@@ -9,7 +9,7 @@ from trex_gui.devices.trex.calibration.problems import CalibrationProblem, Probl
 from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibration
 
-_INSIDE = 0.01  # share of the way by which an end lies inside the measured end
+_INSIDE = 0.01  # share of the travel between the proposed and the measured end
 _INSIDE_DEVIATIONS = 3.0  # standard deviations of the noise, added to this distance
 _IDLE_LEAST = 1 / 3  # least distance of an unreached end, as a share of the other distance
 
@@ -18,12 +18,12 @@ WHY_THESE_VALUES = tr_noop(
     "full output is reliably reached. The deadband covers the noise at rest, but is at least {0}, "
     "since a stick does not return to exactly the same place each time."
 )
-"""Reasons that all channels have in common. `{0}` is the least deadband."""
+"""Reasons common to all channels. `{0}` is the least deadband."""
 
 
 @dataclass(frozen=True, slots=True)
 class Proposal:
-    calibration: Calibration | None  # `None` when nothing can be learned; `problems` say why
+    calibration: Calibration | None  # `None` if a problem is fatal
     reversed_: bool  # whether the channel should be reversed
     reversed_reason: str  # empty if the direction stays unchanged
     reasons: tuple[str, ...]  # explanations of the values
@@ -31,7 +31,7 @@ class Proposal:
 
 
 def propose(neutral: Neutral, travel: Travel, *, reversed_now: bool) -> Proposal:
-    """Create a calibration from the measurements. The board accepts every result."""
+    """Propose a calibration that the board accepts."""
     problems = neutral.problems + travel.problems
     if has_fatal(problems):
         return Proposal(None, reversed_now, "", (), problems)
@@ -60,8 +60,8 @@ def _margin(length: int, neutral: Neutral) -> int:
 def _distance(neutral: Neutral, travel: Travel, way: Way) -> int:
     """Return the distance of the proposed end from rest, in counts.
 
-    An end at which a switch or a throttle rests is put at the limit of the input. The auxiliary
-    motor turns for both signs alike, and moving a trim must not command full speed.
+    If a switch or a throttle rests at an end, this end is the limit of the input. The auxiliary
+    motor turns for both signs, and a change of the trim must not command full speed.
     """
     length = travel.length(way)
     if travel.reached(way):

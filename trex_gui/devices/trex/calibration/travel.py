@@ -1,4 +1,4 @@
-"""Travel of a channel to each side of its rest position, measured while it moves."""
+"""Travel of a channel to each side of its rest position."""
 
 from bisect import bisect_left
 from collections import deque
@@ -19,39 +19,39 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.flags import InputSource
 
 HELD = 6
-"""Number of samples in a row that have to agree. They last longer than the 100 ms for which the
-board repeats a wild value when the pulses after it are lost."""
+"""Samples in a row that must agree. They take longer than 100 ms, for which the board repeats a
+wild value if the next pulses are lost."""
 
 _SLOW_HELD = 3  # `HELD` on a slow line, where three samples take longer than 100 ms
 WINDOW = 2 * HELD - 1  # samples of a median: up to five wild samples make no end
 
 _SLOW = 0.05
-"""Seconds between samples above which a line is slow. A wild pulse lasts 20 ms, so a slow line
-never reads it twice, but may read a stick that is pushed and released at once only once."""
+"""Longest seconds between samples of a fast line. A wild pulse lasts 20 ms, so a slow line never
+reads it twice. But it may read a short push of the stick only once."""
 
-_HELD_SHARE = 0.02  # samples agree within this share of the way, plus `_DEVIATIONS` of the noise
-_DEVIATIONS = 6.0  # standard deviations of the noise that a still channel stays within
-_SILENT_AFTER = 0.5  # seconds without a valid sample: the channel may have moved
-_MANY_INVALID = 0.1
+_HELD_SHARE = 0.02  # samples agree within this share of the travel, plus `_DEVIATIONS` of the noise
+_DEVIATIONS = 6.0  # standard deviations of the noise that a still channel never exceeds
+_SILENT_AFTER = 0.5  # seconds without a valid sample, in which the channel may have moved
+_MANY_INVALID = 0.1  # least share of samples without a signal to report
 _JUDGED_FROM = 25  # least samples for a meaningful share of invalid samples
 _TIMES = 16  # samples over which the interval is measured
 _LEAST_HOLD = 0.3  # seconds; a stick cannot be held for less on purpose
 _RAIL = 5  # counts within which a voltage is at an end of the range: 24 mV (inferred)
 
 _MOSTLY = 0.75
-"""Share of the way to an end that makes it the first end. Inferred: pushing a two-axis stick along
-one axis moves the other axis by a third of its way, seldom more."""
+"""Share of the travel to an end that makes it the first end. Inferred: a push of a two-axis stick
+along one axis moves the other axis by a third of its travel, seldom more."""
 
-_SETTLED_SECONDS = 0.4  # seconds that a channel has to be still to have settled
+_SETTLED_SECONDS = 0.4  # seconds of standstill until a channel is settled
 _SETTLED_SAMPLES = 3  # least number of samples of a settled channel
-_SETTLED_LEAST = 0.75  # least share of `_SETTLED_SECONDS` that samples have to cover
-_SETTLED_WILD = 0.1  # share of the samples that may be wild
-_LET_GO = 0.5  # share of the way to an end below which a still channel was released
-_UNEVEN = 0.5  # share of the longer side below which the shorter side is reported
+_SETTLED_LEAST = 0.75  # least share of `_SETTLED_SECONDS` that samples must cover
+_SETTLED_WILD = 0.1  # most wild samples, as a share
+_RELEASED = 0.5  # share of the travel; a channel that settles closer to rest was released
+_UNEVEN = 0.5  # least length of the shorter side, as a share of the longer side
 
 
 class Task(Enum):
-    """The use of a channel, which decides how it has to move."""
+    """Use of a channel, which determines its required movement."""
 
     STICK = auto()
     ONE_WAY = auto()
@@ -59,11 +59,11 @@ class Task(Enum):
 
 
 TASKS = {1: Task.STICK, 2: Task.STICK, 3: Task.ONE_WAY, 4: Task.SWITCH, 5: Task.SWITCH}
-"""Channel 3 drives a motor with one direction; 4 (flip) and 5 (override) are switches."""
+"""Channel 3 drives a motor with one direction. Channels 4 (flip) and 5 (override) are switches."""
 
 
 class Way(Enum):
-    """A direction, by the sign of its effect on the raw value."""
+    """Direction of a movement, as the sign of the change in counts."""
 
     DOWN = -1
     UP = 1
@@ -72,20 +72,21 @@ class Way(Enum):
 def least_travel(deadband: int) -> int:
     """Return the least distance of an end from rest, in counts.
 
-    It is the deadband plus 127 counts for the 127 speeds. With less, some speeds are never reached.
+    The sum of the deadband and 127 counts for the 127 speeds. With less travel, the channel never
+    reaches some speeds.
     """
     return deadband + FULL_SCALE
 
 
 class _End:
-    """One end of a channel: the furthest place seen, and whether the channel was held there.
+    """Furthest position of a channel to one side.
 
-    An end is held when some samples in a row agree with the furthest place. On a slow line one
-    sample beyond that place cancels the hold, until the channel is held again.
+    An end is held when some samples in a row agree with the furthest position. On a slow line, one
+    sample beyond this position cancels the hold.
     """
 
     def __init__(self, way: Way, neutral: Neutral) -> None:
-        self.furthest: int | None = None  # the furthest median so far; `None`: none yet
+        self.furthest: int | None = None  # furthest median; `None` before the first median
         self.is_held = False
         self.distances: list[int] = []  # from rest to `furthest`, after each sample
         self._sign = way.value
@@ -97,9 +98,9 @@ class _End:
         window = list(recent)[1 - 2 * held :]
         if len(window) < 2 * held - 1:
             return
-        seen = median_low(window)
-        if self.furthest is None or self._sign * (seen - self.furthest) > 0:
-            self.furthest = seen
+        position = median_low(window)
+        if self.furthest is None or self._sign * (position - self.furthest) > 0:
+            self.furthest = position
         furthest, sign = self.furthest, self._sign
         distance = sign * (furthest - self._neutral.value)
         self.distances.append(distance)
@@ -114,14 +115,14 @@ class _End:
 
 
 class Travel:
-    """Follows one channel. Wild single samples do not count."""
+    """Movement of one channel. Lone wild samples do not count."""
 
     def __init__(self, neutral: Neutral, task: Task) -> None:
         self.source = neutral.source
         self.task = task
         self.neutral = neutral.value  # in counts, as measured at rest
         self.deadband = neutral.deadband  # in counts
-        self.now: int | None = None  # the newest valid count
+        self.now: int | None = None  # newest valid count
         self._deviation = neutral.deviation
         self._ends = {way: _End(way, neutral) for way in Way}
         self._recent: deque[int] = deque(maxlen=WINDOW)
@@ -147,21 +148,21 @@ class Travel:
         ):
             self._last.popleft()
 
-    # --- Where it rests -----------------------------------------------------------------
+    # --- Rest position ------------------------------------------------------------------
 
     @property
     def rest(self) -> int:
-        """Count where the channel settled after its release, else its sampled rest position."""
+        """Count at which the released channel settled, else `neutral`."""
         settled = self.settled
         if settled is None or self.task is Task.SWITCH:
             return self.neutral
         way = Way.UP if settled > self.neutral else Way.DOWN
-        is_let_go = abs(settled - self.neutral) < _LET_GO * self.length(way)
-        return settled if is_let_go else self.neutral
+        is_released = abs(settled - self.neutral) < _RELEASED * self.length(way)
+        return settled if is_released else self.neutral
 
     @property
     def settled(self) -> int | None:
-        """Count where the channel is still now, despite wild values. `None` if it is not still."""
+        """Count at which the channel stands still, without wild values. `None` if it moves."""
         if (
             len(self._last) < _SETTLED_SAMPLES
             or self._times[-1] - self._last[-1][0] > _SILENT_AFTER
@@ -175,10 +176,10 @@ class Travel:
         wild = sum(abs(count - middle) > tolerance for count in counts)
         return round(middle) if wild <= _SETTLED_WILD * len(counts) else None
 
-    # --- Its ends -----------------------------------------------------------------------
+    # --- Ends ---------------------------------------------------------------------------
 
     def end(self, way: Way) -> int:
-        """Return the furthest count that way, or the rest position if none was measured yet."""
+        """Return the furthest count that way, or `neutral` before the first measurement."""
         furthest = self._ends[way].furthest
         return self.neutral if furthest is None else furthest
 
@@ -196,7 +197,7 @@ class Travel:
 
     @property
     def to_hold(self) -> Way | None:
-        """Way that the channel is pushed now, if that end still has to be held."""
+        """Current direction of the stick, if it must still be held there."""
         for way in Way:
             if self.now is not None and not self.held(way):
                 offset = way.value * (self.now - self.neutral)
@@ -206,7 +207,7 @@ class Travel:
 
     @property
     def first(self) -> Way | None:
-        """End to which the channel first went most of the way."""
+        """Direction in which the channel first covered most of its travel."""
         reached = {
             way: bisect_left(end.distances, _MOSTLY * end.distances[-1])
             for way, end in self._ends.items()
@@ -216,17 +217,17 @@ class Travel:
 
     @property
     def idle(self) -> Way | None:
-        """The way that a switch or a throttle never goes, since it rests at that end."""
+        """Direction without travel, because a switch or a throttle rests at this end."""
         ways = [way for way in Way if not self.reached(way)]
         return ways[0] if self.task is not Task.STICK and len(ways) == 1 else None
 
     @property
     def is_enough(self) -> bool:
-        """True if the ends that the task needs were held."""
+        """True if all ends that the task requires were held."""
         held = [self.held(way) for way in Way]
         return all(held) if self.task is Task.STICK else any(held)
 
-    # --- How often samples come ---------------------------------------------------------
+    # --- Sample rate --------------------------------------------------------------------
 
     @property
     def interval(self) -> float:
@@ -236,12 +237,12 @@ class Travel:
 
     @property
     def is_slow(self) -> bool:
-        """True if samples come so seldom that an end has to be held for longer."""
+        """True if the low sample rate requires a longer hold."""
         return self.interval > _SLOW
 
     @property
     def hold_seconds(self) -> float:
-        """Seconds for which an end has to be held: one sample more than has to agree."""
+        """Required time to hold an end, one sample more than must agree."""
         held = _SLOW_HELD if self.is_slow else HELD
         return max(_LEAST_HOLD, (held + 1) * self.interval)
 

@@ -150,7 +150,7 @@ def path(which: str) -> None:
 @history.command("keep")
 @click.argument("count", metavar="COUNT|all", required=False)
 @click.option("--yes", is_flag=True, help="Do not ask.")
-def keep(count: str | None, yes: bool) -> None:
+def limit(count: str | None, yes: bool) -> None:
     """Set the number of snapshots that trexcmd and the window keep, or print it.
 
     Asks before it removes older snapshots.
@@ -162,16 +162,16 @@ def keep(count: str | None, yes: bool) -> None:
             raise CommandFailed(bound.problem)
         click.echo("all" if bound.kept is None else bound.kept)
         return
-    kept = _count(count)
-    if (gone := len(history.beyond(kept))) and not yes:
+    most = _count(count)
+    if (gone := len(history.beyond(most))) and not yes:
         total = counted(len(history.snapshots()), "snapshot")
         which = "the oldest one" if gone == 1 else f"the oldest {gone}"
         click.confirm(f"Remove {which} of {total} permanently?", abort=True, err=True)
     with refusals():
-        removed = len(history.set_limit(kept))
+        removed = len(history.set_limit(most))
     if removed:
         say(f"{counted(removed, 'snapshot')} removed.")
-    say("All snapshots are kept." if kept is None else f"The newest {kept} are kept.")
+    say("All snapshots are kept." if most is None else f"The newest {most} are kept.")
 
 
 def _count(word: str) -> int | None:

@@ -1,4 +1,4 @@
-"""Saved values beyond inferred limits that boards have stored, by model and firmware."""
+"""Values beyond inferred limits that boards have stored."""
 
 import json
 import logging
@@ -17,7 +17,7 @@ Accepted = Mapping[str, frozenset[int]]  # wire values by parameter
 
 
 class AcceptedValues:
-    """A file for all boards, shared by the window and the command line."""
+    """File of accepted values, shared by the window and the command line."""
 
     def __init__(self, path: Path | None = None) -> None:
         self.path = path or data_folder() / "accepted_values.json"
@@ -25,7 +25,7 @@ class AcceptedValues:
     def of(self, board: Signature) -> Accepted:
         """Return the values that boards with this model and firmware have stored.
 
-        An unusable file counts as empty, so that the user has to confirm again.
+        An unusable file counts as empty, so the user has to confirm again.
         """
         found = self._read().get(_name(board))
         return {
@@ -38,7 +38,7 @@ class AcceptedValues:
         """Save values that a board has stored. Return all values for its model and firmware.
 
         Raises:
-            SettingsError: saving failed; the earlier values are still saved.
+            SettingsError: saving failed. The earlier values remain.
         """
         known = dict(self.of(board))
         for key, wire in values.items():

@@ -1,10 +1,9 @@
-"""Records of each board's last applied settings, on this computer.
+"""Records of the settings last applied to each board.
 
-A record is a settings file. It holds the parameters that were applied last, if any, and the
-calibrations of both input sources, although a board shows only one set. Comments at its head say
-when the parameters were applied, when each calibration set was applied or read, whether a trial of
-the serial timeout stopped the motors, and which adapter the board was connected to. Two boards may
-share a record. A different adapter is the only sign of it.
+A record is a settings file with the last applied parameters, and the calibrations of both input
+sources, although a board shows only one set. Comments at its head hold the times when these values
+were applied or read, the result of the serial timeout trial, and the adapter. Two boards may share
+a record. Only a different adapter reveals this.
 """
 
 import re
@@ -51,14 +50,14 @@ class BoardRecord:
 
     settings: Settings
     applied: datetime | None = None  # when parameters were written last; `None`: never
-    known: Mapping[InputSource, Known] = field(default_factory=dict)  # calibrations
-    adapter: str = ""  # key of the adapter that the board was last connected to; empty if unknown
-    trial: TimeoutTrial | None = None  # of the serial timeout; `None`: never tried
+    known: Mapping[InputSource, Known] = field(default_factory=dict)  # calibration sets
+    adapter: str = ""  # key of the last adapter; empty if unknown
+    trial: TimeoutTrial | None = None  # serial timeout trial; `None`: never tried
 
     @property
     def time(self) -> datetime | None:
         """Time when values of the record were last applied or read. `None`: never."""
-        times = [each.time for each in self.known.values()]
+        times = [known.time for known in self.known.values()]
         return max([*times, self.applied] if self.applied else times, default=None)
 
     def calibrations(self, source: InputSource) -> dict[CalibrationKey, Calibration]:
@@ -66,7 +65,7 @@ class BoardRecord:
         return {key: found for key, found in given.items() if key.source is source}
 
     def applied_to(self, stored: Settings) -> Settings:
-        """Return the applied settings, with only the calibrations that the board shows now."""
+        """Return the applied settings without the calibrations that the board hides."""
         applied = {
             key: found
             for key, found in self.settings.calibrations.items()
@@ -96,7 +95,7 @@ class BoardRecord:
         )
 
     def before_writing(self, keys: Collection[str]) -> "BoardRecord":
-        """Remove values that may change without a confirmation."""
+        """Remove the values that a write may change."""
         return replace(self, settings=self.settings.without(keys))
 
     def after_writing(
@@ -132,8 +131,8 @@ class BoardRecord:
     def with_notes(self, notes: Mapping[str, str]) -> "BoardRecord":
         return replace(self, settings=replace(self.settings, notes=notes))
 
-    def together_with(self, earlier: "BoardRecord") -> "BoardRecord":
-        """Add notes and calibrations from this board's record under an earlier number."""
+    def merged_with(self, earlier: "BoardRecord") -> "BoardRecord":
+        """Add notes and calibrations of the record under an earlier device number."""
         old, new = earlier.settings, self.settings
         calibrations = {**old.calibrations, **new.calibrations}
         return replace(
@@ -144,19 +143,19 @@ class BoardRecord:
         )
 
     def with_hidden(self, stored: Settings, source: InputSource) -> tuple[Settings, list[str]]:
-        """Return the stored settings with the hidden ones, and comments on their age.
+        """Add the calibrations that the board hides, and the notes.
 
-        Hidden are the calibrations of the inactive input source, and the notes.
+        Also return comments on the age of these calibrations.
         """
         others = {k: c for k, c in self.settings.calibrations.items() if k.source is not source}
-        lines = [_line(_name(key), each) for key, each in self.known.items() if key is not source]
+        lines = [_line(_name(key), known) for key, known in self.known.items() if key is not source]
         calibrations = {**stored.calibrations, **others}
         whole = replace(stored, calibrations=calibrations, notes=self.settings.notes)
         return whole, lines if others else []
 
 
 class BoardRecords:
-    """The records in a folder, which is created for the first record."""
+    """Folder of board records, created for the first record."""
 
     def __init__(self, folder: Path | None = None) -> None:
         self.folder = folder or data_folder() / "boards"
@@ -168,7 +167,7 @@ class BoardRecords:
         """Replace the record of a board. `None` removes it.
 
         Raises:
-            SettingsError: the change failed; the old record is still there.
+            SettingsError: the change failed. The old record remains.
         """
         replace_file(self.path(board), None if record is None else _text(record))
 
@@ -192,7 +191,7 @@ class BoardRecords:
             raise
 
     def of_other_number(self, board: BoardIdentity, adapter: str) -> BoardRecord | None:
-        """Return the newest record of a like board with another number at this adapter."""
+        """Return the newest record at this adapter under another device number."""
         others: list[BoardRecord] = []
         for number in range(HIGHEST_WIRE + 1):
             if number == board.device_number:

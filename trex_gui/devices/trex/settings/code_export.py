@@ -1,4 +1,4 @@
-"""Export settings as a Python or Arduino program, each from its Jinja template."""
+"""Export of settings as a Python or Arduino program."""
 
 import textwrap
 from collections.abc import Iterator
@@ -21,8 +21,7 @@ from trex_gui.version import __version__
 
 _COMMENT_WIDTH = 86
 
-_SOURCE_LETTERS = {mode.source: mode.value for mode in Mode if mode.is_serial}
-"""Letter of a serial mode, by the input source whose calibrations the board shows in that mode."""
+_SERIAL_MODES = {mode.source: mode.value for mode in Mode if mode.is_serial}  # letters
 
 
 def file_name(settings: Settings, language: Language) -> str:
@@ -36,8 +35,8 @@ def file_name(settings: Settings, language: Language) -> str:
 def export_code(settings: Settings, link: ConnectionSettings, language: Language) -> str:
     """Return a complete program that stores and checks settings and drives motors.
 
-    The text is plain ASCII in English, and always identical for equal settings and line. Values
-    that the board would reject are left out and named in a comment. The port of `link` is not used.
+    The text is ASCII, in English, and identical for equal settings and line. Values that the board
+    would reject are left out and named in a comment. The port of `link` is not used.
 
     Raises:
         BadRequest: the settings hold a key that their model and firmware do not have, or the
@@ -94,7 +93,7 @@ def _program(settings: Settings, link: ConnectionSettings, language: Language) -
 
 
 def _notes(settings: Settings) -> Iterator[str]:
-    """Yield the notes on settings, wrapped to lines of limited length."""
+    """Yield the notes, wrapped to lines."""
     for key in sorted(settings.notes):
         text = plain(f"{key}: {settings.notes[key]}".replace("\n", " / "))
         yield textwrap.fill(text, _COMMENT_WIDTH, subsequent_indent="    ")
@@ -112,7 +111,7 @@ def _parameter_row(spec: ParameterSpec, wire: int, settings: Settings) -> dict[s
 
 def _calibration_row(key: CalibrationKey, calibration: Calibration) -> dict[str, object]:
     return {
-        "source": _SOURCE_LETTERS[key.source],
+        "source": _SERIAL_MODES[key.source],
         "channel": key.channel,
         "counts": ", ".join(str(getattr(calibration, name)) for name in CALIBRATION_FIELDS),
         "comment": plain(calibration_text(key.source, calibration)),

@@ -1,4 +1,4 @@
-"""Differences between two sets of settings, and values that cannot be carried over."""
+"""Differences between two sets of settings."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -22,7 +22,7 @@ _NOT_GIVEN = tr_noop("not given")
 
 @dataclass(frozen=True, slots=True)
 class ComparisonRow:
-    key: str  # of a parameter, or a `CalibrationKey`
+    key: str  # parameter key or `CalibrationKey`
     name: str  # for the user
     before: int | Calibration | None  # wire value or calibration; `None`: not known, or not given
     after: int | Calibration | None  # wire value or calibration; `None`: setting does not change
@@ -33,22 +33,21 @@ class ComparisonRow:
 
     @property
     def changed(self) -> bool:
-        """True if applying the settings after writes this setting."""
+        """True if `after` has a different value."""
         return self.after is not None and self.before != self.after
 
     @property
-    def brings_note(self) -> bool:
-        """True if the settings after have a new or different note."""
+    def adds_note(self) -> bool:
+        """True if `after` has a new or different note."""
         return bool(self.note_after) and self.note_after != self.note_before
 
     @property
     def is_offered(self) -> bool:
-        """True if the settings after offer a different value or note."""
-        return self.changed or self.brings_note
+        """True if `after` has a different value or note."""
+        return self.changed or self.adds_note
 
     @property
     def is_missing(self) -> bool:
-        """True if the settings after lack this setting, so that it does not change."""
         return self.after is None
 
     @property
@@ -57,7 +56,7 @@ class ComparisonRow:
 
     @property
     def differing_fields(self) -> tuple[str, ...]:
-        """Fields in which the calibrations differ: all if one calibration is unknown."""
+        """Calibration fields that differ. All fields if one calibration is unknown."""
         if not self.is_calibration or self.before == self.after:
             return ()
         old, new = self.before, self.after
@@ -68,14 +67,14 @@ class ComparisonRow:
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """The settings that at least one side gives and both sides can have."""
+    """Settings that at least one side gives and both models have."""
 
     rows: tuple[ComparisonRow, ...]  # in the order of the parameter table, then calibrations
-    left_out: tuple[str, ...] = ()  # a sentence for each setting that one side cannot have
+    left_out: tuple[str, ...] = ()  # a sentence for each other setting
 
     @property
     def differing(self) -> tuple[ComparisonRow, ...]:
-        return tuple(row for row in self.rows if row.before != row.after or row.brings_note)
+        return tuple(row for row in self.rows if row.before != row.after or row.adds_note)
 
     @property
     def changed(self) -> int:
@@ -101,9 +100,10 @@ class Comparison:
         return "; ".join(parts)
 
     def report(self) -> str:
-        """Return a table of the rows that differ, old → new in wire and physical units.
+        """Return a table of the differing rows, then `left_out`.
 
-        `left_out` follows. Ends without a line break; empty without differences.
+        A row has old → new in wire and physical units. The last line has no line break. The text is
+        empty without differences.
         """
         cells = [cell for row in self.differing for cell in _cells(row)]
         widths = [max((len(cell[column]) for cell in cells), default=0) for column in range(3)]
@@ -115,23 +115,23 @@ class Comparison:
 
 
 def compare(before: Settings, after: Settings) -> Comparison:
-    """Compare the settings of a board or a file with their replacements.
+    """Compare settings with their replacements.
 
-    Rows with the same wire values are equal. A wire value with another meaning for the other model
+    Equal wire values are equal settings. A wire value that means something else to the other model
     is left out.
     """
     numbers = {spec.number: key for side in (before, after) for key, spec in _specs(side).items()}
     keys = [key for _, key in sorted(numbers.items())]
     given = [key for key in keys if key in before.parameters or key in after.parameters]
-    reasons = {key: reason for key in given if (reason := _why_not_carried(key, before, after))}
+    reasons = {key: reason for key in given if (reason := _omission_reason(key, before, after))}
     rows = [_parameter_row(key, before, after) for key in given if key not in reasons]
     return Comparison((*rows, *_calibration_rows(before, after)), tuple(reasons.values()))
 
 
 def compare_with_board(stored: Settings, source: InputSource, wanted: Settings) -> Comparison:
-    """Compare a board's stored settings with wanted settings, which must all fit it.
+    """Compare the stored settings of a board with wanted settings.
 
-    Only calibrations of this `source` are compared, because the board hides the others.
+    Only calibrations of this `source` are compared, because the board hides all others.
 
     Raises:
         BadRequest: the settings are for another model, or the board lacks a parameter.
@@ -170,8 +170,8 @@ def settings_after(
     return replace(before, parameters=parameters, calibrations=calibrations)
 
 
-def _why_not_carried(key: str, before: Settings, after: Settings) -> str:
-    """Return the reason why the other side cannot have a parameter. Empty if it can."""
+def _omission_reason(key: str, before: Settings, after: Settings) -> str:
+    """Return the reason to leave out a parameter. Empty if both sides can have it."""
     for side, other in ((before, after), (after, before)):
         spec, wire = _specs(side).get(key), side.parameters.get(key)
         if spec is not None and wire is not None and key not in _specs(other):
@@ -182,11 +182,11 @@ def _why_not_carried(key: str, before: Settings, after: Settings) -> str:
     wire = after.parameters.get(key)
     if wire is None:
         return ""
-    new, there = _specs(after)[key], _specs(before)[key]
-    if new.text(wire) == there.text(wire):
+    old, new = _specs(before)[key], _specs(after)[key]
+    if new.text(wire) == old.text(wire):
         return ""
     return tr("{0} is left out: {1} means {2} to a {3}, but {4} to a {5}.").format(
-        new.name, wire, new.text(wire), after.product.name, there.text(wire), before.product.name
+        new.name, wire, new.text(wire), after.product.name, old.text(wire), before.product.name
     )
 
 
@@ -219,7 +219,7 @@ def _calibration_rows(before: Settings, after: Settings) -> Iterator[ComparisonR
             yield ComparisonRow(key, name, old, new, old_text, new_text, *notes)
 
 
-def _counts(rows: list[ComparisonRow], one: str, many: str) -> str:
+def _counts(rows: list[ComparisonRow], singular: str, plural: str) -> str:
     changed = sum(row.changed for row in rows)
     missing = sum(row.is_missing for row in rows)
     parts = [
@@ -228,11 +228,11 @@ def _counts(rows: list[ComparisonRow], one: str, many: str) -> str:
     ]
     if missing:
         parts.append(f"{missing} {tr(_NOT_GIVEN)}")
-    return f"{(one if len(rows) == 1 else many).format(len(rows))}: {', '.join(parts)}"
+    return f"{(singular if len(rows) == 1 else plural).format(len(rows))}: {', '.join(parts)}"
 
 
 def _cells(row: ComparisonRow) -> Iterator[tuple[str, str, str]]:
-    """Yield lines of key, wire values and physical values for a row, then its note."""
+    """Yield key, wire values and physical values of a row, then its note."""
     if isinstance(row.key, CalibrationKey) and None not in {row.before, row.after}:
         for name in row.differing_fields:
             old, new = getattr(row.before, name), getattr(row.after, name)
@@ -248,7 +248,7 @@ def _cells(row: ComparisonRow) -> Iterator[tuple[str, str, str]]:
 
 
 def note_text(before: str, after: str) -> str:
-    """Return the note of a row on one line, old → new if they differ. Empty without a note."""
+    """Return a note on one line, old → new if it differs."""
     notes = (note.replace("\n", " / ") for note in (before, after))
     return " → ".join(dict.fromkeys(filter(None, notes)))
 

@@ -1,4 +1,4 @@
-"""Conversion of settings to another model or firmware, with changes and omissions."""
+"""Conversion of settings to another model or firmware."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -51,7 +51,7 @@ class Conversion:
 
     @property
     def alters(self) -> bool:
-        """True if anything was changed or left out."""
+        """True if the conversion changes or leaves out a setting."""
         return any(row.fate is not Fate.CARRIED_OVER for row in self.rows)
 
     def of(self, fate: Fate) -> tuple[ConvertedRow, ...]:
@@ -76,10 +76,10 @@ class Conversion:
 
 
 def convert(settings: Settings, product: Model, firmware: str | None) -> Conversion:
-    """Convert settings for a model and a firmware, by default its newest known firmware.
+    """Convert settings for a model and a firmware, by default the newest.
 
-    Physical values stay the same if wire values have another meaning. Current limits are rounded
-    down: a conversion never raises a limit, except to the lowest limit of the model.
+    Wire values change if this retains their physical values. Current limits are rounded down: a
+    conversion never raises a limit, except to the lowest limit of the model.
     """
     target = Settings(product, firmware)
     parameters: dict[str, int] = {}
@@ -114,7 +114,7 @@ def convert(settings: Settings, product: Model, firmware: str | None) -> Convers
 
 
 def _wire(old: ParameterSpec, new: ParameterSpec, wire: int, product: Model) -> tuple[int, str]:
-    """Return the wire value for the same physical value. A reason follows if it differs."""
+    """Return the wire value for the same physical value, and the reason for a change."""
     if old.scale == new.scale or wire == 0:
         return wire, ""
     steps = wire * old.scale / new.scale
@@ -134,7 +134,10 @@ def _wire(old: ParameterSpec, new: ParameterSpec, wire: int, product: Model) -> 
 
 
 def _line(settings: Settings, target: Settings, wire: int) -> tuple[int, str]:
-    """Return UART settings with the same real baud rate. Old firmware halves two of the rates."""
+    """Return UART settings with the same real baud rate, and the reason for a change.
+
+    Old firmware halves two of the rates.
+    """
     before, after = settings.firmware, target.specs.firmware
     try:
         line = LineSettings.from_wire(wire)
@@ -143,17 +146,17 @@ def _line(settings: Settings, target: Settings, wire: int) -> tuple[int, str]:
     real = line.baud if before is None else line.real_baud(before)
     if real == line.real_baud(after) or real not in baud_rates():
         return wire, ""
-    kept = replace(line, baud=real)
-    if kept.real_baud(after) != real:
+    corrected = replace(line, baud=real)
+    if corrected.real_baud(after) != real:
         return wire, ""  # the new firmware lacks this rate; a rule reports it
     reason = tr("Firmware {0} really runs at {1} baud when set to {2}.").format(
         before, real, line.baud
     )
-    return kept.to_wire(), reason
+    return corrected.to_wire(), reason
 
 
 def conversion_lines(conversion: Conversion) -> Iterator[str]:
-    """Yield a summary, a line per altered setting, and the other keys."""
+    """Yield a summary, a line per altered setting, and the unaltered keys."""
     yield conversion.summary()
     for row in conversion.rows:
         if row.fate is not Fate.CARRIED_OVER:

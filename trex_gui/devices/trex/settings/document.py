@@ -13,13 +13,12 @@ from trex_gui.devices.trex.protocol.parameters import (
     parameters_of,
 )
 
-REACH = (
+REACH = (  # parameters that a connection to the board depends on
     ParameterKey.DEVICE_NUMBER,
     ParameterKey.UART_RESPONSE_DELAY,
     ParameterKey.CRC7_POLYNOMIAL,
     ParameterKey.UART_SETTINGS,
 )
-"""The parameters that a connection to the board depends on."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,11 +31,10 @@ class Settings:
 
     @property
     def specs(self) -> ParameterSet:
-        """The parameters that these settings may have."""
         return specs_for(self.product, self.firmware)
 
     def parameter_items(self) -> list[tuple[ParameterSpec, int]]:
-        """Return the given parameters with their wire values, in the order of their numbers."""
+        """Return the given parameters with their wire values, by number."""
         given = self.parameters
         return [(spec, given[spec.key]) for spec in self.specs.readable if spec.key in given]
 
@@ -46,11 +44,10 @@ class Settings:
 
     @property
     def keys(self) -> set[str]:
-        """The keys of the given parameters and calibrations."""
         return {*self.parameters, *self.calibrations}
 
     def only(self, keys: Collection[str]) -> "Settings":
-        """Return only the parameters and calibrations with these keys."""
+        """Remove other parameters and calibrations."""
         return replace(
             self,
             parameters={key: wire for key, wire in self.parameters.items() if key in keys},
@@ -61,7 +58,7 @@ class Settings:
         return self.only(self.keys.difference(keys))
 
     def without_invalid(self, *, forced: bool = True) -> "Settings":
-        """Return the settings without invalid values. Without `forced`, also omit open values."""
+        """Remove invalid values. Without `forced`, also remove open values."""
         return replace(
             self,
             parameters={
@@ -74,7 +71,7 @@ class Settings:
 
 
 def open_values(specs: ParameterSet, parameters: Mapping[str, int]) -> dict[str, int]:
-    """Return the values, by key, that only an unsourced limit excludes."""
+    """Return the values that only an unsourced limit excludes."""
     return {
         spec.key: parameters[spec.key]
         for spec in specs.readable
@@ -83,14 +80,14 @@ def open_values(specs: ParameterSet, parameters: Mapping[str, int]) -> dict[str,
 
 
 def specs_for(product: Model, firmware: str | None) -> ParameterSet:
-    """Return the parameters of a model with a firmware, by default the newest known."""
+    """Return the parameters of a model and a firmware, by default the newest."""
     return parameters_of(product.key, firmware or product.firmware[-1])
 
 
 def settings_of(state: DeviceState) -> Settings:
     """Return the stored settings, including values that the board would reject.
 
-    They include only the calibrations of the active input source; the board hides the others.
+    Calibrations of the inactive input source are missing, because the board hides them.
     """
     stored = state.parameters
     return Settings(
@@ -107,7 +104,7 @@ def settings_of(state: DeviceState) -> Settings:
 def factory_settings(product: Model, firmware: str | None) -> Settings:
     """Return the default parameters. A factory reset does not change calibrations.
 
-    Some defaults are not sourced: see `unconfirmed_defaults`.
+    See `unconfirmed_defaults` for defaults without a source.
     """
     specs = specs_for(product, firmware).readable
     return Settings(product, firmware, {spec.key: spec.default for spec in specs})

@@ -1,4 +1,4 @@
-"""Files of unapplied edits, one per board, which survive the end of the program."""
+"""Files of unapplied edits, one per board."""
 
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -16,7 +16,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 @dataclass(frozen=True, slots=True)
 class BoardIdentity:
-    """Key that distinguishes boards, as for snapshots. Two boards may share a key."""
+    """Key of a board. Two boards may share a key."""
 
     product: Model
     firmware: str
@@ -42,7 +42,7 @@ class SavedEdits:
 
 
 class EditFiles:
-    """Settings files in a folder that contain only edits. Each save replaces the whole file."""
+    """Folder of settings files that contain only edits."""
 
     def __init__(self, folder: Path | None = None) -> None:
         self.folder = folder or data_folder() / "edits"
@@ -54,7 +54,7 @@ class EditFiles:
         """Replace the saved edits of a board. `None` removes them.
 
         Raises:
-            SettingsError: the change failed; the earlier edits are still saved.
+            SettingsError: the change failed. The earlier edits remain.
         """
         title = ["Edits that were not applied"]
         text = None if edits is None else write_settings(edits, title_lines=title)
@@ -71,7 +71,7 @@ class EditFiles:
             saved = datetime.fromtimestamp(path.stat().st_mtime, UTC)
         except FileNotFoundError:
             return None
-        except (OSError, ValueError, OverflowError) as error:  # also file times outside `datetime`
+        except (OSError, ValueError, OverflowError) as error:  # the file time may be invalid
             raise SettingsError.of(path, f"{tr('it cannot be read')}: {error}") from error
         return SavedEdits(settings_of_board(load(path), path, board), saved)
 
@@ -80,7 +80,7 @@ def replace_file(path: Path, text: str | None) -> None:
     """Write a file, and create its folder if missing. `None` removes the file.
 
     Raises:
-        SettingsError: the change failed; the old file is still there.
+        SettingsError: the change failed. The old file remains.
     """
     with explained(path, tr("it cannot be written")):
         if text is None:
@@ -93,7 +93,7 @@ def replace_file(path: Path, text: str | None) -> None:
 def put_aside(path: Path) -> Path | None:
     """Rename a file before the file of another board replaces it.
 
-    Return the new, unused name, or `None` if the file does not exist.
+    Returns the new path, or `None` if the file does not exist.
 
     Raises:
         SettingsError: the file cannot be renamed.
@@ -112,7 +112,7 @@ def settings_of_board(data: bytes, path: Path, board: BoardIdentity) -> Settings
     """Return the settings in a file of a board.
 
     Raises:
-        SettingsError: the settings are damaged, or of another model.
+        SettingsError: the settings are damaged, or for another model.
     """
     settings, _ = read_settings(data, str(path))
     if settings.product != board.product:

@@ -1,4 +1,4 @@
-"""Change values in a settings file without touching the rest of the text.
+"""Change values in a settings file, and nothing else in its text.
 
 The round trip of ruamel.yaml retains comments and order, but not spaces around colons, margins,
 mappings in braces over several lines, `+5`, comments after `...` or line ends. Therefore
@@ -30,18 +30,18 @@ from trex_gui.devices.trex.settings.writer import (
 )
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END, compose
 
-_SMALLEST_GAP = 2  # spaces that the writer leaves between a value and its comment
+_SMALLEST_GAP = 2  # spaces between a value and its comment
 
 
 def amend(text: str, settings: Settings, name: str = "settings") -> str:
-    """Return the text of a settings file, changed to hold `settings`. Errors call it `name`.
+    """Change the text of a settings file to `settings`. Errors call the file `name`.
 
     Changed values are replaced in place, in their number base. A comment beside a value is
     updated if the program wrote it. The user's comments stay. Notes are changed in place, new
     notes are inserted above their settings. Missing settings are appended. Removed settings, and
     values that the board would reject, become comments. A text that already holds the settings
-    does not change. Line ends and a byte order mark stay. A file that is one mapping in braces can
-    only get other values.
+    does not change. Line ends and a byte order mark stay. In a file with one mapping in braces,
+    only values can change.
 
     Raises:
         SettingsError: the text cannot be read, or cannot be changed in place.
@@ -54,8 +54,8 @@ def amend(text: str, settings: Settings, name: str = "settings") -> str:
     document = _Document(text.removeprefix(BYTE_ORDER_MARK), name)
     with in_english():
         _change_entries(document, old, wanted)
-        homeless = _change_notes(document, old.notes, wanted.notes)
-        document.append(list(_missing_lines(document, settings, homeless)))
+        unplaced = _change_notes(document, old.notes, wanted.notes)
+        document.append(list(_missing_lines(document, settings, unplaced)))
     amended = mark + document.text()
     if (amended != text or wanted != old) and not _reads_as(wanted, amended):
         raise SettingsError.of(
@@ -77,15 +77,13 @@ def _reads_as(settings: Settings, text: str) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class _Entry:
-    """A setting: position of its first character, position after its last, and value."""
-
-    start: int
-    end: int
+    start: int  # position of the first character of a setting
+    end: int  # position after its last character
     value: Node
 
 
 class _Document:
-    """A text, the settings in it, and the changes collected so far."""
+    """Text of a settings file, with the changes collected so far."""
 
     def __init__(self, body: str, name: str) -> None:
         self.body = body
@@ -97,11 +95,11 @@ class _Document:
             self.entries[str(key.value)] = _Entry(start, last, value)
         self._line_starts = [0, *(found.end() for found in LINE_END.finditer(body))]
         self._line_ends = [*self._line_starts[1:], len(body)]
-        # By line: start column, end column, and the text that replaces the range.
+        # By line: start column, end column, replacement.
         self._edits: dict[int, list[tuple[int, int, str]]] = defaultdict(list)
         self._comments: dict[int, str] = {}
         self._insertions: dict[int, str] = {}  # text to insert before a line
-        self._removed: set[int] = set()  # lines
+        self._removed: set[int] = set()  # line numbers
         self.notes: dict[str, list[int]] = defaultdict(list)  # line numbers of the notes by key
         for number, line in enumerate(LINE_END.split(self.body)):
             if key := note_line_key(line):
@@ -116,8 +114,8 @@ class _Document:
             for first, last, new in sorted(self._edits[number], reverse=True):
                 code = code[:first] + new + code[last:]
             if comment and len(code) != len(old):
-                room = len(gap) + len(old) - len(code)
-                gap = " " * max(min(_SMALLEST_GAP, len(gap)), room)
+                space = len(gap) + len(old) - len(code)
+                gap = " " * max(min(_SMALLEST_GAP, len(gap)), space)
             line = "".join([code, gap, self._comments.get(number, comment), end])
             parts += [self._insertions.get(number, ""), "" if number in self._removed else line]
         return "".join([*parts, self._insertions.get(len(self._line_starts), "")])
@@ -134,7 +132,7 @@ class _Document:
             self._edit(start, end, _spelled_like(old, wire))
 
     def update_comment(self, key: str, old: Collection[str], new: str) -> None:
-        """Replace comments beside a setting whose text is in `old`."""
+        """Replace a comment beside a setting if its text is in `old`."""
         if new in old:
             return
         for number in self._lines_of(self.entries[key]):
@@ -165,9 +163,9 @@ class _Document:
         self._insertions[number] = self._insertions.get(number, "") + text
 
     def set_note(self, key: str, lines: list[str]) -> bool:
-        """Replace the old note, or insert a note above its setting. False if it has no place.
+        """Replace a note, or insert it above its setting. An empty list removes it.
 
-        An empty list removes the note.
+        Returns False if the text lacks the setting.
         """
         old = self.notes.get(key, [])
         self._removed.update(old)
@@ -185,7 +183,7 @@ class _Document:
 
     @property
     def _line_end(self) -> str:
-        """The first line end of the text. A line feed unless that is CR, LF or CRLF."""
+        """First line end of the text, if it is CR, LF or CRLF. Otherwise LF."""
         found = LINE_END.search(self.body)
         return found[0] if found and found[0] in {"\r\n", "\n", "\r"} else "\n"
 
@@ -229,7 +227,7 @@ def _spelled_like(old: str, wire: int) -> str:
 
 
 def _change_entries(document: _Document, old: Settings, new: Settings) -> None:
-    """Change or remove every setting of a text, and update the comments that the program wrote."""
+    """Change or remove each setting of a text, with the program's comment."""
     for key, entry in document.entries.items():
         calibration_key = CALIBRATION_KEYS.get(key)
         if key == "product":
@@ -242,12 +240,12 @@ def _change_entries(document: _Document, old: Settings, new: Settings) -> None:
             old_wire = old.parameters[key]
             spec = old.specs[key]
             texts = {parameter_text(spec, old_wire, old), plain_text(spec, old_wire)}
-            if spec.kind is ParameterKind.ACCELERATION:  # comments of earlier versions
+            if spec.kind is ParameterKind.ACCELERATION:  # comments of earlier program versions
                 texts.add(f"{old_wire} {spec.unit}")
                 texts.add(f"{old_wire} {spec.unit}, {spec.text(old_wire)}")
             document.update_comment(key, texts, parameter_text(new.specs[key], wire, new))
         elif calibration_key is not None and calibration_key in new.calibrations:
-            calibrations = [both.calibrations[calibration_key] for both in (old, new)]
+            calibrations = [side.calibrations[calibration_key] for side in (old, new)]
             for part, node in entry.value.value:
                 document.set_number(node, getattr(calibrations[1], str(part.value)))
             before, after = (calibration_text(calibration_key.source, c) for c in calibrations)
@@ -267,7 +265,7 @@ def _change_notes(
 def _missing_lines(
     document: _Document, settings: Settings, notes: Mapping[str, str]
 ) -> Iterator[str]:
-    """Yield the missing settings in the order of the table, each below its note."""
+    """Yield the missing settings, each below its note."""
     if settings.firmware is not None and "firmware" not in document.entries:
         yield f"firmware: {settings.firmware}"
     lines = [

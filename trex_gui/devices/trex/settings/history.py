@@ -1,7 +1,7 @@
-"""Snapshots: settings files with a board's stored settings before each change.
+"""Snapshots of a board's stored settings before each change.
 
-Comments at the head say when, why and of which board a snapshot was taken. A small text file in
-the folder sets the number of retained snapshots for all programs. Other files are not touched.
+A snapshot is a settings file. Comments at its head hold the time, the reason and the board. A text
+file in the folder sets the number of snapshots for all programs. Other files are not touched.
 """
 
 import os
@@ -21,7 +21,7 @@ from trex_gui.devices.trex.settings.notes import clean_note
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 
-KEPT = 500  # default number of retained snapshots: one or two megabytes
+KEPT = 500  # default number of snapshots, one or two megabytes
 _NAME = re.compile(r"(\d{8}T\d{6}Z)-(?:(\d+)-)?[a-z]+-[\d.]+\.txt")
 _TIME = "%Y%m%dT%H%M%SZ"
 _NO_DATE = datetime.fromtimestamp(0, UTC)
@@ -41,11 +41,8 @@ kept: {}
 """
 
 
-Stamp = tuple[int, int]
-"""Modification time (ns) and size of a file, to detect changes; (0, 0) if unknown."""
-
-Order = tuple[datetime, int, str]
-"""Sort key of a snapshot: time when it was taken, its number within the second, file name."""
+Stamp = tuple[int, int]  # modification time (ns) and size of a file; (0, 0) if unknown
+Order = tuple[datetime, int, str]  # sort key: time, number within the second, file name
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,10 +53,10 @@ class Snapshot:
     firmware: str = ""  # empty if it cannot be read or is not given
     device_number: int | None = None
     adapter: str = ""  # the port of the board, for the user
-    reason: str = ""  # the operation that followed
-    problem: str = ""  # why the file cannot be used, judging by its head; empty if it can
-    name: str = ""  # by the user; a snapshot with a name is never removed automatically
-    note: str = ""  # by the user
+    reason: str = ""  # operation that followed
+    problem: str = ""  # reason why the head is unusable; empty for a usable head
+    name: str = ""  # from the user; a snapshot with a name is never removed automatically
+    note: str = ""  # from the user
     stamp: Stamp = field(default=(0, 0), compare=False)
 
 
@@ -75,9 +72,9 @@ class Bound:
 
 
 class SettingsHistory:
-    """The snapshots in a folder, which is created for the first snapshot.
+    """Folder of snapshots, created for the first snapshot.
 
-    Snapshots beyond the user's limit are removed, oldest first, except the newest and named ones.
+    The oldest snapshots beyond the user's limit are removed. Snapshots with a name remain.
     """
 
     def __init__(self, folder: Path | None = None) -> None:
@@ -92,12 +89,13 @@ class SettingsHistory:
         remarks: Sequence[str] = (),
         now: datetime | None = None,
     ) -> Snapshot:
-        """Save the settings of a board before an operation, named by `reason`.
+        """Save the settings of a board before an operation.
 
-        `reason` is, for example, `Apply of 3 settings`; `remarks` are more comments for the head.
+        `reason` names the operation, such as `Apply of 3 settings`. `remarks` are further comments
+        for the head.
 
         Raises:
-            SettingsError: saving failed; then nothing must be written to the board.
+            SettingsError: saving failed. The caller must not write to the board.
         """
         taken = (now or datetime.now(UTC)).astimezone(UTC).replace(microsecond=0)
         self._create_folder()
@@ -119,7 +117,7 @@ class SettingsHistory:
 
     def snapshots(self) -> tuple[Snapshot, ...]:
         """Return all snapshots, newest first, including unreadable ones."""
-        return tuple(self.look_at(order) for order in self.files())
+        return tuple(self.read_head(order) for order in self.files())
 
     def files(self) -> list[Order]:
         """Return the files of all snapshots, newest first, without opening them."""
@@ -130,7 +128,7 @@ class SettingsHistory:
             return []
         return sorted(map(_order, filter(None, map(_NAME.fullmatch, names))), reverse=True)
 
-    def look_at(self, file: Order, known: Snapshot | None = None) -> Snapshot:
+    def read_head(self, file: Order, known: Snapshot | None = None) -> Snapshot:
         """Read the head of a snapshot. Return `known` itself if its file has not changed."""
         taken, _, name = file
         path = self.folder / name
@@ -163,16 +161,12 @@ class SettingsHistory:
         )
 
     def load(self, snapshot: Snapshot) -> Settings:
-        """Return the settings in a snapshot.
-
-        Raises:
-            SettingsError: the file is missing or damaged.
-        """
+        """Return the settings in a snapshot. SettingsError if it is missing or damaged."""
         settings, _ = read_settings(load(snapshot.path), str(snapshot.path))
         return settings
 
     def label(self, snapshot: Snapshot, **texts: str) -> None:
-        """Set the `name`, the `note` or both of a snapshot. An empty text removes them.
+        """Set the `name` and `note` of a snapshot. An empty text removes the old text.
 
         Raises:
             BadRequest: the name is a number or used by another snapshot, or a text is too long.
@@ -195,11 +189,7 @@ class SettingsHistory:
         save(snapshot.path, b"\n".join(lines))
 
     def remove(self, snapshot: Snapshot) -> None:
-        """Remove a snapshot. A missing file is not an error.
-
-        Raises:
-            SettingsError: the file cannot be removed.
-        """
+        """Remove a snapshot. SettingsError if its file exists and cannot be removed."""
         with explained(snapshot.path, tr("it cannot be removed")):
             snapshot.path.unlink(missing_ok=True)
 
@@ -223,14 +213,14 @@ class SettingsHistory:
 
     def beyond(self, kept: int | None) -> tuple[Snapshot, ...]:
         """Return the unnamed snapshots that a limit of `kept` snapshots would remove."""
-        older = () if kept is None else map(self.look_at, self.files()[kept:])
+        older = () if kept is None else map(self.read_head, self.files()[kept:])
         return tuple(found for found in older if not found.name)
 
     def set_limit(self, kept: int | None) -> tuple[Snapshot, ...]:
         """Set the limit for all programs. Remove snapshots beyond it, and return them.
 
         Raises:
-            SettingsError: the limit cannot be saved; then nothing was removed.
+            SettingsError: the limit cannot be saved. No snapshot was removed.
         """
         if kept is not None and not 1 <= kept < 10**7:
             raise ValueError(tr("a history keeps at least one snapshot, not {0}").format(kept))
@@ -239,9 +229,9 @@ class SettingsHistory:
         return tuple(found for found in self.beyond(kept) if _removed(found.path))
 
     def _remove_oldest(self, own: Path) -> None:
-        """Remove the oldest snapshots beyond the limit, but none saved after our own snapshot.
+        """Remove the oldest snapshots beyond the limit.
 
-        Otherwise two programs could remove each other's snapshots.
+        Snapshots saved after `own` remain, so that two programs never remove each other's.
         """
         bound = self.bound()
         if bound.problem or bound.kept is None:
@@ -250,7 +240,7 @@ class SettingsHistory:
         ours = _stamp(own)[0], own.name
         others = [file for file in self.files() if file[2] != own.name]
         for file in others[bound.kept - 1 :]:
-            found = self.look_at(file)
+            found = self.read_head(file)
             if (found.stamp[0], found.path.name) < ours and not found.name:
                 _removed(found.path)
 

@@ -1,7 +1,7 @@
-"""Notes on settings in the text of a file: why a setting has its value.
+"""Notes on settings, stored as comments in a settings file.
 
 Each line of a note is a separate comment, `# Note on serial_timeout: the radio drops out`, usually
-above its setting. Programs that do not know notes read it as an ordinary comment.
+above its setting. Other programs read it as an ordinary comment.
 """
 
 import re
@@ -11,13 +11,13 @@ from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 
-LONGEST_NOTE = 1000  # characters; a file with such a note on each setting can still be read
+LONGEST_NOTE = 1000  # characters; a file with such notes on all settings is still readable
 
 _NOTE = re.compile(r"[ \t]*# Note on ([a-z0-9_]+): .*\S[ \t]*")
 
 
 def note_line_key(line: str) -> str:
-    """Return the key of the setting that a line is a note on. Empty if it is not a note."""
+    """Return the setting key of a note line. Empty for other lines."""
     key = found[1] if (found := _NOTE.fullmatch(line)) else ""
     known = key in CALIBRATION_KEYS or any(row["key"] == key for row in device_table().rows)
     return key if known else ""
@@ -39,7 +39,7 @@ def note_lines(key: str, notes: Mapping[str, str]) -> list[str]:
 
 
 def clean_note(text: str) -> str:
-    """Return a note as files store it: printable, without empty lines and surrounding spaces."""
+    """Return a note in printable characters, without empty lines or outer spaces."""
     lines = (line.expandtabs().strip() for line in text.splitlines())
     shown = ("".join(c if c.isprintable() else "?" for c in line) for line in lines)
     return "\n".join(filter(None, shown))

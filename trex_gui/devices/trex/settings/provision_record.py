@@ -1,4 +1,4 @@
-"""Record of the boards that were set up, a CSV line per board."""
+"""CSV record of the boards that were set up."""
 
 import csv
 import hashlib
@@ -17,7 +17,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow
 from trex_gui.devices.trex.settings.document import Settings
 
-FACTORY_NUMBER = 7  # never assigned, so that a board with this number is new
+FACTORY_NUMBER = 7  # never assigned, so a board with this number is new
 NEW, KNOWN, NUMBER_ONLY = "new", "known", "number only"  # certainty of a board's identity
 BEGUN, SKIPPED = "begun", "skipped"  # results
 NOT_TRIED = "ended while motors were tried"
@@ -25,7 +25,7 @@ NOT_TRIED = "ended while motors were tried"
 
 @dataclass(frozen=True, slots=True)
 class ProvisionedBoard:
-    """A line of the record."""
+    """Line of the record."""
 
     time: str  # local, with the offset to UTC
     name: str
@@ -33,7 +33,7 @@ class ProvisionedBoard:
     board: str  # model and firmware
     calibrations: str  # hash of the calibrations, because boards have no serial number
     differences: str  # keys of the settings to write
-    result: str  # begins with ok, or is skipped, begun, or an error
+    result: str  # ok with details, skipped, begun, or an error
     certainty: str  # `NEW`, `KNOWN`, or `NUMBER_ONLY`
 
     @classmethod
@@ -45,15 +45,16 @@ _COLUMNS = [field.name for field in fields(ProvisionedBoard)]
 
 
 class ProvisionRecord:
-    """Boards with their numbers and names. A number is never assigned twice.
-
-    `name` is the name for new boards, with `{number}` replaced; `first` is the first number.
-
-    Raises:
-        StudioError: the file cannot be used.
-    """
+    """Boards with their numbers and names. A number is never assigned twice."""
 
     def __init__(self, file: Path, *, name: str = "robot {number}", first: int = 1) -> None:
+        """Open or create the file.
+
+        New boards get `name`, with `{number}` replaced, and free numbers from `first` on.
+
+        Raises:
+            StudioError: the file cannot be used.
+        """
         self._file, self._name, self._first = file, name, first
         self._rows: list[ProvisionedBoard] = []
         self._saved = load(file, "records") if file.exists() else b""
@@ -72,7 +73,7 @@ class ProvisionRecord:
     def propose(
         self, stored: Settings, board: str, differing: Collection[ComparisonRow]
     ) -> ProvisionedBoard:
-        """Return a board's line, with its existing or a new number and name.
+        """Return the line of a board, with its known or a new number and name.
 
         Raises:
             BadRequest: all numbers are assigned.
@@ -98,7 +99,7 @@ class ProvisionRecord:
         )
 
     def skipped(self, board: ProvisionedBoard, stored: Settings) -> ProvisionedBoard:
-        """Return the line of a board that is not changed."""
+        """Return the line of an unchanged board."""
         number = stored.parameters[ParameterKey.DEVICE_NUMBER]
         known = self._known(number)
         prints = known.calibrations if known else board.calibrations
@@ -110,7 +111,7 @@ class ProvisionRecord:
         return next((row for row in given if row.number == number != FACTORY_NUMBER), None)
 
     def free_number(self) -> int:
-        """Return an unassigned number. Raises BadRequest if all are assigned."""
+        """Return an unassigned number. BadRequest if all numbers are assigned."""
         taken = {FACTORY_NUMBER, *(row.number for row in self._rows)}
         numbers: list[int] = [*range(self._first, NUMBERS), *range(self._first)]
         for number in numbers:
@@ -120,7 +121,7 @@ class ProvisionRecord:
         raise BadRequest(text.format(NUMBERS, self._file))
 
     def put(self, row: ProvisionedBoard) -> None:
-        """Add a line. It replaces the last line if that is `BEGUN`. Call `save` afterwards."""
+        """Add a line, or replace the last line if it is `BEGUN`. Call `save` afterwards."""
         if self._rows and self._rows[-1].result == BEGUN:
             self._rows.pop()
         self._rows.append(row)
@@ -141,7 +142,7 @@ class ProvisionRecord:
 
 
 def differing(comparison: Comparison) -> tuple[ComparisonRow, ...]:
-    """Return the changes of a profile without the device number, which the record assigns."""
+    """Return the changes without the device number, which the record assigns."""
     return tuple(
         row for row in comparison.rows if row.changed and row.key != ParameterKey.DEVICE_NUMBER
     )
@@ -153,7 +154,7 @@ def fingerprint(stored: Settings) -> str:
 
 
 def result_text(wanted: Settings, stored: Settings, left: Collection[ComparisonRow]) -> str:
-    """Return the result for a board's stored settings, with the remaining differences `left`."""
+    """Return the result for a board. `left` has the remaining differences."""
     if left:
         return f"differs: {' '.join(row.key for row in left)}"
     hidden = " ".join(key for key in wanted.calibrations if key not in stored.calibrations)

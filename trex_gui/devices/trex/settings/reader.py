@@ -1,4 +1,4 @@
-"""Read settings from text, and report all errors and warnings by line."""
+"""Reader of settings files, which reports all errors and warnings by line."""
 
 import difflib
 import re
@@ -26,7 +26,7 @@ from trex_gui.devices.trex.settings.notes import read_notes
 from trex_gui.devices.trex.settings.yaml_subset import compose, line_of, shortened
 
 BYTE_ORDER_MARK = "\ufeff"
-MOST_FINDINGS = 100  # a file with more is no settings file; further errors are only counted
+MOST_FINDINGS = 100  # further errors are only counted
 _QUANTITIES = {ParameterKind.NUMBER, ParameterKind.ACCELERATION, ParameterKind.PWM_MAXIMUM}
 _INTEGER = re.compile(r"[-+]?(?:0|[1-9][0-9]{0,17})|0[xX][0-9A-Fa-f]{1,16}")
 _FIRMWARE = re.compile(r"[0-9](?:\.[0-9]{1,3}){1,2}")
@@ -68,8 +68,8 @@ def read_settings(
     """Return the settings in a file, and warnings. Errors call the file `name`.
 
     Raises:
-        SettingsError: the file cannot be used. Contains every error and warning. Settings are
-            only checked in valid YAML with a product.
+        SettingsError: the file cannot be used. The error has every finding. Settings are only
+            checked in valid YAML with a product.
     """
     data = text if isinstance(text, bytes) else text.encode("utf-8", "surrogatepass")
     content = decode(data, name)
@@ -88,7 +88,7 @@ def repair_values(data: bytes, name: str) -> tuple[str, tuple[str, ...]]:
 
     A value with a unit or in words is replaced with its wire value, a number outside its range
     with the nearest limit, and a misspelt product with its name. Ambiguous values stay.
-    Return the text and one line for each repair.
+    Returns the text and one line for each repair.
 
     Raises:
         SettingsError: `data` is not the text of a settings file.
@@ -104,7 +104,7 @@ def repair_values(data: bytes, name: str) -> tuple[str, tuple[str, ...]]:
 
 
 class _Fix(NamedTuple):
-    """An invalid part of a text, and the text that replaces it."""
+    """Replacement of an invalid part of a text."""
 
     start: int
     end: int
@@ -252,7 +252,7 @@ class _Reader:
             return
         specs = specs_for(product, firmware).readable
         keys = ["product", "firmware", *(s.key for s in specs), *CALIBRATION_KEYS]
-        guess = _guess(key, keys) if len(self.findings) < MOST_FINDINGS else ""  # guessing is slow
+        guess = _guess(key, keys) if len(self.findings) < MOST_FINDINGS else ""  # a guess is slow
         self.error(line, shortened(key), "key_unknown", guess=guess)
 
     def _read_calibration(self, key: str, entry: _Entry) -> None:
@@ -303,7 +303,7 @@ def _finding(
 
 
 def _integer(node: Node) -> int | None:
-    """Return the value of an unquoted integer, decimal or hexadecimal with 0x, else `None`."""
+    """Return an unquoted decimal or 0x integer, else `None`."""
     if not isinstance(node, ScalarNode) or node.style is not None:
         return None
     text = str(node.value)

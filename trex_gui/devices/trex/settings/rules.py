@@ -1,6 +1,6 @@
-"""Rules for settings that are valid individually but questionable in combination.
+"""Rules for questionable combinations of valid settings.
 
-A rule never forbids settings. It reports a finding, and proposes a change that is clearly better.
+A rule forbids nothing. It reports a finding, and may propose a change.
 """
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
@@ -37,21 +37,20 @@ class Context:
 @dataclass(frozen=True, slots=True)
 class LintFinding:
     rule: str  # the rule's stable key, such as `limit_in_joint_mode`
-    keys: tuple[str, ...]  # the settings concerned
+    keys: tuple[str, ...]  # settings concerned
     message: str  # a sentence
-    change: Mapping[str, int]  # key → wire value that resolves it; empty if the user must decide
+    change: Mapping[str, int]  # proposed wire values by key; empty if the user must decide
     proposal: str  # the change as a request, such as `Set Serial Timeout to 0.5 s`; or empty
 
     @property
     def text(self) -> str:
-        """The message, followed by the proposal if there is one."""
         return f"{self.message} {self.proposal}." if self.proposal else self.message
 
 
-_NOTHING_MORE = Context()
+_NO_CONTEXT = Context()
 
 
-def lint(settings: Settings, context: Context = _NOTHING_MORE) -> tuple[LintFinding, ...]:
+def lint(settings: Settings, context: Context = _NO_CONTEXT) -> tuple[LintFinding, ...]:
     """Check the settings for questionable combinations. The order of findings is fixed.
 
     A rule is silent if a setting that it needs is missing or invalid. Each change can be applied
@@ -103,7 +102,7 @@ def _joined(words: Sequence[str]) -> str:
 
 
 class _Match(NamedTuple):
-    """A finding of a rule: keys of the settings, message, and proposed change."""
+    """Finding of a rule, as in `LintFinding`."""
 
     keys: tuple[str, ...]
     message: str
@@ -129,7 +128,7 @@ class _Case:
         return None if wire is None else LineSettings.from_wire(wire)
 
     def real(self, baud: int) -> int:
-        """Return the rate in bit/s that the board runs at when set to `baud`."""
+        """Return the real rate of a board that is set to `baud`."""
         firmware = self.settings.firmware
         return baud if firmware is None else LineSettings(baud).real_baud(firmware)
 
@@ -137,7 +136,7 @@ class _Case:
         return self.settings.specs[key].name
 
     def text(self, key: str, wire: int | None = None) -> str:
-        """Return a wire value, by default the value in the settings, in physical units."""
+        """Return a wire value in physical units, by default the value in the settings."""
         return self.settings.specs[key].text(self.wires[key] if wire is None else wire)
 
     def default(self, key: str) -> int:
@@ -184,7 +183,7 @@ def _limit_in_joint_mode(case: _Case) -> Iterator[_Match]:
 
 
 def _limits_beside_zero(case: _Case, parameter: MotorParameter) -> Iterator[tuple[str, str]]:
-    """Yield (limit key, parameter key) for active current limits beside a `parameter` of 0."""
+    """Yield limit key and parameter key if the limit is active and the `parameter` 0."""
     for motor in () if case.is_joint else _MOTORS:
         limit, other = MotorParameter.CURRENT_LIMIT.of(motor), parameter.of(motor)
         if case.wires.get(limit) and case.wires.get(other) == 0:
@@ -258,7 +257,8 @@ def _required_but_ignored(case: _Case) -> Iterator[_Match]:
 
 
 def _motor_calibrations(case: _Case) -> Iterator[tuple[CalibrationKey, Calibration]]:
-    return (one for one in case.settings.calibration_items() if one[0].channel in _MOTOR_CHANNELS)
+    items = case.settings.calibration_items()
+    return ((key, found) for key, found in items if key.channel in _MOTOR_CHANNELS)
 
 
 def _deadband_over_travel(case: _Case) -> Iterator[_Match]:

@@ -1,4 +1,4 @@
-"""Write settings as text: one per line, with the physical value as a comment."""
+"""Writer of settings files, with physical values as comments."""
 
 from collections.abc import Iterator, Sequence
 from functools import cache
@@ -26,10 +26,9 @@ _CALIBRATION_TITLES = {
 def write_settings(settings: Settings, *, title_lines: Sequence[str] = ()) -> str:
     """Return the text of a settings file, which reads back as equal settings.
 
-    The program's comments are in English, like the keys, so that files do not depend on the
-    language. A value that the board would reject becomes a comment with the reason. Notes are
-    comments above their settings. Notes on missing settings come last. `title_lines` are comments
-    for the head of the file.
+    The program's comments are in English like the keys, so files do not depend on the language. A
+    value that the board would reject becomes a comment with the reason. Notes are comments above
+    their settings. Notes on missing settings come last. `title_lines` are comments for the head.
 
     Raises:
         BadRequest: the settings hold a key that their model and firmware do not have.
@@ -80,14 +79,14 @@ def parameter_line(spec: ParameterSpec, wire: int, settings: Settings) -> str:
 
 @cache
 def _width() -> int:
-    """Return the greatest width of a setting. Changing a value then changes only its line."""
+    """Return the greatest width of a setting. A changed value then changes only its line."""
     return max(len(f"{row['key']}: {row['max']}") for row in device_table().rows)
 
 
 def parameter_text(spec: ParameterSpec, wire: int, settings: Settings) -> str:
     """Return the comment beside a value, such as `0.5 s to full speed` for a ramp.
 
-    For prescaler and maximum of a PWM it includes the frequency, which depends on both.
+    For the prescaler and maximum of a PWM, it includes the frequency.
     """
     texts = (plain_text(spec, wire), _pwm_text(spec, settings))
     return ", ".join(filter(None, texts))

@@ -1,8 +1,8 @@
-"""YAML subset of settings files: a mapping of scalars and of mappings of scalars.
+"""YAML subset of settings files.
 
-Files are parsed into nodes with positions; no Python object is ever constructed. Anchors, tags,
-merge keys and deep nesting are rejected: settings do not need them, and with them a small file
-can expand to a huge one.
+A file is a mapping of scalars and of mappings of scalars. It is parsed into nodes with positions,
+and never into Python objects. Anchors, tags, merge keys and deep nesting are rejected, because with
+them a small file can expand to a huge one.
 """
 
 import re
@@ -25,7 +25,7 @@ _DEEPEST = 2
 
 LINE_END = re.compile(r"\r\n|[\n\r\x85\u2028\u2029]")
 _TAB = re.compile(r"((?:^|(?<=\r))[ \t]*\t[ \t]*(?![ \t#\r\n]|\Z))|\t", re.MULTILINE)
-"""A tab; the group is the indentation of a setting."""
+"""Tab. Group 1 is the indentation of a setting."""
 
 _UNSPACED = re.compile(r"^ *\w+:(?![ \t\r\n]|\Z)", re.MULTILINE)
 _PRODUCT = re.compile(r"^\W*product\b", re.MULTILINE)
@@ -100,7 +100,7 @@ class _UnsupportedError(Exception):
 
 
 class _Scanner(Scanner):
-    """Limits nested brackets during scanning. Looking ahead over 50,000 brackets takes a second."""
+    """Limits nested brackets, because a scan of 50,000 brackets takes a second."""
 
     def fetch_flow_collection_start(self, token: type[Token], to_push: str) -> None:
         if len(self.flow_context) == _DEEPEST:

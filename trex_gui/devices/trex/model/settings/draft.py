@@ -249,7 +249,7 @@ class SettingsDraft(QObject):
                 elif row.after is not None:
                     self.parameters.edit(row.key, row.after, alone=True, forced=True)
             for row in all_rows:
-                if row.brings_note:
+                if row.adds_note:
                     self.notes.edit(row.key, row.note_after, name=row.name)
 
     def discard_edits(self) -> None:
