@@ -29,10 +29,7 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 
 def explain(settings: ConnectionSettings, *, echo: bool, error: StudioError) -> StudioError:
-    """Return the error to report for a failed first query.
-
-    `error` and `echo` are results of this query.
-    """
+    """Return the error to report for a first query with this `error` and `echo`."""
     where = settings.text()
     if is_unsteady(error):
         return error
@@ -59,9 +56,6 @@ def diagnose(
 
     A silent local line takes a second. On a line with CRC, `quick` skips the other polynomials,
     which take seven seconds. The line settings are restored afterwards.
-
-    Raises:
-        PortUnavailable: the port is gone.
     """
     settings, wire = client.settings, client.transport
     plain = explain(settings, echo=client.echo, error=error)

@@ -82,9 +82,6 @@ def boards_by_number(
     """Probe each device number, and return the boards in numerical order.
 
     `progress` receives each number before its probe. Boards that share a number are left out.
-
-    Raises:
-        PortUnavailable: the port is gone.
     """
     found: list[FoundBoard] = []
     for number in range(NUMBERS):
@@ -166,13 +163,11 @@ class TrexProber:
                 return
 
     def recall(self, wire: Transport, settings: ConnectionSettings) -> None:
-        """Send one probe at these settings."""
         self._settings, attempt = settings, Attempt.at(settings)
         if not attempt.is_unsafe:
             self._probe(wire, attempt, settings.device_number)
 
     def _probe(self, wire: Transport, attempt: Attempt, number: int | None = None) -> None:
-        """Send one probe. `number` selects one board if several reply."""
         try:
             if attempt.number is None:
                 flush(wire, self._settings.timeouts.extra)
@@ -311,7 +306,6 @@ class TrexProber:
 
 
 def _line_hint(used: LineSettings, signature: Signature, wire: int) -> str:
-    """Compare the stored line settings with the settings in use."""
     try:
         stored = LineSettings.from_wire(wire)
     except BadRequest:

@@ -87,7 +87,6 @@ class OpenSession:
             raise self.closed.error or PortUnavailable(NOT_OPEN)
 
     def open(self) -> None:
-        """Wait until every board is read."""
         try:
             self.wait_for(lambda: all(board.mirror.state for board in self.boards.values()))
         except BaseException:
@@ -116,7 +115,7 @@ class OpenSession:
         return self.lease is None or self.lease.is_mine
 
     def require_drivable(self) -> None:
-        """Raise NoReply or BadRequest if a board does not follow serial commands."""
+        """Raise NoReply or BadRequest if a board ignores serial commands."""
         for board in self.boards.values():
             if not board.mirror.is_responding:
                 raise NoReply(board.named(Reason(DriveBlocker.SILENT).text()))
@@ -195,7 +194,7 @@ class OpenSession:
 
 
 class OpenBoard:
-    """Mirror of one board of a session, with its errors and events."""
+    """Board of a session, with its errors and events."""
 
     def __init__(
         self, session: OpenSession, number: int | None, settings: ConnectionSettings
@@ -215,7 +214,6 @@ class OpenBoard:
         return self.mirror.state
 
     def addressed(self, request: Any) -> Any:
-        """Address a request to this board of its group."""
         return request if self._number is None else ToBoard(self._number, request)
 
     def pump(self, end: float) -> list[Sample]:
@@ -255,7 +253,7 @@ class OpenBoard:
             self._stop_all(f"The board reports: {', '.join(latched.names)}.")
 
     def _stop_all(self, reason: str) -> None:
-        """If the motors are armed, stop every board and raise MotorsStoppedError."""
+        """If armed, stop every board and raise MotorsStoppedError."""
         if self.session.is_armed:
             self.session.stop()
             self._fail(f"{reason} The motors were stopped.")
@@ -266,7 +264,6 @@ class OpenBoard:
         raise MotorsStoppedError(text if is_named else self.named(text))
 
     def named(self, text: str) -> str:
-        """Put the number of a board in a group before a text."""
         return text if self._number is None else f"Board {self._number}: {text}"
 
     def drive_inputs(self) -> DriveInputs:

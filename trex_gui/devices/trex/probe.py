@@ -83,7 +83,7 @@ class ProbeReply:
 
 
 def send_probe(wire: Transport, attempt: Attempt, extra: float = 0.0) -> ProbeReply:
-    """Send a probe on a flushed and configured line, and classify the reply."""
+    """Probe a flushed and configured line, and classify the reply."""
     with contextlib.suppress(BadReply):
         wire.discard()
     wire.write(attempt.data)

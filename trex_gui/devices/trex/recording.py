@@ -56,7 +56,7 @@ class AuxiliarySetpointRecord:
 
 @dataclass(frozen=True, slots=True)
 class SettingsSnapshot:
-    """Stored settings from this time on, as the text of a settings file."""
+    """Settings stored from this time on, as a settings file."""
 
     time: float
     text: str
@@ -67,7 +67,7 @@ OwnRecord = Sample | SetpointRecord | AuxiliarySetpointRecord | Marker | Setting
 
 @dataclass(frozen=True, slots=True)
 class OfBoardRecord:
-    """Record of another board, driven together with the board of the header."""
+    """Record of a board other than the board of the header."""
 
     board: int  # device number
     record: OwnRecord

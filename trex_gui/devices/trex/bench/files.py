@@ -140,7 +140,6 @@ def _fact(facts: dict[str, str], name: str, read: Callable[[str], ValueT]) -> Va
 
 
 def _number(text: str) -> float:
-    """Return a finite number, or raise ValueError."""
     value = float(text)
     if not math.isfinite(value):
         raise ValueError(text)

@@ -148,7 +148,6 @@ class Run:
 
     @property
     def title(self) -> str:
-        """Short name for the user, such as `step +60, 3 s`."""
         profile = self.profile
         speed = signed_text(profile.speed)
         return tr(_TITLES[profile.shape]).format(speed, f"{Number(profile.duration):g}")

@@ -40,7 +40,7 @@ class ChannelCurve:
         )
 
     def output(self, raw: int | None) -> int:
-        """Return the output for a raw count, -127 to 127, before mixing and flip."""
+        """Return the output, -127 to 127, before mixing and flip."""
         return remap(
             raw,
             self.calibration,
@@ -50,10 +50,7 @@ class ChannelCurve:
         )
 
     def corners(self, low: int, high: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
-        """Return the raw counts beside each change of the output, and their outputs.
-
-        A line through these points equals the line through all points.
-        """
+        """Return the raw counts and outputs beside each change of the output."""
         return _corners(self, low, high)
 
     def threshold(self, channel: int) -> float | None:

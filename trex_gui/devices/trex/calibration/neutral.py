@@ -91,17 +91,16 @@ class Neutral:
 
     @property
     def noise_text(self) -> str:
-        """Noise to each side, such as `±2.0 µs`."""
         return swing_text(self.noise / 2, self.source)
 
 
 def deadband_floor(source: InputSource) -> int:
-    """Return the least deadband to propose, in counts: the default, 30 us or 98 mV (inferred)."""
+    """Return the least deadband to propose: 30 us or 98 mV (inferred)."""
     return DEFAULT_CALIBRATION[source].deadband
 
 
 def swing_text(counts: float, source: InputSource) -> str:
-    """Return a small swing to both sides, such as `±2.0 µs` or `±15 mV`."""
+    """Return a swing as text, `±2.0 µs` or `±15 mV`."""
     if source is InputSource.RC:
         return f"±{Number(source.physical(counts)):.1f} µs"
     return f"±{1000 * source.physical(counts):.0f} mV"
@@ -200,7 +199,7 @@ def _movement(
 
 
 def _noise_beside(counts: Sequence[int], drift: int) -> float:
-    """Return the range of the values after a steady drift is subtracted."""
+    """Return the range of the values without a steady drift."""
     step = drift / (len(counts) - len(counts) // 3)
     level = [count - step * index for index, count in enumerate(counts)]
     return max(level) - min(level)

@@ -179,7 +179,7 @@ class Travel:
     # --- Ends ---------------------------------------------------------------------------
 
     def end(self, way: Way) -> int:
-        """Return the furthest count that way, or `neutral` before the first measurement."""
+        """Return the furthest count. `neutral` before the first measurement."""
         furthest = self._ends[way].furthest
         return self.neutral if furthest is None else furthest
 
@@ -192,7 +192,6 @@ class Travel:
         return self.length(way) >= least_travel(self.deadband)
 
     def held(self, way: Way) -> bool:
-        """True if the channel went far enough that way and was held there."""
         return self.reached(way) and self._ends[way].is_held
 
     @property
@@ -223,7 +222,6 @@ class Travel:
 
     @property
     def is_enough(self) -> bool:
-        """True if all ends that the task requires were held."""
         held = [self.held(way) for way in Way]
         return all(held) if self.task is Task.STICK else any(held)
 
@@ -237,7 +235,6 @@ class Travel:
 
     @property
     def is_slow(self) -> bool:
-        """True if the low sample rate requires a longer hold."""
         return self.interval > _SLOW
 
     @property

@@ -24,7 +24,6 @@ from trex_gui.devices.trex.settings.rules import Context, lint
 
 
 def read_board(client: TrexClient) -> DeviceState:
-    """Read everything with a progress line. Raises the errors of `identify`."""
     identify(client)
     with ProgressLine("Reading") as line:
         return read_everything(client.request, line, has_crc=client.has_crc)
@@ -64,7 +63,6 @@ def require_consent(
 
 
 def keeper_of(client: TrexClient, state: DeviceState) -> Keeper:
-    """Return a keeper with the record of this board."""
     keeper, adapter = Keeper(say, say_warning), adapter_key(client.settings.url)
     keeper.memory.take_board(
         settings_of(state), state.source, utc_now(), opened=True, adapter=adapter
@@ -74,7 +72,6 @@ def keeper_of(client: TrexClient, state: DeviceState) -> Keeper:
 
 
 def require_serial_mode(state: DeviceState, what: str) -> None:
-    """Raise Rejected if the board does not accept writes."""
     if not state.mode.is_serial:
         raise Rejected(what, ResultCode.NOT_SERIAL_MODE)
 
@@ -90,11 +87,8 @@ def change_one(
 ) -> None:
     """Store the setting of `after` that differs from the stored settings.
 
-    `what` names the setting for the user. `command` is the snapshot's reason.
-
-    Raises:
-        Rejected: the board is not in serial mode. Nothing was written.
-        SettingsError: the snapshot could not be saved. Nothing was written.
+    `what` names the setting for the user. `command` is the snapshot's reason. Before Rejected (the
+    board is not in serial mode) or SettingsError (no snapshot), nothing was written.
     """
     before, link = settings_of(state), client.settings
     result = compare(before, after)
@@ -125,13 +119,12 @@ def write_one(
 
 
 def board_settings(state: DeviceState) -> Settings:
-    """Return the stored settings of a board, with the notes saved on this computer."""
+    """Return the stored settings with the notes on this computer."""
     stored = settings_of(state)
     return replace(stored, notes=record_of(stored).settings.notes)
 
 
 def save_notes(client: TrexClient, state: DeviceState, notes: Mapping[str, str]) -> None:
-    """Add notes to the record of a board."""
     if not notes:
         return
     memory = keeper_of(client, state).memory
@@ -163,10 +156,7 @@ def say_next_steps(
 
 
 def say_how_to_reach(used: ConnectionSettings, stored: dict[str, int], firmware: str) -> None:
-    """Report the options that reach the board after its next start, if they change.
-
-    `stored` has the wire values of all stored parameters, by key.
-    """
+    """Report the options that reach the board after its next start, if they change."""
     after = after_power_cycle(used, stored, firmware)
     if after is None:
         say("Its UART settings have an unknown value; find the board with trexcmd find.")

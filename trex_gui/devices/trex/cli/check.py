@@ -21,8 +21,6 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 @dataclass(slots=True)
 class _Checked:
-    """Settings file with its repairs and findings."""
-
     data: bytes
     text: str | bytes = b""  # repaired values, but without the changes in `settings`
     settings: Settings | None = None
@@ -63,10 +61,9 @@ class _Checked:
         }
 
     def written(self, settings: Settings, *, keep_all: bool) -> str:
-        """Return the text changed to `settings`. Adds a missing newline at the end.
+        """Return the text changed to `settings`, with a newline at the end.
 
-        Raises:
-            SettingsError: `keep_all` is on, and comments or order would be lost.
+        `keep_all` raises SettingsError if comments or order would be lost.
         """
         before = self.text if isinstance(self.text, str) else self.text.decode("utf-8")
         try:

@@ -157,7 +157,6 @@ def grouped(settings: ConnectionSettings, boards: str) -> ConnectionSettings:
 
 
 def as_options(settings: ConnectionSettings) -> str:
-    """Return link settings as command-line options."""
     line = settings.line
     words = ["--port", settings.url, "--baud", str(line.baud)]
     if line.has_crc:
@@ -181,7 +180,7 @@ PHYSICAL_KEYS = {InputSource.RC: "pulse_us", InputSource.ANALOG: "voltage_V"}
 
 
 def rounded(source: InputSource, count: int | None) -> float | None:
-    """Return a raw count in µs or V, rounded to 4 decimals."""
+    """Convert a raw count to µs or V."""
     return None if count is None else round(source.physical(count), 4)
 
 
@@ -237,10 +236,9 @@ def _open_client(transport: Transport, settings: ConnectionSettings) -> Iterator
 
 
 def identify(client: TrexClient, *, quick: bool = False) -> Signature:
-    """Return the signature of the board that replies. See `diagnose` for `quick`.
+    """Return the signature of the board. NoReply or BadReply have a remedy in their text.
 
-    Raises:
-        NoReply, BadReply: no single board replies at these settings. The text has a remedy.
+    See `diagnose` for `quick`.
     """
     try:
         try:
@@ -280,7 +278,6 @@ def _only_board(client: TrexClient) -> Signature:
 
 
 def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
-    """Identify a board at the line settings of the options."""
     settings = link_settings(options, url)
     client = TrexClient(*open_port(settings))
     try:

@@ -106,10 +106,9 @@ def motor(
 def run_motors(
     settings: ConnectionSettings, commands: Sequence[Setpoint | SendPacket], seconds: float | None
 ) -> None:
-    """Arm the motors, send the commands, and stop after `seconds` or Ctrl-C. Print replies.
+    """Arm the motors, send the commands, and stop after `seconds` or Ctrl-C.
 
-    Raises:
-        CommandFailed: the run ended early or with an error. The motors were stopped if possible.
+    CommandFailed if the run ends early or with an error. The motors are stopped if possible.
     """
     clock, open_port = host().clock, host().open_transport
     wait: Callable[[float], None] = time.sleep
@@ -295,7 +294,6 @@ class _Run:
         say("Running; Ctrl-C stops." if endless else f"Running {self._seconds:g} s.")
 
     def _addressed(self, commands: Sequence[Setpoint | SendPacket]) -> list[Request]:
-        """Return a request for each board and command."""
         return [
             command if number is None else ToBoard(number, command)
             for number in self._numbers

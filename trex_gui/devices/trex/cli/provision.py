@@ -183,7 +183,6 @@ class _Setup:
         return differing(Comparison(trex.compare_settings(self.profile)))
 
     def _write(self, trex: Trex, number: int, rows: tuple[ComparisonRow, ...]) -> str:
-        """Write the settings and return the result for the record."""
         try:
             trex.apply_settings(rows)
             trex.set_parameters(device_number=number)
@@ -222,11 +221,10 @@ def pulse(trex: Trex, motor: int, typed: Callable[[], str]) -> bool:
 
 
 def read_key() -> str:
-    """Wait for a key of the terminal, or read a character of a pipe. Empty at its end."""
+    """Read a key of the terminal or a character of a pipe. Empty at its end."""
     return click.getchar() if sys.stdin.isatty() else sys.stdin.read(1)
 
 
 def _say_notes(error: BaseException) -> None:
-    """Print the notes of an error, such as a stop that `Trex` could not confirm."""
     for note in getattr(error, "__notes__", ()):
         say(note)

@@ -84,11 +84,7 @@ class RemoteTransport:
         raise BadRequest(f"The line of a served board stays as it is, not {line.short}.")
 
     def write(self, data: bytes) -> None:
-        """Send a packet and wait for its reply, which `read` returns.
-
-        Raises:
-            StudioError: another client drives, or the server is gone.
-        """
+        """Send a packet and wait for its reply, which `read` returns."""
         if self._closed is not None:
             raise self._closed.error or PortUnavailable("The connection was closed.")
         number = next(self._ids)

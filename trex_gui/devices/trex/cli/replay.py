@@ -85,7 +85,7 @@ def replay(file: str, everything: bool) -> None:
 
 @dataclass(slots=True)
 class RecordedTraffic:
-    """Transcript, and the initial state of the board according to its replies."""
+    """Transcript with the initial state of the board."""
 
     rows: Sequence[TranscriptRow]
     settings: ConnectionSettings = field(default_factory=lambda: ConnectionSettings(""))
@@ -98,11 +98,7 @@ class RecordedTraffic:
 
     @classmethod
     def load(cls, path: Path) -> "RecordedTraffic":
-        """Read a transcript file, without the probes of searches.
-
-        Raises:
-            SettingsError: the file is not a traffic log, or has nothing to compare.
-        """
+        """Read a transcript without the probes of searches. SettingsError if nothing is left."""
         text = load(path, tr("traffic logs"), LARGEST).decode("utf-8", "replace")
         read = read_transcript(text, str(path), TrexDecoder())
         rows = [row for row in read if not row.is_search]

@@ -92,8 +92,6 @@ class _AnyByte(c.GetParameter):
 
 
 class _Survey:
-    """Facts about a board, as rows by table name."""
-
     def __init__(self, client: TrexClient) -> None:
         self._client, self._request, self._has_crc = client, client.request, client.has_crc
         self._unknown: dict[str, list[int]] = {}  # parameter numbers by their reply
@@ -118,7 +116,7 @@ class _Survey:
     def find_range(
         self, spec: ParameterSpec, stored: int, store: _Store, interrupted: Interruption
     ) -> None:
-        """Find the ends of the range by trial, and restore the stored value."""
+        """Find the range by trial, and restore the stored value."""
         tried: dict[int, int | None] = {stored: stored}
         values = [wire for wire in _ALL if wire in spec.valid or spec.is_open(wire)]
 
@@ -156,7 +154,7 @@ class _Survey:
             return agreed(self._request, c.GetParameter(spec.number), has_crc=self._has_crc)
 
     def _errors_of(self, command: c.Command[Any]) -> list[str]:
-        """Return the errors that a command causes every time, without errors from noise."""
+        """Return the errors that a command causes every time."""
         always = ~UartError.TIMEOUT  # the wait for a reply may cause a timeout
         for _ in range(ATTEMPTS):
             query(self._request, c.GetUartErrors())

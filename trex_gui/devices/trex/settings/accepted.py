@@ -37,8 +37,7 @@ class AcceptedValues:
     def add(self, board: Signature, values: Mapping[str, int]) -> Accepted:
         """Save values that a board has stored. Return all values for its model and firmware.
 
-        Raises:
-            SettingsError: saving failed. The earlier values remain.
+        A SettingsError leaves the earlier values unchanged.
         """
         known = dict(self.of(board))
         for key, wire in values.items():

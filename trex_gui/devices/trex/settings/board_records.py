@@ -38,7 +38,7 @@ _NEVER = datetime.min.replace(tzinfo=UTC)
 
 @dataclass(frozen=True, slots=True)
 class Known:
-    """Time when values were last written to the board, or last read from it."""
+    """Time of the last write or read."""
 
     time: datetime  # in UTC
     is_applied: bool
@@ -74,14 +74,13 @@ class BoardRecord:
         return replace(self.settings, firmware=stored.firmware, calibrations=applied)
 
     def differences(self, stored: Settings) -> Comparison:
-        """Return the differences between stored and applied settings."""
         if self.applied is None:
             return Comparison(())
         rows = compare(stored, self.applied_to(stored)).rows
         return Comparison(tuple(row for row in rows if row.changed))
 
     def after_reading(self, stored: Settings, source: InputSource, now: datetime) -> "BoardRecord":
-        """Add the active input source's calibrations, unless other calibrations were applied."""
+        """Add the calibrations of `source`, unless other calibrations were applied."""
         known = self.known.get(source)
         if known is not None and known.is_applied:
             if self.calibrations(source) != stored.calibrations:
@@ -120,12 +119,12 @@ class BoardRecord:
         return record.before_writing(uncertain)
 
     def accepting(self, stored: Settings, source: InputSource, now: datetime) -> "BoardRecord":
-        """Replace the applied values with the values that the board stores."""
+        """Replace the applied values with the stored values."""
         keys = {*self.settings.parameters, *self.calibrations(source)}
         return self.before_writing(keys).after_writing(stored, source, (), now)
 
     def after_reset(self) -> "BoardRecord":
-        """Remove the parameters, which the board resets at its next start."""
+        """Remove the parameters, which a reset changes."""
         return replace(self, settings=replace(self.settings, parameters={}), applied=None)
 
     def with_notes(self, notes: Mapping[str, str]) -> "BoardRecord":
@@ -166,8 +165,7 @@ class BoardRecords:
     def save(self, board: BoardIdentity, record: BoardRecord | None) -> None:
         """Replace the record of a board. `None` removes it.
 
-        Raises:
-            SettingsError: the change failed. The old record remains.
+        A SettingsError leaves the old record unchanged.
         """
         replace_file(self.path(board), None if record is None else _text(record))
 
@@ -204,7 +202,7 @@ class BoardRecords:
 
 
 def has_factory_line(stored: Settings) -> bool:
-    """True if device number and UART settings are defaults, as after a loss of settings."""
+    """True if device number and UART settings are the defaults."""
     keys = ParameterKey.DEVICE_NUMBER, ParameterKey.UART_SETTINGS
     return all(stored.parameters.get(key) == stored.specs[key].default for key in keys)
 

@@ -33,7 +33,7 @@ def file_name(settings: Settings, language: Language) -> str:
 
 
 def export_code(settings: Settings, link: ConnectionSettings, language: Language) -> str:
-    """Return a complete program that stores and checks settings and drives motors.
+    """Return a program that stores settings and drives motors.
 
     The text is ASCII, in English, and identical for equal settings and line. Values that the board
     would reject are left out and named in a comment. The port of `link` is not used.
@@ -93,7 +93,6 @@ def _program(settings: Settings, link: ConnectionSettings, language: Language) -
 
 
 def _notes(settings: Settings) -> Iterator[str]:
-    """Yield the notes, wrapped to lines."""
     for key in sorted(settings.notes):
         text = plain(f"{key}: {settings.notes[key]}".replace("\n", " / "))
         yield textwrap.fill(text, _COMMENT_WIDTH, subsequent_indent="    ")

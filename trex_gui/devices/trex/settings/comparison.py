@@ -129,12 +129,9 @@ def compare(before: Settings, after: Settings) -> Comparison:
 
 
 def compare_with_board(stored: Settings, source: InputSource, wanted: Settings) -> Comparison:
-    """Compare the stored settings of a board with wanted settings.
+    """Compare stored with wanted settings. BadRequest if a parameter does not fit the board.
 
     Only calibrations of this `source` are compared, because the board hides all others.
-
-    Raises:
-        BadRequest: the settings are for another model, or the board lacks a parameter.
     """
     if wanted.product.key != stored.product.key:
         text = tr("These settings are for a {0}, not a {1}")

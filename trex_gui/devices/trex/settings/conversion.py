@@ -22,7 +22,7 @@ class Fate(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class ConvertedRow:
-    """One setting of a conversion, with both values in physical units."""
+    """Setting with both values in physical units."""
 
     key: str
     name: str
@@ -46,12 +46,10 @@ class Conversion:
 
     @property
     def board(self) -> str:
-        """Model and firmware of the converted settings."""
         return f"{self.settings.product.name} {self.settings.specs.firmware}"
 
     @property
     def alters(self) -> bool:
-        """True if the conversion changes or leaves out a setting."""
         return any(row.fate is not Fate.CARRIED_OVER for row in self.rows)
 
     def of(self, fate: Fate) -> tuple[ConvertedRow, ...]:
@@ -63,7 +61,6 @@ class Conversion:
         return text.format(self.board, *counts)
 
     def compared_with(self, before: Settings) -> Comparison:
-        """Compare the settings before and after the conversion."""
         old, new = ({**s.parameters, **s.calibrations} for s in (before, self.settings))
         return Comparison(
             tuple(

@@ -85,10 +85,7 @@ def specs_for(product: Model, firmware: str | None) -> ParameterSet:
 
 
 def settings_of(state: DeviceState) -> Settings:
-    """Return the stored settings, including values that the board would reject.
-
-    Calibrations of the inactive input source are missing, because the board hides them.
-    """
+    """Return the stored settings, without the calibrations that the board hides."""
     stored = state.parameters
     return Settings(
         product=state.signature.model,

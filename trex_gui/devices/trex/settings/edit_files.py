@@ -53,8 +53,7 @@ class EditFiles:
     def save(self, board: BoardIdentity, edits: Settings | None) -> None:
         """Replace the saved edits of a board. `None` removes them.
 
-        Raises:
-            SettingsError: the change failed. The earlier edits remain.
+        A SettingsError leaves the earlier edits unchanged.
         """
         title = ["Edits that were not applied"]
         text = None if edits is None else write_settings(edits, title_lines=title)
@@ -77,10 +76,9 @@ class EditFiles:
 
 
 def replace_file(path: Path, text: str | None) -> None:
-    """Write a file, and create its folder if missing. `None` removes the file.
+    """Write a file and its folder. `None` removes the file.
 
-    Raises:
-        SettingsError: the change failed. The old file remains.
+    A SettingsError leaves the old file unchanged.
     """
     with explained(path, tr("it cannot be written")):
         if text is None:
@@ -91,12 +89,9 @@ def replace_file(path: Path, text: str | None) -> None:
 
 
 def put_aside(path: Path) -> Path | None:
-    """Rename a file before the file of another board replaces it.
+    """Rename a file before another file replaces it.
 
     Returns the new path, or `None` if the file does not exist.
-
-    Raises:
-        SettingsError: the file cannot be renamed.
     """
     names = (path.with_name(f"{path.stem}.replaced-{number}.txt") for number in count(1))
     aside = next(name for name in names if not name.exists())
@@ -109,11 +104,7 @@ def put_aside(path: Path) -> Path | None:
 
 
 def settings_of_board(data: bytes, path: Path, board: BoardIdentity) -> Settings:
-    """Return the settings in a file of a board.
-
-    Raises:
-        SettingsError: the settings are damaged, or for another model.
-    """
+    """Read settings. SettingsError if they are damaged or for another model."""
     settings, _ = read_settings(data, str(path))
     if settings.product != board.product:
         raise SettingsError.of(

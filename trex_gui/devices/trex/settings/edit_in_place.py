@@ -132,7 +132,7 @@ class _Document:
             self._edit(start, end, _spelled_like(old, wire))
 
     def update_comment(self, key: str, old: Collection[str], new: str) -> None:
-        """Replace a comment beside a setting if its text is in `old`."""
+        """Replace the comment of a setting if its text is in `old`."""
         if new in old:
             return
         for number in self._lines_of(self.entries[key]):
@@ -145,13 +145,11 @@ class _Document:
                 self._comments[number] = f"# {new}"
 
     def remove(self, key: str) -> None:
-        """Comment out a setting's lines."""
         for number in self._lines_of(self.entries[key]):
             if self._parts(number)[0]:
                 self._edit(self._line_starts[number], self._line_starts[number], "# ")
 
     def append(self, lines: list[str]) -> None:
-        """Add settings and comments at the end."""
         if not lines:
             return
         line_end, margin = self._line_end, " " * self.root.start_mark.column
@@ -227,7 +225,7 @@ def _spelled_like(old: str, wire: int) -> str:
 
 
 def _change_entries(document: _Document, old: Settings, new: Settings) -> None:
-    """Change or remove each setting of a text, with the program's comment."""
+    """Change or remove each setting with its comment."""
     for key, entry in document.entries.items():
         calibration_key = CALIBRATION_KEYS.get(key)
         if key == "product":

@@ -219,8 +219,7 @@ class SettingsHistory:
     def set_limit(self, kept: int | None) -> tuple[Snapshot, ...]:
         """Set the limit for all programs. Remove snapshots beyond it, and return them.
 
-        Raises:
-            SettingsError: the limit cannot be saved. No snapshot was removed.
+        If saving fails with SettingsError, no snapshot is removed.
         """
         if kept is not None and not 1 <= kept < 10**7:
             raise ValueError(tr("a history keeps at least one snapshot, not {0}").format(kept))

@@ -39,7 +39,7 @@ def note_lines(key: str, notes: Mapping[str, str]) -> list[str]:
 
 
 def clean_note(text: str) -> str:
-    """Return a note in printable characters, without empty lines or outer spaces."""
+    """Remove empty lines, outer spaces and unprintable characters."""
     lines = (line.expandtabs().strip() for line in text.splitlines())
     shown = ("".join(c if c.isprintable() else "?" for c in line) for line in lines)
     return "\n".join(filter(None, shown))

@@ -25,8 +25,6 @@ NOT_TRIED = "ended while motors were tried"
 
 @dataclass(frozen=True, slots=True)
 class ProvisionedBoard:
-    """Line of the record."""
-
     time: str  # local, with the offset to UTC
     name: str
     number: int  # device number that the board has, or may have
@@ -73,11 +71,7 @@ class ProvisionRecord:
     def propose(
         self, stored: Settings, board: str, differing: Collection[ComparisonRow]
     ) -> ProvisionedBoard:
-        """Return the line of a board, with its known or a new number and name.
-
-        Raises:
-            BadRequest: all numbers are assigned.
-        """
+        """Return a line for a board. A new board gets a free number and a name."""
         number, prints = stored.parameters[ParameterKey.DEVICE_NUMBER], fingerprint(stored)
         known = self._known(number)
         given = self.free_number() if known is None else number
@@ -99,14 +93,13 @@ class ProvisionRecord:
         )
 
     def skipped(self, board: ProvisionedBoard, stored: Settings) -> ProvisionedBoard:
-        """Return the line of an unchanged board."""
         number = stored.parameters[ParameterKey.DEVICE_NUMBER]
         known = self._known(number)
         prints = known.calibrations if known else board.calibrations
         return replace(board, number=number, calibrations=prints, result=SKIPPED)
 
     def _known(self, number: int) -> ProvisionedBoard | None:
-        """Return the newest line of the board to which this number was assigned."""
+        """Return the newest line of the board with this number."""
         given = (row for row in reversed(self._rows) if row.result != SKIPPED)
         return next((row for row in given if row.number == number != FACTORY_NUMBER), None)
 

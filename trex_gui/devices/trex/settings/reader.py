@@ -317,7 +317,6 @@ def _words(node: Node) -> str:
 
 
 def _shown(node: Node) -> str:
-    """Return the text of a value for a message."""
     if not isinstance(node, ScalarNode):
         return tr("a list") if isinstance(node, SequenceNode) else tr("a group of settings")
     text = shortened(str(node.value))
@@ -341,7 +340,7 @@ def _range(spec: ParameterSpec) -> str:
 
 
 def _hint(spec: ParameterSpec, node: Node) -> str:
-    """Return a hint on the spelling of a physical value, such as `1.5 s`, in a file."""
+    """Return a hint on the spelling of a value, such as `1.5 s`."""
     meant, text = _meant(spec, node), _words(node)
     if not isinstance(meant, int):
         return f"; {meant}" if meant else ""

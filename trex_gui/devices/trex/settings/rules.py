@@ -102,8 +102,6 @@ def _joined(words: Sequence[str]) -> str:
 
 
 class _Match(NamedTuple):
-    """Finding of a rule, as in `LintFinding`."""
-
     keys: tuple[str, ...]
     message: str
     change: Mapping[str, int] = MappingProxyType({})
@@ -136,7 +134,7 @@ class _Case:
         return self.settings.specs[key].name
 
     def text(self, key: str, wire: int | None = None) -> str:
-        """Return a wire value in physical units, by default the value in the settings."""
+        """Return a wire value, or the value in the settings, in physical units."""
         return self.settings.specs[key].text(self.wires[key] if wire is None else wire)
 
     def default(self, key: str) -> int:
@@ -183,7 +181,7 @@ def _limit_in_joint_mode(case: _Case) -> Iterator[_Match]:
 
 
 def _limits_beside_zero(case: _Case, parameter: MotorParameter) -> Iterator[tuple[str, str]]:
-    """Yield limit key and parameter key if the limit is active and the `parameter` 0."""
+    """Yield the keys of active limits, each with a `parameter` of 0."""
     for motor in () if case.is_joint else _MOTORS:
         limit, other = MotorParameter.CURRENT_LIMIT.of(motor), parameter.of(motor)
         if case.wires.get(limit) and case.wires.get(other) == 0:

@@ -50,7 +50,7 @@ def _text(settings: Settings, title_lines: Sequence[str]) -> str:
 
 
 def check_keys(settings: Settings) -> None:
-    """Raise a `BadRequest` for keys that the model and firmware do not have."""
+    """Raise BadRequest for keys that the model and firmware lack."""
     known = {spec.key for spec in settings.specs.readable}
     if unknown := [key for key in settings.parameters if key not in known]:
         board = f"{settings.product.name} {settings.firmware or ''}".strip()
@@ -69,7 +69,7 @@ def _parameter_blocks(settings: Settings) -> Iterator[list[str]]:
 
 
 def parameter_line(spec: ParameterSpec, wire: int, settings: Settings) -> str:
-    """Return a setting's line, commented out if the board would reject the value."""
+    """Return the line of a setting. A rejected value becomes a comment."""
     setting = f"{spec.key}: {wire}"
     if problem := spec.problem(wire, forced=True):
         return _left_out(setting, problem)
@@ -84,7 +84,7 @@ def _width() -> int:
 
 
 def parameter_text(spec: ParameterSpec, wire: int, settings: Settings) -> str:
-    """Return the comment beside a value, such as `0.5 s to full speed` for a ramp.
+    """Return the comment beside a value, such as `0.5 s to full speed`.
 
     For the prescaler and maximum of a PWM, it includes the frequency.
     """
@@ -124,7 +124,7 @@ def _calibration_blocks(settings: Settings) -> Iterator[list[str]]:
 
 
 def calibration_line(key: CalibrationKey, calibration: Calibration, width: int = 0) -> str:
-    """Return a calibration's line, commented out if the board would reject the values."""
+    """Return the line of a calibration. Rejected values become a comment."""
     setting = _calibration_setting(key, calibration)
     if problem := calibration.problem():
         return _left_out(setting, problem)
