@@ -1,4 +1,4 @@
-"""What tests of discovery and of a session have in common."""
+"""Fixtures for tests of discovery and sessions."""
 
 import pytest
 
@@ -7,7 +7,7 @@ from trex_gui.devices.trex.simulator.motors import SerialControl
 
 @pytest.fixture
 def orders(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """Every order that a motor of any simulated board is given, a stop included."""
+    """Every command to a motor of any simulated board, including stops."""
     given: list[str] = []
 
     def drive(_control: SerialControl, *words: object, **more: object) -> None:

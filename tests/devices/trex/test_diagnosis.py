@@ -1,4 +1,4 @@
-"""Why no TReX was found, in sentences for the user."""
+"""Reasons for a missing TReX."""
 
 from dataclasses import replace
 from itertools import chain, product
@@ -54,7 +54,7 @@ def stage_of(uart: LineSettings, *, polynomial: int = 0x89, echo: bool = False) 
 
 
 def diagnosed(stage: Stage, settings: ConnectionSettings) -> StudioError:
-    """Return the diagnosis of a connection that has failed."""
+    """Return the diagnosis of a failed connection."""
     stage.line.host = settings.line
     cause = diagnose(stage.client(settings), NoReply("No reply."))
     assert stage.line.host == settings.line, "the line is as it was"
@@ -141,7 +141,7 @@ def test_learning_mode_is_silent_and_named_among_the_checks(used: ConnectionSett
 
 
 class Qik(VirtualTransport):
-    """A qik, which replies to 81 with its firmware version, at the rate of its jumpers."""
+    """Qik that replies to 81 with its firmware version, at the rate of its jumpers."""
 
     def write(self, data: bytes) -> None:
         self.sent += data

@@ -1,4 +1,4 @@
-"""The programs in `resources/examples`, on simulated boards."""
+"""Example programs in `resources/examples` on simulated boards."""
 
 import io
 import json
@@ -58,7 +58,7 @@ def drives(simulator: SimulatedDevice, wanted: tuple[str, int]) -> bool:
 
 
 def run(runtime: VirtualRuntime, name: str, *arguments: object) -> str:
-    """Run an example to its end; return what it printed."""
+    """Run an example to its end and return its output."""
     example = Example(runtime, name, *map(str, arguments))
     example.end()
     return example.text
@@ -66,7 +66,7 @@ def run(runtime: VirtualRuntime, name: str, *arguments: object) -> str:
 
 @pytest.fixture
 def profile(virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice, tmp_path: Path) -> Path:
-    """A settings file that differs from the simulated board in one parameter."""
+    """Settings file that differs from the simulated board in one parameter."""
     file = tmp_path / "profile.txt"
 
     def save() -> None:

@@ -1,4 +1,4 @@
-"""Sentences that rest on inferred or twin facts show that, all in the same way."""
+"""Marks of sentences that rest on inferred or twin facts."""
 
 import re
 from collections.abc import Iterator

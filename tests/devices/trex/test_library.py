@@ -1,4 +1,4 @@
-"""The library for programs, and its examples, on simulated boards."""
+"""Library and its examples on simulated boards."""
 
 import subprocess
 import sys
@@ -361,7 +361,7 @@ def test_board_stopped_by_the_end_of_the_block_is_not_left_running(
 def test_silence_ends_a_drive_although_commands_are_repeated(
     start_simulator: StartSimulator,
 ) -> None:
-    """Real adapters have longer deadlines: sending setpoints again must leave polls a turn."""
+    """With the longer deadlines of real adapters, repeated setpoints must leave time for polls."""
     simulator = start_simulator()
     with Trex(simulator.url) as trex:
         trex.drive(60, 60)
@@ -384,7 +384,7 @@ def two_boards(start_simulator: StartSimulator) -> VirtualSimulator:
 
 
 def speeds(line: VirtualSimulator) -> list[int]:
-    """Return the speeds of both motors of both boards; 0 for one that is braked."""
+    """Return the speeds of both motors of both boards. A braking motor has 0."""
     motors = [motor for name in ("@7", "@9") for motor in line.show(name)["motors"]]
     signs = {"forward": 1, "reverse": -1, "brake": 0}
     return [signs[one["direction"]] * one["speed"] for one in motors]

@@ -1,4 +1,4 @@
-"""Bench tests as they could have been run."""
+"""Sample bench tests."""
 
 from collections.abc import Sequence
 from datetime import UTC, datetime

@@ -1,4 +1,4 @@
-"""The numbers that a bench test comes to."""
+"""Figures of bench tests."""
 
 import pytest
 
@@ -9,7 +9,7 @@ RATE = 80
 
 
 def readings(*parts: tuple[float, float]) -> list[tuple[float, float]]:
-    """Return 80 readings a second: so many seconds of so many ampere, one after the other."""
+    """Return 80 readings a second of each (seconds, ampere) in turn."""
     found: list[tuple[float, float]] = []
     for seconds, amps in parts:
         begin = len(found)
@@ -27,7 +27,7 @@ def test_inrush_and_settling_are_measured() -> None:
 
 
 def test_inrush_crossing_steady_current_has_not_settled() -> None:
-    """It is within a tenth of 4 A on its way up, and once more on its way down."""
+    """The inrush is within a tenth of 4 A on its way up and down."""
     parts = (0.1, 4.0), (0.1, 9.0), (0.1, 4.0), (0.1, 3.0), (1.6, 4.0)
     found = figures(run_of(readings(*parts)))
     assert found.delay == pytest.approx(0)

@@ -14,7 +14,7 @@ SAVED = run_of([(0.0125, 0.0), (0.025, 4.5)])
 
 
 def ticks(unit: int, most: int) -> st.SearchStrategy[float]:
-    """Return numbers as exact as the file keeps them."""
+    """Return times as exact as the file stores them."""
     return st.integers(0, most).map(lambda count: count / unit)
 
 

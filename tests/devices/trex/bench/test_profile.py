@@ -1,4 +1,4 @@
-"""What a bench test asks of a motor, moment by moment."""
+"""Profiles of bench tests."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""From a stick to what is proposed for it, without a board."""
+"""Calibrations from simulated sticks, without a board."""
 
 from random import Random
 
@@ -49,7 +49,7 @@ def learn(
 def check(
     stick: Stick, channel: int, wanted: Calibration | None = None, *, reversed_: bool | None = None
 ) -> Check:
-    """What there is to say of values for a stick; of those that are proposed, unless given."""
+    """Return the findings on a calibration, by default the proposed calibration."""
     neutral = neutral_of(stick)
     travel = travel_of(stick, neutral, channel)
     proposal = propose(neutral, travel, reversed_now=False)

@@ -1,4 +1,4 @@
-"""The curve that is drawn is what the board does, at every raw count."""
+"""Curves of channels, compared with the board at every raw count."""
 
 from itertools import product
 

@@ -1,4 +1,4 @@
-"""An end is learned when it was held, not when it was passed, however seldom samples come."""
+"""Ends count only after a hold, at any sample rate."""
 
 from random import Random
 
@@ -50,11 +50,11 @@ def proposal_of(stick: Stick, travel: Travel) -> Proposal:
 
 
 def furthest_inside(length: float, stick: Stick) -> float:
-    """How far inside the true end a learned one may lie, in counts.
+    """Return the largest distance of a learned end inside the true end, in counts.
 
-    Samples count as held while they agree within 2 % of the way and 6 deviations; a stick that
-    turns there slowly enough looks the same. The readings themselves are off by up to 4
-    deviations, and the proposal lies another 1 % and 3 deviations inside; both round up.
+    Samples count as held while they agree within 2 % of the travel and 6 deviations. A stick that
+    turns slowly there looks the same. Readings may be off by 4 deviations, and the proposal lies
+    another 1 % and 3 deviations inside. Both round up.
     """
     deviation = max(1.0, 2.5 * stick.noise)
     return (0.02 + 0.01) * length + (6 + 4 + 3) * deviation + 2

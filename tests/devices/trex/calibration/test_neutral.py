@@ -1,4 +1,4 @@
-"""Where a stick rests, and what is wrong when it does not."""
+"""Rest positions and their problems."""
 
 import pytest
 from hypothesis import example, given
@@ -101,7 +101,7 @@ def test_drift_is_reported_only_beyond_its_limit(source: InputSource) -> None:
 
 
 def problems_of(counts: list[int]) -> list[tuple[ProblemKind, str]]:
-    """Measure an RC input at rest that gives these counts, 50 a second."""
+    """Measure an RC input at rest with these counts, 50 a second."""
     found = measure_neutral(
         [ChannelSample(i / 50, c) for i, c in enumerate(counts)], InputSource.RC
     )
@@ -124,7 +124,7 @@ def test_missing_signal_is_reported_with_remedy() -> None:
 
 
 def test_lost_pulses_are_reported_from_about_one_third() -> None:
-    """The bounds that the message names: a third most often, 45 % nearly always, a tenth never."""
+    """The message names these bounds."""
 
     def reports(lost: float, noise: float = 1.0) -> int:
         sticks = [neutral_of(Stick(lost=lost, noise=noise), seed) for seed in range(100)]

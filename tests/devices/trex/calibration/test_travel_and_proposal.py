@@ -1,4 +1,4 @@
-"""From the ends that a stick reached to the calibration that fits it."""
+"""Travel of sticks, and proposed calibrations."""
 
 from dataclasses import replace
 
@@ -41,13 +41,13 @@ sticks = st.builds(
 
 
 def learned(stick: Stick, channel: int = 1, *, seed: int, reversed_now: bool = False) -> Proposal:
-    """Learn a channel, unless its signal at rest is refused; test_neutral.py shows when it is."""
+    """Learn a channel. Its rest position must have no fatal problem."""
     assume(not any(problem.fatal for problem in neutral_of(stick, seed).problems))
     return learn(stick, seed=seed, reversed_now=reversed_now)
 
 
 def bound(stick: Stick) -> float:
-    """One percent of the travel, and what the noise makes uncertain, in counts."""
+    """Return the tolerance in counts: one percent of the travel, and the noise."""
     low, _, high = stick.truth()
     return 0.01 * (high - low) + 5 * max(1.0, stick.noise * stick.source.counts_per_unit)
 
@@ -178,7 +178,7 @@ def test_signal_lost_during_travel_is_reported() -> None:
 
 
 def travel_of_counts(counts: list[int | None]) -> Travel:
-    """Feed these counts, 50 a second, from a stick that rests at 3750."""
+    """Feed these counts, 50 a second, to a stick that rests at 3750."""
     travel = Travel(neutral_of(Stick()), Task.STICK)
     for step, count in enumerate(counts):
         travel.feed(ChannelSample(step / 50, count))
@@ -196,7 +196,7 @@ def test_wild_pulse_before_lost_pulses_is_no_end() -> None:
 
 
 def problems_with_lost_samples(lost: int) -> list[tuple[ProblemKind, str]]:
-    """Push a stick to both ends; `lost` of the 50 samples have no signal."""
+    """Push a stick to both ends. `lost` of the 50 samples have no signal."""
     travel = travel_of_counts([*[None] * lost, *[5000] * 15, *[2500] * (35 - lost)])
     return [(problem.kind, problem_text(problem)) for problem in travel.problems]
 

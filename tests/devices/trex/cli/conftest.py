@@ -1,4 +1,4 @@
-"""trexcmd against a simulated board, in virtual time and as a process of its own."""
+"""Fixtures that run trexcmd on a simulated board, in virtual time or as a process."""
 
 import os
 import subprocess
@@ -22,20 +22,20 @@ LONG_TIMEOUT = 1.0
 
 @pytest.fixture
 def start(virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice) -> StartCommand:
-    """Start the program, on a simulated board as it comes from the factory."""
+    """Start the program on a new simulated board."""
 
-    def begin(
+    def start_program(
         *words: str, url: str | None = None, stdin: str | None = None, **environment: str
     ) -> VirtualCommand:
         variables: dict[str, str | None] = {"TREX_PORT": url or quick_simulator.url, **environment}
         return VirtualCommand(virtual_time, words, variables, stdin)
 
-    return begin
+    return start_program
 
 
 @pytest.fixture
 def trexcmd(start: StartCommand) -> RunCommand:
-    """Run the program to its end; it ends well where a test does not say otherwise."""
+    """Run the program to its end and check its exit code."""
 
     def run(*words: str, stdin: str | None = None, exits: int = 0, **environment: str) -> Result:
         return start(*words, stdin=stdin, **environment).ends(exits)
@@ -45,10 +45,10 @@ def trexcmd(start: StartCommand) -> RunCommand:
 
 @pytest.fixture
 def start_process(quick_simulator: SimulatedDevice) -> Iterator[StartProcess]:
-    """Start the program as a process; whatever still runs in the end is killed."""
+    """Start the program as a process, and kill it after the test."""
     running: list[subprocess.Popen[str]] = []
 
-    def begin(*words: str) -> subprocess.Popen[str]:
+    def start_program(*words: str) -> subprocess.Popen[str]:
         process = subprocess.Popen(
             [sys.executable, "-m", "trex_gui.cli", *words, f"--timeout={LONG_TIMEOUT:g}"],
             env={**os.environ, "TREX_PORT": quick_simulator.url},
@@ -59,23 +59,23 @@ def start_process(quick_simulator: SimulatedDevice) -> Iterator[StartProcess]:
         running.append(process)
         return process
 
-    yield begin
+    yield start_program
     for process in running:
         process.kill()
         process.communicate()
 
 
 def becomes(look: Callable[[], object], wanted: object, seconds: float = 30) -> bool:
-    """Let virtual time pass until something is as wanted; return whether that was in time."""
+    """Run virtual time until a value is `wanted`. Return whether this was in time."""
     virtual = runtime()
     assert isinstance(virtual, VirtualRuntime)
     return virtual.run_until(lambda: look() == wanted, seconds)
 
 
 def comes_true(look: Callable[[], object], seconds: float = 30) -> bool:
-    """Look again and again, in real time; return whether it came true in time.
+    """Poll a condition in real time. Return whether it came true.
 
-    Looks with pauses: a simulator that is asked all the time has none left for the program.
+    Pauses leave the simulator time for the program.
     """
     end = time.monotonic() + seconds
     while not look():
@@ -86,12 +86,12 @@ def comes_true(look: Callable[[], object], seconds: float = 30) -> bool:
 
 
 def measured(simulator: SimulatedDevice) -> list[int | None]:
-    """Return what the board has measured on each channel; `None` where there was no signal yet."""
+    """Return the raw count of each channel, `None` without a signal."""
     return [channel["raw"] for channel in simulator.show()["channels"]]
 
 
 def outputs(simulator: SimulatedDevice) -> list[int]:
-    """Return the signed speeds of both motors and the auxiliary one; braking is 0."""
+    """Return the signed speeds of motors 1, 2 and auxiliary. A braking motor has 0."""
     state = simulator.show()
     signs = {"forward": 1, "reverse": -1, "brake": 0}
     speeds = [signs[motor["direction"]] * motor["speed"] for motor in state["motors"]]

@@ -1,4 +1,4 @@
-"""trexcmd against a simulated board in a process of its own."""
+"""Basic commands on a simulated board."""
 
 import json
 import shlex

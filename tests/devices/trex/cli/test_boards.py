@@ -1,4 +1,4 @@
-"""Several boards on one line, from the shell."""
+"""Commands for several boards on one line."""
 
 import json
 from pathlib import Path
@@ -16,7 +16,7 @@ EXPANDED = ("--protocol", "expanded", "--device", "7")
 
 @pytest.fixture
 def line(start_simulator: StartSimulator) -> VirtualSimulator:
-    """Boards 3, 7 and 9, the last one a TReX Jr."""
+    """Boards 3, 7 and 9. Board 9 is a TReX Jr."""
     options = [word for board in ("3", "7", "9:trexjr") for word in ("--device", board)]
     started = start_simulator("--unpaced", *options)
     assert isinstance(started, VirtualSimulator)

@@ -1,4 +1,4 @@
-"""calibration get and set."""
+"""Commands calibration get and calibration set."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""Messages and snapshots of every command that changes a board."""
+"""Messages and snapshots of commands that change a board."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -37,7 +37,6 @@ every_write = pytest.mark.parametrize(
 
 
 def memory(trexcmd: RunCommand) -> str:
-    """Return all that the board stores."""
     result = trexcmd("get-settings", "-")
     return result.stdout
 
@@ -246,7 +245,6 @@ def test_board_that_replaced_the_one_in_the_snapshot_is_not_written_to(
 
 
 def everything(board: SimulatedDevice) -> tuple[dict[str, int], dict[str, object]]:
-    """Return all that a simulated board stores."""
     shown = board.show()
     return shown["parameters"], shown["calibrations"]
 
@@ -254,7 +252,7 @@ def everything(board: SimulatedDevice) -> tuple[dict[str, int], dict[str, object
 def exchange_at(
     board: VirtualSimulator, other: VirtualSimulator, is_due: Callable[[bytes], bool]
 ) -> None:
-    """Move the cable to another board at the first packet for which it is due."""
+    """Connect another board at the first packet that is due."""
 
     def watch(data: bytes) -> None:
         if is_due(data):

@@ -1,4 +1,4 @@
-"""get-settings, set-settings, check-settings, diff."""
+"""Commands get-settings, set-settings, check-settings and diff."""
 
 import json
 import signal
@@ -17,14 +17,14 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 @pytest.fixture
 def saved(trexcmd: RunCommand, tmp_path: Path) -> Path:
-    """The settings of the simulated board as a file."""
+    """Settings of the simulated board as a file."""
     path = tmp_path / "board.txt"
     trexcmd("get-settings", str(path))
     return path
 
 
 def changed(path: Path, **values: object) -> Path:
-    """Return a file with other values for some keys; `None` takes the line away."""
+    """Return a file with other values. `None` removes a key."""
     lines = []
     for line in path.read_text(encoding="utf-8").splitlines():
         key = line.partition(":")[0]
@@ -186,7 +186,7 @@ def test_check_settings_writes_the_file_as_it_is_and_ends_its_last_line(
 def test_file_that_cannot_be_edited_in_place_is_rewritten(
     trexcmd: RunCommand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """No such file is known, but `amend` may reject one."""
+    """No such file is known, but `amend` may reject a file."""
 
     def refuse(text: str, settings: Settings) -> str:
         del text, settings

@@ -1,4 +1,4 @@
-"""history: snapshots of boards are listed, shown, compared and restored."""
+"""Command history."""
 
 import json
 import re
@@ -18,7 +18,7 @@ from trex_gui.devices.trex.settings.history import BOUND_FILE, Bound, SettingsHi
 NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
 
 
-def take(minutes: int = 0, reason: str = "Apply of 1 setting", **values: int) -> Path:
+def save_snapshot(minutes: int = 0, reason: str = "Apply of 1 setting", **values: int) -> Path:
     there = factory()
     settings = Settings(
         there.product, there.firmware, {**there.parameters, **values}, there.calibrations
@@ -37,15 +37,15 @@ def test_empty_history_explains_when_snapshots_are_taken(trexcmd: RunCommand) ->
 
 
 def test_escape_sequences_of_names_do_not_reach_the_terminal(trexcmd: RunCommand) -> None:
-    path = take(reason="trexcmd set-settings '\x1b]0;title\x07\x1b[2J'")
+    path = save_snapshot(reason="trexcmd set-settings '\x1b]0;title\x07\x1b[2J'")
     path.write_text(path.read_text().replace("FT232R", "FT\x1b[31m232R"))
     for result in (trexcmd("history"), trexcmd("history", "show", "\x1b[2J", exits=1)):
         assert not {"\x1b", "\x07"} & set(result.stdout + result.stderr)
 
 
 def test_history_lists_newest_snapshot_first(trexcmd: RunCommand) -> None:
-    take(0)
-    path = take(1, reason="trexcmd restore-defaults", device_number=9)
+    save_snapshot(0)
+    path = save_snapshot(1, reason="trexcmd restore-defaults", device_number=9)
     lines = trexcmd("history", TREX_PORT="").stdout.splitlines()
     local = (NOON + timedelta(minutes=1)).astimezone().strftime("%Y-%m-%d %H:%M:%S")
     assert lines[0].split() == ["Time", "Board", "No.", "Adapter", "Before"]
@@ -62,15 +62,15 @@ def test_history_lists_newest_snapshot_first(trexcmd: RunCommand) -> None:
 
 
 def test_damaged_snapshot_is_listed_as_damaged(trexcmd: RunCommand) -> None:
-    take().write_text("", encoding="utf-8")
+    save_snapshot().write_text("", encoding="utf-8")
     assert "damaged" in trexcmd("history").stdout
     assert "It is empty." in trexcmd("history").stdout
     trexcmd("history", "show", "1", exits=1)
 
 
 def test_snapshot_is_shown_by_number_and_by_path(trexcmd: RunCommand) -> None:
-    path = take(0, serial_timeout=5)
-    take(1)
+    path = save_snapshot(0, serial_timeout=5)
+    save_snapshot(1)
     shown = trexcmd("history", "show", "2")
     assert shown.stdout == path.read_text(encoding="utf-8")
     assert trexcmd("history", "show", str(path)).stdout == shown.stdout
@@ -83,15 +83,15 @@ def test_snapshot_is_shown_by_number_and_by_path(trexcmd: RunCommand) -> None:
 def test_unknown_snapshot_number_fails_without_traceback(
     trexcmd: RunCommand, number: str, code: int
 ) -> None:
-    take()
+    save_snapshot()
     result = trexcmd("history", "show", number, exits=code)
     assert result.stdout == ""
     assert "Traceback" not in result.stderr
 
 
 def test_history_diff_compares_first_snapshot_with_second(trexcmd: RunCommand) -> None:
-    take(0, serial_timeout=5)
-    take(1, serial_timeout=7)
+    save_snapshot(0, serial_timeout=5)
+    save_snapshot(1, serial_timeout=7)
     trexcmd("history", "diff", "2", "2")
     assert "5 → 7" in trexcmd("history", "diff", "2", "1", exits=1).stdout
 
@@ -100,7 +100,7 @@ def test_history_diff_compares_snapshot_with_board(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("eeprom serial_timeout 7")
-    take(0, serial_timeout=5)
+    save_snapshot(0, serial_timeout=5)
     result = trexcmd("history", "diff", "1", "--json", exits=1)
     rows = {row["key"]: row for row in json.loads(result.stdout)["differing"]}
     assert (rows["serial_timeout"]["before"], rows["serial_timeout"]["after"]) == (7, 5)
@@ -119,7 +119,7 @@ def test_history_keep_sets_and_prints_the_limit(trexcmd: RunCommand) -> None:
 
 def test_lowering_history_limit_asks_before_deleting(trexcmd: RunCommand) -> None:
     for minutes in range(5):
-        take(minutes)
+        save_snapshot(minutes)
     result = trexcmd("history", "keep", "2", stdin="n\n", exits=1)
     assert "Remove the oldest 3 of 5 snapshots permanently?" in result.stderr
     assert len(SettingsHistory().snapshots()) == 5
@@ -133,7 +133,7 @@ def test_lowering_history_limit_asks_before_deleting(trexcmd: RunCommand) -> Non
 def test_damaged_history_limit_is_reported(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
-    take()
+    save_snapshot()
     (SettingsHistory().folder / BOUND_FILE).write_text("kept: some\n", encoding="utf-8")
     assert "none is removed" in trexcmd("history").stderr
     assert "none is removed" in trexcmd("history", "keep", exits=1).stderr
@@ -147,7 +147,7 @@ def test_damaged_history_limit_is_reported(
 
 
 def test_completion_describes_snapshot_numbers() -> None:
-    take()
+    save_snapshot()
     complete = ShellComplete(main, {}, "trexcmd", "_TREXCMD_COMPLETE")
     (found,) = complete.get_completions(["history", "show"], "")
     assert found.value == "1"
@@ -156,8 +156,8 @@ def test_completion_describes_snapshot_numbers() -> None:
 
 
 def test_snapshot_is_called_by_its_name(trexcmd: RunCommand) -> None:
-    path = take(0, serial_timeout=5)
-    take(1)
+    path = save_snapshot(0, serial_timeout=5)
+    save_snapshot(1)
     trexcmd("history", "name", "2", "contest", "--note", "as it won")
     assert trexcmd("history", "path", "contest").stdout == f"{path}\n"
     assert "serial_timeout: 5" in trexcmd("history", "show", "contest").stdout
@@ -172,7 +172,7 @@ def test_snapshot_is_called_by_its_name(trexcmd: RunCommand) -> None:
 
 
 def test_name_that_would_be_a_number_is_refused(trexcmd: RunCommand) -> None:
-    take()
+    save_snapshot()
     assert "number" in trexcmd("history", "name", "1", "2", exits=1).stderr
     assert "Give a name" in trexcmd("history", "name", "1", exits=2).stderr
     assert "has no --find" in trexcmd("history", "--find", "x", "path", "1", exits=2).stderr

@@ -1,4 +1,4 @@
-"""Interrupted set-settings and restore-defaults, and how the board is reached afterwards."""
+"""Interrupted set-settings and restore-defaults."""
 
 import re
 import signal
@@ -28,7 +28,7 @@ MIDDLE = "motor1_pwm_maximum"
 
 @dataclass
 class SettingsWrite:
-    """A run of set-settings that has just stored a certain parameter."""
+    """Run of set-settings that has just stored a certain parameter."""
 
     process: VirtualCommand
     board: SimulatedDevice
@@ -37,13 +37,13 @@ class SettingsWrite:
     wanted: Settings
 
     def end(self) -> str:
-        """Wait for the end; return what was said."""
+        """Wait for the end and return the messages."""
         _, said = self.process.communicate()
         assert "Traceback" not in said
         return said
 
     def assert_reported(self, said: str) -> None:
-        """Fail unless the messages name what was stored and what was not."""
+        """Check that the messages name the stored and the other settings."""
         stored = self.board.show()["parameters"]
         given = {key for key in self.wanted.parameters if self.differs(key)}
         named_stored = named(said, "Stored: ")
@@ -60,20 +60,20 @@ class SettingsWrite:
         return self.wanted.parameters[key] != self.before.parameters[key]
 
     def assert_snapshot_complete(self) -> None:
-        """Fail unless the snapshot holds everything the board stored before."""
+        """Check that the snapshot has all earlier settings."""
         (snapshot,) = SettingsHistory().snapshots()
         assert SettingsHistory().load(snapshot) == self.before
 
 
 def named(said: str, beginning: str) -> set[str]:
-    """Return the keys of the parameters in a sentence that lists them."""
+    """Return the keys of the parameters that a sentence lists."""
     lines = [line for line in said.splitlines() if line.startswith(beginning)]
     names = lines[0].removeprefix(beginning).removesuffix(".").split(", ") if lines else []
     return {NAMES[name] for name in names if name in NAMES}
 
 
 def other(before: Settings) -> Settings:
-    """Return settings that differ in all but how the board is reached."""
+    """Return settings that differ from the board, except those that reach it."""
     values = {
         spec.key: max(spec.valid) if spec.default != max(spec.valid) else min(spec.valid)
         for spec in SPECS.readable
@@ -97,9 +97,9 @@ Disturb = Callable[[Callable[[SettingsWrite], object]], tuple[SettingsWrite, str
 def disturb(
     start: StartCommand, trexcmd: RunCommand, start_simulator: StartSimulator, tmp_path: Path
 ) -> Disturb:
-    """Disturb the writing of other settings into a board whose bytes take their time.
+    """Disturb a slow write of other settings.
 
-    Return what was written, and what was said of it.
+    Returns the written settings and the messages.
     """
 
     def disturbed(how: Callable[[SettingsWrite], object]) -> tuple[SettingsWrite, str]:
@@ -146,7 +146,7 @@ def test_unplugging_while_writing_reports_every_setting(
 
 
 def given(trexcmd: RunCommand, path: Path, **values: int) -> str:
-    """Give the simulated board a file with these values; return what is said."""
+    """Write a file with these values to the board, and return the messages."""
     lines = "".join(f"{key}: {wire}\n" for key, wire in values.items())
     path.write_text(f"product: TReX\n{lines}", encoding="utf-8")
     result = trexcmd("set-settings", str(path))

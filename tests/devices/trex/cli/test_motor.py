@@ -1,4 +1,4 @@
-"""motor: a motor runs and stops in every situation."""
+"""Commands motor and stop."""
 
 import signal
 import subprocess
@@ -25,7 +25,7 @@ from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 def run_motor(
     start: StartCommand, simulator: SimulatedDevice, *words: str, speeds: Sequence[int]
 ) -> VirtualCommand:
-    """Run a motor until both motors and the auxiliary one have these speeds."""
+    """Run a motor until all three motors have these speeds."""
     command = start("motor", *words, url=simulator.url)
     assert becomes(lambda: outputs(simulator) == list(speeds) or command.returncode, True)
     return command
@@ -327,7 +327,7 @@ def test_stop_names_who_holds_the_port_and_guardian_stops_its_motor(
 @pytest.mark.realtime
 @pytest.mark.skipif(sys.platform == "win32", reason="the guardian shares a descriptor")
 def test_guardian_works_without_standard_streams(quick_simulator: SimulatedDevice) -> None:
-    """The port then has the number of a standard stream in the program."""
+    """The port then gets the number of a standard stream."""
     motor = [sys.executable, "-m", "trex_gui.cli", "motor", "1", "60", "--port"]
     command = ["sh", "-c", 'exec "$@" <&- >&- 2>&-', "sh", *motor, quick_simulator.url]
     with subprocess.Popen([*command, f"--timeout={LONG_TIMEOUT:g}"]) as process:

@@ -1,4 +1,4 @@
-"""What commands keep and report on a line without CRC that corrupts one byte in a hundred."""
+"""Commands on a line without CRC that corrupts one byte in a hundred."""
 
 from pathlib import Path
 from typing import Any
@@ -19,7 +19,7 @@ _STORED = {"required_channels": 1, "motor1_current_limit": 20, "motor2_accelerat
 
 
 class NoisyBoard:
-    """A simulated board behind a noisy line, and the program at the other end."""
+    """Simulated board behind a noisy line, with the program at the other end."""
 
     def __init__(self, runtime: VirtualRuntime, simulator: SimulatedDevice) -> None:
         self._runtime = runtime
@@ -36,7 +36,7 @@ class NoisyBoard:
 
     @property
     def snapshots(self) -> list[Path]:
-        """Return what was kept since the line became noisy."""
+        """Return the snapshots since the line became noisy."""
         return [
             found.path for found in SettingsHistory().snapshots() if found.path not in self.earlier
         ]
@@ -52,7 +52,7 @@ def settings_in(path: Path) -> Settings:
 
 
 def assert_true(path: Path, shown: dict[str, Any]) -> None:
-    """Every value in a settings file is what the board stored."""
+    """Check that the board stores every value of a settings file."""
     settings = settings_in(path)
     stored = shown["parameters"]
     assert dict(settings.parameters) == {key: stored[key] for key in settings.parameters}

@@ -1,4 +1,4 @@
-"""raw and decode: packets are described in words, and sent."""
+"""Commands raw and decode."""
 
 import signal
 from pathlib import Path

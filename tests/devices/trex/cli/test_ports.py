@@ -1,4 +1,4 @@
-"""list and find: boards on ports, and boards at unknown line settings."""
+"""Commands list and find."""
 
 import json
 import shlex

@@ -1,4 +1,4 @@
-"""provision: boards are set up one after the other, on one cable."""
+"""Command provision."""
 
 import csv
 from pathlib import Path
@@ -17,7 +17,7 @@ from trex_gui.devices.trex.settings.provision_record import ProvisionedBoard, Pr
 
 @pytest.fixture
 def profile(trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path) -> Path:
-    """A profile that differs from a new board in two parameters."""
+    """Profile that differs from a new board in two parameters."""
     file = tmp_path / "profile.txt"
     trexcmd("get-settings", str(file))
     text = file.read_text("utf-8")
@@ -35,7 +35,7 @@ def rows_of(file: Path) -> list[dict[str, str]]:
 
 
 class Shop:
-    """A cable, the boards that come to it, and the record of them."""
+    """Cable, boards and their record."""
 
     def __init__(self, board: SimulatedDevice, start: StartCommand, profile: Path) -> None:
         self.board = board
@@ -46,12 +46,12 @@ class Shop:
     def rows(self) -> list[dict[str, str]]:
         return rows_of(self.record) if self.record.exists() else []
 
-    def begin(self, keys: str, *options: str) -> VirtualCommand:
+    def start_command(self, keys: str, *options: str) -> VirtualCommand:
         words = "provision", str(self._profile), "--record", str(self.record)
         return self._start(*words, "--limit", str(len(keys)), *options, stdin=keys)
 
     def wait_for_rows(self, runtime: VirtualRuntime, count: int) -> None:
-        """Wait until so many boards are through."""
+        """Wait until this many boards have a result."""
         assert runtime.run_until(
             lambda: len(self.rows) == count and self.rows[-1]["result"] != "begun", 60
         )
@@ -68,7 +68,7 @@ def shop(quick_simulator: SimulatedDevice, start: StartCommand, profile: Path) -
 
 
 def test_boards_are_set_up_with_a_key_press_each(virtual_time: VirtualRuntime, shop: Shop) -> None:
-    command = shop.begin("\r" * 5, "--first", "5")
+    command = shop.start_command("\r" * 5, "--first", "5")
     for done in range(1, 6):
         shop.wait_for_rows(virtual_time, done)
         stored = shop.board.show()["parameters"]
@@ -85,9 +85,9 @@ def test_boards_are_set_up_with_a_key_press_each(virtual_time: VirtualRuntime, s
 
 
 def test_known_board_keeps_number_and_name(shop: Shop) -> None:
-    assert shop.begin("\r", "--name", "arm {number}").wait() == 0
+    assert shop.start_command("\r", "--name", "arm {number}").wait() == 0
     assert shop.rows[-1]["name"] == "arm 1"
-    assert shop.begin("s").wait() == 0
+    assert shop.start_command("s").wait() == 0
     again = shop.rows[-1]
     assert (again["name"], again["number"]) == ("arm 1", "1")
     assert (again["result"], again["certainty"]) == ("skipped", "known")
@@ -131,7 +131,7 @@ def test_other_file_is_not_overwritten(
 def test_board_that_was_skipped_gives_its_number_to_none(
     virtual_time: VirtualRuntime, shop: Shop
 ) -> None:
-    command = shop.begin("s\r\r")
+    command = shop.start_command("s\r\r")
     for count in (1, 2, 3):
         shop.wait_for_rows(virtual_time, count)
         shop.bring_a_new_board(virtual_time)
@@ -144,7 +144,7 @@ def test_board_that_was_skipped_gives_its_number_to_none(
 def test_number_of_a_board_that_was_lost_while_written_is_reserved(
     virtual_time: VirtualRuntime, shop: Shop
 ) -> None:
-    command = shop.begin("\r")
+    command = shop.start_command("\r")
     assert virtual_time.run_until(
         lambda: shop.board.show()["parameters"]["serial_timeout"] == 5, 60
     )

@@ -1,4 +1,4 @@
-"""replay: a transcript is compared with what the simulated board replies."""
+"""Command replay."""
 
 from pathlib import Path
 
@@ -14,7 +14,7 @@ def transcript(tmp_path: Path) -> Path:
 
 
 def replace_cell(file: Path, sent: str, old: str, new: str) -> None:
-    """Change the reply to the last request with these bytes."""
+    """Replace the reply to the last request with these bytes."""
     head, found, tail = file.read_text(encoding="utf-8").rpartition(f"\t{sent}\t{old}\t")
     assert found
     file.write_text(f"{head}\t{sent}\t{new}\t{tail}", encoding="utf-8")

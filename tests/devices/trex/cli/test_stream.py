@@ -1,4 +1,4 @@
-"""stream: what the board measures, as rows."""
+"""Command stream."""
 
 import csv
 import io
@@ -19,15 +19,14 @@ def rows_of(text: str) -> list[dict[str, str]]:
     return list(csv.DictReader(io.StringIO(text)))
 
 
-def begin_to_stream(start: StartCommand, file: Path, simulator: SimulatedDevice) -> VirtualCommand:
-    """Let a stream write some rows into a file."""
+def start_stream(start: StartCommand, file: Path, simulator: SimulatedDevice) -> VirtualCommand:
+    """Start a stream, and wait for some rows in the file."""
     command = start("stream", "--csv", str(file), url=simulator.url)
     assert becomes(lambda: file.exists() and file.stat().st_size > 2000, True)
     return command
 
 
 def streamed(trexcmd: RunCommand, *words: str) -> str:
-    """Stream for a moment."""
     text = trexcmd("stream", "--seconds", "0.6", *words).stdout
     assert text.count("\n") > 10
     return text
@@ -77,7 +76,7 @@ def test_interrupted_stream_has_complete_rows(
     start: StartCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     file = tmp_path / "log.csv"
-    command = begin_to_stream(start, file, quick_simulator)
+    command = start_stream(start, file, quick_simulator)
     command.send_signal(signal.SIGINT)
     errors = command.ends(0).stderr
     text = file.read_text(encoding="utf-8")
@@ -117,7 +116,7 @@ def test_stream_that_ends_early_keeps_its_rows_and_says_why(
     why: str,
 ) -> None:
     file = tmp_path / "log.csv"
-    command = begin_to_stream(start, file, quick_simulator)
+    command = start_stream(start, file, quick_simulator)
     quick_simulator.do(*lines)
     errors = command.ends(1).stderr
     assert why in errors

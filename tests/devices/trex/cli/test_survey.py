@@ -1,4 +1,4 @@
-"""survey: the facts of a board that nobody knows are found out, and nothing is changed."""
+"""Command survey."""
 
 import random
 import signal
@@ -36,11 +36,11 @@ def is_tried(spec: ParameterSpec) -> bool:
 
 
 class HiddenMemory(Memory):
-    """Stores parameters by a table that the program does not know.
+    """Memory with a table that the program does not know.
 
     Attributes:
         ranges: least and greatest value by number.
-        cells: what is stored by number.
+        cells: stored values by number.
     """
 
     def __init__(self, firmware: str, model: str, rng: random.Random, *, as_new: bool) -> None:
@@ -172,7 +172,7 @@ def test_survey_names_no_port_and_asks_before_it_writes(
 
 
 def begun(start: StartCommand, simulator: VirtualSimulator, file: Path) -> VirtualCommand:
-    """Start a survey, and return it while the board stores a value that is tried."""
+    """Start a survey, and return it while the board stores a trial value."""
     board = board_of(simulator)
     board.unknown_reply = b"\xff"  # faster than silence
     command = start("survey", str(file), "--limits", stdin="y\n")

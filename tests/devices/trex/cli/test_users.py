@@ -1,4 +1,4 @@
-"""The file of the users of a served board."""
+"""Files of the users of a served board."""
 
 import sys
 from pathlib import Path

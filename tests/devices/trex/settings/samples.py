@@ -20,7 +20,7 @@ TREX, TREX_JR = device_table().models
 
 
 def factory(model_key: str = "trex", firmware: str | None = "1.2") -> Settings:
-    """Return what a board leaves the factory with, both sets of calibrations included."""
+    """Return factory settings with both sets of calibrations."""
     model = device_table().model(model_key)
     return Settings(
         product=model,
@@ -31,7 +31,7 @@ def factory(model_key: str = "trex", firmware: str | None = "1.2") -> Settings:
 
 
 def refused(text: str | bytes) -> SettingsError:
-    """Return what the reader says of a file that cannot be used."""
+    """Return the errors of an unusable file."""
     try:
         read_settings(text)
     except SettingsError as error:
@@ -45,7 +45,7 @@ _coded = st.integers(0, HIGHEST_CODED)
 
 @st.composite
 def any_calibration(draw: st.DrawFn) -> Calibration:
-    """A calibration that a board takes."""
+    """Valid calibration."""
     minimum = draw(st.integers(0, HIGHEST_CODED - 1))
     maximum = draw(st.integers(minimum + 1, HIGHEST_CODED))
     return Calibration(minimum, draw(st.integers(minimum, maximum)), maximum, draw(_coded))
@@ -58,7 +58,7 @@ any_note = st.text(max_size=30).map(clean_note).filter(bool)
 def _parameters_and_notes(
     model_key: str, firmware: str | None
 ) -> tuple[st.SearchStrategy[dict[str, int]], st.SearchStrategy[dict[str, str]]]:
-    """Return what draws values and notes; to make it takes as long as a test of them."""
+    """Return strategies for values and notes. Their creation is slow."""
     specs = specs_for(device_table().model(model_key), firmware).readable
     values = {spec.key: st.sampled_from(sorted(spec.valid)) for spec in specs}
     keys = st.sampled_from([*values, *CalibrationKey])
@@ -71,7 +71,7 @@ _calibrations = st.dictionaries(st.sampled_from(CalibrationKey), any_calibration
 
 @st.composite
 def any_settings(draw: st.DrawFn) -> Settings:
-    """Settings that a board takes, as many as happens."""
+    """Valid settings of any size."""
     model = draw(st.sampled_from([TREX, TREX_JR]))
     firmware = draw(st.none() | st.sampled_from(model.firmware))
     parameters, notes = _parameters_and_notes(model.key, firmware)

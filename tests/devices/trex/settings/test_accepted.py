@@ -1,4 +1,4 @@
-"""What boards have stored beyond inferred limits is remembered for their firmware."""
+"""Saved values beyond inferred limits."""
 
 from pathlib import Path
 

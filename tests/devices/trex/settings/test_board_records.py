@@ -1,4 +1,4 @@
-"""What this computer keeps of a board: applied settings, and both sets of calibrations."""
+"""Records of boards."""
 
 from dataclasses import replace
 from datetime import UTC, datetime
@@ -26,7 +26,7 @@ LEARNED = Calibration(2400, 3700, 5100, 80)
 
 
 def stored(source: InputSource = RC, **values: int) -> Settings:
-    """Return what a board stores, with the calibrations that it shows."""
+    """Return the stored settings of a board, with the visible calibrations."""
     shown = {k: c for k, c in BOTH.calibrations.items() if k.source is source}
     return replace(BOTH, parameters={**BOTH.parameters, **values}, calibrations=shown)
 

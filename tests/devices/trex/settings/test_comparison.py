@@ -1,4 +1,4 @@
-"""What a person reads before one set of settings takes the place of another."""
+"""Comparisons of settings."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""Settings of one model or firmware for another one."""
+"""Conversions of settings to another model or firmware."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""A file that a person wrote keeps all they wrote when values in it change."""
+"""Changes of values in settings files with the user's own text."""
 
 from dataclasses import dataclass, replace
 
@@ -29,7 +29,7 @@ RC_1 = CalibrationKey.RC_CHANNEL_1
 
 
 def amended(text: str, **parameters: int) -> str:
-    """Return a text with other parameters; everything else stays as it reads."""
+    """Return a text with other parameters."""
     read, _ = read_settings(text)
     return amend(text, replace(read, parameters={**read.parameters, **parameters}))
 
@@ -275,7 +275,7 @@ def test_product_on_two_lines_is_kept_or_rejected() -> None:
 
 @dataclass(frozen=True)
 class Written:
-    """A file as a person might write it; the pieces by key."""
+    """Settings file in the style of a user, with its parts by key."""
 
     text: str
     pieces: dict[str, str]
@@ -298,7 +298,7 @@ def any_key(draw: st.DrawFn, key: str) -> str:
 
 @st.composite
 def any_trailer(draw: st.DrawFn, generated: str) -> str:
-    """A comment beside a value: none, the program's, or a person's."""
+    """Comment beside a value, from the program, the user or missing."""
     gap = draw(st.sampled_from([" ", "  ", "      "]))
     kinds = ["", f"{gap}# {generated}", f"{gap}#{draw(words)}", f"{gap}# {draw(words)}", gap]
     return draw(st.sampled_from(kinds))
@@ -338,7 +338,7 @@ def any_parameter_lines(
 
 @st.composite
 def any_written(draw: st.DrawFn, given_settings: Settings) -> Written:
-    """A file that reads as the given settings."""
+    """File with the given settings."""
     groups = {"firmware": [f"firmware: {given_settings.firmware}"]}
     if given_settings.firmware is None:
         groups = {}
@@ -369,7 +369,7 @@ def any_written(draw: st.DrawFn, given_settings: Settings) -> Written:
 
 @st.composite
 def any_amendment(draw: st.DrawFn) -> tuple[Settings, Written, Settings]:
-    """Settings, a file that has them, and other settings, alike in part."""
+    """Settings, a file with them, and other settings with some equal values."""
     old, new = draw(any_settings()), draw(any_settings())
     known = {spec.key for spec in new.specs.readable}
     alike = {key: wire for key, wire in old.parameters.items() if key in known}

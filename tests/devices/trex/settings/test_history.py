@@ -1,4 +1,4 @@
-"""Snapshots: nothing is lost, nothing is removed that the bound does not say."""
+"""Snapshots and their limit."""
 
 import errno
 import os
@@ -35,7 +35,7 @@ def history(tmp_path: Path) -> SettingsHistory:
     return SettingsHistory(tmp_path / "snapshots")
 
 
-def take(history: SettingsHistory, minutes: int = 0, **values: int) -> Path:
+def save_snapshot(history: SettingsHistory, minutes: int = 0, **values: int) -> Path:
     settings = settings_of_a_board(**values)
     now = NOON + timedelta(minutes=minutes)
     return history.save(settings, adapter="FT232R (ttyUSB0)", reason="Apply", now=now).path
@@ -54,7 +54,7 @@ def test_saved_snapshot_loads_as_same_settings(history: SettingsHistory) -> None
 
 
 def test_snapshot_lists_time_board_adapter_and_reason(history: SettingsHistory) -> None:
-    take(history, device_number=9)
+    save_snapshot(history, device_number=9)
     (snapshot,) = history.snapshots()
     assert snapshot.taken == NOON
     assert (snapshot.product, snapshot.firmware) == ("TReX Jr", "1.2")
@@ -63,7 +63,7 @@ def test_snapshot_lists_time_board_adapter_and_reason(history: SettingsHistory) 
 
 
 def test_newest_snapshot_is_first_even_within_one_second(history: SettingsHistory) -> None:
-    paths = [take(history, minutes, serial_timeout=minutes) for minutes in (2, 0, 1, 1, 1)]
+    paths = [save_snapshot(history, minutes, serial_timeout=minutes) for minutes in (2, 0, 1, 1, 1)]
     listed = [snapshot.path for snapshot in history.snapshots()]
     assert listed == [paths[0], paths[4], paths[3], paths[2], paths[1]]
     assert len(set(paths)) == 5
@@ -74,44 +74,44 @@ def test_newest_snapshot_is_first_even_within_one_second(history: SettingsHistor
 
 def test_limit_removes_oldest_snapshots(history: SettingsHistory) -> None:
     history.set_limit(3)
-    paths = [take(history, minutes) for minutes in range(5)]
+    paths = [save_snapshot(history, minutes) for minutes in range(5)]
     assert {snapshot.path for snapshot in history.snapshots()} == set(paths[2:])
 
 
 def test_new_snapshot_is_kept_if_clock_went_back(history: SettingsHistory) -> None:
     history.set_limit(2)
     for minutes in (10, 11):
-        os.utime(take(history, minutes), (1, 1))  # saved before, by whatever clock
-    newest = take(history, -60)
+        os.utime(save_snapshot(history, minutes), (1, 1))  # saved before, by whatever clock
+    newest = save_snapshot(history, -60)
     assert newest in {snapshot.path for snapshot in history.snapshots()}
     assert len(history.snapshots()) == 2
 
 
 def test_snapshot_saved_meanwhile_by_other_program_is_kept(history: SettingsHistory) -> None:
     history.set_limit(1)
-    other = take(history, 1)
+    other = save_snapshot(history, 1)
     os.utime(other, (2**32, 2**32))  # after anything saved now
-    own = take(history, 2)
+    own = save_snapshot(history, 2)
     assert {snapshot.path for snapshot in history.snapshots()} == {own, other}
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="links need a permission there")
 def test_dangling_snapshot_link_does_not_block_new_snapshot(history: SettingsHistory) -> None:
     history.set_limit(1)
-    gone = take(history)
+    gone = save_snapshot(history)
     gone.unlink()
     gone.symlink_to(history.folder / "elsewhere")
-    own = take(history, 1)
+    own = save_snapshot(history, 1)
     assert [snapshot.path for snapshot in history.snapshots()] == [own]
 
 
 def test_snapshot_with_a_name_is_kept_beyond_the_limit(history: SettingsHistory) -> None:
     history.set_limit(1)
-    path = take(history, 0)
+    path = save_snapshot(history, 0)
     (first,) = history.snapshots()
     history.label(first, name="before the\tcontest")
-    take(history, 1)
-    newest = take(history, 2)
+    save_snapshot(history, 1)
+    newest = save_snapshot(history, 2)
     assert [snapshot.path for snapshot in history.snapshots()] == [newest, path]
     assert history.set_limit(1) == ()
     history.label(first, name="")
@@ -119,7 +119,7 @@ def test_snapshot_with_a_name_is_kept_beyond_the_limit(history: SettingsHistory)
 
 
 def test_name_and_note_change_nothing_else(history: SettingsHistory) -> None:
-    path = take(history)
+    path = save_snapshot(history)
     before = path.read_bytes()
     (snapshot,) = history.snapshots()
     history.label(snapshot, name=" new   tyres ", note="run 3\nas fast as run 2")
@@ -130,7 +130,7 @@ def test_name_and_note_change_nothing_else(history: SettingsHistory) -> None:
     for bad in ({"name": "x" * 61}, {"note": "x" * 301}, {"name": " 2 "}):
         with pytest.raises(BadRequest):
             history.label(labelled, **bad)
-    take(history, 1)
+    save_snapshot(history, 1)
     with pytest.raises(BadRequest, match="Another snapshot"):
         history.label(history.snapshots()[0], name="new  tyres")
     history.label(labelled, name="", note="")
@@ -140,7 +140,7 @@ def test_name_and_note_change_nothing_else(history: SettingsHistory) -> None:
 def test_history_without_limit_removes_nothing(history: SettingsHistory) -> None:
     history.set_limit(None)
     for minutes in range(12):
-        take(history, minutes)
+        save_snapshot(history, minutes)
     assert len(history.snapshots()) == 12
     assert history.bound() == Bound(None)
 
@@ -156,12 +156,12 @@ def test_limit_is_shared_between_programs(history: SettingsHistory) -> None:
     other = SettingsHistory(history.folder)
     assert other.bound() == Bound(2)
     for minutes in range(4):
-        take(other, minutes)
+        save_snapshot(other, minutes)
     assert len(history.snapshots()) == 2
 
 
 def test_lower_limit_removes_and_returns_oldest_snapshots(history: SettingsHistory) -> None:
-    paths = [take(history, minutes) for minutes in range(5)]
+    paths = [save_snapshot(history, minutes) for minutes in range(5)]
     beyond = history.beyond(2)
     assert [snapshot.path for snapshot in beyond] == paths[2::-1]
     assert history.set_limit(2) == beyond
@@ -187,7 +187,7 @@ def test_damaged_limit_removes_nothing_and_is_reported(history: SettingsHistory,
     history.set_limit(2)
     (history.folder / BOUND_FILE).write_text(text, encoding="utf-8")
     for minutes in range(4):
-        take(history, minutes)
+        save_snapshot(history, minutes)
     assert len(history.snapshots()) == 4
     assert history.bound().kept is None
     assert "is damaged" in history.bound().problem
@@ -198,8 +198,8 @@ def test_damaged_limit_removes_nothing_and_is_reported(history: SettingsHistory,
 
 def test_unreadable_limit_is_reported_and_cannot_be_set(history: SettingsHistory) -> None:
     (history.folder / BOUND_FILE).mkdir(parents=True)
-    take(history)
-    take(history, 1)
+    save_snapshot(history)
+    save_snapshot(history, 1)
     assert "cannot be read" in history.bound().problem
     with pytest.raises(SettingsError):
         history.set_limit(1)
@@ -217,7 +217,7 @@ def test_limit_that_cannot_be_saved_removes_nothing(
     history: SettingsHistory, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for minutes in range(3):
-        take(history, minutes)
+        save_snapshot(history, minutes)
     monkeypatch.setattr("pathlib.Path.replace", no_space)
     with pytest.raises(SettingsError, match="No space left"):
         history.set_limit(1)
@@ -273,13 +273,13 @@ def test_programs_saving_in_same_second_lose_no_snapshot(history: SettingsHistor
 def test_failed_save_leaves_no_partial_snapshot(
     history: SettingsHistory, monkeypatch: pytest.MonkeyPatch, failing: str
 ) -> None:
-    take(history)
+    save_snapshot(history)
     before = sorted(history.folder.iterdir())
     with monkeypatch.context() as patched:
         for name in failing.split():
             patched.setattr(name, no_space)
         with pytest.raises(SettingsError, match="No space left"):
-            take(history, 1)
+            save_snapshot(history, 1)
     assert sorted(history.folder.iterdir()) == before
 
 
@@ -291,14 +291,14 @@ def test_snapshots_are_saved_without_hard_links(
         raise PermissionError(errno.EPERM, "Operation not permitted")
 
     monkeypatch.setattr("pathlib.Path.hardlink_to", impossible)
-    first, second = take(history), take(history)
+    first, second = save_snapshot(history), save_snapshot(history)
     assert first != second
     assert sorted(history.folder.iterdir()) == sorted([first, second])
     assert all(history.load(found) == settings_of_a_board() for found in history.snapshots())
 
 
 def test_leftover_temporary_file_is_not_listed(history: SettingsHistory) -> None:
-    path = take(history)
+    path = save_snapshot(history)
     path.rename(path.with_name(f".{path.name}.1a2b3c4d.trexdraft"))
     assert history.snapshots() == ()
 
@@ -308,17 +308,17 @@ def test_leftover_temporary_file_is_not_listed(history: SettingsHistory) -> None
 
 def test_limit_leaves_unrelated_files_alone(history: SettingsHistory) -> None:
     history.set_limit(1)
-    take(history)
+    save_snapshot(history)
     names = ["notes.txt", "20261121T115900Z.txt", "20261121T115900Z-trex-1.2.txt.bak", "x"]
     for name in names:
         (history.folder / name).write_text("mine", encoding="utf-8")
-    take(history, 1)
+    save_snapshot(history, 1)
     assert {path.name for path in history.folder.iterdir()} > set(names)
     assert len(history.snapshots()) == 1
 
 
 def test_damaged_snapshot_is_listed_with_its_problem(history: SettingsHistory) -> None:
-    path = take(history)
+    path = save_snapshot(history)
     path.write_bytes(b"\xff\x00 nothing of use")
     (snapshot,) = history.snapshots()
     assert snapshot.taken == NOON
@@ -349,7 +349,7 @@ def test_pipe_among_the_snapshots_is_not_opened(history: SettingsHistory) -> Non
 def test_list_entry_is_read_from_file_header(
     history: SettingsHistory, text: str, problem: str
 ) -> None:
-    take(history).write_bytes(text.encode())
+    save_snapshot(history).write_bytes(text.encode())
     (snapshot,) = history.snapshots()
     assert snapshot.problem == problem
     if not problem:
@@ -357,7 +357,7 @@ def test_list_entry_is_read_from_file_header(
 
 
 def test_loading_removed_snapshot_reports_missing_file(history: SettingsHistory) -> None:
-    take(history)
+    save_snapshot(history)
     (snapshot,) = history.snapshots()
     history.remove(snapshot)
     history.remove(snapshot)
@@ -367,7 +367,7 @@ def test_loading_removed_snapshot_reports_missing_file(history: SettingsHistory)
 
 
 def test_snapshot_that_cannot_be_removed_is_reported(history: SettingsHistory) -> None:
-    path = take(history)
+    path = save_snapshot(history)
     path.unlink()
     path.mkdir()
     (snapshot,) = history.snapshots()
@@ -379,13 +379,13 @@ def test_snapshot_that_cannot_be_removed_is_reported(history: SettingsHistory) -
 def test_folder_that_cannot_be_created_is_reported(tmp_path: Path) -> None:
     tmp_path.chmod(0o500)
     with pytest.raises(SettingsError, match="it cannot be written"):
-        take(SettingsHistory(tmp_path / "snapshots"))
+        save_snapshot(SettingsHistory(tmp_path / "snapshots"))
 
 
 def test_file_in_place_of_folder_is_reported(tmp_path: Path) -> None:
     (tmp_path / "snapshots").write_text("", encoding="utf-8")
     with pytest.raises(SettingsError, match="snapshots: it cannot be written"):
-        take(SettingsHistory(tmp_path / "snapshots"))
+        save_snapshot(SettingsHistory(tmp_path / "snapshots"))
 
 
 @examples(15)

@@ -1,4 +1,4 @@
-"""Each rule: what sets it off, what it proposes, and that the proposal ends it."""
+"""Rules with their findings and proposals."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -31,7 +31,7 @@ def trex(firmware: str | None = None, **parameters: int) -> Settings:
 
 
 class Expected(NamedTuple):
-    """A finding as the user sees it."""
+    """Expected finding."""
 
     rule: str
     message: str
@@ -41,7 +41,6 @@ class Expected(NamedTuple):
 
 
 def only(given_settings: Settings, context: Context = NOTHING_ELSE) -> LintFinding:
-    """Return the only finding."""
     (found,) = lint(given_settings, context)
     return found
 
@@ -429,7 +428,7 @@ VALUES = {
 
 @st.composite
 def any_unusual_settings(draw: st.DrawFn) -> Settings:
-    """Settings, thick with what rules look at."""
+    """Settings that often break rules."""
     key = st.sampled_from(sorted(JUDGED & set(CALIBRATION_KEYS)))
     calibrations = draw(st.dictionaries(key, any_calibration(), max_size=2))
     return Settings(
@@ -454,7 +453,7 @@ def any_context(draw: st.DrawFn) -> Context:
 
 
 def is_reported(found: LintFinding, after: tuple[LintFinding, ...]) -> bool:
-    """Whether a finding is reported again."""
+    """Return whether a finding is reported again."""
     return any((one.rule, one.keys) == (found.rule, found.keys) for one in after)
 
 

@@ -1,4 +1,4 @@
-"""What the reader makes of files: good ones, mistaken ones and hostile ones."""
+"""Reading of valid, mistaken and hostile files."""
 
 import time
 
@@ -18,14 +18,14 @@ FOREIGN = "line 1: these are not settings of a TReX, which begin with 'product: 
 
 
 def only_finding(text: str | bytes) -> str:
-    """Return the one error of a file; how much is missing goes without saying."""
+    """Return the only error of a file. Missing parameters do not count."""
     errors = [f for f in refused(text).findings if f.severity is Severity.ERROR]
     assert len(errors) == 1
     return str(errors[0])
 
 
 def finding_of(setting: str) -> str:
-    """Return what is said of one setting in line 2."""
+    """Return the finding on a setting in line 2."""
     return only_finding(f"product: TReX\n{setting}\n")
 
 

@@ -1,4 +1,4 @@
-"""Whatever is written reads back, and whatever is read ends in a sentence at worst."""
+"""Round trips of settings, and errors of arbitrary files."""
 
 from dataclasses import replace
 
@@ -17,7 +17,7 @@ WHOLE = write_settings(factory(), title_lines=["bench, µ"])
 
 
 def outcome(text: str | bytes) -> tuple[Settings | None, list[Finding]]:
-    """Read a file; return the settings, if there are any, and the errors."""
+    """Read a file. Return its settings, if any, and the errors."""
     try:
         read, findings = read_settings(text)
     except SettingsError as refusal:

@@ -1,4 +1,4 @@
-"""A board's own words become a settings file."""
+"""Settings files from the state of a board."""
 
 import pytest
 
@@ -14,7 +14,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 
 def state_of(mode: Mode = Mode.SERIAL_RC, **changes: int) -> DeviceState:
-    """Return what a board says that holds the factory's values, but for these."""
+    """Return the state of a new board with these other values."""
     return DeviceState(
         signature=Signature(device_table().model("trexjr"), "1.2"),
         mode=mode,

@@ -1,4 +1,4 @@
-"""The text of a settings file, as a person meets it."""
+"""Text of settings files."""
 
 from dataclasses import replace
 

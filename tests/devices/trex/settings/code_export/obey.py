@@ -1,4 +1,4 @@
-"""An exported Python program, obeying lines on standard input: obey.py PROGRAM PORT."""
+"""Exported Python program that obeys lines on standard input: obey.py PROGRAM PORT."""
 
 import importlib.util
 import sys
@@ -7,7 +7,6 @@ from typing import Any
 
 
 def load(path: Path) -> Any:
-    """Import a file by its path."""
     spec = importlib.util.spec_from_file_location(path.stem, path)
     assert spec is not None
     assert spec.loader is not None
@@ -17,7 +16,7 @@ def load(path: Path) -> Any:
 
 
 def obey(module: Any, trex: Any, word: str, a: int, b: int) -> None:
-    """Do what one line says."""
+    """Execute one line."""
     match word:
         case "check":
             trex.check_board()
@@ -46,7 +45,7 @@ def obey(module: Any, trex: Any, word: str, a: int, b: int) -> None:
 
 
 def say(*words: object) -> None:
-    """Write a line that is to be seen at once."""
+    """Print a line without buffering."""
     sys.stdout.write(" ".join(map(str, words)) + "\n")
     sys.stdout.flush()
 

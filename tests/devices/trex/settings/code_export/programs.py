@@ -1,4 +1,4 @@
-"""Exported programs made ready to run, and simulated boards for them."""
+"""Exported programs, and simulated boards for them."""
 
 import functools
 import re
@@ -63,13 +63,12 @@ def link(
     baud: int = 19200,
     stop_bits: int = 1,
 ) -> ConnectionSettings:
-    """Return how a board is reached."""
     line = LineSettings(baud, Detection.CRC7 if crc else Detection.NONE, stop_bits)
     return ConnectionSettings("unused", line, device if expanded else None, POLYNOMIAL)
 
 
 def settings_for(link: ConnectionSettings, model: str = "trex", **wanted: int) -> Settings:
-    """Return settings that leave the line as it is, with some values that no factory sets."""
+    """Return settings with some values that are no defaults. The line does not change."""
     as_new = factory(model)
     line = {
         "device_number": DEVICE if link.device_number is None else link.device_number,
@@ -85,7 +84,7 @@ def settings_for(link: ConnectionSettings, model: str = "trex", **wanted: int) -
 
 
 class Board:
-    """A simulated board, lent to one test after the other."""
+    """Simulated board that several tests use in turn."""
 
     def __init__(self, memory: Path, *arguments: str) -> None:
         self._simulator = SimulatorProcess(*arguments, "--eeprom", str(memory))
@@ -96,8 +95,8 @@ class Board:
         self.show = self._simulator.show
         self.end = self._simulator.end
 
-    def make_new(self, link: ConnectionSettings) -> None:
-        """Make it as good as new, but for its line."""
+    def reset(self, link: ConnectionSettings) -> None:
+        """Reset everything but the line settings."""
         self.do("line mute off")
         for motor in (1, 2):
             self.do(f"fault {motor} off")
@@ -112,33 +111,32 @@ class Board:
 
     @property
     def writes(self) -> int:
-        """How often the memory was written to."""
+        """Number of writes to the memory since the last reset."""
         writes: int = self.show()["counters"]["eeprom_writes"]
         return writes - self._writes_before
 
     @property
     def errors(self) -> int:
-        """How many errors there were on the line."""
         errors: int = self.show()["counters"]["uart_errors"]
         return errors
 
     @property
     def motors(self) -> tuple[int, int]:
-        """How fast the motors run, with signs; a braked one counts as 0."""
+        """Signed speeds of the motors. A braking motor has 0."""
         signs = {"forward": 1, "reverse": -1, "brake": 0}
         first, second = (signs[m["direction"]] * m["speed"] for m in self.show()["motors"])
         return first, second
 
     @property
     def braking(self) -> tuple[int, int]:
-        """With what strength each motor brakes; -1 for one that does not."""
+        """Braking duty of each motor. -1 without braking."""
         first, second = (
             m["speed"] if m["direction"] == "brake" else -1 for m in self.show()["motors"]
         )
         return first, second
 
     def has(self, settings: Settings) -> bool:
-        """Whether it stores what the settings hold, all of it."""
+        """Return whether the board stores all these settings."""
         stored = self.show()["parameters"]
         memory = Eeprom.open(self._memory, settings.product.key)
         return all(stored[key] == wire for key, wire in settings.parameters.items()) and all(
@@ -148,35 +146,34 @@ class Board:
 
 
 class Boards:
-    """Starting a board takes a third of a second; these go from test to test."""
+    """Boards that tests share, because a start takes a third of a second."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
         self._boards: dict[tuple[str, ...], Board] = {}
 
     def board(self, link: ConnectionSettings, model: str = "trex", *arguments: str) -> Board:
-        """Return a board that is reached in this way and is new otherwise."""
+        """Return a new board with these line settings."""
         key = ("--model", model, *(arguments or ("--unpaced",)))
         if key not in self._boards:
             self._boards[key] = Board(self._folder / f"{len(self._boards)}.json", *key)
-        self._boards[key].make_new(link)
+        self._boards[key].reset(link)
         return self._boards[key]
 
     def end(self) -> None:
-        """End them all."""
         for board in self._boards.values():
             board.end()
 
 
 @dataclass(frozen=True)
 class Program:
-    """An exported program, ready to run.
+    """Exported program with its command lines.
 
     Attributes:
-        command: runs it as a person would, up to the name of the port.
-        drive: what makes it drive, behind the port.
-        obey: runs it by lines on standard input, up to the name of the port.
-        behind: what obeying needs behind the port.
+        command: runs the program, up to the name of the port.
+        drive: further arguments to drive.
+        obey: runs the program by lines on standard input, up to the name of the port.
+        behind: further arguments of `obey`.
     """
 
     command: tuple[str, ...]
@@ -185,7 +182,7 @@ class Program:
     behind: tuple[str, ...] = ()
 
     def run(self, port: str, *, drive: bool = False) -> subprocess.CompletedProcess[str]:
-        """Run it to its end; what it says is in `stdout`, messages of errors too."""
+        """Run the program to its end. `stdout` also has the errors."""
         return subprocess.run(
             [*self.command, port, *(self.drive if drive else ())],
             stdout=subprocess.PIPE,
@@ -196,13 +193,13 @@ class Program:
         )
 
     def start(self, port: str) -> subprocess.Popen[str]:
-        """Start it, to drive."""
+        """Start the program to drive."""
         command = [*self.command, port, *self.drive]
         return subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
 
 
 def compile_(command: Sequence[str]) -> None:
-    """Run a compiler, whose warnings are errors; the test is skipped where there is none."""
+    """Run a compiler with warnings as errors. Skip the test without a compiler."""
     if shutil.which(command[0]) is None:
         pytest.skip(f"{command[0]} is not installed, which compiles exported programs")
     done = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
@@ -212,13 +209,12 @@ def compile_(command: Sequence[str]) -> None:
 def exported(
     folder: Path, settings: Settings, link: ConnectionSettings, language: Language, text: str = ""
 ) -> Path:
-    """Export settings into a folder and return the file."""
     path = folder / file_name(settings, language)
     path.write_text(text or export_code(settings, link, language), encoding="ascii")
     return path
 
 
-def made_ready(
+def prepared_program(
     folder: Path,
     settings: Settings,
     link: ConnectionSettings,
@@ -227,10 +223,9 @@ def made_ready(
     drive: bool = False,
     extra_time: int = LONG_TIMEOUT,
 ) -> Program:
-    """Export settings, compile them where the language wants that, and say how to run them.
+    """Export settings, and compile the program if necessary.
 
-    An Arduino sketch drives because its text is changed, as a person would do it; so is the time
-    for which any program waits for an answer.
+    The text of an Arduino sketch is changed to drive. The timeout of every program is changed.
     """
     path = exported(folder, settings, link, language)
     text, number = re.subn(
@@ -260,20 +255,20 @@ def made_ready(
 
 @functools.cache
 def arduino_core(folder: Path) -> Path:
-    """Return the part of the stub that is the same for every sketch, compiled."""
+    """Compile the part of the stub that all sketches share."""
     core = folder / "core.o"
     compile_([*CPP, "-c", str(HERE / "arduino" / "core.cpp"), "-o", str(core)])
     return core
 
 
-class Obedient:
-    """An exported program whose functions a test calls, one after the other."""
+class InteractiveProgram:
+    """Exported program whose functions a test calls."""
 
     def __init__(self, process: subprocess.Popen[str]) -> None:
         self._process = process
 
     def do(self, word: str, a: int = 0, b: int = 0) -> list[str]:
-        """Call a function; return the lines that it wrote."""
+        """Call a function and return its lines."""
         assert self._process.stdin is not None
         assert self._process.stdout is not None
         self._process.stdin.write(f"{word} {a} {b}\n")
@@ -286,11 +281,11 @@ class Obedient:
 
 
 @contextmanager
-def obedient(program: Program, port: str) -> Iterator[Obedient]:
-    """Start a program that does what a test says, until the test has no more to say."""
+def interactive_program(program: Program, port: str) -> Iterator[InteractiveProgram]:
+    """Start a program that executes the calls of a test."""
     command = [*program.obey, port, *program.behind]
     # On leaving, its input ends, and so does it.
     with subprocess.Popen(
         command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
     ) as process:
-        yield Obedient(process)
+        yield InteractiveProgram(process)

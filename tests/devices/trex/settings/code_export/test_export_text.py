@@ -1,4 +1,4 @@
-"""What is exported as text: the templates, the tables, and what may not stand in code."""
+"""Text of exported programs."""
 
 import ast
 import itertools

@@ -1,6 +1,6 @@
-"""Exported programs, compiled where they have to be, at work on a simulated board.
+"""Exported programs on a simulated board.
 
-The gate runs each language once through all that it does; the rest takes long.
+The quick tests run each language once through all its functions. The other tests take long.
 """
 
 import itertools
@@ -25,9 +25,9 @@ from tests.devices.trex.settings.code_export.programs import (
     Program,
     compile_,
     exported,
+    interactive_program,
     link,
-    made_ready,
-    obedient,
+    prepared_program,
     settings_for,
 )
 from tests.devices.trex.simulator.waiting import becomes
@@ -54,9 +54,9 @@ def boards(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Boards]:
 
 
 def watched(program: Program, board: Board) -> tuple[set[tuple[int, int]], str]:
-    """Let a program drive; return the speeds that the motors had meanwhile, and what it said.
+    """Let a program drive. Return the speeds of the motors, and its output.
 
-    A busy computer may look away while a motor turns for half a second: it looks again then.
+    A busy computer may miss half a second of movement, so a second run is possible.
     """
     seen = set()
     for _ in range(10):
@@ -95,7 +95,7 @@ def test_program_applies_settings_once_and_has_every_drive_command(
 ) -> None:
     line = link(expanded=expanded, crc=crc)
     settings = settings_for(line, model)
-    program = made_ready(tmp_path, settings, line, language)
+    program = prepared_program(tmp_path, settings, line, language)
     board = boards.board(line, model)
 
     process = program.run(board.url)
@@ -106,11 +106,11 @@ def test_program_applies_settings_once_and_has_every_drive_command(
     assert process.stdout.count("switch the board off and on") == 1  # for the motor mode
 
     written = board.writes
-    with obedient(program, board.url) as trex:
+    with interactive_program(program, board.url) as trex:
         said = trex.do("apply")
         assert len(said) == 2, said  # the board is found, and has it all
         assert board.writes == written
-        board.make_new(line)  # without its current limits
+        board.reset(line)  # without its current limits
         trex.do("set", 1, 127)
         trex.do("set", 2, -127)
         assert trex.do("status") == ["0"]  # an answer: what was sent before has been obeyed
@@ -145,7 +145,7 @@ def test_demonstration_turns_motors_slowly_and_ends_with_stop(
     line = link(expanded=True, crc=True)
     board = boards.board(line)
     settings = settings_for(line)
-    program = made_ready(tmp_path, settings, line, language, drive=True)
+    program = prepared_program(tmp_path, settings, line, language, drive=True)
     seen, said = watched(program, board)
     assert board.has(settings)
     assert {(20, 0), (0, 20)} <= seen
@@ -165,7 +165,7 @@ def test_program_moves_no_motor_by_default(
 ) -> None:
     board = boards.board(link())
     settings = settings_for(link())
-    program = made_ready(tmp_path, settings, link(), language)
+    program = prepared_program(tmp_path, settings, link(), language)
     before = board.show()["motors"]
     process = program.run(board.url)
     assert process.returncode == 0, process.stdout
@@ -182,11 +182,11 @@ def test_currents_and_faults_can_be_read(
     language: Language, boards: Boards, tmp_path: Path
 ) -> None:
     board = boards.board(link(), "trexjr")
-    program = made_ready(tmp_path, settings_for(link(), "trexjr"), link(), language)
+    program = prepared_program(tmp_path, settings_for(link(), "trexjr"), link(), language)
     board.do("current 1 2.4")
     board.do("current 2 9.92")
     board.do("fault 1 on")
-    with obedient(program, board.url) as trex:
+    with interactive_program(program, board.url) as trex:
         deadline = time.monotonic() + 30
         while trex.do("currents") != ["2400 9920"]:  # they are an average
             assert time.monotonic() < deadline
@@ -203,7 +203,7 @@ def test_settings_for_other_board_model_are_not_written(
     line = link(crc=True)
     board = boards.board(line, theirs)
     settings = settings_for(line, ours)
-    program = made_ready(tmp_path, settings, line, language, drive=True)
+    program = prepared_program(tmp_path, settings, line, language, drive=True)
     process = program.run(board.url, drive=True)
     assert process.returncode == 1
     assert f"settings are for a {settings.product.name}" in process.stdout
@@ -220,7 +220,7 @@ def test_board_outside_serial_mode_is_left_unchanged(
     board = boards.board(link())
     board.do("jumper mode rc")
     board.do("power cycle")
-    program = made_ready(tmp_path, settings_for(link()), link(), language, drive=True)
+    program = prepared_program(tmp_path, settings_for(link()), link(), language, drive=True)
     process = program.run(board.url, drive=True)
     assert process.returncode == 1
     assert "not in serial mode" in process.stdout
@@ -244,7 +244,9 @@ def test_missing_reply_is_reported_with_line_settings(
     )
     if why == "silent":
         board.do("line mute on")
-    program = made_ready(tmp_path, settings_for(line), line, language, drive=True, extra_time=1)
+    program = prepared_program(
+        tmp_path, settings_for(line), line, language, drive=True, extra_time=1
+    )
     process = program.run(board.url, drive=True)
     assert process.returncode == 1
     assert "No board responds" in process.stdout
@@ -257,7 +259,7 @@ def test_missing_reply_is_reported_with_line_settings(
 def test_unsupported_parameter_is_named(language: Language, boards: Boards, tmp_path: Path) -> None:
     board = boards.board(link(), "trex", "--unpaced", "--firmware", "1.0")
     settings = settings_for(link())
-    program = made_ready(tmp_path, settings, link(), language, drive=True, extra_time=3)
+    program = prepared_program(tmp_path, settings, link(), language, drive=True, extra_time=3)
     process = program.run(board.url, drive=True)
     assert process.returncode == 1
     named = "0x17" if language is Language.ARDUINO else "Enable UART Response Delay"
@@ -273,7 +275,7 @@ def test_program_follows_new_device_number(
 ) -> None:
     line = link(expanded=True)
     settings = settings_for(line, device_number=42)
-    program = made_ready(tmp_path, settings, line, language, extra_time=3)
+    program = prepared_program(tmp_path, settings, line, language, extra_time=3)
     board = boards.board(line)
     for writes in (True, False):
         process = program.run(board.url)
@@ -291,7 +293,7 @@ def test_calibration_for_other_input_is_reported_as_skipped(
     analog = {CalibrationKey.ANALOG_CHANNEL_3: CALIBRATIONS[CalibrationKey.RC_CHANNEL_2]}
     settings = Settings(as_new.product, as_new.firmware, calibrations=analog)
     board = boards.board(link())
-    program = made_ready(tmp_path, settings, link(), language)
+    program = prepared_program(tmp_path, settings, link(), language)
     process = program.run(board.url)
     assert process.returncode == 0, process.stdout
     assert "channel 3: skipped" in process.stdout
@@ -304,8 +306,8 @@ def test_board_that_stops_replying_is_reported(
     language: Language, boards: Boards, tmp_path: Path
 ) -> None:
     board = boards.board(link())
-    program = made_ready(tmp_path, settings_for(link()), link(), language, extra_time=3)
-    with obedient(program, board.url) as trex:
+    program = prepared_program(tmp_path, settings_for(link()), link(), language, extra_time=3)
+    with interactive_program(program, board.url) as trex:
         assert "serial mode" in trex.do("check")[0]
         board.do("line mute on")
         said = trex.do("calibrate")
@@ -320,7 +322,7 @@ def test_echo_is_not_taken_for_reply(boards: Boards, tmp_path: Path) -> None:
     line = link(crc=True)
     board = boards.board(line, "trex", "--echo")  # bytes without time would collide
     settings = settings_for(line)
-    seen, _ = watched(made_ready(tmp_path, settings, line, Language.PYTHON), board)
+    seen, _ = watched(prepared_program(tmp_path, settings, line, Language.PYTHON), board)
     assert board.has(settings)
     assert {(20, 0), (0, 20)} <= seen
     assert becomes(lambda: board.braking, (127, 127))
@@ -333,7 +335,7 @@ def test_baud_rate_and_stop_bits_are_set_on_port(
 ) -> None:
     line = link(baud=57600, stop_bits=2)
     board = boards.board(line)
-    program = made_ready(tmp_path, settings_for(line), line, language)
+    program = prepared_program(tmp_path, settings_for(line), line, language)
     process = program.run(board.url)
     assert process.returncode == 0, process.stdout
     assert board.errors == 0
@@ -341,7 +343,7 @@ def test_baud_rate_and_stop_bits_are_set_on_port(
 
 @pytest.mark.slow
 def test_wrong_usage_and_missing_port_have_own_exit_codes(tmp_path: Path) -> None:
-    program = made_ready(tmp_path, settings_for(link()), link(), Language.PYTHON)
+    program = prepared_program(tmp_path, settings_for(link()), link(), Language.PYTHON)
     missing = program.run(str(tmp_path / "no-port"))
     assert missing.returncode == 1
     assert "no-port" in missing.stdout
