@@ -46,7 +46,7 @@ from trex_gui.devices.trex.settings.conversion import convert
 from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.devices.trex.settings.edit_in_place import amend
-from trex_gui.devices.trex.settings.history import BOUND_FILE, SettingsHistory
+from trex_gui.devices.trex.settings.history import LIMIT_FILE, SettingsHistory
 from trex_gui.devices.trex.settings.reader import MOST_FINDINGS, read_settings, repair_values
 from trex_gui.devices.trex.settings.rules import accept_proposals, lint
 from trex_gui.devices.trex.settings.writer import write_settings
@@ -171,15 +171,15 @@ def check_snapshot(data: bytes, folder: Path) -> None:
     """The same bytes as a snapshot and as the file that says how many to keep."""
     (folder / "20260102T030405Z-trex-1.2.txt").write_bytes(data)
     (folder / "99999999T999999Z-9-trex-1.2.txt").write_bytes(data)
-    (folder / BOUND_FILE).write_bytes(data)
+    (folder / LIMIT_FILE).write_bytes(data)
     history = SettingsHistory(folder)
     found = history.snapshots()
     assert len(found) == 2
     for snapshot in found:
         with contextlib.suppress(SettingsError):
             history.load(snapshot)
-    bound = history.bound()
-    assert bound.kept is None or bound.kept >= 1
+    limit = history.limit()
+    assert limit.count is None or limit.count >= 1
     settings = factory_settings(device_table().model("trex"), None)
     kept = history.save(settings, adapter=data.decode("latin-1"), reason="any")
     assert history.load(kept) == settings
@@ -192,7 +192,7 @@ def _snapshot_samples() -> Sequence[bytes]:
         history.set_limit(7)
         settings = factory_settings(device_table().model("trex"), None)
         taken = history.save(settings, adapter="/dev/ttyUSB0", reason="Apply of 3 settings")
-        return [taken.path.read_bytes(), (Path(name) / BOUND_FILE).read_bytes()]
+        return [taken.path.read_bytes(), (Path(name) / LIMIT_FILE).read_bytes()]
 
 
 # --- Other text files -------------------------------------------------------------------

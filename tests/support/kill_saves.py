@@ -84,7 +84,7 @@ def _find_settings(folder: Path) -> int:
 
 def _save_snapshot(folder: Path, version: int) -> None:
     history = SettingsHistory(folder / "snapshots")
-    if history.bound().kept != KEPT:
+    if history.limit().count != KEPT:
         history.set_limit(KEPT)
     now = BEGIN + timedelta(seconds=version)
     history.save(_settings_of(version), adapter="COM1", reason=f"version {version}", now=now)
@@ -97,7 +97,7 @@ def _find_snapshot(folder: Path) -> int:
         assert not snapshot.problem, snapshot
         version = int(snapshot.reason.split()[-1])
         assert history.load(snapshot) == _settings_of(version), snapshot
-    assert not history.bound().problem, history.bound()
+    assert not history.limit().problem, history.limit()
     newest = int(snapshots[0].reason.split()[-1]) if snapshots else 0
     assert len(snapshots) >= min(newest, KEPT), len(snapshots)
     return newest
@@ -108,10 +108,10 @@ def _save_bound(folder: Path, version: int) -> None:
 
 
 def _find_bound(folder: Path) -> int:
-    bound = SettingsHistory(folder / "snapshots").bound()
-    assert not bound.problem, bound
+    limit = SettingsHistory(folder / "snapshots").limit()
+    assert not limit.problem, limit
     is_new = not (folder / "snapshots" / "history.txt").exists()
-    return 0 if is_new else bound.kept or 0
+    return 0 if is_new else limit.count or 0
 
 
 def _save_edits(folder: Path, version: int) -> None:

@@ -183,10 +183,10 @@ class Trex:
     def status(self) -> BoardStatus:
         """Return new measurements, and the errors since the last call."""
         board = self._board
-        samples, begun = board.mirror.newest.samples, board.session.clock()
-        wanted = {Raw, Remapped, Currents, Control}
+        samples, start = board.mirror.newest.samples, board.session.clock()
+        needed = {Raw, Remapped, Currents, Control}
         board.session.wait_for(
-            lambda: wanted <= {kind for kind, s in samples.items() if s.time >= begun},
+            lambda: needed <= {kind for kind, s in samples.items() if s.time >= start},
             _STATUS_TIMEOUT,
         )
         newest = board.mirror.newest
@@ -247,11 +247,11 @@ class Trex:
         """
         table = MeasurementTable(self.state.mode, self.state.signature.model.current_unit)
         board = self._board
-        begun = board.session.clock()
-        while board.session.clock() - begun < seconds:
-            for sample in board.pump(begun + seconds):
-                if sample.time >= begun and table.add(sample):
-                    yield table.finish(sample.time - begun)
+        start = board.session.clock()
+        while board.session.clock() - start < seconds:
+            for sample in board.pump(start + seconds):
+                if sample.time >= start and table.add(sample):
+                    yield table.finish(sample.time - start)
         if not board.mirror.is_responding:
             raise NoReply(Reason(DriveBlocker.SILENT).text())
 
@@ -374,9 +374,8 @@ class Trex:
 
         `key` is a parameter, or a calibration such as `rc_channel_2`.
         """
-        wanted = {**self._notes(), key: clean_note(text)[:LONGEST_NOTE].rstrip()}
-        notes = {key: note for key, note in wanted.items() if note}
-        self._board.keeper.memory.set_notes(notes)
+        notes = {**self._notes(), key: clean_note(text)[:LONGEST_NOTE].rstrip()}
+        self._board.keeper.memory.set_notes({key: note for key, note in notes.items() if note})
 
     def _notes(self) -> Mapping[str, str]:
         self._board.keeper.load()
@@ -391,7 +390,7 @@ class Trex:
         if not parameters and not calibrations:
             return
         reason = f"library: {', '.join(key for key, _ in (*parameters, *calibrations))}"
-        self._board.pump(self._board.session.clock())  # the board may have been silent meanwhile
+        self._board.pump(self._board.session.clock())  # the board may have fallen silent
         board, state = self._board, self.state
         transaction = board.keeper.prepare(state, self.settings, reason, parameters, calibrations)
         written = board.session.result(

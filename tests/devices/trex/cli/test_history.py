@@ -13,7 +13,7 @@ from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_command import RunCommand
 from trex_gui.cli import main
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.history import BOUND_FILE, Bound, SettingsHistory
+from trex_gui.devices.trex.settings.history import LIMIT_FILE, Limit, SettingsHistory
 
 NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
 
@@ -114,7 +114,7 @@ def test_history_keep_sets_and_prints_the_limit(trexcmd: RunCommand) -> None:
     trexcmd("history", "keep", "all")
     assert trexcmd("history", "keep").stdout == "all\n"
     trexcmd("history", "keep", "20")
-    assert SettingsHistory().bound() == Bound(20)
+    assert SettingsHistory().limit() == Limit(20)
 
 
 def test_lowering_history_limit_asks_before_deleting(trexcmd: RunCommand) -> None:
@@ -123,7 +123,7 @@ def test_lowering_history_limit_asks_before_deleting(trexcmd: RunCommand) -> Non
     result = trexcmd("history", "keep", "2", stdin="n\n", exits=1)
     assert "Remove the oldest 3 of 5 snapshots permanently?" in result.stderr
     assert len(SettingsHistory().snapshots()) == 5
-    assert SettingsHistory().bound() == Bound()
+    assert SettingsHistory().limit() == Limit()
     assert "3 snapshots removed" in trexcmd("history", "keep", "2", stdin="y\n").stderr
     assert len(SettingsHistory().snapshots()) == 2
     trexcmd("history", "keep", "1", "--yes")
@@ -134,7 +134,7 @@ def test_damaged_history_limit_is_reported(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     save_snapshot()
-    (SettingsHistory().folder / BOUND_FILE).write_text("kept: some\n", encoding="utf-8")
+    (SettingsHistory().folder / LIMIT_FILE).write_text("kept: some\n", encoding="utf-8")
     assert "none is removed" in trexcmd("history").stderr
     assert "none is removed" in trexcmd("history", "keep", exits=1).stderr
     wanted = tmp_path / "wanted.txt"
@@ -143,7 +143,7 @@ def test_damaged_history_limit_is_reported(
     assert "Warning: " in result.stderr
     assert "none is removed" in result.stderr
     trexcmd("history", "keep", "10")
-    assert SettingsHistory().bound() == Bound(10)
+    assert SettingsHistory().limit() == Limit(10)
 
 
 def test_completion_describes_snapshot_numbers() -> None:

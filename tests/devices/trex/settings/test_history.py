@@ -18,7 +18,7 @@ from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationK
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.history import BOUND_FILE, KEPT, Bound, SettingsHistory
+from trex_gui.devices.trex.settings.history import DEFAULT_LIMIT, LIMIT_FILE, Limit, SettingsHistory
 
 NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
 
@@ -142,19 +142,19 @@ def test_history_without_limit_removes_nothing(history: SettingsHistory) -> None
     for minutes in range(12):
         save_snapshot(history, minutes)
     assert len(history.snapshots()) == 12
-    assert history.bound() == Bound(None)
+    assert history.limit() == Limit(None)
 
 
 def test_limit_of_zero_is_rejected(history: SettingsHistory) -> None:
     with pytest.raises(ValueError, match="at least one"):
         history.set_limit(0)
-    assert history.bound() == Bound(KEPT)
+    assert history.limit() == Limit(DEFAULT_LIMIT)
 
 
 def test_limit_is_shared_between_programs(history: SettingsHistory) -> None:
     history.set_limit(2)
     other = SettingsHistory(history.folder)
-    assert other.bound() == Bound(2)
+    assert other.limit() == Limit(2)
     for minutes in range(4):
         save_snapshot(other, minutes)
     assert len(history.snapshots()) == 2
@@ -172,8 +172,8 @@ def test_lower_limit_removes_and_returns_oldest_snapshots(history: SettingsHisto
 @pytest.mark.parametrize("text", ["kept: 7\n", "# mine\n\n kept:7 # a week\n", "\ufeffkept: 7\r\n"])
 def test_limit_file_may_be_written_by_hand(history: SettingsHistory, text: str) -> None:
     history.folder.mkdir()
-    (history.folder / BOUND_FILE).write_bytes(text.encode())
-    assert history.bound() == Bound(7)
+    (history.folder / LIMIT_FILE).write_bytes(text.encode())
+    assert history.limit() == Limit(7)
 
 
 @pytest.mark.parametrize(
@@ -185,22 +185,22 @@ def test_limit_file_may_be_written_by_hand(history: SettingsHistory, text: str) 
 )
 def test_damaged_limit_removes_nothing_and_is_reported(history: SettingsHistory, text: str) -> None:
     history.set_limit(2)
-    (history.folder / BOUND_FILE).write_text(text, encoding="utf-8")
+    (history.folder / LIMIT_FILE).write_text(text, encoding="utf-8")
     for minutes in range(4):
         save_snapshot(history, minutes)
     assert len(history.snapshots()) == 4
-    assert history.bound().kept is None
-    assert "is damaged" in history.bound().problem
+    assert history.limit().count is None
+    assert "is damaged" in history.limit().problem
     history.set_limit(3)
-    assert history.bound() == Bound(3)
+    assert history.limit() == Limit(3)
     assert len(history.snapshots()) == 3
 
 
 def test_unreadable_limit_is_reported_and_cannot_be_set(history: SettingsHistory) -> None:
-    (history.folder / BOUND_FILE).mkdir(parents=True)
+    (history.folder / LIMIT_FILE).mkdir(parents=True)
     save_snapshot(history)
     save_snapshot(history, 1)
-    assert "cannot be read" in history.bound().problem
+    assert "cannot be read" in history.limit().problem
     with pytest.raises(SettingsError):
         history.set_limit(1)
     assert len(history.snapshots()) == 2
@@ -209,8 +209,8 @@ def test_unreadable_limit_is_reported_and_cannot_be_set(history: SettingsHistory
 @pytest.mark.skipif(sys.platform == "win32", reason="links need a permission there")
 def test_dangling_limit_link_is_reported(history: SettingsHistory) -> None:
     history.folder.mkdir()
-    (history.folder / BOUND_FILE).symlink_to(history.folder / "elsewhere")
-    assert "is missing" in history.bound().problem
+    (history.folder / LIMIT_FILE).symlink_to(history.folder / "elsewhere")
+    assert "is missing" in history.limit().problem
 
 
 def test_limit_that_cannot_be_saved_removes_nothing(
@@ -222,7 +222,7 @@ def test_limit_that_cannot_be_saved_removes_nothing(
     with pytest.raises(SettingsError, match="No space left"):
         history.set_limit(1)
     assert len(history.snapshots()) == 3
-    assert history.bound() == Bound(KEPT)
+    assert history.limit() == Limit(DEFAULT_LIMIT)
 
 
 # --- Several at once, and the end in the middle -----------------------------------------
@@ -335,7 +335,7 @@ def test_pipe_among_the_snapshots_is_not_opened(history: SettingsHistory) -> Non
     os.mkfifo(history.folder / "history.txt")
     (found,) = history.snapshots()
     assert found.problem == "It cannot be read: it is not an ordinary file."
-    assert "cannot be read" in history.bound().problem
+    assert "cannot be read" in history.limit().problem
 
 
 @pytest.mark.parametrize(

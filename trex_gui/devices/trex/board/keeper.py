@@ -77,7 +77,7 @@ class Keeper:
         history = SettingsHistory()
         snapshot = transaction.save_snapshot(history)
         self._say(f"Snapshot of the previous settings: {snapshot.path}.")
-        if problem := history.bound().problem:
+        if problem := history.limit().problem:
             self._warn(f"{problem} Set it again with `trexcmd history keep 500`.")
         transaction.start()
         return transaction

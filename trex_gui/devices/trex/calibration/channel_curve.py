@@ -76,12 +76,12 @@ class ChannelCurve:
 def _corners(curve: ChannelCurve, low: int, high: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
     outputs = [curve.output(raw) for raw in range(low, high + 1)]
     last = len(outputs) - 1
-    kept = [
+    indices = [
         index
         for index, output in enumerate(outputs)
         if index in {0, last} or outputs[index - 1] != output or outputs[index + 1] != output
     ]
-    return tuple(low + index for index in kept), tuple(outputs[index] for index in kept)
+    return tuple(low + index for index in indices), tuple(outputs[index] for index in indices)
 
 
 def is_mixed(outputs: tuple[int, int], reported: tuple[int, int]) -> bool | None:

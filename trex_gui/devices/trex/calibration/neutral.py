@@ -30,12 +30,12 @@ signal hides its lost pulses until 100 ms are missing."""
 
 _STUCK_INTERVAL = 0.03  # longest interval in seconds that shows repeats
 _RANGE_OF_NOISE = 10.0  # standard deviations: 75 normal values span 4.8, seldom 6.5
-_DRIFT_OF_NOISE = 6.0  # standard deviations of a median that noise alone never causes
+_DRIFT_OF_NOISE = 6.0  # standard deviations; noise alone never moves a median this far
 _MEDIAN_ERROR = 1.25  # deviation of a median of normal values, times the root of their number
 _MAD_TO_DEVIATION = 1.4826  # of a normal distribution, for a median absolute deviation of 1
 _LEAST_DEVIATION = 1.0  # counts; a converter that rounds to whole counts shows no less
 
-_STILL = 0.75  # share of equal neighbours at standstill; polling reads some values twice anyway
+_STILL = 0.75  # share of equal neighbours at standstill; polling may read a value twice
 
 
 @dataclass(frozen=True, slots=True)

@@ -35,13 +35,13 @@ def propose(neutral: Neutral, travel: Travel, *, reversed_now: bool) -> Proposal
     problems = neutral.problems + travel.problems
     if has_fatal(problems):
         return Proposal(None, reversed_now, "", (), problems)
-    wanted = Calibration(
+    calibration = Calibration(
         minimum=max(0, neutral.value - _distance(neutral, travel, Way.DOWN)),
         neutral=neutral.value,
         maximum=min(HIGHEST_CODED, neutral.value + _distance(neutral, travel, Way.UP)),
         deadband=neutral.deadband,
     )
-    if refused := wanted.problem():
+    if refused := calibration.problem():
         problems += (CalibrationProblem(ProblemKind.REFUSED, "MEASURED", (refused,)),)
         return Proposal(None, reversed_now, "", (), problems)
     reasons = [_ends_reason(neutral, travel)]
@@ -49,8 +49,8 @@ def propose(neutral: Neutral, travel: Travel, *, reversed_now: bool) -> Proposal
         reasons.append(
             tr("At rest its noise is {0}: the deadband is twice that.").format(neutral.noise_text)
         )
-    reversed_, why = _reversal(travel, reversed_now=reversed_now)
-    return Proposal(wanted, reversed_, why, tuple(reasons), problems)
+    reversed_, reversed_reason = _reversal(travel, reversed_now=reversed_now)
+    return Proposal(calibration, reversed_, reversed_reason, tuple(reasons), problems)
 
 
 def _margin(length: int, neutral: Neutral) -> int:
@@ -98,22 +98,22 @@ def _reversal(travel: Travel, *, reversed_now: bool) -> tuple[bool, str]:
     """
     match travel.task:
         case Task.STICK if travel.first is not None:
-            wanted = travel.first is Way.DOWN
+            reversed_ = travel.first is Way.DOWN
             words = (
                 tr("The value fell when the stick went forward or right first")
-                if wanted
+                if reversed_
                 else tr("The value rose when the stick went forward or right first")
             )
         case Task.SWITCH if travel.reached(Way.UP) != travel.reached(Way.DOWN):
-            wanted = travel.reached(Way.UP)
+            reversed_ = travel.reached(Way.UP)
             words = (
                 tr("The other position is above the one at rest, which should be off")
-                if wanted
+                if reversed_
                 else tr("The other position is below the one at rest, which should be off")
             )
         case _:
             return reversed_now, ""
-    if wanted == reversed_now:
-        return wanted, ""
-    text = tr("{0}: reversed is suggested.") if wanted else tr("{0}: not reversed is suggested.")
-    return wanted, text.format(words)
+    if reversed_ == reversed_now:
+        return reversed_, ""
+    text = tr("{0}: reversed is suggested.") if reversed_ else tr("{0}: not reversed is suggested.")
+    return reversed_, text.format(words)

@@ -55,15 +55,15 @@ def save_file(file: str, text: str) -> None:
 
 def visible(wanted: Settings, state: DeviceState) -> Settings:
     """Remove the calibrations of the inactive input source, which the board hides."""
-    given = wanted.calibrations
-    kept = {key: found for key, found in given.items() if key.source is state.source}
-    if len(kept) < len(given):
-        others = ", ".join(key for key in CalibrationKey if key in given.keys() - kept)
+    calibrations = wanted.calibrations
+    active = {key: found for key, found in calibrations.items() if key.source is state.source}
+    if len(active) < len(calibrations):
+        others = ", ".join(key for key in CalibrationKey if key in calibrations.keys() - active)
         say(
             f"Warning: {others} left out: only the calibrations for {state.source.value} inputs, "
             "the active ones, can be read and written."
         )
-    return replace(wanted, calibrations=kept)
+    return replace(wanted, calibrations=active)
 
 
 def print_comparison(result: Comparison) -> None:

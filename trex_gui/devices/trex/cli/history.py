@@ -60,7 +60,7 @@ def _list(words: str, *, as_json: bool) -> None:
         for number, snapshot in enumerate(history.snapshots(), 1)
         if all(word in " ".join(_cells(number, snapshot)).casefold() for word in wanted)
     ]
-    if problem := history.bound().problem:
+    if problem := history.limit().problem:
         say(f"Warning: {problem}")
     if as_json:
         print_json([_json_row(number, snapshot) for number, snapshot in found])
@@ -150,17 +150,17 @@ def path(which: str) -> None:
 @history.command("keep")
 @click.argument("count", metavar="COUNT|all", required=False)
 @click.option("--yes", is_flag=True, help="Do not ask.")
-def limit(count: str | None, yes: bool) -> None:
+def limit_command(count: str | None, yes: bool) -> None:
     """Set the number of snapshots that trexcmd and the window keep, or print it.
 
     Asks before it removes older snapshots.
     """
     history = SettingsHistory()
     if count is None:
-        bound = history.bound()
-        if bound.problem:
-            raise CommandFailed(bound.problem)
-        click.echo("all" if bound.kept is None else bound.kept)
+        limit = history.limit()
+        if limit.problem:
+            raise CommandFailed(limit.problem)
+        click.echo("all" if limit.count is None else limit.count)
         return
     most = _count(count)
     if (gone := len(history.beyond(most))) and not yes:

@@ -369,8 +369,8 @@ class _Run:
         if not timeout_stop.is_reliable:
             program = "" if self._is_guarded else ", and also if this program is killed"
             verb = "may keep" if timeout_stop is TimeoutStop.DOUBTFUL else "keeps"
-            wanted = {"serial_timeout": '"0.5 s"', "uart_error_shutdown": "on"}.items()
-            missing = [f"`trexcmd set {k} {v}`" for k, v in wanted if not state.parameters.get(k)]
+            needed = {"serial_timeout": '"0.5 s"', "uart_error_shutdown": "on"}.items()
+            missing = [f"`trexcmd set {k} {v}`" for k, v in needed if not state.parameters.get(k)]
             remedy = " and ".join(missing)
             warning = "Warning" if number is None else f"Warning, board {number}"
             say(
@@ -389,7 +389,7 @@ class _Run:
             self._finish(f"The board reports: {names}.")
         elif not self._is_ending:
             say(f"The board reports: {names}.")
-            if latched.uart:  # such an error may have made the board stop the motors
+            if latched.uart:  # the board may have stopped the motors
                 setpoints = [c for c in self._commands if not isinstance(c, SendPacket)]
                 self._requests += self._addressed(setpoints)
 

@@ -33,7 +33,7 @@ from trex_gui.devices.trex.settings.provision_record import (
 )
 
 _RETRY_S = 0.5  # seconds between two attempts to reach a board
-_PULSE = 30  # speed, of at most 127
+_PULSE = 30  # speed, 0 to 127
 _FIRST_S, _NEXT_S = 0.8, 0.25  # longest seconds until the first and the next repeat of a held key
 _ENTER = {"\r", "\n"}
 _END = {"q", "\x04", ""}  # Ctrl-D in a terminal, the end of a pipe

@@ -177,7 +177,7 @@ def read_users(path: Path) -> tuple[User, ...]:
             roles = ", ".join(ROLES)
             raise BadRequest(f"{path}: line {number}: expected NAME ROLE SECRET; roles: {roles}.")
         if words[0] in users:
-            raise BadRequest(f"{path}: line {number}: {words[0]} is there twice.")
+            raise BadRequest(f"{path}: line {number}: {words[0]} appears twice.")
         users[words[0]] = User(words[0], ROLES[words[1]], words[2])
     if not users:
         raise BadRequest(f"{path} has no users.")
@@ -242,5 +242,5 @@ def robots(hosts: tuple[str, ...], release: str | None, *, as_json: bool) -> Non
         problems = f"; {', '.join(row['problems'])}" if row["problems"] else ""
         click.echo(f"{row['url']}  {board}, {state}, {driver}{problems}")
     if not found:
-        text = "No board is served to this user there."
-        raise CommandFailed(text if release is None else f"{text[:-1]} as {release}.")
+        named = "" if release is None else f" named {release}"
+        raise CommandFailed(f"No server has a board{named} for this user.")

@@ -61,8 +61,8 @@ class BoardRecord:
         return max([*times, self.applied] if self.applied else times, default=None)
 
     def calibrations(self, source: InputSource) -> dict[CalibrationKey, Calibration]:
-        given = self.settings.calibrations
-        return {key: found for key, found in given.items() if key.source is source}
+        every = self.settings.calibrations
+        return {key: found for key, found in every.items() if key.source is source}
 
     def applied_to(self, stored: Settings) -> Settings:
         """Return the applied settings without the calibrations that the board hides."""
@@ -86,10 +86,10 @@ class BoardRecord:
             if self.calibrations(source) != stored.calibrations:
                 return self
             return replace(self, known={**self.known, source: Known(now, True)})
-        given = {**self.settings.calibrations, **stored.calibrations}
+        calibrations = {**self.settings.calibrations, **stored.calibrations}
         return replace(
             self,
-            settings=replace(self.settings, calibrations=given),
+            settings=replace(self.settings, calibrations=calibrations),
             known={**self.known, source: Known(now, False)},
         )
 
@@ -239,11 +239,11 @@ def _record(settings: Settings, text: str) -> BoardRecord:
             if 1970 < time.year < 9999:  # other years cannot be shown in every time zone
                 found[name] = Known(time, verb == "applied")
     known = {source: found[_name(source)] for source in InputSource if _name(source) in found}
-    given = {key: c for key, c in settings.calibrations.items() if key.source in known}
+    calibrations = {key: c for key, c in settings.calibrations.items() if key.source in known}
     applied, adapter, trial = found.get(_PARAMETERS), _ADAPTER.search(text), _TRIAL.search(text)
     parameters = {} if applied is None else settings.parameters
     return BoardRecord(
-        replace(settings, parameters=parameters, calibrations=given),
+        replace(settings, parameters=parameters, calibrations=calibrations),
         None if applied is None else applied.time,
         known,
         "" if adapter is None else adapter[1],

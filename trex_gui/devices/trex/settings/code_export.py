@@ -21,7 +21,7 @@ from trex_gui.version import __version__
 
 _COMMENT_WIDTH = 86
 
-_SERIAL_MODES = {mode.source: mode.value for mode in Mode if mode.is_serial}  # letters
+_MODE_LETTERS = {mode.source: mode.value for mode in Mode if mode.is_serial}
 
 
 def file_name(settings: Settings, language: Language) -> str:
@@ -110,7 +110,7 @@ def _parameter_row(spec: ParameterSpec, wire: int, settings: Settings) -> dict[s
 
 def _calibration_row(key: CalibrationKey, calibration: Calibration) -> dict[str, object]:
     return {
-        "source": _SERIAL_MODES[key.source],
+        "source": _MODE_LETTERS[key.source],
         "channel": key.channel,
         "counts": ", ".join(str(getattr(calibration, name)) for name in CALIBRATION_FIELDS),
         "comment": plain(calibration_text(key.source, calibration)),

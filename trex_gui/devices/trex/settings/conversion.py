@@ -91,12 +91,12 @@ def convert(settings: Settings, product: Model, firmware: str | None) -> Convers
             rows.append(ConvertedRow(old.key, old.name, Fate.LEFT_OUT, old.text(wire), "", reason))
             continue
         if old.key == ParameterKey.UART_SETTINGS:
-            wanted, reason = _line(settings, target, wire)
+            converted, reason = _line(settings, target, wire)
         else:
-            wanted, reason = _wire(old, new, wire, product)
-        parameters[old.key] = wanted
+            converted, reason = _wire(old, new, wire, product)
+        parameters[old.key] = converted
         fate = Fate.CHANGED if reason else Fate.CARRIED_OVER
-        texts = old.text(wire), new.text(wanted)
+        texts = old.text(wire), new.text(converted)
         rows.append(ConvertedRow(old.key, old.name, fate, *texts, reason))
     for key, calibration in settings.calibration_items():
         text = calibration_text(key.source, calibration)
@@ -104,10 +104,10 @@ def convert(settings: Settings, product: Model, firmware: str | None) -> Convers
         rows.append(ConvertedRow(key, name, Fate.CARRIED_OVER, text, text, ""))
     order = list(Fate)
     rows.sort(key=lambda row: order.index(row.fate))
-    converted = replace(
+    result = replace(
         target, parameters=parameters, calibrations=settings.calibrations, notes=settings.notes
     )
-    return Conversion(converted, tuple(rows))
+    return Conversion(result, tuple(rows))
 
 
 def _wire(old: ParameterSpec, new: ParameterSpec, wire: int, product: Model) -> tuple[int, str]:
@@ -115,19 +115,19 @@ def _wire(old: ParameterSpec, new: ParameterSpec, wire: int, product: Model) -> 
     if old.scale == new.scale or wire == 0:
         return wire, ""
     steps = wire * old.scale / new.scale
-    wanted = min(max(int(steps + 1e-6), 1), new.maximum)
+    result = min(max(int(steps + 1e-6), 1), new.maximum)
     step = f"{Number(new.scale):g} {new.unit}"
     if steps > new.maximum + 1e-6:
-        return wanted, tr("A {0} has at most {1}.").format(product.name, new.text(new.maximum))
+        return result, tr("A {0} has at most {1}.").format(product.name, new.text(new.maximum))
     if steps < 1 - 1e-6:
-        return wanted, tr("A {0} has at least {1}; 0 switches it off (twin).").format(
+        return result, tr("A {0} has at least {1}; 0 switches it off (twin).").format(
             product.name, new.text(1)
         )
-    if abs(steps - wanted) < 1e-6:
-        return wanted, tr("The same value in steps of {0}: {1} becomes {2}.").format(
-            step, wire, wanted
+    if abs(steps - result) < 1e-6:
+        return result, tr("The same value in steps of {0}: {1} becomes {2}.").format(
+            step, wire, result
         )
-    return wanted, tr("Rounded down to steps of {0}: {1} becomes {2}.").format(step, wire, wanted)
+    return result, tr("Rounded down to steps of {0}: {1} becomes {2}.").format(step, wire, result)
 
 
 def _line(settings: Settings, target: Settings, wire: int) -> tuple[int, str]:

@@ -21,7 +21,7 @@ from trex_gui.devices.trex.settings.notes import clean_note
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 
-KEPT = 500  # default number of snapshots, one or two megabytes
+DEFAULT_LIMIT = 500  # default number of snapshots, one or two megabytes
 _NAME = re.compile(r"(\d{8}T\d{6}Z)-(?:(\d+)-)?[a-z]+-[\d.]+\.txt")
 _TIME = "%Y%m%dT%H%M%SZ"
 _NO_DATE = datetime.fromtimestamp(0, UTC)
@@ -31,10 +31,10 @@ _LONGEST = {"name": 60, "note": 300}  # characters
 _NOTE = re.compile(r"# (taken|device number|adapter|reason|name|note): (.*)")
 _VALUE = re.compile(r"(product|firmware): *['\"]?([^'\"#]*[^'\"# ])")
 
-BOUND_FILE = "history.txt"
-_LARGEST_BOUND_FILE = 4096
-_BOUND = re.compile(r"kept\s*:\s*(all|[1-9][0-9]{0,6})")
-_BOUND_TEXT = """\
+LIMIT_FILE = "history.txt"
+_LARGEST_LIMIT_FILE = 4096
+_LIMIT = re.compile(r"kept\s*:\s*(all|[1-9][0-9]{0,6})")
+_LIMIT_TEXT = """\
 # How many snapshots TReX Studio and trexcmd keep in this folder: a number, or all.
 # While this file cannot be understood, none is removed.
 kept: {}
@@ -61,13 +61,13 @@ class Snapshot:
 
 
 @dataclass(frozen=True, slots=True)
-class Bound:
+class Limit:
     """Number of snapshots to keep: at least 1, or `None` for all.
 
     If the setting cannot be read, `problem` is a sentence and no snapshot is removed.
     """
 
-    kept: int | None = KEPT
+    count: int | None = DEFAULT_LIMIT
     problem: str = ""
 
 
@@ -179,7 +179,7 @@ class SettingsHistory:
         name = cleaned.get("name", "")
         if name.isdecimal():
             raise BadRequest(tr("{0} would be the number of a snapshot.").format(name))
-        if name and any(one.name == name != snapshot.name for one in self.snapshots()):
+        if name and any(other.name == name != snapshot.name for other in self.snapshots()):
             raise BadRequest(tr("Another snapshot has the name {0}.").format(name))
         lines = load(snapshot.path).split(b"\n")  # other lines do not change
         for kind, text in cleaned.items():
@@ -193,52 +193,52 @@ class SettingsHistory:
         with explained(snapshot.path, tr("it cannot be removed")):
             snapshot.path.unlink(missing_ok=True)
 
-    def bound(self) -> Bound:
-        path = self.folder / BOUND_FILE
+    def limit(self) -> Limit:
+        path = self.folder / LIMIT_FILE
         try:
             with open_ordinary(path) as file:
-                data = file.read(_LARGEST_BOUND_FILE + 1)
+                data = file.read(_LARGEST_LIMIT_FILE + 1)
         except FileNotFoundError:
-            return _no_bound(path, tr("is missing")) if path.is_symlink() else Bound()
+            return _unknown_limit(path, tr("is missing")) if path.is_symlink() else Limit()
         except OSError as error:
-            return _no_bound(path, tr("cannot be read ({0})").format(error.strerror or error))
+            return _unknown_limit(path, tr("cannot be read ({0})").format(error.strerror or error))
         lines = [
             line.split("#")[0].strip() for line in data.decode("utf-8-sig", "replace").splitlines()
         ]
         words = [line for line in lines if line]
-        match = _BOUND.fullmatch(words[0]) if len(words) == 1 else None
-        if match is None or len(data) > _LARGEST_BOUND_FILE:
-            return _no_bound(path, tr("is damaged"))
-        return Bound(None if match[1] == "all" else int(match[1]))
+        match = _LIMIT.fullmatch(words[0]) if len(words) == 1 else None
+        if match is None or len(data) > _LARGEST_LIMIT_FILE:
+            return _unknown_limit(path, tr("is damaged"))
+        return Limit(None if match[1] == "all" else int(match[1]))
 
-    def beyond(self, kept: int | None) -> tuple[Snapshot, ...]:
-        """Return the unnamed snapshots that a limit of `kept` snapshots would remove."""
-        older = () if kept is None else map(self.read_head, self.files()[kept:])
+    def beyond(self, count: int | None) -> tuple[Snapshot, ...]:
+        """Return the unnamed snapshots that a limit of `count` snapshots would remove."""
+        older = () if count is None else map(self.read_head, self.files()[count:])
         return tuple(found for found in older if not found.name)
 
-    def set_limit(self, kept: int | None) -> tuple[Snapshot, ...]:
+    def set_limit(self, count: int | None) -> tuple[Snapshot, ...]:
         """Set the limit for all programs. Remove snapshots beyond it, and return them.
 
         If saving fails with SettingsError, no snapshot is removed.
         """
-        if kept is not None and not 1 <= kept < 10**7:
-            raise ValueError(tr("a history keeps at least one snapshot, not {0}").format(kept))
+        if count is not None and not 1 <= count < 10**7:
+            raise ValueError(tr("a history keeps at least one snapshot, not {0}").format(count))
         self._create_folder()
-        save(self.folder / BOUND_FILE, _BOUND_TEXT.format("all" if kept is None else kept))
-        return tuple(found for found in self.beyond(kept) if _removed(found.path))
+        save(self.folder / LIMIT_FILE, _LIMIT_TEXT.format("all" if count is None else count))
+        return tuple(found for found in self.beyond(count) if _removed(found.path))
 
     def _remove_oldest(self, own: Path) -> None:
         """Remove the oldest snapshots beyond the limit.
 
         Snapshots saved after `own` remain, so that two programs never remove each other's.
         """
-        bound = self.bound()
-        if bound.problem or bound.kept is None:
+        limit = self.limit()
+        if limit.problem or limit.count is None:
             return
         # The file system's clock decides; the name orders snapshots saved at the same time.
         ours = _stamp(own)[0], own.name
         others = [file for file in self.files() if file[2] != own.name]
-        for file in others[bound.kept - 1 :]:
+        for file in others[limit.count - 1 :]:
             found = self.read_head(file)
             if (found.stamp[0], found.path.name) < ours and not found.name:
                 _removed(found.path)
@@ -276,6 +276,6 @@ def _removed(path: Path) -> bool:
     return True
 
 
-def _no_bound(path: Path, why: str) -> Bound:
+def _unknown_limit(path: Path, reason: str) -> Limit:
     text = tr("{0} {1}: how many snapshots to keep is not known, so none is removed.")
-    return Bound(None, text.format(path, why))
+    return Limit(None, text.format(path, reason))

@@ -72,21 +72,21 @@ class ProvisionRecord:
         self, stored: Settings, board: str, differing: Collection[ComparisonRow]
     ) -> ProvisionedBoard:
         """Return a line for a board. A new board gets a free number and a name."""
-        number, prints = stored.parameters[ParameterKey.DEVICE_NUMBER], fingerprint(stored)
+        number, calibrations = stored.parameters[ParameterKey.DEVICE_NUMBER], fingerprint(stored)
         known = self._known(number)
-        given = self.free_number() if known is None else number
+        assigned = self.free_number() if known is None else number
         certainty = NEW
         if known is not None:
-            certainty = KNOWN if known.calibrations == prints else NUMBER_ONLY
+            certainty = KNOWN if known.calibrations == calibrations else NUMBER_ONLY
         keys = [str(row.key) for row in differing]
-        if given != number:
+        if assigned != number:
             keys.append(ParameterKey.DEVICE_NUMBER)
         return ProvisionedBoard(
             datetime.now().astimezone().isoformat(timespec="seconds"),
-            known.name if known else self._name.replace("{number}", str(given)),
-            given,
+            known.name if known else self._name.replace("{number}", str(assigned)),
+            assigned,
             board,
-            prints,
+            calibrations,
             " ".join(keys),
             BEGUN,
             certainty,
@@ -95,13 +95,13 @@ class ProvisionRecord:
     def skipped(self, board: ProvisionedBoard, stored: Settings) -> ProvisionedBoard:
         number = stored.parameters[ParameterKey.DEVICE_NUMBER]
         known = self._known(number)
-        prints = known.calibrations if known else board.calibrations
-        return replace(board, number=number, calibrations=prints, result=SKIPPED)
+        calibrations = known.calibrations if known else board.calibrations
+        return replace(board, number=number, calibrations=calibrations, result=SKIPPED)
 
     def _known(self, number: int) -> ProvisionedBoard | None:
         """Return the newest line of the board with this number."""
-        given = (row for row in reversed(self._rows) if row.result != SKIPPED)
-        return next((row for row in given if row.number == number != FACTORY_NUMBER), None)
+        assigned = (row for row in reversed(self._rows) if row.result != SKIPPED)
+        return next((row for row in assigned if row.number == number != FACTORY_NUMBER), None)
 
     def free_number(self) -> int:
         """Return an unassigned number. BadRequest if all numbers are assigned."""

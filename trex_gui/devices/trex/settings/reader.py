@@ -257,9 +257,9 @@ class _Reader:
 
     def _read_calibration(self, key: str, entry: _Entry) -> None:
         if not isinstance(entry.value, MappingNode):
-            wanted = "{" + ", ".join(f"{name}: …" for name in CALIBRATION_FIELDS) + "}"
+            layout = "{" + ", ".join(f"{name}: …" for name in CALIBRATION_FIELDS) + "}"
             given = _shown(entry.value)
-            self.error(entry.line, key, "calibration_layout", layout=wanted, given=given)
+            self.error(entry.line, key, "calibration_layout", layout=layout, given=given)
             return
         inner = self._entries(entry.value, key)
         values: dict[str, int] = {}
@@ -372,8 +372,8 @@ def _meant(spec: ParameterSpec, node: Node) -> int | AmbiguousNumber | None:
 
 
 def _guess(key: str, keys: Sequence[str]) -> str:
-    wanted = shortened(key).strip().lower().replace("-", "_").replace(" ", "_")
-    close = difflib.get_close_matches(wanted, keys, n=1)
+    word = shortened(key).strip().lower().replace("-", "_").replace(" ", "_")
+    close = difflib.get_close_matches(word, keys, n=1)
     return tr("; did you mean {0}?").format(close[0]) if close else ""
 
 

@@ -338,18 +338,18 @@ def _rate_the_port_lacks(case: _Case) -> Iterator[_Match]:
     line, rates, used = case.line, case.context.port_rates, case.context.used_by_line
     if line is None or rates is None:
         return
-    wanted = case.real(line.baud)
-    if wanted in rates or (used is not None and used.baud == wanted):
+    real = case.real(line.baud)
+    if real in rates or (used is not None and used.baud == real):
         return
     known = [rate for rate in baud_rates() if rate in rates and case.real(rate) == rate]
-    slower = [rate for rate in known if rate <= wanted]
+    slower = [rate for rate in known if rate <= real]
     best = slower[-1] if slower else known[0] if known else None
     if used is not None and used.baud in baud_rates() and case.real(used.baud) == used.baud:
         best = used.baud
     text = tr(
         "This computer's serial port does not support {baud} baud: after the next power cycle it "
         "could not reach the board any more."
-    ).format(baud=wanted)
+    ).format(baud=real)
     yield _line_match(text, None if best is None else replace(line, baud=best))
 
 
