@@ -29,7 +29,7 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 
 def explain(settings: ConnectionSettings, *, echo: bool, error: StudioError) -> StudioError:
-    """Return the error to report for a first query with this `error` and `echo`."""
+    """Return the error to report after a query that failed with `error`."""
     where = settings.text()
     if is_unsteady(error):
         return error

@@ -129,7 +129,6 @@ class TrexProber:
 
     @property
     def parts(self) -> tuple[int, ...]:
-        """Number of probes in each part of the scan."""
         return tuple(len(plan) for plan in self._plans)
 
     @property
@@ -179,7 +178,7 @@ class TrexProber:
         reply = send_probe(wire, attempt, extra)
         self.echo = self.echo or reply.echo
         if reply.kind is ReplyKind.BOARD_WITHOUT_CRC:
-            # Its reply to the probe without a checksum was lost.
+            # The reply to the probe without a checksum was lost.
             attempt = Attempt(replace(attempt.line, detection=Detection.NONE))
         is_board = reply.kind in {ReplyKind.BOARD, ReplyKind.BOARD_WITHOUT_CRC}
         is_one_of_several = number is not None and reply.kind is ReplyKind.SEVERAL

@@ -51,7 +51,7 @@ class MotorsStoppedError(StudioError):
 
 
 class OpenSession:
-    """Session of a line, for a program with one thread."""
+    """Session of a line for a program. All calls come from one thread."""
 
     def __init__(self, settings: ConnectionSettings) -> None:
         computer = host()

@@ -69,7 +69,7 @@ class Profile:
             raise ValueError(text.format(*limits, Number(self.period)))
 
     def speed_at(self, seconds: float) -> int:
-        """Return the speed at a moment. 0 before the start and from the end on."""
+        """Return the speed at a time. 0 before the start and after the end."""
         if not 0 <= seconds < self.duration:
             return 0
         return round(self.speed * self._share(seconds))

@@ -40,10 +40,8 @@ _STILL = 0.75  # share of equal neighbours at standstill; polling may read a val
 
 @dataclass(frozen=True, slots=True)
 class ChannelSample:
-    """A raw count at a time in seconds. `None` without a valid signal."""
-
-    time: float
-    count: int | None
+    time: float  # seconds
+    count: int | None  # raw count; `None` without a valid signal
 
 
 @dataclass(frozen=True, slots=True)

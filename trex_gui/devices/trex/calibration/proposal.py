@@ -31,7 +31,6 @@ class Proposal:
 
 
 def propose(neutral: Neutral, travel: Travel, *, reversed_now: bool) -> Proposal:
-    """Propose a calibration that the board accepts."""
     problems = neutral.problems + travel.problems
     if has_fatal(problems):
         return Proposal(None, reversed_now, "", (), problems)

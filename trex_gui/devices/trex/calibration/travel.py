@@ -51,8 +51,6 @@ _UNEVEN = 0.5  # least length of the shorter side, as a share of the longer side
 
 
 class Task(Enum):
-    """Use of a channel, which determines its required movement."""
-
     STICK = auto()
     ONE_WAY = auto()
     SWITCH = auto()
@@ -188,7 +186,6 @@ class Travel:
         return way.value * (self.end(way) - self.neutral)
 
     def reached(self, way: Way) -> bool:
-        """True if the channel went far enough that way."""
         return self.length(way) >= least_travel(self.deadband)
 
     def held(self, way: Way) -> bool:
@@ -275,8 +272,8 @@ class Travel:
             return CalibrationProblem(
                 ProblemKind.END_TOO_NEAR, shorter.name, (text(shortest), *needed)
             )
-        if (passed := self._not_held()) is not None:
-            return passed
+        if (problem := self._not_held()) is not None:
+            return problem
         if shortest < _UNEVEN * longest:
             lengths = text(longest), text(shortest)
             return CalibrationProblem(ProblemKind.UNEVEN, shorter.name, lengths, fatal=False)

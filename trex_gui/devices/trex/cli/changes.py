@@ -111,7 +111,6 @@ def write_one(
     parameters: Sequence[tuple[str, int]],
     calibrations: Sequence[tuple[CalibrationKey, Calibration]] = (),
 ) -> None:
-    """Store one setting. Raise the error of a failed write."""
     with Interruption():
         (stored,) = keeper_of(client, state).write(client, state, command, parameters, calibrations)
     if stored.error is not None:

@@ -37,7 +37,6 @@ def content_of(file: str) -> bytes:
 
 
 def read_file(file: str) -> Settings:
-    """Return the settings of a file and report its warnings."""
     with refusals():
         settings, findings = read_settings(content_of(file), name_of(file))
     for finding in findings:

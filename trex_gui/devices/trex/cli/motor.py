@@ -301,7 +301,6 @@ class _Run:
         ]
 
     def _finish(self, reason: str | None = None) -> None:
-        """Stop the motors if they were armed, then close the line."""
         if not self._is_ending:
             self._is_ending = True
             self._reason = reason

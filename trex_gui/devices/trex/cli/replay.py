@@ -85,8 +85,6 @@ def replay(file: str, everything: bool) -> None:
 
 @dataclass(slots=True)
 class RecordedTraffic:
-    """Transcript with the initial state of the board."""
-
     rows: Sequence[TranscriptRow]
     settings: ConnectionSettings = field(default_factory=lambda: ConnectionSettings(""))
     signature: c.Signature | None = None

@@ -43,7 +43,6 @@ class ComparisonRow:
 
     @property
     def is_offered(self) -> bool:
-        """True if `after` has a different value or note."""
         return self.changed or self.adds_note
 
     @property

@@ -22,13 +22,11 @@ class Fate(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class ConvertedRow:
-    """Setting with both values in physical units."""
-
     key: str
     name: str
     fate: Fate
-    before: str
-    after: str  # empty if the setting was left out
+    before: str  # in physical units
+    after: str  # in physical units; empty if the setting was left out
     reason: str  # a sentence; empty if the setting was carried over
 
     def __str__(self) -> str:

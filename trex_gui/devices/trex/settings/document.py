@@ -47,7 +47,6 @@ class Settings:
         return {*self.parameters, *self.calibrations}
 
     def only(self, keys: Collection[str]) -> "Settings":
-        """Remove other parameters and calibrations."""
         return replace(
             self,
             parameters={key: wire for key, wire in self.parameters.items() if key in keys},

@@ -225,7 +225,6 @@ def _spelled_like(old: str, wire: int) -> str:
 
 
 def _change_entries(document: _Document, old: Settings, new: Settings) -> None:
-    """Change or remove each setting with its comment."""
     for key, entry in document.entries.items():
         calibration_key = CALIBRATION_KEYS.get(key)
         if key == "product":
@@ -263,7 +262,6 @@ def _change_notes(
 def _missing_lines(
     document: _Document, settings: Settings, notes: Mapping[str, str]
 ) -> Iterator[str]:
-    """Yield the missing settings, each below its note."""
     if settings.firmware is not None and "firmware" not in document.entries:
         yield f"firmware: {settings.firmware}"
     lines = [

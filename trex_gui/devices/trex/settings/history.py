@@ -62,9 +62,9 @@ class Snapshot:
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """Number of snapshots to keep: at least 1, or `None` for all.
+    """Number of snapshots to keep, at least 1. `None` for all.
 
-    If the setting cannot be read, `problem` is a sentence and no snapshot is removed.
+    If the file cannot be read, `problem` is a sentence and no snapshot is removed.
     """
 
     count: int | None = DEFAULT_LIMIT

@@ -104,8 +104,6 @@ def repair_values(data: bytes, name: str) -> tuple[str, tuple[str, ...]]:
 
 
 class _Fix(NamedTuple):
-    """Replacement of an invalid part of a text."""
-
     start: int
     end: int
     text: str
@@ -326,7 +324,6 @@ def _shown(node: Node) -> str:
 
 
 def _range(spec: ParameterSpec) -> str:
-    """Return the allowed wire values, and the range in physical units."""
     if spec.kind in {ParameterKind.CHOICE, ParameterKind.UART}:
         return spec.range_text()
     low, high = spec.text(spec.minimum), spec.text(spec.maximum)

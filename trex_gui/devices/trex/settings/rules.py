@@ -27,8 +27,6 @@ _SHORTEST_PULSE = 1250  # counts of 0.4 us. Ref: Pololu TReX User's Guide 4.c
 
 @dataclass(frozen=True, slots=True)
 class Context:
-    """Facts that rules need in addition to the settings."""
-
     drives_from_computer: bool = False  # whether the motors are driven over the serial line
     port_rates: Collection[int] | None = None  # baud rates of this computer's port; `None`: unknown
     used_by_line: LineSettings | None = None  # active, with the real baud rate; `None`: unknown
