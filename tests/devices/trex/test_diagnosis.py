@@ -167,7 +167,7 @@ def test_several_boards_that_reply_at_once_are_recognised() -> None:
     assert "Several boards reply at once" in str(diagnosed(stage, NONE))
 
 
-def test_probes_are_those_that_move_nothing() -> None:
+def test_no_probe_moves_a_motor() -> None:
     harmless = set(attempts(full=True))
     for detection, baud in product(Detection, baud_rates()):
         settings = ConnectionSettings("virtual", LineSettings(baud, detection))

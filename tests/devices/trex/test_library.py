@@ -76,7 +76,7 @@ def test_program_that_does_not_respond_is_stopped(
     ("control_line", "error"),
     [("fault 1 on", "Motor 1 fault"), ("power off", "stopped responding")],
 )
-def test_drive_ends_with_what_happened(
+def test_drive_ends_with_its_cause(
     virtual_time: VirtualRuntime,
     quick_simulator: SimulatedDevice,
     control_line: str,
@@ -129,7 +129,7 @@ def test_silent_board_is_not_driven_again(
     Program(virtual_time, run).end()
 
 
-def test_program_knows_why_motors_do_not_run_and_how_good_the_line_is(
+def test_library_reports_motor_state_and_line_quality(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:
     def run() -> None:
@@ -212,7 +212,7 @@ def test_nothing_is_done_outside_of_the_block(
     Program(virtual_time, run).end()
 
 
-def test_block_within_the_block_leaves_the_line_to_the_outer_one(
+def test_inner_block_does_not_close_the_line(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:
     board = Trex(quick_simulator.url)

@@ -77,7 +77,7 @@ def test_line_errors_during_the_command_are_a_reason_for_still_motors(
     assert not any(row["is_earlier"] for row in report["errors"])
 
 
-def test_status_gives_every_reason_why_the_motors_do_not_run(
+def test_status_shows_every_reason_for_stopped_motors(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     assert "  Nothing keeps them from following serial commands.\n" in trexcmd("status").stdout
@@ -252,7 +252,7 @@ def test_stop_brakes_running_motors(trexcmd: RunCommand, quick_simulator: Simula
     assert (motor["direction"], motor["speed"]) == ("brake", 127)
 
 
-def test_what_the_board_does_not_have_exits_with_1(
+def test_missing_parameter_exits_with_1(
     trexcmd: RunCommand, start_simulator: StartSimulator
 ) -> None:
     url = start_simulator("--firmware", "1.0").url

@@ -220,7 +220,7 @@ def test_restore_defaults_without_changes_still_prompts(
     ],
     ids=["model", "number", "another value"],
 )
-def test_board_that_replaced_the_one_in_the_snapshot_is_not_written_to(
+def test_replaced_board_is_not_written_to(
     trexcmd: RunCommand,
     quick_simulator: VirtualSimulator,
     start_simulator: StartSimulator,
@@ -278,7 +278,7 @@ def test_notes_of_a_file_are_kept_for_the_board(trexcmd: RunCommand, tmp_path: P
     assert trexcmd("export", "--as", "python", "-").stdout.count("# motor_mode: two motors") == 1
 
 
-def test_what_was_applied_last_is_compared_with_the_board(trexcmd: RunCommand) -> None:
+def test_last_applied_settings_are_compared_with_board(trexcmd: RunCommand) -> None:
     nothing = trexcmd("diff", "--last", exits=2)
     assert "Nothing was applied to this board from this computer yet." in nothing.stderr
     trexcmd("diff", exits=2)
@@ -298,7 +298,7 @@ def test_what_was_applied_last_is_compared_with_the_board(trexcmd: RunCommand) -
     assert "New: what was applied 20" in lost.stderr
 
 
-def test_force_lets_the_board_decide_and_remembers_what_it_stored(
+def test_force_stores_and_remembers_open_value(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     refused = trexcmd("set", "ignored_channels", "63", exits=2)

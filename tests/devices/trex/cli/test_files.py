@@ -257,7 +257,7 @@ def test_fix_writes_nothing_while_errors_are_left(trexcmd: RunCommand, tmp_path:
     assert not out.exists()
 
 
-def test_set_settings_checks_what_the_board_will_store(trexcmd: RunCommand, tmp_path: Path) -> None:
+def test_set_settings_checks_resulting_settings(trexcmd: RunCommand, tmp_path: Path) -> None:
     path = tmp_path / "faulty.txt"
     path.write_text(FAULTY, encoding="utf-8")
     trexcmd("set-settings", str(path), exits=1)
@@ -346,7 +346,7 @@ def test_comparison_that_is_cut_short_exits_with_2(
     assert run.wait() == 2
 
 
-def test_audit_checks_what_the_profile_gives(
+def test_audit_checks_settings_of_profile(
     trexcmd: RunCommand, tmp_path: Path, quick_simulator: SimulatedDevice
 ) -> None:
     profile = tmp_path / "profile.txt"

@@ -338,7 +338,7 @@ def test_guardian_works_without_standard_streams(quick_simulator: SimulatedDevic
     assert quick_simulator.show()["counters"]["uart_errors"] == errors
 
 
-def test_missing_guardian_is_reported_where_nothing_else_stops_the_motor(
+def test_missing_guardian_is_reported_without_timeout_stop(
     start: StartCommand, quick_simulator: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(GuardedTransport, "is_guarded", False)

@@ -62,7 +62,7 @@ def test_crc_is_seen_in_the_packets(
     trexcmd("replay", str(transcript))
 
 
-def test_device_number_is_that_of_packets_with_a_reply(
+def test_device_number_comes_from_packets_with_a_reply(
     trexcmd: RunCommand, start_simulator: StartSimulator, transcript: Path
 ) -> None:
     simulator = start_simulator("--device", "9")

@@ -191,7 +191,7 @@ def test_interrupted_survey_restores_the_board(
     assert not (tmp_path / "s").exists()
 
 
-def test_lost_cable_leaves_a_snapshot_and_the_next_start_says_what_differs(
+def test_next_start_reports_differences_after_a_lost_cable(
     start: StartCommand, trexcmd: RunCommand, quick_simulator: VirtualSimulator, tmp_path: Path
 ) -> None:
     command = begun(start, quick_simulator, tmp_path / "s")

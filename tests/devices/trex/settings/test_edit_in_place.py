@@ -97,7 +97,7 @@ def test_comment_on_its_own_line_is_left_alone() -> None:
     assert amended(before, serial_timeout=5) == before.replace(": 0", ": 5")
 
 
-def test_comment_keeps_its_column_if_there_is_room() -> None:
+def test_comment_retains_its_column_if_space_allows() -> None:
     before = (
         "product: TReX\ndevice_number: 7     # a\nserial_timeout: 100  # b\n"
         "motor1_acceleration: 5 # c\nmotor2_acceleration: 5   # d\n"
