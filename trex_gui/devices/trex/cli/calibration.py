@@ -103,7 +103,7 @@ def set_command(channel: int, **options: Any) -> None:
             state,
             replace(stored, calibrations={**stored.calibrations, key: wanted}),
             Context(port_rates=rates, used_by_line=link.line),
-            what=f"Calibration of channel {channel}",
+            name=f"Calibration of channel {channel}",
             command=f"trexcmd calibration set {channel}",
         )
         click.echo(_text(channel, wanted, source))

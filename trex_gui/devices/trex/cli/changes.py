@@ -71,9 +71,9 @@ def keeper_of(client: TrexClient, state: DeviceState) -> Keeper:
     return keeper
 
 
-def require_serial_mode(state: DeviceState, what: str) -> None:
+def require_serial_mode(state: DeviceState, name: str) -> None:
     if not state.mode.is_serial:
-        raise Rejected(what, ResultCode.NOT_SERIAL_MODE)
+        raise Rejected(name, ResultCode.NOT_SERIAL_MODE)
 
 
 def change_one(
@@ -82,20 +82,21 @@ def change_one(
     after: Settings,
     context: Context,
     *,
-    what: str,
+    name: str,
     command: str,
 ) -> None:
     """Store the setting of `after` that differs from the stored settings.
 
-    `what` names the setting for the user. `command` is the snapshot's reason. Before Rejected (the
-    board is not in serial mode) or SettingsError (no snapshot), nothing was written.
+    `name` is the name of the setting for the user. `command` is the snapshot's reason. Nothing is
+    written if the board is not in serial mode (Rejected) or the snapshot cannot be saved
+    (SettingsError).
     """
     before, link = settings_of(state), client.settings
     result = compare(before, after)
     if not result.changed:
-        say(f"{what} already has this value; nothing is written.")
+        say(f"{name} already has this value; nothing is written.")
         return
-    require_serial_mode(state, what)
+    require_serial_mode(state, name)
     warn(after, context)
     say_changes(result)
     parameters = after.parameters.items() - before.parameters.items()
@@ -128,8 +129,8 @@ def save_notes(client: TrexClient, state: DeviceState, notes: Mapping[str, str])
         return
     memory = keeper_of(client, state).memory
     saved = {} if memory.record is None else memory.record.settings.notes
-    if (wanted := {**saved, **notes}) != saved:
-        memory.set_notes(wanted)
+    if (merged := {**saved, **notes}) != saved:
+        memory.set_notes(merged)
         say(f"{counted(len(notes), 'note')} kept on this computer: a board stores none.")
 
 

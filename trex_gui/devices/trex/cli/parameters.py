@@ -74,7 +74,7 @@ def set_command(name: str, value: str, force: bool, **options: Any) -> None:
             state,
             replace(stored, parameters={**stored.parameters, spec.key: wire}),
             Context(port_rates=rates, used_by_line=link.line),
-            what=spec.name,
+            name=spec.name,
             command=f"trexcmd set {spec.key}",
         )
         click.echo(f"{wire}\t{spec.text(wire)}")

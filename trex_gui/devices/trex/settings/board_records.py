@@ -24,7 +24,7 @@ from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity, replace_file, settings_of_board
 from trex_gui.devices.trex.settings.writer import write_settings
 
-_TITLE = "What this computer keeps of a board: the settings that were applied last"
+_TITLE = "Settings that this computer applied last to a board"
 _HEAD = re.compile(
     r"^# (parameters|rc calibrations|analog calibrations): (applied|read) (\S+)$", re.MULTILINE
 )
