@@ -17,13 +17,12 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 INVALID_RAW = 0xFFFF  # reply to 0x86 for a channel without a valid pulse
 CALIBRATION_FIELDS = ("minimum", "neutral", "maximum", "deadband")
 FULL_SCALE = 127
-NEARLY_NEUTRAL = 8
-"""Greatest output that ends safe-start. Inferred: the guide only says "near neutral"."""
-HIGHEST_CODED = 0x3FFF
+NEARLY_NEUTRAL = 8  # greatest output that ends safe-start; inferred from "near neutral"
+HIGHEST_CODED = 0x3FFF  # 14 bits
 
 
 class CalibrationKey(StrEnum):
-    """An input source and a channel, as settings files spell them."""
+    """Key of a calibration in settings files."""
 
     RC_CHANNEL_1 = "rc_channel_1"
     RC_CHANNEL_2 = "rc_channel_2"
@@ -55,12 +54,11 @@ class CalibrationKey(StrEnum):
 
 
 CALIBRATION_KEYS: Mapping[str, CalibrationKey] = {str(key): key for key in CalibrationKey}
-"""All keys by their text."""
 
 
 @dataclass(frozen=True, slots=True)
 class Calibration:
-    """Meaning of a channel's raw counts. The board stores it separately for pulses and voltages.
+    """Limits of a channel's raw counts, for one input source.
 
     A count is 0.4 us (RC) or 4.89 mV (analog). The board accepts a calibration only if
     minimum <= neutral <= maximum and minimum < maximum.
@@ -72,9 +70,9 @@ class Calibration:
     deadband: int
 
     def problem(self, text: Callable[[int], str] = str) -> str | None:
-        """Return the reason why the board would reject the values. `None` if it accepts them.
+        """Return why the board would reject the values, or `None`.
 
-        `text` returns a count as it is shown.
+        `text` formats a count.
         """
         for name in self.__slots__:
             if not 0 <= (value := getattr(self, name)) <= HIGHEST_CODED:
@@ -93,7 +91,7 @@ class Calibration:
         return None
 
     def encode(self) -> bytes:
-        """Return the eight data bytes of 0xA0-0xA4. BadRequest if the board would reject them."""
+        """Return the eight data bytes of 0xA0-0xA4. BadRequest for invalid values."""
         if problem := self.problem():
             raise BadRequest(tr("calibration: {0}").format(problem))
         return b"".join(map(encode_14_bits, astuple(self)))
@@ -105,9 +103,10 @@ class Calibration:
 
 
 def read_count(text: str) -> tuple[int, InputSource | None]:
-    """Return the count in `text` (3750, 1500us, 2.5 V) and its unit's input source.
+    """Parse a count such as `3750`, `1500us` or `2.5 V`.
 
-    Counts are integers. Voltages have no thousands separators.
+    Return the count and the input source of its unit. Counts are integers. Voltages have no
+    thousands separators.
 
     Raises:
         AmbiguousNumber: the separator may be a thousands separator.
@@ -149,11 +148,11 @@ def remap(
     reversed_: bool = False,
     ignored: bool = False,
 ) -> int:
-    """Return the output for a raw count: -127 to 127, before mixing and flip.
+    """Return the output, -127 to 127, before mixing and flip.
 
-    `None` and 0xFFFF (no valid signal; inferred) and an ignored channel give 0. The output is full
-    at minimum and maximum, and 0 within `deadband` counts of neutral. In between it grows with the
-    fraction of the travel, or with the fraction's square (parabolic), rounded down.
+    An ignored channel gives 0. So do `None` and 0xFFFF, which mean no valid signal (inferred).
+    The output is 0 within `deadband` counts of neutral and full at minimum and maximum. In between,
+    it grows with the distance, or with its square (parabolic), and is rounded down.
     """
     if raw is None or raw == INVALID_RAW or ignored:
         return 0
@@ -165,10 +164,10 @@ def remap(
         magnitude = FULL_SCALE
     else:
         end = calibration.maximum if offset > 0 else calibration.minimum
-        way = abs(end - calibration.neutral) - calibration.deadband
-        done = distance - calibration.deadband
+        travel = abs(end - calibration.neutral) - calibration.deadband
+        position = distance - calibration.deadband
         if parabolic:
-            magnitude = FULL_SCALE * done * done // (way * way)
+            magnitude = FULL_SCALE * position * position // (travel * travel)
         else:
-            magnitude = FULL_SCALE * done // way
+            magnitude = FULL_SCALE * position // travel
     return -magnitude if (offset < 0) != reversed_ else magnitude

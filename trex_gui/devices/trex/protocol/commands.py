@@ -1,8 +1,6 @@
-"""All TReX commands, with their data and the meaning of their replies.
+"""TReX commands and their replies.
 
-A command is an immutable value that knows its packet and parses its reply, so that the type of a
-reply follows from the command. Opcodes are from the compact protocol (0x81-0xFF). framing.py turns
-commands into bytes on the wire.
+Opcodes are bytes of the compact protocol (0x81-0xFF). framing.py encodes complete packets.
 
 Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 5.b, 5.c.
 """
@@ -35,33 +33,32 @@ ReplyT_co = TypeVar("ReplyT_co", covariant=True)
 
 
 class Command(ABC, Generic[ReplyT_co]):
-    """A command. Subclasses are frozen dataclasses."""
+    """Command to a board. Subclasses are frozen dataclasses."""
 
     __slots__ = ()
 
-    opcodes: ClassVar[Sequence[int]]  # every command byte that this class covers
+    opcodes: ClassVar[Sequence[int]]  # all command bytes of this class
     data_size: ClassVar[int] = 0  # data bytes after the command byte, without the CRC byte
-    fixed_reply: ClassVar[int] = 0  # bytes of the reply if every reply has the same size
-    moves: ClassVar[bool] = False  # whether the command may start or stop a motor
-    # Longest time until the board replies, without the time on the wire
-    seconds_to_answer: ClassVar[float] = 0.0
-    has_crc: ClassVar[bool] = True  # whether its packet carries a CRC byte when CRC is enabled
+    fixed_reply: ClassVar[int] = 0  # size of the reply in bytes, if it is constant
+    moves: ClassVar[bool] = False  # True if the command may start or stop a motor
+    seconds_to_answer: ClassVar[float] = 0.0  # longest delay of the reply, without transmission
+    has_crc: ClassVar[bool] = True  # True if the packet carries a CRC while CRC is enabled
 
     @property
     def opcode(self) -> int:
         return self.opcodes[0]
 
     def data(self) -> bytes:
-        """Return the data bytes. BadRequest names a value outside its limits, and the limits."""
+        """Return the data bytes. BadRequest for a value outside its limits."""
         return b""
 
     @classmethod
     def from_packet(cls, _opcode: int, _data: bytes, /) -> Self:
-        """Decode a command from its packet. BadRequest if the data does not fit the command."""
+        """Decode a command. BadRequest if the data does not fit."""
         return cls()
 
     def reply_size(self, _head: bytes = b"", /) -> int:
-        """Return the length of a reply in bytes, judging by its first bytes. 0: no reply."""
+        """Return the reply size in bytes for a reply with these first bytes. 0: no reply."""
         return self.fixed_reply
 
     @abstractmethod
@@ -77,7 +74,7 @@ def _motor_index(motor: int) -> int:
 
 @dataclass(frozen=True, slots=True)
 class _ChannelCommand(Command[ReplyT_co]):
-    """A command whose opcode selects a channel, 1-5."""
+    """Command whose opcode selects a channel, 1-5."""
 
     channel: int
 
@@ -107,7 +104,6 @@ class GetSignature(Command[Signature]):
     opcodes = (0x81,)
 
     def reply_size(self, head: bytes = b"", /) -> int:
-        """Return 7, or 9 once the two bytes after `TReX` identify a TReX Jr."""
         models = device_table().models
         known = (model.signature_size for model in models if head.startswith(model.signature))
         return max(known, default=min(model.signature_size for model in models))
@@ -138,7 +134,7 @@ class GetMode(Command[Mode]):
 
 @dataclass(frozen=True, slots=True)
 class GetSerialControl(Command[bool]):
-    """0x83: whether serial commands reach the motors (serial mode, or override by channel 5)."""
+    """0x83: True if serial commands control the motors (serial mode, or channel 5)."""
 
     opcodes = (0x83,)
     fixed_reply = 1
@@ -157,7 +153,7 @@ class GetStatus(Command[Status]):
     fixed_reply = 1
 
     def parse(self, reply: bytes) -> Status:
-        if reply[0] == self.opcode:  # an echo: no board sets this bit, and it would confirm a stop
+        if reply[0] == self.opcode:  # an echo, which would confirm a stop
             raise BadReply(tr("the request came back instead of a status"))
         return Status(reply[0])
 
@@ -175,7 +171,7 @@ class GetUartErrors(Command[UartError]):
 
 @dataclass(frozen=True, slots=True)
 class _ChannelQuery(Command[ReplyT_co]):
-    """A command whose data byte is a mask of channels. Bit n is channel n+1."""
+    """Command with a mask of channels. Bit n is channel n+1."""
 
     data_size = 1
     reply_of_channel: ClassVar[int] = 1  # bytes
@@ -197,7 +193,7 @@ class _ChannelQuery(Command[ReplyT_co]):
 
     @property
     def channels(self) -> tuple[int, ...]:
-        """The requested channels, lowest first: the order of the reply."""
+        """The requested channels, in the order of the reply."""
         return channels_in(self.mask)
 
     def reply_size(self, _head: bytes = b"", /) -> int:
@@ -206,7 +202,7 @@ class _ChannelQuery(Command[ReplyT_co]):
 
 @dataclass(frozen=True, slots=True)
 class GetRawChannels(_ChannelQuery[Mapping[int, int | None]]):
-    """0x86: raw counts by requested channel. `None` for a channel without a valid pulse."""
+    """0x86: raw counts by channel. `None` without a valid pulse."""
 
     opcodes = (0x86,)
     reply_of_channel = 2
@@ -221,7 +217,7 @@ class GetRawChannels(_ChannelQuery[Mapping[int, int | None]]):
 
 @dataclass(frozen=True, slots=True)
 class GetRemappedChannels(_ChannelQuery[Mapping[int, int]]):
-    """0x87: remapped input of each requested channel, -127 to 127."""
+    """0x87: remapped inputs by channel, -127 to 127."""
 
     opcodes = (0x87,)
 
@@ -323,7 +319,7 @@ FORMAT_BYTES = b"\x55\x2a"  # end of every write, so that noise cannot imitate a
 
 
 def _result(reply: bytes) -> ResultCode:
-    """Parse the reply to a write, which arrives once the board has stored the value."""
+    """Parse the reply to a write. The board sends it after storing the value."""
     try:
         return ResultCode(reply[0])
     except ValueError:
@@ -387,7 +383,7 @@ class SetParameter(Command[ResultCode]):
 
 
 class _MotorCommand(Command[None]):
-    """A motor command, 0xC0 to 0xF1. Only later reports of the board can confirm it."""
+    """Motor command, 0xC0 to 0xF1. Only later reports can confirm it."""
 
     __slots__ = ()
 
@@ -474,15 +470,15 @@ class DriveAuxiliary(_MotorCommand):
 
 
 STOP: tuple[Command[None], ...] = (DriveBoth(Drive.brake(), Drive.brake()), DriveAuxiliary(0))
-"""Commands that stop everything: full brake on both motors, auxiliary motor off.
+"""Full brake on both motors, auxiliary motor off.
 
-They are set commands, so neither acceleration nor a reversal delays them.
+These are set commands: no acceleration or reversal delays them.
 """
 
 
 @dataclass(frozen=True, slots=True)
 class Null(Command[None]):
-    """0xFF: does nothing. Only an echo shows that it was transmitted."""
+    """0xFF: no operation. Only an echo confirms it."""
 
     opcodes = (0xFF,)
     has_crc = False  # inferred
@@ -511,7 +507,6 @@ _CLASSES: tuple[type[Command[object]], ...] = (
     DriveAuxiliary,
     Null,
 )
-COMMANDS: Mapping[int, type[Command[object]]] = {
+COMMANDS: Mapping[int, type[Command[object]]] = {  # by command byte
     opcode: cls for cls in _CLASSES for opcode in cls.opcodes
 }
-"""Class of the command, by each command byte that a TReX knows."""

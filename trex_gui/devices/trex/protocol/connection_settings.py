@@ -1,4 +1,4 @@
-"""Settings to reach one board: port, line, and framing of packets."""
+"""Settings of a connection: port, line and framing."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
@@ -12,30 +12,28 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 
 def numbers_in(text: str) -> frozenset[int]:
-    """Return the device numbers in a list such as `0,1`. ValueError for any other text."""
+    """Parse device numbers such as `0,1`. ValueError for any other text."""
     words = text.replace(",", " ").split()
     return frozenset(seven_bits(int(word), tr("device number")) for word in words)
 
 
 @dataclass(frozen=True, slots=True)
 class ConnectionSettings(PortSettings):
-    """A port and the addressing of a board on it.
+    """Port, line and address of a board.
 
-    `device_number` is 0-127 for the Pololu protocol, `None` for the compact protocol. `reserved`
-    are the numbers of other devices on the line. If there are any, no packet is compact or goes to
-    these devices, and nothing is sent at another baud rate. `group` are the numbers of the boards
-    that are driven together, beginning with `device_number`; empty for a single board.
+    With `reserved` numbers, no packet is compact or goes to these numbers, and nothing is sent at
+    another baud rate.
     """
 
     line: LineSettings = field(default_factory=LineSettings)
-    device_number: int | None = None
+    device_number: int | None = None  # 0-127; `None` for the compact protocol
     polynomial: int = DEFAULT_POLYNOMIAL
-    reserved: frozenset[int] = frozenset()
-    group: tuple[int, ...] = ()
+    reserved: frozenset[int] = frozenset()  # numbers of other devices on the line
+    group: tuple[int, ...] = ()  # boards driven together, `device_number` first; empty for one
 
     @classmethod
     def on(cls, port: PortSettings) -> "ConnectionSettings":
-        """Return default board settings for a port. `ConnectionSettings` are returned unchanged."""
+        """Add default board settings to a port that has none."""
         if isinstance(port, ConnectionSettings):
             return port
         return cls(port.url, name=port.name, timeouts=port.timeouts)
@@ -48,7 +46,10 @@ class ConnectionSettings(PortSettings):
         return f"{reach} {self.polynomial:02X}{shared}"
 
     def unpacked(self, text: str) -> "ConnectionSettings":
-        """Return settings from a `packed` text, or BadRequest. `reserved` stays if not in it."""
+        """Parse a `packed` text. BadRequest if it is invalid.
+
+        A text without reserved numbers does not change `reserved`.
+        """
         try:
             reach, is_shared, reserved = text.partition(SHARED)
             baud, detection, stop_bits, number, polynomial = reach.split(" ")
@@ -67,14 +68,21 @@ class ConnectionSettings(PortSettings):
         return settings
 
     def at(self, line: SerialFormat) -> PortSettings:
-        """Return the settings with another line, without addressing if no board can use it."""
+        """Return the settings with another serial format.
+
+        A format that no board has gives plain `PortSettings`.
+        """
         if isinstance(line, LineSettings):
             return replace(self, line=line)
         return PortSettings(self.url, line, name=self.name, timeouts=self.timeouts)
 
     def with_group(self, numbers: Iterable[int]) -> "ConnectionSettings":
-        """Return settings to drive these boards together. BadRequest for wrong numbers."""
-        group = tuple(seven_bits(one, tr("device number")) for one in numbers)
+        """Return settings that drive these boards together.
+
+        Raises:
+            BadRequest: there are fewer than two numbers, or one is repeated or reserved.
+        """
+        group = tuple(seven_bits(number, tr("device number")) for number in numbers)
         if len(set(group)) < 2 or len(set(group)) < len(group) or self.reserved & set(group):
             raise BadRequest(tr("Boards that are driven together need numbers of their own."))
         return replace(self, device_number=group[0], group=group)

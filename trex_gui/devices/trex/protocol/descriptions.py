@@ -59,25 +59,23 @@ MODE_TEXT = {
     Mode.SERIAL_ANALOG: tr_noop("Serial mode, with inputs read as voltages."),
 }
 
-CHANNEL_ROLES = {
+CHANNEL_ROLES = {  # in RC and analog mode; in serial mode, channels are only measured
     1: tr_noop("motor 1 (mixed: turn)"),
     2: tr_noop("motor 2 (mixed: forward)"),
     3: tr_noop("auxiliary motor"),
     4: tr_noop("flip switch"),
     5: tr_noop("serial override switch"),
 }
-"""Function of each channel in RC and analog mode. In serial mode channels are only measured."""
 
 BEYOND_A_STOP = tr_noop(
     "The stop was sent, but the channels control the motors: it takes effect "
     "only when channel 5 gives control to serial commands. Release the "
     "sticks, or cut the power."
 )
-"""A stop is a serial command, and does not stop motors that the channels control."""
 
 
 def describe(command: c.Command[Any], board: c.Signature | None = None) -> str:
-    """Return a command in words. The units are of `board`, by default the newest TReX."""
+    """Return a command in words, in the units of `board` (default: the newest TReX)."""
     if (text := _QUERIES.get(type(command))) is not None:
         return tr(text)
     match command:
@@ -112,7 +110,7 @@ def describe(command: c.Command[Any], board: c.Signature | None = None) -> str:
 
 
 def describe_reply(command: c.Command[Any], value: Any, board: c.Signature | None = None) -> str:
-    """Return the result of a command's `parse` in words. Empty for a command without a reply."""
+    """Return a parsed reply in words. Empty for a command without a reply."""
     match command, value:
         case _, c.Signature():
             return str(value)
@@ -128,7 +126,7 @@ def describe_reply(command: c.Command[Any], value: Any, board: c.Signature | Non
             return tr("yes") if value else tr("no")
         case ((c.GetRawChannels() | c.GetRemappedChannels()), _):
             none = tr("no signal")
-            return ", ".join(f"{n}: {none if one is None else one}" for n, one in value.items())
+            return ", ".join(f"{n}: {none if raw is None else raw}" for n, raw in value.items())
         case c.GetCurrent(motor=motor), _:
             return _current(motor, value, board)
         case c.GetCurrents(), _:

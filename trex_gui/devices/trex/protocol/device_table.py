@@ -1,7 +1,6 @@
 """Boards, clocks and rates in the device table.
 
 `resources/trex_parameters.toml` is the only source of these facts and marks inferred facts.
-`parameters.py` reads its parameter entries.
 """
 
 import tomllib
@@ -26,12 +25,15 @@ class Model:
     current_unit: float
     firmware: tuple[str, ...]
     highest_pwm: int | None
-    guide: str  # the address of its user's guide
+    guide: str  # URL of the user's guide
 
 
 @dataclass(frozen=True, slots=True)
 class PwmClock:
-    """PWM frequency from prescaler and maximum. Inferred, fits both sourced frequencies."""
+    """PWM frequency by prescaler and maximum.
+
+    Inferred. The formula gives both documented frequencies.
+    """
 
     clock: int
     divisors: tuple[int, ...]
@@ -39,11 +41,11 @@ class PwmClock:
     offset: int
 
     def maximum(self, wire: int) -> int:
-        """Return the timer's top value for the wire value of a PWM maximum parameter."""
+        """Return the timer's top value for a wire value."""
         return self.scale * wire + self.offset
 
     def frequency(self, prescaler: int, maximum_wire: int) -> float:
-        """Return the frequency in Hz for two wire values. BadRequest for an unknown prescaler."""
+        """Return the frequency in Hz. BadRequest for an unknown prescaler."""
         if not 0 <= prescaler < len(self.divisors):
             raise BadRequest(
                 tr("PWM prescaler is 0 to {0}, not {1}").format(len(self.divisors) - 1, prescaler)
@@ -51,10 +53,9 @@ class PwmClock:
         return self.clock / (self.divisors[prescaler] * (self.maximum(maximum_wire) + 1))
 
     def choices(self, highest: float) -> tuple[tuple[int, int], ...]:
-        """Return (prescaler, maximum) of each frequency up to `highest` Hz, lowest first.
+        """Return (prescaler, maximum) pairs up to `highest` Hz, lowest frequency first.
 
-        If several pairs give a frequency, the pair with the greatest maximum is returned, because
-        its speed steps are finest.
+        For each frequency, the pair has the greatest maximum: its speed steps are finest.
         """
         pairs = [
             (prescaler, top)
@@ -71,14 +72,12 @@ class PwmClock:
 
 @dataclass(frozen=True, slots=True)
 class DeviceTable:
-    """The complete table. `rows` are its unparsed parameter entries."""
-
     models: tuple[Model, ...]
     baud_rates: tuple[int, ...]
     half_rates: tuple[int, ...]
     half_rate_fixed_in: str
     pwm: PwmClock
-    rows: tuple[dict[str, Any], ...]
+    rows: tuple[dict[str, Any], ...]  # parameter entries, which parameters.py parses
 
     def model(self, key: str) -> Model:
         for model in self.models:
@@ -90,7 +89,6 @@ class DeviceTable:
 
 @cache
 def device_table() -> DeviceTable:
-    """Return the table that is shipped with the program. It is read only once."""
     data = tomllib.loads(resource("trex_parameters.toml").read_text(encoding="utf-8"))
     models = tuple(
         Model(
@@ -125,5 +123,5 @@ def device_table() -> DeviceTable:
 
 @cache
 def version_key(version: str) -> tuple[int, ...]:
-    """Return a key that orders firmware versions: `1.10` comes after `1.9`."""
+    """Return a sort key for a firmware version: `1.10` comes after `1.9`."""
     return tuple(int(part) if part.isdigit() else 0 for part in version.split("."))

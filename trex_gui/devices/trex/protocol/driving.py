@@ -24,14 +24,18 @@ class Direction(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Drive:
-    """Setpoint of one motor: a direction and a speed or braking duty of 0-127."""
+    """Setpoint of one motor."""
 
     direction: Direction
-    speed: int
+    speed: int  # or braking duty, 0-127
 
     @classmethod
     def at(cls, speed: int) -> "Drive":
-        """Return the drive for a speed, -127 to 127, else raise BadRequest. 0 is forward."""
+        """Return the setpoint for a speed. 0 is forward.
+
+        Raises:
+            BadRequest: the speed is not -127 to 127.
+        """
         if not -FULL_SCALE <= speed <= FULL_SCALE:
             raise BadRequest(tr("a motor's speed is -127 to 127, not {0}").format(speed))
         return cls(Direction.REVERSE if speed < 0 else Direction.FORWARD, abs(speed))
@@ -43,7 +47,7 @@ class Drive:
 
     @property
     def signed(self) -> int:
-        """The speed, negative in reverse. Braking is 0."""
+        """Speed, negative in reverse, and 0 while braking."""
         if self.is_brake:
             return 0
         return -self.speed if self.direction is Direction.REVERSE else self.speed

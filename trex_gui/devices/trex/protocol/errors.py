@@ -1,4 +1,4 @@
-"""Errors of a connection to a board: codes, fields and sentences."""
+"""Error codes and messages of a connection to a board."""
 
 from enum import Enum, IntEnum, unique
 
@@ -18,7 +18,7 @@ class ResultCode(IntEnum):
 
 @unique
 class ErrorCode(Enum):
-    """Kinds of errors. The value is a sentence with placeholders for the fields."""
+    """Code of an error. The value is its message, with placeholders."""
 
     # Connecting
     NO_BOARD = tr_noop(
@@ -175,19 +175,17 @@ class TrexRequestError(TrexError, BadRequest):
 
 
 class TrexNoReplyError(TrexError, NoReply):
-    """The board does not respond, or does not confirm."""
+    """The board does not respond or confirm."""
 
 
 class BoardElsewhere(TrexNoReplyError):  # noqa: N818 - nothing went wrong with the board
-    """A board responds, but not with the settings of the connection.
-
-    `settings`, the last field, are the `ConnectionSettings` that reach the board.
-    """
+    """A board responds, but with other settings than the connection's."""
 
     @property
     def settings(self) -> PortSettings:
+        """The `ConnectionSettings` that reach the board: the last field."""
         settings = self.fields[-1]
-        assert isinstance(settings, PortSettings)  # noqa: S101 - made so
+        assert isinstance(settings, PortSettings)  # noqa: S101 - by construction
         return settings
 
 
@@ -196,7 +194,7 @@ class TrexBadReplyError(TrexError, BadReply):
 
 
 class TrexInternalError(TrexError, InternalError):
-    """The session failed. The only field describes its error."""
+    """The session failed. The field describes the error."""
 
 
 class OtherBoard(TrexError):  # noqa: N818 - nothing went wrong with the line
@@ -204,11 +202,11 @@ class OtherBoard(TrexError):  # noqa: N818 - nothing went wrong with the line
 
 
 class Skipped(TrexError):  # noqa: N818 - nothing went wrong
-    """The write was cancelled before this setting was written. It is unchanged."""
+    """The write was cancelled before this setting, which is unchanged."""
 
 
 class Rejected(TrexError):  # noqa: N818 - reads as a result, like `Outcome`
-    """The board understood a write and rejected it. `what` names the written setting."""
+    """The board rejected a write. `what` names the setting."""
 
     def __init__(self, what: str, result: ResultCode) -> None:
         super().__init__(ErrorCode[result.name], what)
@@ -216,7 +214,7 @@ class Rejected(TrexError):  # noqa: N818 - reads as a result, like `Outcome`
 
 
 def is_unsteady(error: BaseException) -> bool:
-    """True if repeated readings of a stored value differed each time."""
+    """True if a stored value was different at each reading."""
     return isinstance(error, TrexError) and error.code is ErrorCode.READINGS_DIFFER
 
 
@@ -230,6 +228,6 @@ def needs_a_look(error: BaseException) -> bool:
 
 
 def suggests_scan(error: BaseException) -> bool:
-    """True if a scan may find the board, with other serial settings."""
+    """True if a scan may find the board."""
     is_shared = isinstance(error, TrexError) and error.code is ErrorCode.SEVERAL_BOARDS
     return is_shared or needs_a_look(error)

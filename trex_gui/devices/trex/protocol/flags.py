@@ -15,7 +15,7 @@ ALL_CHANNELS = 0x1F
 
 
 class Status(IntFlag):
-    """The status byte (0x84). Latched: reading it clears it."""
+    """Status byte (0x84). Reading clears it."""
 
     UART_ERROR = 1 << 0
     MOTOR1_FAULT = 1 << 4
@@ -25,7 +25,7 @@ class Status(IntFlag):
 
 
 class UartError(IntFlag):
-    """The UART error byte (0x85). Latched: reading it clears it."""
+    """UART error byte (0x85). Reading clears it."""
 
     SEND_OVERRUN = 1 << 0
     READ_OVERRUN = 1 << 1
@@ -42,9 +42,9 @@ OVER_LIMITS = {1: Status.MOTOR1_OVER_LIMIT, 2: Status.MOTOR2_OVER_LIMIT}
 
 
 def stops_motors(bits: Status | UartError, *, errors_stop: bool = False) -> bool:
-    """True if the board stops motors while one of these bits is reported.
+    """True if any of these bits stops motors.
 
-    `errors_stop`: whether UART-Error Shutdown (parameter 0x08) is set on the board.
+    `errors_stop` is the board's UART-Error Shutdown (parameter 0x08).
     """
     if isinstance(bits, UartError):
         return bool(bits & UartError.TIMEOUT or (bits and errors_stop))
@@ -52,7 +52,7 @@ def stops_motors(bits: Status | UartError, *, errors_stop: bool = False) -> bool
     return bool(bits & (fatal | Status.UART_ERROR if errors_stop else fatal))
 
 
-STATUS_MEANING: dict[Status, tuple[str, str]] = {
+STATUS_MEANING: dict[Status, tuple[str, str]] = {  # name and explanation, highest bit first
     Status.MOTOR2_OVER_LIMIT: (
         tr_noop("Motor 2 over current limit"),
         tr_noop("The current of motor 2 passed its limit and the limiter lowered its speed."),
@@ -74,9 +74,8 @@ STATUS_MEANING: dict[Status, tuple[str, str]] = {
         tr_noop("A serial error occurred; the UART error bits show which."),
     ),
 }
-"""Name and explanation of each status bit, highest bit first."""
 
-UART_MEANING: dict[UartError, tuple[str, str]] = {
+UART_MEANING: dict[UartError, tuple[str, str]] = {  # name and explanation, highest bit first
     UartError.TIMEOUT: (
         tr_noop("Serial timeout"),
         tr_noop(
@@ -116,7 +115,6 @@ UART_MEANING: dict[UartError, tuple[str, str]] = {
         tr_noop("A reply was longer than the send buffer."),
     ),
 }
-"""Name and explanation of each UART error bit, highest bit first."""
 
 
 def bit_names(bits: Status | UartError) -> list[str]:
@@ -126,7 +124,7 @@ def bit_names(bits: Status | UartError) -> list[str]:
 
 
 class InputSource(Enum):
-    """Kind of the channel inputs, with the physical value of a raw count.
+    """Kind of the channel inputs, with the units of raw counts.
 
     Ref: Pololu TReX User's Guide 4.b: 0.4 us for RC pulses, 4.89 mV (5 V / 1023) for voltages.
     """
@@ -136,7 +134,7 @@ class InputSource(Enum):
 
     @property
     def word(self) -> str:
-        """`RC` or `analog`, in the language of the window."""
+        """`RC` or `analog`, in the user's language."""
         return self.value if self is InputSource.RC else tr("analog")
 
     @property
@@ -175,7 +173,7 @@ class InputSource(Enum):
 
 
 class Mode(Enum):
-    """The mode that the mode jumper set at power-up. The values are replies to 0x82."""
+    """Mode set by the mode jumper at power-up. The values are replies to 0x82."""
 
     RC = "R"
     ANALOG = "A"
@@ -189,7 +187,7 @@ class Mode(Enum):
 
     @property
     def source(self) -> InputSource:
-        rc = self is Mode.RC or self is Mode.SERIAL_RC  # a set would hash: slow in the simulator
+        rc = self is Mode.RC or self is Mode.SERIAL_RC  # no set: hashing slows the simulator
         return InputSource.RC if rc else InputSource.ANALOG
 
 
@@ -210,7 +208,7 @@ def channel_mask(channels: Iterable[int]) -> int:
 
 
 def seven_bits(value: int, what: str) -> int:
-    """Return `value` if it fits a data byte (0-127). Else raise BadRequest naming `what`."""
+    """Return `value`, or raise BadRequest naming `what` if it exceeds 0-127."""
     if not 0 <= value <= 0x7F:
         raise BadRequest(tr("{0} is 0 to 127, not {1}").format(what, value))
     return value

@@ -1,6 +1,6 @@
 """Baud rate, error detection and stop bits of the line (parameter 0x7E).
 
-Ref: Pololu TReX User's Guide 5.a, 5.e; the bit fields partly inferred, see the parameter table.
+Ref: Pololu TReX User's Guide 5.a, 5.e. Some bit fields are inferred, see the parameter table.
 """
 
 from dataclasses import dataclass, field
@@ -46,7 +46,7 @@ class LineSettings(SerialFormat):
     def __init__(
         self, baud: int = 19200, detection: Detection = Detection.NONE, stop_bits: int = 1
     ) -> None:
-        """Derive the parity from `detection`, so that `dataclasses.replace` keeps both in step."""
+        """Derive the parity from `detection`, as `dataclasses.replace` requires."""
         SerialFormat.__init__(self, baud, _PARITIES.get(detection, Parity.NONE), stop_bits)
         object.__setattr__(self, "detection", detection)
 
@@ -72,9 +72,9 @@ class LineSettings(SerialFormat):
         return baud_rates().index(self.baud) | self.detection | stop
 
     def real_baud(self, firmware: str) -> int:
-        """Return the rate in bit/s at which the board really runs with this setting.
+        """Return the actual rate of the board in bit/s.
 
-        With firmware before 1.2, two of the rates are halved (forum thread 1491).
+        Firmware before 1.2 halves two of the rates (forum thread 1491).
         """
         table = device_table()
         is_old = version_key(firmware) < version_key(table.half_rate_fixed_in)
@@ -86,5 +86,5 @@ class LineSettings(SerialFormat):
 
     @property
     def detection_text(self) -> str:
-        """Name of the error detection: `CRC-7`, `even parity`. Empty without error detection."""
+        """Error detection in words, such as `even parity`, or an empty text."""
         return "CRC-7" if self.has_crc else super(LineSettings, self).detection_text

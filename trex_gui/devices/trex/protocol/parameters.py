@@ -1,6 +1,6 @@
-"""The configuration parameters, read from the table that describes them.
+"""Configuration parameters, read from the device table.
 
-The wire value (0-127) is authoritative. Only this module converts it to text in physical units.
+Only this module converts wire values (0-127) to text in physical units.
 """
 
 import difflib
@@ -43,7 +43,7 @@ class ParameterKey(StrEnum):
 
 
 class MotorParameter(StrEnum):
-    """A parameter that each motor has. The value follows `motor1_` or `motor2_` in the key."""
+    """Parameter of each motor: the part of its key after `motor1_` or `motor2_`."""
 
     ACCELERATION = "acceleration"
     BRAKE_DURATION = "brake_duration"
@@ -73,7 +73,7 @@ def motor_name(key: str) -> str:
 
 
 def pwm_keys(key: str) -> tuple[str, ...]:
-    """Return the motor's prescaler and maximum keys for either of them, else only `key`."""
+    """Return the motor's prescaler and maximum keys if `key` is either, else only `key`."""
     for part in (MotorParameter.PWM_PRESCALER, MotorParameter.PWM_MAXIMUM):
         if key.endswith(part) and motor_name(key):
             motor = key.removesuffix(part)
@@ -85,7 +85,7 @@ FULL_SPEED_S = 12.7  # seconds to full speed (127) at one speed step in 100 ms
 
 
 def acceleration_wire(seconds: float) -> int:
-    """Return the wire value with the nearest time to full speed. 0 if `seconds` is not positive."""
+    """Return the wire value with the nearest time to full speed. 0 means no ramp."""
     if seconds <= 0:
         return 0
     longer = max(1, min(int(FULL_SPEED_S / seconds), HIGHEST_WIRE - 1))
@@ -94,7 +94,7 @@ def acceleration_wire(seconds: float) -> int:
 
 @cached_text
 def ramp_seconds(wire: int) -> str:
-    """Return the seconds to full speed. The decimals suffice to identify the wire value."""
+    """Return the seconds to full speed, with enough decimals to identify the wire value."""
     texts = (f"{FULL_SPEED_S / wire:.{decimals}f}" for decimals in range(1, 5))
     return with_decimal_point(
         next(text for text in texts if acceleration_wire(float(text)) == wire)
@@ -115,7 +115,7 @@ class Grade(IntEnum):
 
     @property
     def mark(self) -> str:
-        """Suffix for a fact in a sentence, such as ` (twin)`. Empty if the fact is sourced."""
+        """Suffix for a sentence, such as ` (twin)`. Empty for a sourced fact."""
         return f" {tr(_MARKS[self])}" if self in _MARKS else ""
 
 
@@ -135,23 +135,22 @@ class ParameterKind(StrEnum):
     RESET = "reset"
 
 
-# With line settings that no source documents, a board could become unreachable.
+# Undocumented line settings could make a board unreachable.
 _NEVER_OPEN = {ParameterKind.UART, ParameterKind.POLYNOMIAL, ParameterKind.RESET}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ParameterSpec:
-    """One entry of the parameter table for one model. No layer repeats its facts.
+    """Entry of the parameter table for one model.
 
-    `minimum`, `maximum` and `default` are wire values; physical value = wire * `scale` in
-    `unit`. `short_name` does not name the motor. `grades` is the evidence for fields of the
-    table; `doubt` is a sentence with arguments against an inferred default.
+    `minimum`, `maximum` and `default` are wire values. The physical value is the wire value times
+    `scale`, in `unit`.
     """
 
     number: int
     key: str
     name: str
-    short_name: str
+    short_name: str  # without the motor
     kind: ParameterKind
     description: str
     group: str
@@ -167,13 +166,13 @@ class ParameterSpec:
     valid: frozenset[int] = frozenset()
     needs_power_cycle: bool = False
     since: str = "1.0"
-    grades: Mapping[str, Grade] = field(default_factory=dict)
-    doubt: str = ""
-    section: str = ""  # of the user's guide, such as `4.c`; empty if unknown
+    grades: Mapping[str, Grade] = field(default_factory=dict)  # evidence by field of the table
+    doubt: str = ""  # argument against an inferred default
+    section: str = ""  # in the user's guide, such as `4.c`; empty if unknown
 
     @property
     def readable(self) -> bool:
-        """True if 0x9F can read the parameter. The factory reset can only be written."""
+        """True if 0x9F can read the parameter. Only the factory reset is write-only."""
         return self.kind is not ParameterKind.RESET
 
     def grade(self, *fields: str) -> Grade:
@@ -185,7 +184,7 @@ class ParameterSpec:
         return self.grade("min", "max").mark
 
     def is_open(self, wire: int) -> bool:
-        """True if only an unsourced limit excludes this wire value. The board decides."""
+        """True if only an unsourced limit excludes this wire value."""
         if self.kind in _NEVER_OPEN or not 0 <= wire <= HIGHEST_WIRE or wire in self.valid:
             return False
         return self.grade("min" if wire < self.minimum else "max") > Grade.SOURCED
@@ -195,7 +194,7 @@ class ParameterSpec:
         return any(map(self.is_open, (0, HIGHEST_WIRE)))
 
     def problem(self, wire: int, *, forced: bool = False) -> str | None:
-        """Return the reason why a value is not allowed. `forced` allows open values."""
+        """Return why a value is not allowed, or `None`. `forced` allows open values."""
         if wire in self.valid or (forced and self.is_open(wire)):
             return None
         return tr("{0} is {1}, not {2}").format(self.name, self.range_text(), wire)
@@ -268,29 +267,30 @@ class ParameterSpec:
         return f"{with_decimal_point(number)} {self.unit}".rstrip()
 
     def wire(self, text: str) -> int:
-        """Return the wire value for `text` ("1.5 s", "1.5", "off"). BadRequest names the limits.
+        """Parse a value such as `1.5 s`, `1.5` or `off`. BadRequest names the limits.
 
-        A number between two steps is rounded to the nearer step, but never to a 0 that means off.
-        A ramp is a time to full speed, or speed steps: "1.3 s", "10 per 100 ms".
+        A number between two steps is rounded, but never to a 0 that means off. A ramp is a time to
+        full speed (`1.3 s`) or a number of speed steps (`10 per 100 ms`).
         """
-        wanted = text.strip()
+        text = text.strip()
         for wire in sorted(self.valid):
-            if wanted.casefold() == self.text(wire).casefold():
+            if text.casefold() == self.text(wire).casefold():
                 return wire
+        value: int | None
         if self.kind is ParameterKind.CHANNELS:
-            meant = self._wire_of_channels(wanted)
-        elif self.kind is ParameterKind.ACCELERATION and (time := _TIME.fullmatch(wanted)):
-            meant = self._wire_of_time(decimal(time[1]) / (1000 if time[2] else 1))
+            value = self._wire_of_channels(text)
+        elif self.kind is ParameterKind.ACCELERATION and (time := _TIME.fullmatch(text)):
+            value = self._wire_of_time(decimal(time[1]) / (1000 if time[2] else 1))
         else:
-            meant = self._wire_of_number(wanted)
-        if meant is None or meant not in self.valid:
-            given = wanted if len(wanted) <= 40 else f"{wanted[:40]}…"
+            value = self._wire_of_number(text)
+        if value is None or value not in self.valid:
+            shortened = text if len(text) <= 40 else f"{text[:40]}…"
             raise BadRequest(
                 tr("{0} is {1}, not {2}").format(
-                    self.name, self._spoken_range(), given or tr("empty")
+                    self.name, self._spoken_range(), shortened or tr("empty")
                 )
             )
-        return meant
+        return value
 
     def _spoken_range(self) -> str:
         if self.kind is ParameterKind.CHOICE:
@@ -305,7 +305,7 @@ class ParameterSpec:
 
     @property
     def decimals(self) -> int:
-        """Number of decimals that distinguishes neighbouring values in the physical unit."""
+        """Number of decimals that distinguishes neighbouring values."""
         return max(0, math.ceil(-math.log10(self.scale)))
 
     def _wire_of_time(self, seconds: float) -> int | None:
@@ -327,7 +327,7 @@ class ParameterSpec:
         return 1 if self.zero and near == 0 < steps else near
 
     def _steps(self, text: str) -> float | None:
-        """Return the number in `text` in wire steps, perhaps fractional. `None` if not a number."""
+        """Parse a number and convert it to wire steps. `None` if it is not a number."""
         is_coded = self.kind in {ParameterKind.POLYNOMIAL, ParameterKind.UART}
         if is_coded and text.lower().startswith("0x"):
             try:
@@ -373,7 +373,7 @@ def _line_settings(wire: int) -> LineSettings | None:
 
 @dataclass(frozen=True, slots=True)
 class ParameterSet:
-    """Parameters of a model with a certain firmware, in the order of their numbers."""
+    """Parameters of a model with a certain firmware, sorted by number."""
 
     model: Model
     firmware: str
@@ -387,15 +387,15 @@ class ParameterSet:
         return tuple(spec for spec in self.specs if spec.readable)
 
     def __getitem__(self, key: str) -> ParameterSpec:
-        """Return the parameter with this key or name. BadRequest with a guess if not found."""
+        """Return the parameter with this key or name. BadRequest suggests a similar key."""
         for spec in self.specs:
             if key == spec.key:  # fast path: sessions look up hundreds of keys a second
                 return spec
-        wanted = key.strip().lower().replace("-", "_").replace(" ", "_")
+        normal = key.strip().lower().replace("-", "_").replace(" ", "_")
         for spec in self.specs:
-            if wanted in {spec.key, spec.name.lower().replace("-", "_").replace(" ", "_")}:
+            if normal in {spec.key, spec.name.lower().replace("-", "_").replace(" ", "_")}:
                 return spec
-        guess = difflib.get_close_matches(wanted, [spec.key for spec in self.specs], n=1)
+        guess = difflib.get_close_matches(normal, [spec.key for spec in self.specs], n=1)
         hint = tr("; did you mean {0}?").format(guess[0]) if guess else ""
         message = tr("{0} {1} has no parameter {2!r}{3}").format(
             self.model.name, self.firmware, key, hint
@@ -420,14 +420,14 @@ def parameters_of(model_key: str, firmware: str) -> ParameterSet:
 
 
 def unconfirmed_defaults(specs: Iterable[ParameterSpec]) -> str:
-    """Return the names of parameters with unsourced defaults, with grades. May be empty."""
+    """Return a list of the parameters with unsourced defaults, as text."""
     graded = ((spec.name, spec.grade("default").mark) for spec in specs)
     return ", ".join(name + mark for name, mark in graded if mark)
 
 
 @cache
 def parameter_number(key: str) -> int:
-    """Return the number of a parameter, which does not depend on the model."""
+    """Return the number of a parameter. It is the same on every model."""
     for row in device_table().rows:
         if row["key"] == key:
             number: int = row["number"]

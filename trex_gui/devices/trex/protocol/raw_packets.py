@@ -1,4 +1,4 @@
-"""Bytes typed by the user: parsed from text, split into packets, classified by effect."""
+"""Packets typed by the user."""
 
 import re
 from dataclasses import dataclass
@@ -15,14 +15,14 @@ from trex_gui.devices.trex.protocol.commands import (
 from trex_gui.devices.trex.protocol.descriptions import describe
 from trex_gui.devices.trex.protocol.framing import EXPANDED_START, Malformed, Packet, PacketParser
 
-MOST_BYTES = 256  # bytes that are sent at once; the longest packet has 14
+MOST_BYTES = 256  # sent at once; the longest packet has 14 bytes
 
 _MOTOR_OPCODES = frozenset(opcode for opcode, cls in COMMANDS.items() if cls.moves)
 
 
 @dataclass(frozen=True, slots=True)
 class RawPacket:
-    """A packet that a user typed, or bytes that are not a packet."""
+    """Packet typed by the user, perhaps malformed."""
 
     packet: Packet | Malformed
 
@@ -32,12 +32,12 @@ class RawPacket:
 
     @property
     def moves(self) -> bool:
-        """True if a board may read a motor command from it, perhaps with the next bytes."""
+        """True if the bytes may be a motor command, or the start of a motor command."""
         return may_move(self.packet.raw)
 
     @property
     def writes(self) -> bool:
-        """True if the packet stores a parameter or a calibration in the board."""
+        """True if the packet stores a parameter or a calibration."""
         return isinstance(self.packet, Packet) and isinstance(
             self.packet.command, SetParameter | SetCalibration
         )
@@ -49,20 +49,23 @@ class RawPacket:
 
     @property
     def writes_everywhere(self) -> bool:
-        """True if every board on the line would store the value."""
+        """True if the packet stores a value in every board on the line."""
         return self.writes and self.device_number is None
 
     def is_within_stop(self, device_number: int | None) -> bool:
-        """True if a stop to this number (`None`: to all) reaches each board that it may move."""
+        """True if a stop to this number reaches every board that the packet may move.
+
+        A stop to `None` reaches all boards.
+        """
         return device_number is None or device_number == self.device_number
 
     @property
     def device_number(self) -> int | None:
-        """The board that an expanded packet addresses."""
+        """Address of an expanded packet, else `None`."""
         return self.packet.device_number if isinstance(self.packet, Packet) else None
 
     def words(self, board: Signature | None = None) -> str:
-        """Return a description in the units of `board`, by default of the newest TReX."""
+        """Return a description in the units of `board` (default: the newest TReX)."""
         packet = self.packet
         if isinstance(packet, Malformed):
             return tr("not a TReX packet: {0}").format(packet.reason)
@@ -73,7 +76,11 @@ class RawPacket:
 
 
 def parse_hexadecimal(text: str) -> bytes:
-    """Parse bytes such as `86 1F`, `861f` or `0x86, 0x1F`. BadRequest for none or too many."""
+    """Parse bytes such as `86 1F`, `861f` or `0x86, 0x1F`.
+
+    Raises:
+        BadRequest: the text is empty, invalid or too long.
+    """
     try:
         data = bytes.fromhex(re.sub(r"0[xX]|[,;:]", " ", text))
     except ValueError:
@@ -98,7 +105,7 @@ def packets_of(data: bytes, polynomial: int | None) -> tuple[RawPacket, ...]:
 
 
 def may_move(data: bytes) -> bool:
-    """True if a board may find a motor command anywhere in the bytes.
+    """True if any part of the bytes may be a motor command.
 
     An expanded packet without its command byte counts, because a motor command may follow.
     """
