@@ -439,7 +439,7 @@ def test_reply_between_failures_keeps_board_responding() -> None:
     for _ in range(10):
         assert not liveness.record_failure(1.0)
         assert not liveness.record_failure(1.1)
-        liveness.record_answer(Raw)
+        liveness.record_reply(Raw)
     assert not liveness.silent
 
 
@@ -449,12 +449,12 @@ def test_topic_that_always_fails_counts_despite_other_replies() -> None:
         liveness = LivenessMonitor(Timeouts())
         for _ in range(3):
             liveness.record_failure(1.0, topic)
-            liveness.record_answer(Currents)
+            liveness.record_reply(Currents)
         assert liveness.silent is fails
     liveness = LivenessMonitor(Timeouts())
     for _ in range(9):
         liveness.record_failure(1.0, ModeSample)
-        liveness.record_answer(ModeSample)
+        liveness.record_reply(ModeSample)
     assert not liveness.silent
 
 
@@ -492,7 +492,7 @@ def test_scan_continues_until_board_is_read() -> None:
     liveness = silent_at(0.0)
     stage.board.power_off()
     liveness.expect(ELSEWHERE)
-    assert liveness.look(client) is None
+    assert liveness.probe_next(client) is None
     liveness.expect(())
     assert liveness.is_scanning(client)
     liveness.start()

@@ -38,7 +38,7 @@ def simulate(
             assert wait is not None
             now += max(wait, 1e-6)
             continue
-        schedule.polled(topic, now)
+        schedule.record_poll(topic, now)
         polled[topic] += 1
         now += cost[topic]
     return polled
@@ -60,14 +60,14 @@ def test_every_topic_is_due_at_start() -> None:
     polled = set()
     while topic := schedule.next(10.0):
         polled.add(topic)
-        schedule.polled(topic, 10.0)
+        schedule.record_poll(topic, 10.0)
     assert polled == POLLED.keys()
 
 
 def test_topic_is_not_due_before_its_period() -> None:
     schedule = Schedule()
     schedule.start({ModeSample: 2.0}, 0.0)
-    schedule.polled(ModeSample, 0.0)
+    schedule.record_poll(ModeSample, 0.0)
     assert schedule.next(0.49) is None
     assert schedule.seconds_to_next(0.1) == pytest.approx(0.4)
     assert schedule.next(0.5) is ModeSample
@@ -79,14 +79,14 @@ def test_restart_discards_earlier_topics() -> None:
     schedule.start({ModeSample: 1.0, Raw: 50.0}, 0.0)
     schedule.start({LatchedStatus: 10.0}, 1.0)
     assert schedule.next(1.0) is LatchedStatus
-    schedule.polled(LatchedStatus, 1.0)
+    schedule.record_poll(LatchedStatus, 1.0)
     assert schedule.next(1.05) is None
 
 
 def test_unscheduled_topic_is_ignored() -> None:
     schedule = Schedule()
     schedule.start({ModeSample: 1.0}, 0.0)
-    schedule.polled(Raw, 0.0)
+    schedule.record_poll(Raw, 0.0)
     assert schedule.next(0.0) is ModeSample
 
 
@@ -104,7 +104,7 @@ def test_late_polls_do_not_lower_rate() -> None:
     for step in range(1000):
         now = step * 0.013  # never at the right moment
         if schedule.next(now):
-            schedule.polled(LatchedStatus, now)
+            schedule.record_poll(LatchedStatus, now)
             polled += 1
     assert polled == pytest.approx(130, abs=2)
 
@@ -112,11 +112,11 @@ def test_late_polls_do_not_lower_rate() -> None:
 def test_polls_missed_in_pause_are_not_caught_up() -> None:
     schedule = Schedule()
     schedule.start({Currents: 80.0}, 0.0)
-    schedule.polled(Currents, 0.0)
+    schedule.record_poll(Currents, 0.0)
     polled, now = 0, 100.0
     while now < 101.0:
         if schedule.next(now):
-            schedule.polled(Currents, now)
+            schedule.record_poll(Currents, now)
             polled += 1
         now += 0.001
     assert polled < 95
@@ -164,7 +164,7 @@ def test_wait_ends_when_topic_is_due(*, times: list[float]) -> None:
         if topic is None:
             assert schedule.next(now + wait + 1e-9) is not None
         else:
-            schedule.polled(topic, now)
+            schedule.record_poll(topic, now)
 
 
 @pytest.mark.parametrize("baud", [1200, 4800, 9600])

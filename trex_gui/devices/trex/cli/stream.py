@@ -157,7 +157,7 @@ def _rows(
         if topic is None:
             client.transport.wait(min(_SLICE, schedule.seconds_to_next(now) or 0.0))
             continue
-        schedule.polled(topic, now)
+        schedule.record_poll(topic, now)
         try:
             sample = poll(client.request, topic, clock, reader)
             if (

@@ -1,1 +1,1 @@
-"""The loop that owns a line to a TReX."""
+"""Session loop of a line to a TReX."""

@@ -1,4 +1,4 @@
-"""Reading of a board: first everything, then values in turn, and everything after silence."""
+"""Reader of a board: all settings, then polled values."""
 
 import itertools
 import math
@@ -17,36 +17,34 @@ from trex_gui.devices.trex.session.open_line import OpenLine
 from trex_gui.devices.trex.session.polling import SAFETY_PARAMETERS, Polling, Topic
 
 _STALE_READS = 3
-_STALE_READ_INTERVAL = 2.0  # seconds; telemetry goes on between two of these readings
+_STALE_READ_INTERVAL = 2.0  # seconds, in which telemetry continues
 
-_SAFETY_READ_INTERVAL = 0.25
-"""Seconds between two queries of `SAFETY_PARAMETERS` in turn, so each is read every second. At
-1200 baud they take a tenth of the line."""
+# Each of the four parameters is read once a second. This takes a tenth of a line at 1200 baud.
+_SAFETY_READ_INTERVAL = 0.25  # seconds
 
 
 class BoardReader:
-    state: DeviceState  # set once everything was read
+    state: DeviceState  # set by the first reading
 
     def __init__(self, line: OpenLine) -> None:
-        self.signature: Signature | None = None  # of the board that was read last
+        self.signature: Signature | None = None  # of the last board read
         self.polling = Polling()
         self.safety_read_at = -math.inf
-        self.port_rates: frozenset[int] | None = None  # what the port supports; `None`: unknown
+        self.port_rates: frozenset[int] | None = None  # baud rates of the port; `None` if unknown
         self._line = line
-        # Number and time of further readings, if the board may store other values than `state`:
-        self._stale_reads = 0
-        self._stale_read_at = -math.inf
+        self._stale_reads = 0  # remaining readings after a failed write
+        self._stale_read_at = -math.inf  # earliest time of the next reading
         self._safety_keys = itertools.cycle(SAFETY_PARAMETERS)
 
     def expect_changes(self) -> None:
-        """Read everything again a few times: a failed write may be stored all the same."""
+        """Schedule further readings: a failed write may have been stored."""
         self._stale_reads = _STALE_READS
 
     def read_everything(self, occasion: ReadReason) -> None:
-        """Read everything and report it. Unless merely reloaded, the board is not driven meanwhile.
+        """Read and report all settings.
 
-        The window does not know yet that the board was without power, or that it is another board,
-        and goes on sending setpoints. So every motor is stopped and has to be armed again.
+        Stop the motors unless the board is only reloaded: the window still sends setpoints for the
+        previous state or board. The motors have to be armed again.
         """
         line = self._line
         if occasion.power_cycled:
@@ -69,7 +67,7 @@ class BoardReader:
         line.motors.handle(OutputEvent.BOARD_READ, line.now())
         line.transport.wait_for_guardian()
         line.report_guardian()
-        if occasion is not ReadReason.SELECTED:  # samples taken meanwhile are of the new board
+        if occasion is not ReadReason.SELECTED:  # pending samples are from the new board
             line.flush()
         client = line.client
         line.emit(
@@ -86,7 +84,7 @@ class BoardReader:
 
     @property
     def _fed_timeout(self) -> float:
-        """Return the serial timeout that polling must not let expire, 0 for none."""
+        """Serial timeout that polling must prevent, in seconds. 0: none."""
         return self.state.serial_timeout if self._line.motors.is_armed else 0.0
 
     def seconds_to_next(self, now: float) -> float:
@@ -104,10 +102,10 @@ class BoardReader:
     def poll(self, topic: Topic) -> None:
         line = self._line
         try:
-            # Stops and setpoints have just been served; only a status may take two transactions.
+            # Stops and setpoints were just served. Only a status may take two transactions.
             request = line.request if topic is LatchedStatus else line.client.request
             sample = poll(request, topic, line.now, line.status)
-            line.liveness.record_answer(topic)
+            line.liveness.record_reply(topic)
             if isinstance(sample, LatchedStatus):
                 self.record_status(sample)
             if sample:
@@ -130,23 +128,23 @@ class BoardReader:
             line.record_failure(error, topic)
 
     def check_safety_parameter(self, now: float) -> None:
-        """Read a stored value that decides how the board protects its motors by itself.
+        """Read the next safety parameter.
 
-        If the value changed unnoticed, the power was off too briefly for a missing reply. Then
-        everything is read, and motors have to be armed again.
+        An unexpected value means a power cycle that was too short to lose a reply. Then everything
+        is read, and the motors have to be armed again.
         """
         line = self._line
         self.safety_read_at = now + _SAFETY_READ_INTERVAL
         key = next(self._safety_keys)
-        known = self.state.parameters.get(key)
-        if known is None:
+        expected = self.state.parameters.get(key)
+        if expected is None:
             return
         command = GetParameter(self.state.specs[key].number)
         try:
-            if line.client.request(command) == known:
+            if line.client.request(command) == expected:
                 return
-            if agreed(line.request, command, has_crc=line.client.has_crc) != known:
-                # A failed write may have changed it as well.
+            if agreed(line.request, command, has_crc=line.client.has_crc) != expected:
+                # A failed write may also have changed the value.
                 occasion = ReadReason.RELOADED
                 if not self._stale_reads:
                     occasion = ReadReason.SETTING_CHANGED
@@ -167,7 +165,7 @@ class BoardReader:
             line.driver.stop_without_reply()
             if not line.liveness.is_scanning(line.client):
                 self._request_mode(line.client)
-            elif (found := line.liveness.look(line.client)) is not None:
+            elif (found := line.liveness.probe_next(line.client)) is not None:
                 line.client = line.driver.client = found
                 line.status.reset()
             else:
@@ -178,7 +176,7 @@ class BoardReader:
             line.liveness.retry_later(line.now())
 
     def _request_mode(self, client: TrexClient) -> None:
-        """Query the board. An echo that has begun or ended makes its replies unreadable."""
+        """Query the board. Detect the echo again if the reply is unreadable."""
         try:
             client.request(GetMode())
         except (NoReply, BadReply) as error:

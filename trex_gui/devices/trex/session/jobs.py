@@ -1,4 +1,4 @@
-"""Requests that are served one after the other, each with an outcome."""
+"""Server of the queued requests to a board. Each has an outcome."""
 
 from dataclasses import replace
 
@@ -57,7 +57,7 @@ class JobServer:
     def _result_of(self, job: Job) -> object:
         line = self._line
         if line.liveness.is_scanning(line.client):
-            # Nothing may reach a board at unknown settings.
+            # Nothing may be sent to a board at unknown settings.
             raise TrexNoReplyError(ErrorCode.SCANNING)
         match job:
             case SendPacket(packet=packet):
@@ -76,10 +76,10 @@ class JobServer:
                 return None
 
     def _select(self, job: SelectBoard) -> None:
-        """Address another board after a confirmed stop of the present board.
+        """Select another board after a confirmed stop of the present board.
 
-        Requests for the present board never reach another board. Setpoints are dropped, and arming
-        has no effect until everything is read, and then only for the new `selection`.
+        Setpoints are dropped. Arming has no effect until everything is read. After that, an `Arm`
+        must have the new `selection`.
         """
         line = self._line
         line.require_alone()
@@ -94,7 +94,7 @@ class JobServer:
         line.flush()
         try:
             if before.device_number is None and line.has_driven:
-                self._stop_each(job)
+                self._stop_all(job)
             self._address(job)
         except BaseException:
             client.settings = before
@@ -114,8 +114,8 @@ class JobServer:
         self._line.status.reset()
         self._reader.read_everything(ReadReason.SELECTED)
 
-    def _stop_each(self, job: SelectBoard) -> None:
-        """Stop every board on the line: commands without a number have reached all of them."""
+    def _stop_all(self, job: SelectBoard) -> None:
+        """Stop every board on the line: commands without a number have driven all boards."""
         for number in job.sharing:
             self._line.client.settings = replace(self._line.client.settings, device_number=number)
             self._line.motors.handle(OutputEvent.DIRECT_COMMAND_SENT, self._line.now())
@@ -124,10 +124,10 @@ class JobServer:
         self._line.has_driven = False
 
     def _send_packet(self, packet: RawPacket) -> bytes:
-        """Send a packet that the user typed. Handle it as a motor command if it moves motors."""
+        """Send a packet that the user typed."""
         line = self._line
         if not packet.is_query and not packet.moves:
-            line.require_alone()  # the packet may store another number, or more than it seems
+            line.require_alone()  # the packet may change the device number
         if packet.moves:
             number = line.client.settings.device_number
             if not line.motors.is_armed:
@@ -153,7 +153,7 @@ class JobServer:
         return reply.raw
 
     def _read_after_write(self) -> None:
-        """Read everything after a packet that writes. Derive reconnect candidates from it."""
+        """Read everything. Derive reconnect candidates from the changes."""
         before = self._reader.state.parameters
         self._reader.read_everything(ReadReason.RELOADED)
         state = self._reader.state
@@ -164,7 +164,7 @@ class JobServer:
             self._line.liveness.expect(places)
 
     def _report_cleared(self, value: object) -> None:
-        """Report bits that a user's packet has read, and so cleared."""
+        """Report the status bits that a user's packet has cleared."""
         status = self._line.status
         if isinstance(value, Status):
             status.uart_due |= bool(value & Status.UART_ERROR)
@@ -175,10 +175,10 @@ class JobServer:
             self._line.batcher.add(latched)
 
     def _write(self, job: Write) -> Written:
-        """Write all values, or until `Close` comes. No value is left half written.
+        """Write all values, or complete only the current value after `Close`.
 
-        On `Close`, motors that may be moving are stopped first. If another board replies, it is
-        read and nothing counts as written.
+        `Close` first stops motors that may be moving. If another board replies, it is read, and no
+        value counts as written.
         """
         line = self._line
         state, stop_is_due = self._reader.state, True
@@ -189,7 +189,7 @@ class JobServer:
             line.require_alone()
             line.require_stopped()
         elif is_addressed and ParameterKey.FACTORY_RESET in parameters:
-            number = state.specs[ParameterKey.DEVICE_NUMBER].default  # from its next start on
+            number = state.specs[ParameterKey.DEVICE_NUMBER].default  # after the next start
         if number is not None and number != stored:
             require_free_number(line.client, number, line.serve_motors)
 

@@ -1,6 +1,6 @@
-"""Requests to a line session and its reports, which cross threads.
+"""Requests to a session, and its reports. Both cross threads.
 
-Messages that all devices share are in `core.session`, messages for motors in `driving.requests`.
+Motor messages are in `driving.requests`, messages of all devices in `core.session`.
 """
 
 from dataclasses import dataclass
@@ -21,10 +21,10 @@ from trex_gui.devices.trex.protocol.raw_packets import RawPacket
 
 @dataclass(frozen=True, slots=True)
 class SendPacket:
-    """Send a packet that the user typed, as it is. The value of its `Outcome` is the `bytes` reply.
+    """Send a packet that the user typed. The `Outcome` has the reply as `bytes`.
 
-    A packet that may move a motor is rejected unless the motors are armed. Values that the packet
-    stores are read again, and status bits that it clears are reported.
+    While the motors are not armed, a packet that may move a motor is rejected. Stored values are
+    read again, and cleared status bits are reported.
     """
 
     id: int
@@ -33,32 +33,31 @@ class SendPacket:
 
 @dataclass(frozen=True, slots=True)
 class Write:
-    """Store parameters (key, wire value) and calibrations (key, values).
+    """Store parameters and calibrations. The `Outcome` has a `Written`.
 
-    The value of the `Outcome` is a `Written`; see `writing.write_all`. `before` is the state known
-    to the sender, `None` for the last read state. A new device number is rejected while motors are
-    armed or may be moving: if its reply were lost, no stop would reach the board.
+    A new device number is rejected while motors are armed or may be moving: if its reply were lost,
+    no stop would reach the board.
     """
 
     id: int
-    parameters: tuple[tuple[str, int], ...] = ()
+    parameters: tuple[tuple[str, int], ...] = ()  # key, wire value
     calibrations: tuple[tuple[CalibrationKey, Calibration], ...] = ()
-    before: DeviceState | None = None
+    before: DeviceState | None = None  # state known to the sender; `None`: the last reading
 
 
 @dataclass(frozen=True, slots=True)
 class Reload:
-    """Read everything again. A `Connected` is reported before its `Outcome`."""
+    """Read everything again. A `Connected` precedes the `Outcome`."""
 
     id: int
 
 
 @dataclass(frozen=True, slots=True)
 class ProbeNumber:
-    """Find out which board has a device number, by its signature. Nothing is changed.
+    """Read the signature of the board with a device number.
 
-    The value of the `Outcome` is the `Signature`, or `None` if no board replies. Its error is a
-    `BadReply` if several reply at once. Rejected while motors are armed or may be moving.
+    The `Outcome` has the `Signature`, or `None` if no board replies. Its error is a `BadReply` if
+    several boards reply. The request is rejected while motors are armed or may be moving.
     """
 
     id: int
@@ -68,25 +67,23 @@ class ProbeNumber:
 
 @dataclass(frozen=True, slots=True)
 class SelectBoard:
-    """Address the board with this device number from now on, and read everything from it.
+    """Select and read the board with this device number.
 
-    A `Connected` is reported before the `Outcome`. Motors that may be moving are stopped first;
-    without a confirmation, or if the board does not respond, the present board stays selected.
-    `sharing` are the numbers of all boards known on the line: commands without a number reached
-    every one of them.
+    A `Connected` precedes the `Outcome`. Motors that may be moving are stopped first. If the stop
+    is not confirmed or the board does not respond, the present board stays selected.
     """
 
     id: int
     number: int
-    sharing: tuple[int, ...] = ()
+    sharing: tuple[int, ...] = ()  # all boards on the line; commands without a number drive them
 
 
 @dataclass(frozen=True, slots=True)
 class SetReconnectCandidates:
-    """Look for a silent board at these settings too. Has no outcome.
+    """Set further settings at which to probe for a silent board. No outcome.
 
-    Replaces earlier candidates, and is dropped when the board responds at other settings. Send it
-    before a `Write` of UART settings: the power of the board may fail right after it.
+    They are dropped when the board responds at other settings. Send this request before a `Write`
+    of UART settings, because the board may lose power during the write.
     """
 
     settings: tuple[ConnectionSettings, ...]
@@ -94,55 +91,53 @@ class SetReconnectCandidates:
 
 @dataclass(frozen=True, slots=True)
 class SetWatched:
-    """Poll at full rate, or slowly while nothing shows or records samples. Has no outcome.
+    """Set the polling rate. No outcome.
 
-    While motors may be moving the rate is full in either case. `traffic`: a server also sends the
-    bytes on its line. A line of this computer is logged where it is opened.
+    The rate is full while samples are watched or motors may be moving, else low.
     """
 
-    watched: bool
-    traffic: bool = False
+    watched: bool  # samples are shown or recorded
+    traffic: bool = False  # a server also sends the bytes on its line
 
 
 @dataclass(frozen=True, slots=True)
 class AskLease:
-    """Drive a board that is served to several clients, as soon as possible.
+    """Request the lease of a served board. A `LeaseChanged` follows.
 
-    A `LeaseChanged` follows. Lease requests have no effect at a line of this computer.
+    Lease requests have no effect on a line of this computer.
     """
 
 
 @dataclass(frozen=True, slots=True)
 class HandOver:
-    """Let the waiting client of this user drive in place of the sender."""
+    """Hand the lease over to a waiting user."""
 
     user: str
 
 
 @dataclass(frozen=True, slots=True)
 class TakeLease:
-    """Drive in place of the current driver. Only owners may do so."""
+    """Take the lease from the current driver. Only owners may do this."""
 
 
 @dataclass(frozen=True, slots=True)
 class ReturnLease:
-    """Stop driving. Motors that may be moving are stopped."""
+    """Return the lease. Motors that may be moving are stopped."""
 
 
 LeaseRequest = AskLease | HandOver | TakeLease | ReturnLease
 
-Job = SendPacket | Write | Reload | ProbeNumber | SelectBoard
-"""Requests that are served in their order; each has an `Outcome`."""
+Job = SendPacket | Write | Reload | ProbeNumber | SelectBoard  # each has an `Outcome`
 
 BoardRequest = Job | MotorRequest | SetReconnectCandidates
 
 
 @dataclass(frozen=True, slots=True)
 class ToBoard:
-    """A request for one of the boards that are driven together, by its number.
+    """Request to one board of a group.
 
-    A `Stop`, `Arm` or `Heartbeat` without `ToBoard` is for all boards. The `Outcome` of such a stop
-    is reported once all boards have an outcome. Any other request is for the first board.
+    A `Stop`, `Arm` or `Heartbeat` without `ToBoard` is for all boards. Such a stop has one
+    `Outcome`. Any other request is for the first board.
     """
 
     number: int
@@ -158,27 +153,25 @@ class ReadReason(Enum):
     RESTARTED = auto()
     SETTING_CHANGED = auto()  # the board was restarted, or another program wrote to it
     RELOADED = auto()
-    SELECTED = auto()  # another board on the line is addressed from now on
+    SELECTED = auto()  # another board on the line was selected
 
     @property
     def power_cycled(self) -> bool:
-        """True if the board's power may have been off since it was read before."""
+        """True if the board's power may have been off since the last reading."""
         return self not in {ReadReason.OPENED, ReadReason.RELOADED, ReadReason.SELECTED}
 
 
 @dataclass(frozen=True, slots=True)
 class Connected:
-    """A board responds and was read. Reported again whenever everything is read."""
+    """A board was read. Reported after each complete reading."""
 
     state: DeviceState
-    echo: bool  # whether everything sent comes back, as on the RS-232 side of the board
+    echo: bool  # sent bytes come back, as on the RS-232 side of the board
     occasion: ReadReason
-    settings: ConnectionSettings  # present settings of the line, and address of the board
-    may_move: bool = False  # whether motors were driven and no stop was confirmed since
-    # The baud rates that this computer's port supports; `None`: unknown
-    port_rates: frozenset[int] | None = None
-    # Id of the `SelectBoard` that selected this board; 0 for the board at the line's opening
-    selection: int = 0
+    settings: ConnectionSettings
+    may_move: bool = False  # motors were driven, and no stop was confirmed since
+    port_rates: frozenset[int] | None = None  # baud rates of the port; `None` if unknown
+    selection: int = 0  # id of the `SelectBoard` for this board; 0 for the first board
 
 
 @dataclass(frozen=True, slots=True)
@@ -190,11 +183,11 @@ class GuardianChanged:
 
 @dataclass(frozen=True, slots=True)
 class Written:
-    """The result of a `Write`: what the board stores now, and how it is addressed."""
+    """Result of a `Write`."""
 
     results: tuple[WriteResult, ...]
-    state: DeviceState
-    settings: ConnectionSettings
+    state: DeviceState  # after the write
+    settings: ConnectionSettings  # after the write
 
     @property
     def uncertain(self) -> set[str]:
@@ -207,24 +200,21 @@ class Written:
 
 @dataclass(frozen=True, slots=True)
 class ProbeProgress(Progress):
-    """Progress of the search for the reason why no board responds. `what` are line settings."""
+    """Progress of a diagnosis. `what` names the probed line settings."""
 
 
 @dataclass(frozen=True, slots=True)
 class NotResponding:
-    """The board has stopped responding. The session keeps trying.
-
-    `is_network`: nothing is known of the board, since its server does not respond.
-    """
+    """The board has stopped responding. The session retries."""
 
     reason: str
     counters: Counters
-    is_network: bool = False
+    is_network: bool = False  # the server does not respond, the board's state is unknown
 
 
 @dataclass(frozen=True, slots=True)
 class Batch:
-    """Every sample since the last batch. At most one each display frame, fewer if unwatched."""
+    """Samples since the last batch. Reported once a display frame, or less often."""
 
     samples: tuple[Sample, ...]
     counters: Counters
@@ -232,35 +222,35 @@ class Batch:
 
 @dataclass(frozen=True, slots=True)
 class LeaseChanged:
-    """Driver of a board that is served to several clients, and users who wait to drive."""
+    """Lease of a board that is served to several clients."""
 
-    user: str = ""  # the user of this client
-    driver: str = ""  # the user who drives; empty: nobody
+    user: str = ""  # user of this client
+    driver: str = ""  # user who has the lease, or empty
     is_mine: bool = False
-    waiting: tuple[str, ...] = ()  # users
+    waiting: tuple[str, ...] = ()  # users who wait for the lease
     may_drive: bool = True
     may_take: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class SetpointsChanged:
-    """Speeds of motors 1, 2 and 3 (auxiliary) that the driver of a served board has set."""
+    """Setpoints of the user who drives a served board."""
 
-    speeds: tuple[int, int, int] = (0, 0, 0)
+    speeds: tuple[int, int, int] = (0, 0, 0)  # motors 1, 2 and auxiliary
 
 
 @dataclass(frozen=True, slots=True)
 class NetworkDelay:
-    """Round trip of a message to the server of the board, in seconds."""
+    """Round-trip time to the server of the board."""
 
     seconds: float
 
 
 @dataclass(frozen=True, slots=True)
 class Traffic:
-    """Bytes on the line of a server, on the clock of this computer."""
+    """Bytes on the line of a server."""
 
-    events: tuple[TrafficEvent, ...]
+    events: tuple[TrafficEvent, ...]  # on the clock of this computer
 
 
 BoardReport = (
@@ -281,7 +271,7 @@ BoardReport = (
 
 @dataclass(frozen=True, slots=True)
 class OfBoard:
-    """A report of one of the boards that are driven together, but not of the first one."""
+    """Report from a board of a group, except the first board."""
 
     number: int
     report: BoardReport

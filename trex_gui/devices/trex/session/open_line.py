@@ -1,4 +1,4 @@
-"""Open line of a session, and the parts of each board that use it."""
+"""Open line of a session, for each board."""
 
 import math
 from collections.abc import Callable
@@ -26,10 +26,9 @@ from trex_gui.devices.trex.session.polling import Topic
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 from trex_gui.devices.trex.session.request_queue import BoardQueue, TrexRequestQueue
 
+# In a group, a board is silent after this number of unanswered stops in a row. Each attempt to
+# reconnect repeats the stop.
 _MOST_UNANSWERED = 3
-"""Unanswered rounds in a row after which one of several boards counts as silent.
-
-Every attempt to find it again also sends the stop."""
 
 
 class SampleBatcher:
@@ -54,7 +53,7 @@ class SampleBatcher:
 
 @dataclass(slots=True, eq=False)
 class OpenLine:
-    """The line as one board sees it, and the priorities of its use."""
+    """Line of one board, with the priorities of its use."""
 
     client: TrexClient
     transport: GuardedTransport
@@ -66,22 +65,21 @@ class OpenLine:
     queue: BoardQueue
     batcher: SampleBatcher
     emit: Callable[[BoardReport], None]
-    # All boards of the session, including this one
-    boards: list["OpenLine"]
-    reserved: frozenset[int]  # numbers of other devices, without those of `boards`
-    has_driven: bool = False  # True until each board on the line was stopped
-    is_guarded: bool = False  # as reported last
+    boards: list["OpenLine"]  # of the session, including this board
+    reserved: frozenset[int]  # numbers of devices outside the session
+    has_driven: bool = False  # until each board on the line was stopped
+    is_guarded: bool = False  # last reported state
 
     @property
     def settings(self) -> ConnectionSettings:
-        """Present settings of the board, with the numbers that the user has reserved."""
+        """Present settings, with the numbers that the user has reserved."""
         return replace(self.client.settings, reserved=self.reserved)
 
     def now(self) -> float:
         return self.client.transport.clock()
 
     def request(self, command: Command[ReplyT_co]) -> ReplyT_co:
-        """Run one transaction of a longer operation, after stops and setpoints that are due."""
+        """Send due stops or setpoints, then run one transaction."""
         self.collect()
         self.serve_motors()
         return self.client.request(command)
@@ -89,7 +87,11 @@ class OpenLine:
     # --- Urgent work --------------------------------------------------------------------
 
     def collect(self, seconds: float = 0.0) -> None:
-        """Handle new requests, waiting for the first. Raise `Closing` after `Close`."""
+        """Handle new requests. Wait up to `seconds` for the first.
+
+        Raises:
+            Closing: a `Close` was received.
+        """
         self.requests.collect(seconds)
         for board in self.boards:
             board.client.keepalive_while_waiting = board.motors.is_armed
@@ -97,7 +99,7 @@ class OpenLine:
             raise Closing
 
     def serve_motors(self) -> bool:
-        """Send the stops or setpoints that are due. Return whether the line was used."""
+        """Send due stops or setpoints. Return whether the line was used."""
         return self.serve_stops() or self.drive_next()
 
     def serve_stops(self) -> bool:
@@ -110,7 +112,7 @@ class OpenLine:
         return any(board.drive() for board in self.boards)
 
     def stop_and_confirm(self) -> bool:
-        """Stop this board without a request. Return whether it has confirmed the stop."""
+        """Stop this board. Return whether it confirmed the stop."""
         run = self.driver.final_stop()
         self._stop({self: run})
         return run.is_confirmed
@@ -120,12 +122,12 @@ class OpenLine:
 
         def due() -> list[StopRun]:
             self.requests.collect()
-            others = [one for one in self.boards if one not in runs]
-            more = {one: run for one in others for run in one.due_stops()}
-            for run in more.values():
+            others = [board for board in self.boards if board not in runs]
+            added = {board: run for board in others for run in board.due_stops()}
+            for run in added.values():
                 run.most_unanswered = _MOST_UNANSWERED
-            runs.update(more)
-            return list(more.values())
+            runs.update(added)
+            return list(added.values())
 
         if len(self.boards) == 1:
             stop_together(list(runs.values()))
@@ -134,21 +136,21 @@ class OpenLine:
             run.most_unanswered = _MOST_UNANSWERED
         stop_together(list(runs.values()), due)
         for board, run in runs.items():
-            for error in run.unanswered:  # the others may not be driven before it responds again
+            for error in run.unanswered:  # the group is not driven until this board responds
                 board.record_failure(error)
 
     def due_stops(self) -> list[StopRun]:
-        """Return the stop that is due. See `MotorDriver.takeover_stop` for a shared line."""
+        """Return the due stop, if any."""
         if self.motors.quality.is_shared:
             return [self.driver.takeover_stop()]
         if (run := self.driver.due_stop()) is not None:
             return [run]
-        left = next((one for one in self.boards if not one.motors.is_armed), None)
-        if left is None or not self.motors.is_armed:
+        disarmed = next((board for board in self.boards if not board.motors.is_armed), None)
+        if disarmed is None or not self.motors.is_armed:
             return []
         self.motors.handle(OutputEvent.STOP, self.now())
         run = self.driver.final_stop()
-        number = left.client.settings.device_number
+        number = disarmed.client.settings.device_number
         run.end = lambda confirmed: self.emit(
             MotorsStopped(ErrorCode.LEFT_GROUP, confirmed, number)
         )
@@ -174,13 +176,13 @@ class OpenLine:
             raise TrexRequestError(ErrorCode.OTHERS_WHILE_DRIVING)
 
     def record_failure(self, error: StudioError, topic: Topic | None = None) -> None:
-        """Count a failed transaction. After a few in a row the board counts as silent."""
+        """Count a failed transaction. After several in a row, the board is silent."""
         self.motors.restart.record_lost_reply()
         if self.liveness.record_failure(self.now(), topic):
             self.motors.handle(OutputEvent.NOT_RESPONDING, self.now())
             self.driver.stop_without_reply()
-            others = (one for one in self.boards if one is not self)
-            self._stop({one: run for one in others for run in one.due_stops()})
+            others = (board for board in self.boards if board is not self)
+            self._stop({board: run for board in others for run in board.due_stops()})
             self.flush()
             self.emit(NotResponding(str(error), replace(self.client.counters)))
 

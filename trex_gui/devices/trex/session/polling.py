@@ -1,11 +1,11 @@
 """Schedule of the polled values.
 
-Each value is polled as often as the board renews it. Polling faster reads the same value again and
-takes time in which a motor command could have been sent.
+Each value is polled as often as the board renews it. Faster polling would read old values and delay
+motor commands.
 
-While motors are armed, polling also feeds the board's serial timeout. The board counts from one
-received byte to the next, and is deaf while it answers: the silence that it sees is the reply to
-one query and the first byte of the next one.
+While motors are armed, polling also prevents the board's serial timeout. The board measures the
+time between received bytes, and cannot receive while it replies. So the longest silence covers a
+reply and the first byte of the next query.
 """
 
 import math
@@ -17,29 +17,28 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
 
-SAFETY_PARAMETERS = (
+SAFETY_PARAMETERS = (  # protect the motors, so a session reads them continuously
     ParameterKey.SERIAL_TIMEOUT,
     MotorParameter.CURRENT_LIMIT.of(1),
     ParameterKey.UART_ERROR_SHUTDOWN,
     MotorParameter.CURRENT_LIMIT.of(2),
 )
-"""Parameters that decide how the board protects its motors. They are read continuously."""
 
-Topic = type[Sample]  # a polled value, by the class of its samples
+Topic = type[Sample]  # class of a polled value
 
-_LONGEST_LAG = 0.1  # seconds by which the schedule may be late before it stops catching up
+_LONGEST_LAG = 0.1  # seconds; a schedule that is later than this does not catch up
 
-_MARGIN = 0.015
-"""Seconds between a reply and the next query: the board's response delay (1 ms), half of its 10 ms
-cycle, and a busy host (some milliseconds, measured beside a window that paints)."""
+# The board's response delay (1 ms), half of its 10 ms cycle, and the host's delay (some
+# milliseconds, measured while a window paints).
+_MARGIN = 0.015  # longest time between a reply and the next query, in seconds
 
-_KEEPALIVE_SHARE = 0.4  # share of the serial timeout after which a topic is polled in any case
+_KEEPALIVE_SHARE = 0.4  # of the serial timeout; after this pause, any topic is polled
 
-_CHEAPEST = Control  # polled to feed the serial timeout: one byte out, one byte in
+_CHEAPEST = Control  # one byte out, one byte in
 
 
 def rates(source: InputSource, *, watched: bool = True) -> Mapping[Topic, float]:
-    """Return the polls per second of each topic. If several are due, the first is polled."""
+    """Return the polls per second by topic, fastest topic first."""
     is_analog = source is InputSource.ANALOG
     return {
         topic: (not watched and polled.unwatched)
@@ -53,22 +52,22 @@ def rates(source: InputSource, *, watched: bool = True) -> Mapping[Topic, float]
 
 
 def silence(line: LineSettings, command: Command[object]) -> float:
-    """Return the longest silence, in seconds, that a board sees around its reply to a query."""
+    """Return the longest silence at the board around a reply, in seconds."""
     size = command.reply_size() + (line.detection is Detection.CRC7)
     return line.seconds(size + 1) + command.seconds_to_answer + _MARGIN
 
 
 def too_slow(line: LineSettings, timeout: float) -> frozenset[Topic]:
-    """Return the topics with replies that outlast a serial timeout (seconds, 0: off)."""
+    """Return the topics whose replies outlast a serial timeout (seconds, 0: off)."""
     if timeout <= 0:
         return frozenset()
     return frozenset(topic for topic in POLLED if silence(line, POLLED[topic].query) >= timeout)
 
 
 def survives_a_loss(line: LineSettings, timeout: float, lateness: float) -> bool:
-    """True if motors keep running when one reply is lost, since the next query comes in time.
+    """True if a lost reply does not cause a serial timeout.
 
-    `lateness`: seconds for which a reply is awaited beyond its time on the wire.
+    `lateness` is the wait for a missing reply beyond its transmission time, in seconds.
     """
     left_out = too_slow(line, timeout)
     polled = [POLLED[topic].query for topic in POLLED if topic not in left_out]
@@ -79,27 +78,26 @@ def survives_a_loss(line: LineSettings, timeout: float, lateness: float) -> bool
 
 
 class Schedule:
-    """Times when topics are due. On a slow line each topic gets the same share of its rate."""
+    """Due times of topics. A slow line reduces all rates by the same factor."""
 
     def __init__(self) -> None:
         self._rates: Mapping[Topic, float] = {}
         self._due: dict[Topic, float] = {}
 
-    def start(self, wanted: Mapping[Topic, float], now: float) -> None:
-        """Poll each topic at its rate in `wanted`, from `now` on."""
-        self._rates = wanted
-        self._due = dict.fromkeys(wanted, now)
+    def start(self, topic_rates: Mapping[Topic, float], now: float) -> None:
+        """Set the polls per second by topic. All topics are due at `now`."""
+        self._rates = topic_rates
+        self._due = dict.fromkeys(topic_rates, now)
 
     def next(self, now: float) -> Topic | None:
-        """Return the topic that was due first. `None` while no topic is due."""
+        """Return the topic with the earliest due time. `None` if no topic is due."""
         topic = min(self._due, key=self._due.__getitem__, default=None)
         return topic if topic is not None and self._due[topic] <= now else None
 
-    def polled(self, topic: Topic, now: float) -> None:
-        """Count a topic as polled.
+    def record_poll(self, topic: Topic, now: float) -> None:
+        """Set the next due time of a topic: one period after the last due time.
 
-        It is due again one period after it was due, so the rate is met on average. If the line
-        falls behind, all topics are delayed by the same time, so that none starves.
+        If the line falls behind, all topics are delayed by the same time, so that none starves.
         """
         if topic in self._due:
             self._due[topic] += 1 / self._rates[topic]
@@ -112,7 +110,7 @@ class Schedule:
 
 
 class Polling:
-    """The schedule of one board, and the keep-alive of its serial timeout."""
+    """Poll schedule of a board, with keep-alive for its serial timeout."""
 
     def __init__(self) -> None:
         self._schedule = Schedule()
@@ -134,16 +132,16 @@ class Polling:
     def next(
         self, now: float, line: LineSettings, timeout: float, *, careful: bool = False
     ) -> Topic | None:
-        """Return the topic to poll now, and count it as polled. `None` while none is due.
+        """Record and return the topic to poll now. `None` if no topic is due.
 
-        Polls keep the serial `timeout` (seconds, 0 for none) from expiring. `careful` omits queries
-        that one damaged bit turns into a motor command.
+        Polls keep the serial `timeout` (seconds, 0: off) from expiring. `careful` omits queries
+        that a bit error turns into a motor command.
         """
         left_out: Collection[Topic] = too_slow(line, timeout)
         if careful:
             left_out = {*left_out, Raw}  # 86 1F is one bit away from C6 1F, 87 1F brakes
         while topic := self._schedule.next(now):
-            self._schedule.polled(topic, now)
+            self._schedule.record_poll(topic, now)
             if topic not in left_out:
                 break
         if topic is None and self._pause_left(now, timeout) == 0:

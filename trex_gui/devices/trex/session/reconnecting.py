@@ -22,21 +22,19 @@ from trex_gui.devices.trex.session.polling import Topic
 
 log = logging.getLogger(__name__)
 
-_FAILURES = 3  # failed transactions in a row after which a board counts as not responding
+_FAILURES = 3  # after this number of failures in a row, the board counts as silent
 
+# Failures of these topics are also counted by topic, because few byte values are valid replies. If
+# TX and RX touch, requests come back and pass for valid replies to other topics.
 _STRICT = frozenset({Control, ModeSample})
-"""Topics that are also counted separately, because few byte values are valid replies to them.
-
-Where wires touch, requests come back and can pass for measurements without end.
-"""
 
 
 class LivenessMonitor:
-    """Counts failed transactions, and probes for a board that does not respond."""
+    """Counter of failed transactions, and scan for a silent board."""
 
     def __init__(self, timeouts: Timeouts) -> None:
-        self.retry_at = 0.0  # when to look for the board again, on the line's clock
-        self.candidates: tuple[ConnectionSettings, ...] = ()  # settings at which to look, too
+        self.retry_at = 0.0  # time of the next probe, on the line's clock
+        self.candidates: tuple[ConnectionSettings, ...] = ()  # further settings to probe
         self._retry = timeouts.retry
         self._failures_of = Counter[Topic]()
         self._places = deque[ConnectionSettings]()
@@ -48,21 +46,21 @@ class LivenessMonitor:
             self._places.clear()
 
     def start(self) -> None:
-        self.silent = False  # whether the board has stopped responding
+        self.silent = False  # the board has stopped responding
         self._failures = 0
         self._failures_of.clear()
         self._has_probed = False
 
     @property
     def is_failing(self) -> bool:
-        """True if the last transaction failed, and the board does not count as silent yet."""
+        """True if the last transaction failed, but the board is not silent yet."""
         return self._failures > 0 and not self.silent
 
-    def record_answer(self, topic: Topic) -> None:
+    def record_reply(self, topic: Topic) -> None:
         self._failures = self._failures_of[topic] = 0
 
     def record_failure(self, now: float, topic: Topic | None = None) -> bool:
-        """Count a failed transaction. Return whether the board counts as silent from now on."""
+        """Count a failed transaction. Return whether the board becomes silent."""
         self._failures += 1
         if topic in _STRICT:
             self._failures_of[topic] += 1
@@ -80,14 +78,14 @@ class LivenessMonitor:
     def is_scanning(self, client: TrexClient) -> bool:
         """True if a silent board may be at other settings.
 
-        Then only stops and probes may be sent. This does not change after the first probe: a board
-        at another rate may have received other bytes.
+        Then only stops and probes may be sent. The first probe makes this permanent: a board at
+        another rate may have received other bytes.
         """
         can_probe = client.transport.is_configurable
         return self.silent and can_probe and (self._has_probed or bool(self.candidates))
 
-    def look(self, client: TrexClient) -> TrexClient | None:
-        """Send one probe. Return the client to use from now on if the board replied.
+    def probe_next(self, client: TrexClient) -> TrexClient | None:
+        """Send one probe. Return a client if the board replied.
 
         Raises:
             PortUnavailable: the line is gone.
@@ -111,7 +109,7 @@ def _probe(client: TrexClient, place: ConnectionSettings) -> TrexClient | None:
         log.debug("%s: %s", place.text(), error)
         found = None
     if found is None:
-        # A stop must be sent at the settings at which the board last replied.
+        # A stop must use the settings at which the board last replied.
         transport.reconfigure(client.settings.line)
         return None
     if place == client.settings:
@@ -125,16 +123,16 @@ def _probe(client: TrexClient, place: ConnectionSettings) -> TrexClient | None:
 # --- Settings to probe ------------------------------------------------------------------
 
 REACH = (ParameterKey.DEVICE_NUMBER, ParameterKey.CRC7_POLYNOMIAL, ParameterKey.UART_SETTINGS)
-"""The parameters that decide how a board is reached."""
+"""Parameters that change the connection settings of a board."""
 
 
 def reconnect_candidates(
     link: ConnectionSettings, before: Mapping[str, int], after: Mapping[str, int], firmware: str
 ) -> tuple[ConnectionSettings, ...]:
-    """Return the settings at which a board may be if its power fails during a write.
+    """Return the possible settings of a board that loses power during a write.
 
-    A value that was being stored is the factory default then. The default line settings are left
-    out, since they are always probed. `before` and `after` are stored wire values by key.
+    A value that was being stored becomes the factory default. The default line settings are
+    omitted, because they are always probed. `before` and `after` are stored wire values by key.
     """
     specs = {spec.key: spec for spec in parameters_of("trex", firmware).readable}
     changed = [key for key in REACH if key in before and after.get(key) not in {None, before[key]}]
@@ -152,18 +150,18 @@ def reconnect_candidates(
 def after_power_cycle(
     link: ConnectionSettings, stored: Mapping[str, int], firmware: str
 ) -> ConnectionSettings | None:
-    """Return how to reach a board from its next start on. `None` if it stores invalid values.
+    """Return the connection settings after the next start. `None` for invalid values.
 
-    `stored` are wire values by key; missing settings stay as in `link`. Firmware
-    before 1.2 runs two baud rates at half the rate: the result has the rate on the line.
+    `stored` are wire values by key. Missing values stay as in `link`. Firmware before 1.2 halves
+    two baud rates: the result has the actual rate.
     """
     line, polynomial = link.line, link.polynomial
     try:
         if ParameterKey.UART_SETTINGS in stored:
-            kept = LineSettings.from_wire(stored[ParameterKey.UART_SETTINGS])
-            line = replace(kept, baud=kept.real_baud(firmware))
+            line = LineSettings.from_wire(stored[ParameterKey.UART_SETTINGS])
+            line = replace(line, baud=line.real_baud(firmware))
         if ParameterKey.CRC7_POLYNOMIAL in stored:
-            # The highest bit is always set, and a board does not store it.
+            # The board does not store the highest bit, which is always set.
             polynomial = check_polynomial(stored[ParameterKey.CRC7_POLYNOMIAL] | 0x80)
     except BadRequest:
         return None
@@ -176,35 +174,37 @@ def after_power_cycle(
 def reconnect_places(
     used: ConnectionSettings, expected: Iterable[ConnectionSettings]
 ) -> tuple[ConnectionSettings, ...]:
-    """Return the settings at which a silent board may be, starting with the settings in use.
+    """Return the settings to probe for a silent board, beginning with the present settings.
 
-    The factory default comes last: a power cut while UART settings were being stored leaves it. A
-    board answers with one stop bit as well as with two, so a candidate that differs only in stop
-    bits replaces the settings in use. A place is left out if a board at another place could take
-    its probe for a motor command. A line that other devices share keeps the settings in use.
+    The factory default comes last: a power cut while UART settings are stored leaves the board with
+    it. A board replies with any stop bits, so a candidate with other stop bits replaces the present
+    settings. Settings are omitted if a board at other settings could read their probe as a motor
+    command. On a line with other devices, only the present settings are probed.
     """
     if used.reserved:
         return (used,)
-    here = [replace(one, url=used.url, name=used.name, timeouts=used.timeouts) for one in expected]
-    first = next((one for one in here if _differ_in_stop_bits(one, used)), used)
+    candidates = [
+        replace(place, url=used.url, name=used.name, timeouts=used.timeouts) for place in expected
+    ]
+    first = next((place for place in candidates if _differ_in_stop_bits(place, used)), used)
     places: dict[object, ConnectionSettings] = {}
-    for place in (first, *here, replace(first, line=LineSettings())):
+    for place in (first, *candidates, replace(first, line=LineSettings())):
         places.setdefault((place.line, place.framing), place)
     return tuple(
         place
         for place in places.values()
-        if not (Attempt.at(place).is_unsafe and _may_mishear(place.line, places.values()))
+        if not (Attempt.at(place).is_unsafe and _may_misread(place.line, places.values()))
     )
 
 
-def _differ_in_stop_bits(one: ConnectionSettings, other: ConnectionSettings) -> bool:
-    stop_bits = other.line.stop_bits
-    alike = replace(one, line=replace(one.line, stop_bits=stop_bits)) == other
-    return alike and one.line.stop_bits != stop_bits
+def _differ_in_stop_bits(first: ConnectionSettings, second: ConnectionSettings) -> bool:
+    stop_bits = second.line.stop_bits
+    alike = replace(first, line=replace(first.line, stop_bits=stop_bits)) == second
+    return alike and first.line.stop_bits != stop_bits
 
 
-def _may_mishear(line: LineSettings, places: Iterable[ConnectionSettings]) -> bool:
-    """True if a board at one of the places may take an unsafe probe for a motor command."""
+def _may_misread(line: LineSettings, places: Iterable[ConnectionSettings]) -> bool:
+    """True if a board at these settings may read an unsafe probe as a motor command."""
     return any(
         place.line.detection is Detection.ODD and place.line.baud * 3 == line.baud * 8
         for place in places
@@ -212,10 +212,9 @@ def _may_mishear(line: LineSettings, places: Iterable[ConnectionSettings]) -> bo
 
 
 def client_at(wire: Transport, settings: ConnectionSettings) -> TrexClient | None:
-    """Return a client if the board responds at these settings, which the line then has.
+    """Apply the settings to the line. Return a client if the board responds.
 
-    Without a reply this takes about 0.3 s on a local port. A board that is addressed by number gets
-    a second query with its number.
+    Without a reply, this takes about 0.3 s on a local port. A second query checks the address.
 
     Raises:
         BadRequest: the port does not support the settings.

@@ -1,4 +1,4 @@
-"""Queue of requests to a line session, sorted by board. Motor requests go first."""
+"""Queue of requests to a session, by board. Motor requests come first."""
 
 from collections import Counter, deque
 from collections.abc import Callable, Mapping
@@ -28,14 +28,13 @@ class BoardQueue:
     report: Callable[[Outcome], None]
     _clock: Callable[[], float]
     jobs: deque[Job] = field(default_factory=deque)
-    # Id of the `SelectBoard` that selected the present board; 0 before the first `SelectBoard`
-    selection: int = 0
+    selection: int = 0  # id of the last `SelectBoard`
 
     def add(self, request: BoardRequest, *, is_closing: bool) -> None:
-        """Sort a request. `is_closing`: motor commands come too late.
+        """Queue a request. `is_closing` drops motor commands.
 
-        A stop drops earlier setpoints, and later setpoints until an `Arm`: their sender may not
-        have known of the stop.
+        A stop drops all setpoints until the next `Arm`, because their sender may not know of the
+        stop.
         """
         match request:
             case Stop():
@@ -44,7 +43,7 @@ class BoardQueue:
             case SetReconnectCandidates(settings=settings):
                 self._liveness.expect(settings)
             case Arm(selection=selection) if selection != self.selection:
-                pass  # meant for another board
+                pass  # for another board
             case _ if isinstance(request, Job):
                 self.jobs.append(request)
             case _ if isinstance(request, Heartbeat) or not is_closing:
@@ -58,7 +57,7 @@ class BoardQueue:
                 self.report(Outcome(job.id, error=error))
 
     def abandon(self) -> list[int]:
-        """Drop everything, and return the ids that have no outcome yet."""
+        """Drop all requests. Return the ids without an outcome."""
         ids = [request.id for request in (*self.output.pop_stops(), *self.jobs)]
         self.output.setpoints.clear()
         self.jobs.clear()
@@ -67,19 +66,18 @@ class BoardQueue:
 
 @dataclass(slots=True, eq=False)
 class TrexRequestQueue:
-    """The requests for every board of a line. See `ToBoard` for the board of each request."""
+    """Requests to all boards of a line. `ToBoard` explains their addresses."""
 
     _inbox: Inbox[Request]
     _boards: Mapping[int | None, BoardQueue]  # by number, in the order of the group
-    is_ready: bool = True  # whether every board was read
-    is_closing: bool = False  # whether a `Close` came
-    is_watched: bool = True  # whether anything shows or records samples
-    # For stops of several boards, by id: number of missing outcomes, and the first error
-    _awaited: Counter[int] = field(default_factory=Counter)
-    _failed: dict[int, Outcome] = field(default_factory=dict)
+    is_ready: bool = True  # every board was read
+    is_closing: bool = False  # a `Close` was received
+    is_watched: bool = True  # samples are shown or recorded
+    _awaited: Counter[int] = field(default_factory=Counter)  # missing outcomes by id of the stop
+    _failed: dict[int, Outcome] = field(default_factory=dict)  # first error by id of the stop
 
     def collect(self, seconds: float = 0.0) -> None:
-        """Sort all received requests, waiting up to `seconds` for the first.
+        """Queue received requests, waiting up to `seconds` for the first.
 
         `Close` drops all setpoints.
         """
@@ -98,7 +96,7 @@ class TrexRequestQueue:
                 case ToBoard(number=number, request=inner):
                     self._dispatch(number, inner)
                 case Arm() if not self.is_ready:
-                    pass  # one of the boards is not known yet
+                    pass  # not every board was read
                 case Stop() | Arm() | Heartbeat():
                     if isinstance(request, Stop):
                         self._awaited[request.id] += len(boards)
@@ -117,11 +115,11 @@ class TrexRequestQueue:
             first.report(Outcome(request.id, error=error))
 
     def is_for_all(self, outcome: Outcome) -> bool:
-        """Return whether this is one board's share of a stop for all boards."""
+        """True if the outcome is from a stop for all boards."""
         return self._awaited[outcome.id] > 0
 
     def joined(self, outcome: Outcome, number: int) -> Outcome | None:
-        """Return the outcome of a stop of all boards. `None` until every outcome is known."""
+        """Return the common outcome of a stop. `None` until all boards have an outcome."""
         stop = outcome.id
         if outcome.error is not None:
             error = TrexNoReplyError(ErrorCode.OF_BOARD, number, outcome.error)
@@ -132,11 +130,11 @@ class TrexRequestQueue:
         return self._failed.pop(stop, outcome)
 
     def sees_close(self) -> bool:
-        """Sort received requests. Return whether a `Close` was received."""
+        """Queue received requests. Return whether a `Close` was received."""
         self.collect()
         return self.is_closing
 
     def abandon(self) -> list[int]:
-        """Drop everything, and return the ids that have no outcome yet."""
+        """Drop all requests. Return the ids without an outcome."""
         ids = [number for board in self._boards.values() for number in board.abandon()]
         return list(dict.fromkeys(ids))

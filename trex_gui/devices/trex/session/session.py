@@ -1,7 +1,7 @@
-"""Loop that owns a line: it handles requests, runs one transaction at a time and reports.
+"""Session loop of a line. It runs one transaction at a time, without Qt.
 
-It knows neither threads nor Qt. Order of service: stop, drive, requests, polling. A stop is the
-one motor command that is sent unprompted.
+The priorities are stops, setpoints, requests, then polling. Only a stop may be sent without a
+request.
 """
 
 import logging
@@ -49,32 +49,29 @@ log = logging.getLogger(__name__)
 
 @dataclass(slots=True, eq=False)
 class _Board:
-    """One board of the line, created before the line is opened."""
-
     number: int | None  # device number in a group; `None` without a group
     settings: ConnectionSettings
     motors: MotorOutput
     liveness: LivenessMonitor
     queue: BoardQueue
     emit: Callable[[BoardReport], None]
-    # Since the line was opened:
+    # Created when the line is opened:
     line: OpenLine = field(init=False)
     reader: BoardReader = field(init=False)
     jobs: JobServer = field(init=False)
-    had_job: bool = False  # whether a request was served since its last poll
-    stopped_another: bool = False  # the board that replied at the end is not the driven board
+    had_job: bool = False  # a request was served since the last poll
+    stopped_another: bool = False  # another board confirmed the last stop
 
 
 class TrexSession:
-    """Serves one line, and each board of its group, from opening to closing the line.
+    """Session of a line, for one board or a group.
 
     Args:
-        settings: how to reach the board.
-        inbox: where requests come from.
+        settings: connection settings of the board or group.
+        inbox: requests to the session.
         emit: receives every report, in the thread of `run`.
         open_transport: opens the port.
-        may_move: motors may be moving since an earlier session: a stop is sent before anything
-            else.
+        may_move: motors may be moving since an earlier session. A stop is sent first.
     """
 
     def __init__(
@@ -90,18 +87,18 @@ class TrexSession:
         self._emit = emit
         self._open_transport = open_transport
         self._is_open = False
-        boards = {one: settings.of_board(one) for one in settings.group}
-        self._boards = [self._board(*one, may_move) for one in boards.items()] or [
-            self._board(None, settings, may_move)
-        ]
-        self._has_driven = False  # whether the last step drove one of several boards
-        self._in_turn = list(self._boards)  # the least recently served board first
-        self._requests = TrexRequestQueue(inbox, {one.number: one.queue for one in self._boards})
-        self._requests.is_ready = len(self._boards) == 1
+        self._boards = [
+            self._create_board(number, settings.of_board(number), may_move)
+            for number in settings.group
+        ] or [self._create_board(None, settings, may_move)]
+        self._has_driven = False  # the last step drove one of several boards
+        self._in_turn = list(self._boards)  # least recently served board first
+        queues = {board.number: board.queue for board in self._boards}
+        self._requests = TrexRequestQueue(inbox, queues, is_ready=len(self._boards) == 1)
 
-    def _board(self, number: int | None, settings: ConnectionSettings, may_move: bool) -> _Board:
-        """Return a board. `number` is its device number in a group."""
-
+    def _create_board(
+        self, number: int | None, settings: ConnectionSettings, may_move: bool
+    ) -> _Board:
         def emit(report: BoardReport) -> None:
             if number is None:
                 self._emit(report)
@@ -112,7 +109,7 @@ class TrexSession:
                 self._emit(report if number == self._settings.group[0] else OfBoard(number, report))
 
         motors = MotorOutput(emit, settings.timeouts, may_move=may_move)
-        if number is not None:  # a group is driven once all its boards were read and armed together
+        if number is not None:  # a group is armed together, after every board was read
             motors.handle(OutputEvent.STOP, 0.0)
         liveness = LivenessMonitor(settings.timeouts)
         queue = BoardQueue(motors, liveness, emit, self._now)
@@ -121,8 +118,8 @@ class TrexSession:
     def run(self) -> None:
         """Serve the line until it is lost or `Close` comes. Then report `Closed`.
 
-        Never raises: whatever happens, motors that were driven are stopped, the port is closed and
-        every request gets its outcome.
+        Never raises. In any case, driven motors are stopped, the port is closed and every request
+        gets its outcome.
         """
         error = run_until_closed(
             self._open, self._step, lambda detail: TrexInternalError(ErrorCode.INTERNAL, detail)
@@ -133,7 +130,7 @@ class TrexSession:
         reason = error or TrexError(ErrorCode.CLOSED)
         for number in self._requests.abandon():
             self._emit(Outcome(number, error=reason))
-        may_move = any(one.motors.may_move or one.stopped_another for one in self._boards)
+        may_move = any(board.motors.may_move or board.stopped_another for board in self._boards)
         self._emit(Closed(error, may_move))
 
     def _now(self) -> float:
@@ -142,7 +139,7 @@ class TrexSession:
     # --- Opening and closing ------------------------------------------------------------
 
     def _open(self) -> None:
-        _ = self._settings.framing  # impossible settings must not open the port
+        _ = self._settings.framing  # raises for impossible settings before the port is opened
         transport = GuardedTransport(
             self._open_transport(self._settings),
             self._settings.timeouts.guardian,
@@ -161,13 +158,13 @@ class TrexSession:
             try:
                 self._start(client)
             except BadReply:
-                # A line that was just opened may have swallowed the expected echo.
+                # A line that was just opened may have lost the echo.
                 self._start(client)
         except (NoReply, BadReply) as error:
-            if self._is_stop_wanted():  # before any further probe
+            if self._needs_stop():  # before any further probe
                 raise explain(self._settings, echo=client.echo, error=error) from error
             raise diagnose(
-                client, error, progress=self._report_probe, cancelled=self._is_stop_wanted
+                client, error, progress=self._report_probe, cancelled=self._needs_stop
             ) from error
         for board in self._boards[1:]:
             self._start_other(board, client)
@@ -181,12 +178,12 @@ class TrexSession:
         """Create the parts of a board. `client` is for the first board, `lines` is shared."""
         own = client if board is self._boards[0] else client.to_board(board.settings)
         status, batcher = StatusReader(self._transport.clock), SampleBatcher(board.emit)
-        see = self._requests.sees_close
+        sees_close = self._requests.sees_close
         board.line = OpenLine(
             client=own,
             transport=self._transport,
             motors=board.motors,
-            driver=MotorDriver(board.motors, own, status, batcher.extend, see),
+            driver=MotorDriver(board.motors, own, status, batcher.extend, sees_close),
             status=status,
             liveness=board.liveness,
             requests=self._requests,
@@ -201,9 +198,9 @@ class TrexSession:
         board.reader = BoardReader(board.line)
         board.jobs = JobServer(board.line, board.reader)
 
-    def _is_stop_wanted(self) -> bool:
+    def _needs_stop(self) -> bool:
         self._boards[0].line.collect()
-        return any(one.motors.may_move or one.motors.stops for one in self._boards)
+        return any(board.motors.may_move or board.motors.stops for board in self._boards)
 
     def _report_probe(self, step: ScanProgress) -> None:
         self._emit(ProbeProgress(step.done, step.total, step.line.text()))
@@ -225,14 +222,14 @@ class TrexSession:
     def _stop_sequence(self) -> StopSequence | None:
         boards = self._boards
         if not self._is_open or not any(
-            one.motors.may_move or one.motors.is_armed for one in boards
+            board.motors.may_move or board.motors.is_armed for board in boards
         ):
             return None
-        names = " + ".join(str(one.reader.signature or "TReX") for one in boards)
-        return joined_stops([one.line.client.stop_sequence(names) for one in boards])
+        names = " + ".join(str(board.reader.signature or "TReX") for board in boards)
+        return joined_stops([board.line.client.stop_sequence(names) for board in boards])
 
     def _on_taken_over(self, confirmed: bool | None) -> None:
-        """Drop the setpoints. The motors are stopped again before any other use of the line."""
+        """Drop all setpoints. The next step stops the motors again."""
         code = ErrorCode.NO_GUARDIAN if confirmed is None else ErrorCode.NO_HEARTBEAT
         for board in self._boards:
             board.motors.quality.is_shared = True
@@ -243,8 +240,8 @@ class TrexSession:
         self._requests.collect()
         now = self._now()
         return any(
-            one.motors.stops or one.motors.seconds_to_heartbeat_timeout(now) <= 0
-            for one in self._boards
+            board.motors.stops or board.motors.seconds_to_heartbeat_timeout(now) <= 0
+            for board in self._boards
         )
 
     def _stop_early(self) -> None:
@@ -253,35 +250,35 @@ class TrexSession:
             board.line.driver.stop_early()
 
     def _close_safely(self) -> None:
-        """Stop motors that were driven and close the port, whatever the line does."""
+        """Stop driven motors and close the port, even if the line fails."""
         boards, transport = self._boards, self._transport
         try:
-            driven = [one for one in boards if one.motors.may_move]
-            stopped = [one for one in boards if one.motors.may_move or one.motors.stops]
-            stop_together([one.line.driver.closing_stop() for one in stopped])
+            driven = [board for board in boards if board.motors.may_move]
+            stopped = [board for board in boards if board.motors.may_move or board.motors.stops]
+            stop_together([board.line.driver.closing_stop() for board in stopped])
             for board in driven:
                 if not board.motors.may_move:
                     board.stopped_another = self._is_another(board)
             boards[0].line.client.drain()
-            self._is_open = any(one.motors.may_move for one in boards)
-            transport.beat()  # else the guardian still counts the boards as left running
+            self._is_open = any(board.motors.may_move for board in boards)
+            transport.beat()  # updates the guardian's stop sequence
         except StudioError:
             log.info("the line was closed without a confirmed stop", exc_info=True)
         except Exception:
-            log.exception("leaving the line failed")
-        moving = [one for one in boards if one.motors.may_move]
+            log.exception("closing the line failed")
+        moving = [board for board in boards if board.motors.may_move]
         if moving and transport.stop_by_guardian():
             for board in moving:
                 board.motors.handle(OutputEvent.STOP_CONFIRMED, self._now())
         try:
             for board in boards:
                 board.line.flush()
-        except Exception:  # the receiver may have failed; the port is closed anyway
+        except Exception:  # the port must be closed even if the receiver failed
             log.exception("the last samples could not be reported")
         boards[0].line.client.close()
 
     def _is_another(self, board: _Board) -> bool:
-        """True if the board that replies now is certainly not the board that was read."""
+        """True if the board that replies is certainly not the board that was read."""
         signature = board.reader.signature
         try:
             return signature is not None and (
@@ -299,8 +296,8 @@ class TrexSession:
         first.collect()
         now = first.now()
         in_use = any(
-            one.motors.is_armed or one.motors.may_move or one.motors.is_repeating
-            for one in self._boards
+            board.motors.is_armed or board.motors.may_move or board.motors.is_repeating
+            for board in self._boards
         )
         watched = in_use or self._requests.is_watched
         for board in self._boards:
@@ -310,20 +307,20 @@ class TrexSession:
             board.line.flush_if_due(now)
         if first.serve_stops():
             return
-        failing = len(self._boards) > 1 and any(one.liveness.is_failing for one in self._boards)
+        is_group = len(self._boards) > 1
+        failing = is_group and any(board.liveness.is_failing for board in self._boards)
         if not self._has_driven and not failing and first.drive_next():
-            # With several boards on the line, a poll that is due comes before the next setpoints
-            self._has_driven = len(self._boards) > 1
+            self._has_driven = is_group  # in a group, a due poll precedes the next setpoints
             return
         has_driven, self._has_driven = self._has_driven, False
-        # A board that may have fallen silent comes first: its silence stops the others
-        for board in sorted(self._in_turn, key=lambda one: not one.liveness.is_failing):
+        # A failing board comes first, because its silence stops the group.
+        for board in sorted(self._in_turn, key=lambda board: not board.liveness.is_failing):
             if self._serve(board, now, watched=watched):
                 self._in_turn.remove(board)
                 self._in_turn.append(board)
                 return
         if has_driven:
-            return  # setpoints that are due come next
+            return  # due setpoints come next
         first.collect(self._seconds_to_wait(now))
 
     def _serve(self, board: _Board, now: float, *, watched: bool) -> bool:
@@ -345,7 +342,7 @@ class TrexSession:
         return True
 
     def _serve_job(self, board: _Board) -> None:
-        """Serve a request. A poll that is due has its turn before the next request."""
+        """Serve a request. A due poll precedes the next request."""
         board.had_job = True
         board.jobs.serve(board.queue.jobs.popleft())
 

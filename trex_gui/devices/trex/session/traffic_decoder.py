@@ -1,4 +1,4 @@
-"""Meaning of the bytes between a host and a TReX, for the traffic log."""
+"""Decoder of TReX packets and replies for the traffic log."""
 
 from functools import lru_cache
 
@@ -22,16 +22,14 @@ from trex_gui.devices.trex.protocol.parameters import parameter_number
 from trex_gui.devices.trex.protocol.raw_packets import may_move, packets_of
 from trex_gui.devices.trex.session.polling import SAFETY_PARAMETERS
 
-_POLLED = frozenset(range(0x82, 0x90)) | {0xFF}
-"""Command bytes of the values that a session polls, and of the null command."""
+_POLLED = frozenset(range(0x82, 0x90)) | {0xFF}  # polled values and the null command
 
 
 class TrexDecoder(Decoder):
-    """Decodes both sub-protocols, with and without CRC and echo."""
+    """Decoder of both sub-protocols, with or without CRC and echo."""
 
     def __init__(self) -> None:
-        # Signature of the board on the line, for units and parameters; `None` until it is read
-        self.board: Signature | None = None
+        self.board: Signature | None = None  # determines units and parameters; `None` if unknown
 
     def shown(self, data: bytes) -> str:
         return hex_text(data)
@@ -40,7 +38,7 @@ class TrexDecoder(Decoder):
         return bytes.fromhex(shown)
 
     def learn(self, transaction: Transaction) -> None:
-        """Use the units of a board after its signature was read."""
+        """Set the board when its signature was read."""
         match last_exchange(transaction):
             case _, Reply(value=Signature() as board):
                 self.board = board
@@ -59,7 +57,7 @@ class TrexDecoder(Decoder):
         return may_move(sent)
 
     def is_whole(self, transaction: Transaction) -> bool:
-        """True if the reply has its full size, after its echo if there is one."""
+        """True if the reply is complete."""
         if not transaction.sent:
             return False
         _, reply = last_exchange(transaction)
@@ -85,27 +83,27 @@ class TrexDecoder(Decoder):
         if not transaction.sent:
             return tr("unsolicited bytes")
         packets = _packets(transaction.sent, _polynomial(transaction.settings))
-        said = "; ".join(packet.words(self.board) for packet in packets)
+        request = "; ".join(packet.words(self.board) for packet in packets)
         packet = packets[-1].packet
         if isinstance(packet, Malformed):
-            return said
+            return request
         match _reply(packet, transaction):
             case Reply(value=value):
                 reply = describe_reply(packet.command, value, self.board)
-                return f"{said} → {reply}" if reply else said
+                return f"{request} → {reply}" if reply else request
             case Malformed() if not packet.command.reply_size():
                 fault = tr("unsolicited bytes; perhaps a late reply")
             case Malformed(reason=reason):
                 fault = tr("corrupted: {0}").format(reason)
             case _ if not transaction.is_over:
-                return said
+                return request
             case _ if not transaction.received:
                 fault = tr("no reply")
             case _ if transaction.received == transaction.sent:
                 fault = tr("only its echo came back")
             case _:
                 fault = tr("incomplete reply")
-        return f"{said} → {fault}"
+        return f"{request} → {fault}"
 
 
 _packets = lru_cache(maxsize=256)(packets_of)  # polls repeat the same few packets
@@ -114,7 +112,7 @@ _packets = lru_cache(maxsize=256)(packets_of)  # polls repeat the same few packe
 def last_exchange(
     transaction: Transaction,
 ) -> tuple[Packet | Malformed | None, Reply[object] | NeedData | Malformed | None]:
-    """Return the last packet that was sent, and its reply. `None` if missing."""
+    """Return the last sent packet and its reply. `None` if missing."""
     if not transaction.sent:
         return None, None
     packet = _packets(transaction.sent, _polynomial(transaction.settings))[-1].packet
@@ -122,7 +120,7 @@ def last_exchange(
 
 
 def _reply(packet: Packet, transaction: Transaction) -> Reply[object] | NeedData | Malformed:
-    """Parse the received bytes. They also show an echo if `transaction.echo` is unknown."""
+    """Parse the reply. Detect an echo if `transaction.echo` is unknown."""
     framing = Framing(packet.device_number, _polynomial(transaction.settings))
     received, echo = transaction.received, transaction.echo
     if echo is not None:
