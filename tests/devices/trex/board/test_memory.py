@@ -61,7 +61,7 @@ class Shelf:
     def add_accepted(self, kind: Signature, values: Mapping[str, int]) -> None:
         self.accepted.append(values)
 
-    def doubt(self, record: BoardRecord) -> None:
+    def warn_doubtful(self, record: BoardRecord) -> None:
         self.doubts.append(record)
 
     def show_notes(self, notes: Mapping[str, str] | None, board: BoardIdentity) -> None:
@@ -75,7 +75,7 @@ class Shelf:
     def connect(self, stored: Settings, adapter: str) -> set[str]:
         """Connect to a board; return in what it differs from what was applied last."""
         self.stored = stored
-        self.memory.take_board(stored, RC, NOW, opened=True, adapter=adapter)
+        self.memory.set_board(stored, RC, NOW, opened=True, adapter=adapter)
         return {row.key for row in self.memory.differing.rows}
 
     def write(self, **values: int) -> None:
@@ -151,7 +151,7 @@ def test_values_of_a_write_without_an_end_are_not_expected(shelf: Shelf) -> None
 
 @pytest.mark.parametrize("is_simulated", [False, True])
 def test_simulated_board_says_nothing_about_real_ones(shelf: Shelf, *, is_simulated: bool) -> None:
-    shelf.memory.take_board(NEW, RC, NOW, opened=True, is_simulated=is_simulated)
+    shelf.memory.set_board(NEW, RC, NOW, opened=True, is_simulated=is_simulated)
     kind = Signature(NEW.product, "1.2")
     shelf.memory.record_accepted(kind, {"uart_error_shutdown": 2})
     shelf.memory.record_accepted(kind, {})
@@ -182,7 +182,7 @@ def test_number_after_a_reset_is_that_of_the_same_board(shelf: Shelf, *, is_rese
     shelf.memory.set_notes({"serial_timeout": "why"})
     if is_reset:
         shelf.memory.record_reset()
-    shelf.memory.take_board(NEW, RC, NOW, opened=False)
+    shelf.memory.set_board(NEW, RC, NOW, opened=False)
     assert (shelf.notes == {"serial_timeout": "why"}) is is_reset
     expected = {"trex-1.2-7"} if is_reset else {"trex-1.2-7", "trex-1.2-12"}
     assert shelf.records.keys() == expected

@@ -14,8 +14,8 @@ from trex_gui.devices.trex.board.mirror import (
     BoardMirror,
     BoardRead,
     DriveLost,
-    LineJudged,
     MotorsShutDown,
+    QualityChanged,
     SetUp,
 )
 from trex_gui.devices.trex.client.client import Counters
@@ -366,10 +366,10 @@ def test_noisy_line_is_an_event_at_its_beginning_and_its_end(watched: Watched) -
         "The line is noisy: 3.0 % lost",
         "The line is good again",
     ]
-    assert LineJudged() in watched.events
+    assert QualityChanged() in watched.events
     watched.events.clear()
     watched.lose()
-    assert LineJudged() in watched.events
+    assert QualityChanged() in watched.events
     assert watched.board.quality.is_noisy is None
 
 

@@ -39,7 +39,7 @@ class Kept(Keeper):
         self.said: list[str] = []
         self.warned: list[str] = []
         super().__init__(self.said.append, self.warned.append)
-        self.memory.take_board(settings_of(state), state.source, utc_now(), opened=True)
+        self.memory.set_board(settings_of(state), state.source, utc_now(), opened=True)
         self.load()
 
     def finish(self, results: list[WriteResult]) -> None:
@@ -74,7 +74,7 @@ def test_only_what_was_verified_is_expected_and_accepted() -> None:
         "device_number": 7, "uart_error_shutdown": 2, "motor_mode": 1
     }  # fmt: skip
     assert AcceptedValues().of(KIND) == {"uart_error_shutdown": {2}}
-    assert kept.said[1:] == ["Remembered as accepted by a TReX 1.2: uart_error_shutdown 2."]
+    assert kept.said[1:] == ["Recorded as accepted by a TReX 1.2: uart_error_shutdown 2."]
 
 
 def test_reset_expects_nothing_of_the_parameters() -> None:
@@ -105,7 +105,7 @@ def test_files_that_cannot_be_saved_are_said_once(tmp_path: Path) -> None:
     kept = Kept()
     kept.finish([WriteResult("serial_timeout", 5)])
     assert [text.partition(".")[0] for text in kept.warned] == [
-        "what was applied is not remembered"
+        "The applied settings were not saved"
     ]
 
 
@@ -131,5 +131,5 @@ def test_damaged_record_is_not_used(text: str) -> None:
     path.parent.mkdir(parents=True)
     path.write_text(text, "utf-8")
     kept = Kept()
-    assert kept.warned[0].startswith("what was applied to this board before is not known. ")
+    assert kept.warned[0].startswith("The settings applied to this board before are not known. ")
     assert kept.memory.record is not None

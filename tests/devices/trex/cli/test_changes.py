@@ -314,7 +314,7 @@ def test_force_stores_and_remembers_open_value(
 
     quick_simulator.do("accept ignored_channels 127")
     accepted = trexcmd("set", "ignored_channels", "63", "--force")
-    assert "Remembered as accepted by a TReX 1.2: ignored_channels 63." in accepted.stderr
+    assert "Recorded as accepted by a TReX 1.2: ignored_channels 63." in accepted.stderr
     assert quick_simulator.show()["parameters"]["ignored_channels"] == 63
     trexcmd("set", "ignored_channels", "0")
     trexcmd("set", "ignored_channels", "63")  # no question a second time

@@ -1,4 +1,4 @@
-"""The mirror of one board, and the one transaction for writes: no Qt, no threads."""
+"""State of one board and writes to it. No Qt, no threads."""
 
 from trex_gui.devices.trex.client.writing import WriteResult
 

@@ -18,18 +18,16 @@ from trex_gui.devices.trex.driving.timeout_stop import turning_text
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DriveInputs:
-    board: BoardInputs | None = None  # what the board reports; `None` while that is unknown
-    # Reason for an unknown board: none, silent, being connected; `None` while it responds
-    link: DriveBlocker | None = None
-    may_move: bool = False  # whether motors were driven and no stop was confirmed since
+    board: BoardInputs | None = None  # reports of the board; `None` if unknown
+    link: DriveBlocker | None = None  # state of the connection; `None` while the board responds
+    may_move: bool = False  # motors were driven, and no stop was confirmed since
     driven: frozenset[int] = frozenset()  # motors that were driven, as far as known
-    # Warning that a board may still be driven, while another board is on the line
-    lost_board: str = ""
-    silence_remedy: str = ""  # what to do if the board is lost while it is driven
-    other_driver: str = ""  # the user who drives a served board in place of this program
-    other_speeds: tuple[int, int, int] = (0, 0, 0)  # speeds that this user has set
+    lost_board: str = ""  # warning that the previous board may still be driven
+    silence_remedy: str = ""  # for a board that is lost while it is driven
+    other_driver: str = ""  # another user who drives this served board
+    other_speeds: tuple[int, int, int] = (0, 0, 0)  # setpoints of the other user
     lacks_board: int | None = None  # number of a board in the group that cannot be driven
-    reaches_several: bool = False  # whether a command would reach several boards
+    reaches_several: bool = False  # a command would reach several boards
     locked_for: float = 0.0  # seconds
     is_available: bool = True
     armed: bool = False
@@ -38,7 +36,7 @@ class DriveInputs:
 
 @dataclass(frozen=True, slots=True)
 class DriveStatus:
-    """Explanation of what the motors do, and a remedy, in sentences."""
+    """State of the motors and a remedy, in sentences."""
 
     blocker: DriveBlocker
     text: str
@@ -46,36 +44,33 @@ class DriveStatus:
 
 
 class SetpointSource(Enum):
-    """Source of the speed at which a motor is set to turn."""
+    """Source of a motor's setpoint."""
 
     UNKNOWN = auto()
-    JOINT = auto()  # motor 1: both drivers work as one motor
-    SAFE_START = auto()  # safe-start holds the motor, whatever the channel commands
+    JOINT = auto()  # setpoint of motor 1: both drivers work as one motor
+    SAFE_START = auto()  # safe-start holds the motor
     CHANNEL = auto()
     NOT_ARMED = auto()  # serial commands control the motor, but none is sent
     SERIAL = auto()
-    OTHER_DRIVER = auto()  # serial commands of another user of a served board
+    OTHER_DRIVER = auto()  # serial commands of another user
 
 
 @dataclass(frozen=True, slots=True)
 class MotorSetpoint:
-    """Speed at which a motor is set to turn, -127 to 127, the auxiliary motor 0 to 127.
-
-    `may_turn`: no stop was confirmed since the motors were driven, so nothing else counts.
-    """
+    """Setpoint of a motor, with its source."""
 
     source: SetpointSource
-    speed: int = 0
-    may_turn: bool = False
+    speed: int = 0  # -127 to 127
+    may_turn: bool = False  # no stop was confirmed since the motors were driven
 
 
-AUXILIARY = 3  # motor that channel 3 drives
+AUXILIARY = 3  # motor of channel 3
 
 
 def motor_setpoint(motor: int, now: DriveInputs, newest: Newest, sent: int) -> MotorSetpoint:
     """Return the setpoint of a motor: 1, 2 or `AUXILIARY`.
 
-    `sent` is its speed by serial commands, -127 to 127.
+    `sent` is the speed in serial commands, -127 to 127.
     """
     source, speed, board = SetpointSource.UNKNOWN, 0, now.board
     remapped = newest.get(Remapped)
@@ -102,7 +97,7 @@ _SILENT_WHILE_DRIVEN = tr_noop("The board does not respond; the stop is being re
 
 
 def drive_statuses(now: DriveInputs) -> tuple[DriveStatus, ...]:
-    """Return every reason for the state of the motors. Reasons that stop them come first."""
+    """Return the reasons for the state of the motors, most severe first."""
     if now.link is DriveBlocker.NO_BOARD and (now.may_move or now.lost_board):
         return (_lost(now),)
     if now.link is DriveBlocker.SILENT:
@@ -110,11 +105,11 @@ def drive_statuses(now: DriveInputs) -> tuple[DriveStatus, ...]:
     if now.link is not None or now.board is None:
         return (_status(Reason(now.link or DriveBlocker.UNKNOWN)),)
     reasons = [*board_reasons(now.board), *_own_reasons(now, by_serial=now.board.by_serial)]
-    return tuple(_status(one, now.board) for one in worst_first(reasons))
+    return tuple(_status(reason, now.board) for reason in worst_first(reasons))
 
 
 def _own_reasons(now: DriveInputs, *, by_serial: bool) -> Iterator[Reason]:
-    """Yield the reason why this program drives, or does not. Empty while channels drive."""
+    """Yield this program's reason. There is none while the channels drive."""
     if now.armed:
         yield Reason(DriveBlocker.RUNNING)
     elif now.may_move:

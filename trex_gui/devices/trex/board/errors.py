@@ -1,7 +1,6 @@
-"""Error bits of a board, with the count and last time of their reports, and events for its log.
+"""Error bits of a board: counts, times and events for the log.
 
-Reading a latched bit clears it, so every bit that was read is counted here. The board latches it
-again for as long as its cause lasts.
+Reading a latched bit clears it. The board latches the bit again while its cause lasts.
 """
 
 import math
@@ -31,7 +30,7 @@ class ErrorEntry:
     meaning: str
     remedy: str
     count: int = 0
-    last: datetime | None = None  # date and time of the last report; `None` without one
+    last: datetime | None = None  # date and time of the last report, if any
     seen_at: float = -math.inf  # time of the last report on the monotonic clock, in seconds
     is_doubtful: bool = False  # the last report may be a corrupted reply
     is_uncleared: bool = False  # reported since the user cleared the errors
@@ -39,7 +38,7 @@ class ErrorEntry:
 
 
 def error_names(entries: Sequence[ErrorEntry]) -> str:
-    """Return the names of errors, marked if all may come from corrupted replies."""
+    """Return the names of errors, with a mark if all are doubtful."""
     names = ", ".join(tr(entry.name) for entry in entries)
     is_doubtful = all(entry.is_doubtful for entry in entries)
     return tr("{0} (doubtful)").format(names) if is_doubtful else names
@@ -47,14 +46,13 @@ def error_names(entries: Sequence[ErrorEntry]) -> str:
 
 _CHECK_LINE = tr_noop("Check cable and ground, and that no other program sends on this line.")
 
-_STATUS_REMEDIES = {
+_STATUS_REMEDIES = {  # in display order
     Status.MOTOR1_FAULT: DriveBlocker.FAULT.remedy,
     Status.MOTOR1_OVER_LIMIT: DriveBlocker.OVER_LIMIT.remedy,
     Status.MOTOR2_FAULT: DriveBlocker.FAULT.remedy,
     Status.MOTOR2_OVER_LIMIT: DriveBlocker.OVER_LIMIT.remedy,
     Status.UART_ERROR: _CHECK_LINE,
 }
-"""Remedy for each status bit, in the order in which the bits are shown."""
 
 _UART_REMEDIES = {
     UartError.TIMEOUT: DriveBlocker.TIMEOUT.remedy,
@@ -78,9 +76,8 @@ UNSEEN = (
     *(ErrorEntry(bit, *words, _UART_REMEDIES[bit]) for bit, words in UART_MEANING.items()),
 )
 
-ACTIVE_FOR = 1.0
-"""Seconds after its last report for which an error is active: the status is read ten times a
-second, and reports a lasting error each time."""
+# The status is read ten times a second, and each time reports errors that last.
+ACTIVE_FOR = 1.0  # seconds after the last report
 
 
 def is_latched(bit: Status | UartError, latched: LatchedStatus) -> bool:
@@ -94,27 +91,27 @@ class ErrorCounts:
     """
 
     def __init__(self, changed: Callable[[], None] = lambda: None) -> None:
-        """`changed` is called when a bit was reported, and when errors were cleared or reset."""
+        """`changed` is called after each change of `entries`."""
         self.entries = UNSEEN  # motor 1, motor 2, then UART error and its kinds
         self._changed = changed
         self._others: dict[str, tuple[ErrorEntry, ...]] = {}  # entries of unselected boards
 
     @property
     def occurred(self) -> list[ErrorEntry]:
-        """Errors that were reported, or latched before connecting, newest first.
+        """Reported or previously latched errors, newest first.
 
-        The bit that announces UART errors is left out if their kinds are listed.
+        The general UART error bit is omitted if the kinds of UART errors are listed.
         """
-        found = [one for one in self.entries if one.count or one.is_earlier]
-        details = [one for one in found if isinstance(one.bit, UartError)]
+        found = [entry for entry in self.entries if entry.count or entry.is_earlier]
+        details = [entry for entry in found if isinstance(entry.bit, UartError)]
         return sorted(
             (
-                one
-                for one in found
-                if one.bit is not Status.UART_ERROR
-                or not any(detail.is_uncleared >= one.is_uncleared for detail in details)
+                entry
+                for entry in found
+                if entry.bit is not Status.UART_ERROR
+                or not any(detail.is_uncleared >= entry.is_uncleared for detail in details)
             ),
-            key=lambda one: -one.seen_at,
+            key=lambda entry: -entry.seen_at,
         )
 
     @staticmethod
@@ -122,9 +119,9 @@ class ErrorCounts:
         return now - entry.seen_at < ACTIVE_FOR
 
     def recent(self, motor: int, now: float) -> list[ErrorEntry]:
-        """Return the entries about motor 1 or 2 that are at most three seconds old.
+        """Return the errors of a motor in the last three seconds.
 
-        Serial timeouts and other UART errors are about both motors: they may have stopped them.
+        UART errors count for both motors, because they may stop both.
         """
         of_motor = MOTOR_FAULTS[motor] | OVER_LIMITS[motor]
         return [
@@ -137,13 +134,13 @@ class ErrorCounts:
     def count(
         self, latched: LatchedStatus, now: float, utc: datetime, *, is_doubtful: bool = False
     ) -> None:
-        """Count the bits of a status. `is_doubtful`: its reply may have been corrupted.
+        """Count the bits of a status. `is_doubtful`: the reply may be corrupted.
 
-        Bits that were latched before the connection are only marked.
+        Bits that were latched before the connection are marked, but not counted.
         """
         today = utc.astimezone()
 
-        def taken(entry: ErrorEntry) -> ErrorEntry:
+        def counted(entry: ErrorEntry) -> ErrorEntry:
             if not is_latched(entry.bit, latched):
                 return entry
             if latched.is_earlier:
@@ -157,17 +154,17 @@ class ErrorCounts:
                 is_uncleared=True,
             )
 
-        self.entries = tuple(map(taken, self.entries))
+        self.entries = tuple(map(counted, self.entries))
         self._changed()
 
     def select(self, before: str, board: str) -> None:
-        """Show the counts of another board on the line. Retain the counts of the board `before`."""
+        """Switch to the counts of another board. Retain the counts of `before`."""
         self._others[before] = self.entries
         self.entries = self._others.pop(board, UNSEEN)
         self._changed()
 
     def clear(self, bit: Status | UartError) -> None:
-        """Mark an error as known. Its count stays, and an active error is reported again."""
+        """Mark an error as cleared. An active error is reported again."""
         other = Status.UART_ERROR if isinstance(bit, UartError) else bit
         self.entries = tuple(  # identity, since bits of both bytes have the same numbers
             replace(entry, is_uncleared=False) if entry.bit is bit or entry.bit is other else entry
@@ -182,7 +179,7 @@ class ErrorCounts:
 
 # --- Events for the log -----------------------------------------------------------------
 
-GOES_ON = 1.0  # seconds in which a repeated bit is one event: a fault repeats ten times a second
+_EVENT_GAP = 1.0  # seconds without a bit before its next report is a new event
 
 _KINDS = {
     **dict.fromkeys(MOTOR_FAULTS.values(), EventKind.FAULT),
@@ -191,13 +188,13 @@ _KINDS = {
 
 
 class StatusEvents:
-    """Creates events from latched bits. A bit that persists is one event."""
+    """Events from latched bits. A bit that persists is one event."""
 
     def __init__(self) -> None:
         self._seen: dict[str, float] = {}
 
     def of(self, latched: LatchedStatus, before: Iterable[ErrorEntry]) -> Iterator[Event]:
-        """Yield the events of a status. A serial error makes no new event until it is cleared."""
+        """Yield the events of a status. An uncleared serial error gives no new event."""
         if latched.is_earlier:
             yield _earlier(latched)
             return
@@ -208,26 +205,30 @@ class StatusEvents:
             name = UART_MEANING[error][0]
             if error is UartError.TIMEOUT:
                 yield from self._of_bit(EventKind.TIMEOUT, name, latched.time)
-            elif not any(one.bit is error and one.is_uncleared for one in before):
+            elif not any(entry.bit is error and entry.is_uncleared for entry in before):
                 yield Event(latched.time, EventKind.LINK, tr(name), is_problem=True)
 
     def _of_bit(self, kind: EventKind, name: str, time: float) -> Iterator[Event]:
         before = self._seen.get(name)
         self._seen[name] = time
-        if before is None or time - before > GOES_ON:
+        if before is None or time - before > _EVENT_GAP:
             yield Event(time, kind, tr(name), is_problem=True)
 
 
 def _earlier(latched: LatchedStatus) -> Event:
-    # The kinds of UART errors say more than the bit that announces them
+    # The kinds of UART errors replace the general bit.
     hidden = Status.UART_ERROR if latched.uart else None
-    bits = [one for one in UNSEEN if is_latched(one.bit, latched) and one.bit is not hidden]
+    names = ", ".join(
+        tr(entry.name)
+        for entry in UNSEEN
+        if is_latched(entry.bit, latched) and entry.bit is not hidden
+    )
     text = tr("Latched before connecting, perhaps by the search for the board: {0}")
-    return Event(latched.time, EventKind.LINK, text.format(", ".join(tr(one.name) for one in bits)))
+    return Event(latched.time, EventKind.LINK, text.format(names))
 
 
 def read_event(report: Connected, now: float) -> Event | None:
-    """Return the event of a reading of the board. `None` if the user requested the reading."""
+    """Return the event of a reading. `None` if the user requested the reading."""
     is_problem = report.occasion is ReadReason.SETTING_CHANGED
     match report.occasion:
         case ReadReason.OPENED:

@@ -1,4 +1,4 @@
-"""Files of a board for programs without a window, and writes to it over an open line."""
+"""Files of a board for programs without a window, and writes over an open line."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -29,32 +29,32 @@ from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity, put_aside
 from trex_gui.devices.trex.settings.history import SettingsHistory
 
-Say = Callable[[str], None]
+Notify = Callable[[str], None]
 
 
-def read_record(board: BoardIdentity, warn: Say) -> BoardRecord | None:
-    """Return the saved record of a board. `None` if it is missing, or damaged (warns)."""
+def read_record(board: BoardIdentity, warn: Notify) -> BoardRecord | None:
+    """Return the saved record of a board. `None` if it is missing or damaged."""
     try:
         return BoardRecords().load(board)
     except SettingsError as error:
-        warn(f"what was applied to this board before is not known. {error}")
+        warn(f"The settings applied to this board before are not known. {error}")
         return None
 
 
 class Keeper:
     """Snapshots, record and accepted values of a board. Files are read when first needed."""
 
-    def __init__(self, say: Say, warn: Say) -> None:
-        """`say` receives sentences about saved files, `warn` about files that were not saved."""
-        self._say, self._warn = say, warn
+    def __init__(self, inform: Notify, warn: Notify) -> None:
+        """`inform` receives messages about saved files, `warn` about failures."""
+        self._inform, self._warn = inform, warn
         self._records = BoardRecords()
         self._is_failing = False
-        self._sought: BoardIdentity | None = None
+        self._requested: BoardIdentity | None = None
         self.memory = BoardMemory(self)
 
     def load(self) -> None:
-        """Read the record of the board, unless it was read before."""
-        board, self._sought = self._sought, None
+        """Read the record of the board once."""
+        board, self._requested = self._requested, None
         if board is not None:
             self.memory.handle_record(board, read_record(board, self._warn))
 
@@ -66,17 +66,17 @@ class Keeper:
         parameters: Sequence[tuple[str, int]],
         calibrations: Sequence[tuple[CalibrationKey, Calibration]] = (),
     ) -> WriteTransaction:
-        """Prepare a write: save a snapshot, then expect nothing of these values.
+        """Prepare a write: save a snapshot, then clear the expected values.
 
         Raises:
-            SettingsError: the snapshot cannot be saved; nothing must be written.
+            SettingsError: the snapshot cannot be saved, so nothing must be written.
         """
         self.load()
         values = tuple(parameters), tuple(calibrations)
         transaction = WriteTransaction(self.memory, state, link, values, reason=reason)
         history = SettingsHistory()
         snapshot = transaction.save_snapshot(history)
-        self._say(f"Snapshot of the previous settings: {snapshot.path}.")
+        self._inform(f"Snapshot of the previous settings: {snapshot.path}.")
         if problem := history.limit().problem:
             self._warn(f"{problem} Set it again with `trexcmd history keep 500`.")
         transaction.start()
@@ -95,7 +95,8 @@ class Keeper:
     ) -> tuple[WriteResult, ...]:
         """Save a snapshot, write, and record the applied values. See `write_all`.
 
-        Nothing is written after a BadRequest: another board on the line has the device number.
+        Raises:
+            BadRequest: another board has the device number, so nothing was written.
         """
         number = dict(parameters).get(ParameterKey.DEVICE_NUMBER)
         if number is not None and number != state.parameters.get(ParameterKey.DEVICE_NUMBER):
@@ -118,13 +119,13 @@ class Keeper:
     def restored_afterwards(
         self, client: TrexClient, state: DeviceState, reason: str
     ) -> Iterator[Callable[[ParameterSpec, int], int]]:
-        """Save a snapshot, yield a function that tries a value, and always restore the board.
+        """Save a snapshot, yield a function that writes trial values, then restore the board.
 
-        Meanwhile the record of the board expects the previous values. If this program dies, or the
-        line is gone, the next connection shows the differences.
+        The record expects the previous values throughout. If the program or the line fails, the
+        next connection shows the differences.
         """
         before, record = settings_of(state), self.memory.record
-        assert record is not None  # noqa: S101 - it was loaded
+        assert record is not None  # noqa: S101 - loaded by the caller
         self.prepare(state, client.settings, reason, ()).finish((), state, utc_now())
         try:
             yield partial(write_parameter, client.request, has_crc=client.has_crc)
@@ -132,49 +133,47 @@ class Keeper:
             try:
                 found = read_everything(client.request, has_crc=client.has_crc)
                 rows = [row for row in compare(settings_of(found), before).rows if row.changed]
-                if found.signature != state.signature or len(rows) > 3:  # a value, stray writes
+                if found.signature != state.signature or len(rows) > 3:  # more than stray writes
                     raise OtherBoard(ErrorCode.TOO_MANY_DIFFER, len(rows))
-                wanted = values_to_write(rows)
                 for result in write_all(
-                    client.request, state.specs, *wanted, has_crc=client.has_crc
+                    client.request, state.specs, *values_to_write(rows), has_crc=client.has_crc
                 ):
                     if result.error is not None:
                         raise result.error
                 self.memory.restore(record)
             except StudioError as error:
-                self._say(f"The board may store other settings than before. {error}")
-                self._say("`trexcmd diff --last` shows them; the snapshot has what was stored.")
+                self._inform(f"The board may store other settings than before. {error}")
+                self._inform("`trexcmd diff --last` shows them. The snapshot has the old settings.")
 
     # --- For the memory -----------------------------------------------------------------
 
     def find(self, board: BoardIdentity) -> None:
-        self._sought = board
+        self._requested = board
 
     def find_lost(self, board: BoardIdentity, adapter: str) -> None:
         self.memory.set_lost(board, self._records.of_other_number(board, adapter))
 
     def save(self, board: BoardIdentity, record: BoardRecord | None) -> None:
-        with self._saving("what was applied is"):
+        with self._saving("The applied settings"):
             self._records.save(board, record)
 
     def move(
         self, old: BoardIdentity, new: BoardIdentity, record: BoardRecord, *, keeps_old: bool
     ) -> None:
-        with self._saving("what was applied is"):
+        with self._saving("The applied settings"):
             if (aside := put_aside(self._records.path(new))) is not None:
-                text = "What was kept for another board with this device number is in {0} now."
-                self._say(text.format(aside))
+                self._inform(f"The record of another board with this device number is in {aside}.")
             self._records.save(new, record)
             if not keeps_old:
                 self._records.save(old, None)
 
     def add_accepted(self, kind: Signature, values: Mapping[str, int]) -> None:
-        with self._saving("what the board accepted was"):
+        with self._saving("The values that the board accepted"):
             AcceptedValues().add(kind, values)
             names = ", ".join(f"{key} {wire}" for key, wire in values.items())
-            self._say(f"Remembered as accepted by a {kind}: {names}.")
+            self._inform(f"Recorded as accepted by a {kind}: {names}.")
 
-    def doubt(self, record: BoardRecord) -> None:
+    def warn_doubtful(self, record: BoardRecord) -> None:
         self._warn(DOUBTED.format(record.settings.product.name, f"{record.time:%Y-%m-%d}"))
 
     def show_notes(self, notes: Mapping[str, str] | None, board: BoardIdentity) -> None:
@@ -185,10 +184,10 @@ class Keeper:
 
     @contextmanager
     def _saving(self, what: str) -> Iterator[None]:
-        """Warn once that files cannot be saved. The board is written all the same."""
+        """Warn once if files cannot be saved. The write to the board continues."""
         try:
             yield
         except SettingsError as error:
             if not self._is_failing:
-                self._warn(f"{what} not remembered. {error}")
+                self._warn(f"{what} were not saved. {error}")
             self._is_failing = True

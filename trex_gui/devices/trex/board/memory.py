@@ -1,7 +1,4 @@
-"""Record of the connected board on this computer, without I/O. See `BoardRecord`.
-
-`Files` reads and saves it.
-"""
+"""Record of the connected board on this computer. `Files` does the I/O."""
 
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import replace
@@ -18,12 +15,11 @@ from trex_gui.devices.trex.settings.comparison import Comparison
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 
-DOUBTED = tr_noop(
-    "What is kept here for this {0} (notes, calibrations, applied settings) is of {1}, "
+DOUBTED = tr_noop(  # {0}: model, {1}: date of the record
+    "The notes, calibrations and applied settings of this {0} on this computer are of {1}, "
     "when it was at another USB adapter or socket. If this is another board, give it "
-    "a device number of its own: boards with the same number share what is kept."
+    "a device number of its own: boards with the same number share these files."
 )
-"""For `Files.doubt`: {0} is the name of the model, {1} the date of the record."""
 
 
 class Files(Protocol):
@@ -41,19 +37,19 @@ class Files(Protocol):
     def move(
         self, old: BoardIdentity, new: BoardIdentity, record: BoardRecord, /, *, keeps_old: bool
     ) -> None:
-        """Save a record under another identity. Rename another board's file of that identity.
+        """Save a record under another identity. Rename the existing file of that identity.
 
-        With `keeps_old` the old file stays as well, because it may be of another board.
+        `keeps_old` retains the old file, because it may belong to another board.
         """
 
     def add_accepted(self, kind: Signature, values: Mapping[str, int], /) -> None:
         """Save values beyond inferred limits that boards of this kind store."""
 
-    def doubt(self, record: BoardRecord) -> None:
-        """Warn that the record may be of another board, which was at another adapter."""
+    def warn_doubtful(self, record: BoardRecord) -> None:
+        """Warn that the record may belong to another board at another adapter."""
 
     def show_notes(self, notes: Mapping[str, str] | None, board: BoardIdentity) -> None:
-        """Show the notes of a board. `None`: another board, whose notes are not known yet."""
+        """Show the notes of a board. `None` until the notes are known."""
 
     def record_change(self) -> None:
         """Show the present state of the memory."""
@@ -63,32 +59,32 @@ _Change = Callable[[BoardRecord], BoardRecord]
 
 
 class BoardMemory:
-    """Updates the record of a board after reading, writing and taking notes.
+    """Record of a board, updated after readings, writes and notes.
 
-    Methods take the time in UTC.
+    Times are in UTC.
     """
 
     def __init__(self, files: Files) -> None:
         self._files = files
         self.record: BoardRecord | None = None  # `None` until it was found
-        # Differences of the board (left) from the settings applied last. A simulated board has
-        # none, because it is a new board each time.
+        # Differences of the board (left) from the last applied settings. A simulated board has
+        # none, because each start creates a new board.
         self.differing = Comparison(())
         self._board: BoardIdentity | None = None
-        self._stored: Settings | None = None  # what the board stores, while it is connected
+        self._stored: Settings | None = None  # settings of the board while it is connected
         self._source = InputSource.RC  # the active input source
         self._adapter = ""
         self._lost: BoardRecord | None = None  # of the board that may have lost its number
-        self._is_doubted = False  # the record may be of another board
+        self._is_doubted = False  # the record may belong to another board
         self._is_renamed = False  # the next start of the board resets its number
-        self._later: list[_Change] = []  # changes before the record was found
+        self._pending: list[_Change] = []  # changes before the record was found
 
     # --- What is known ------------------------------------------------------------------
 
     def hidden_calibration(
         self, channel: int, source: InputSource
     ) -> tuple[Calibration | None, Known | None]:
-        """Return the last known calibration for an input source, and since when it is known."""
+        """Return the last known calibration for an input source, with its date."""
         if self.record is None:
             return None, None
         found = self.record.settings.calibrations.get(CalibrationKey.of(source, channel))
@@ -98,28 +94,28 @@ class BoardMemory:
     def expected(self) -> BoardRecord | None:
         """Record of the settings that the board should store. `None` if unknown.
 
-        A board that lost its settings has lost its device number, too. So a board to which nothing
-        was applied may be the board that was at the same adapter before.
+        A board that lost its settings also lost its device number. So a board without applied
+        settings may be the previous board at the same adapter.
         """
         is_new = self.record is not None and self.record.applied is None
         return self._lost if is_new and self._lost is not None else self.record
 
     @property
     def applied(self) -> Settings | None:
-        """Settings applied last, as far as the board shows them now. `None` if unknown."""
+        """Last applied settings that the board does not hide. `None` if unknown."""
         if self.expected is None or self._stored is None:
             return None
         return self.expected.applied_to(self._stored)
 
     def with_hidden(self, stored: Settings) -> tuple[Settings, list[str]]:
-        """Return stored settings with the calibrations that the board hides, and their age."""
+        """Add hidden calibrations to stored settings. Return them with remarks on their age."""
         if self.record is None:
             return stored, []
         return self.record.with_hidden(stored, self._source)
 
     # --- Reports of the board -----------------------------------------------------------
 
-    def take_board(
+    def set_board(
         self,
         stored: Settings,
         source: InputSource,
@@ -129,7 +125,7 @@ class BoardMemory:
         is_simulated: bool = False,
         adapter: str = "",
     ) -> None:
-        """Set the board that was read. Find its record if it is another board, or `opened`.
+        """Set the board that was read. Find the record of a new or just opened board.
 
         `adapter` is the key of the board's adapter, empty if unknown.
         """
@@ -142,14 +138,13 @@ class BoardMemory:
         if opened or board != self._board:
             if board != self._board:
                 self._files.show_notes(None, board)
-            self._board, self.record, self._later = board, None, []
+            self._board, self.record, self._pending = board, None, []
             self._lost = None
             self._files.find(board)
             self._compare()
         self._change(lambda record: record.after_reading(stored, source, now))
 
     def close_board(self) -> None:
-        """Stop comparing, because the line was closed."""
         self._stored = None
         self._compare()
 
@@ -171,7 +166,7 @@ class BoardMemory:
     # --- Writes -------------------------------------------------------------------------
 
     def start_writing(self, keys: Collection[str]) -> None:
-        """Expect nothing of these values until the stored values are known."""
+        """Clear these expected values until the stored values are known."""
         self._change(lambda record: record.before_writing(keys))
 
     def record_written(
@@ -184,7 +179,7 @@ class BoardMemory:
         self._change(lambda record: record.after_writing(stored, source, uncertain, now))
 
     def restore(self, record: BoardRecord) -> None:
-        """Restore the record from before writes that were undone."""
+        """Restore an earlier record, because the writes after it were undone."""
         self._change(lambda _record: record)
 
     def record_reset(self) -> None:
@@ -216,7 +211,7 @@ class BoardMemory:
 
     def _change(self, change: _Change) -> None:
         if self.record is None:
-            self._later.append(change)
+            self._pending.append(change)
             return
         before, self.record = self.record, change(self.record)
         if self._board is not None and self.record != before:
@@ -235,8 +230,8 @@ class BoardMemory:
             return
         self.record = found or BoardRecord(Settings(board.product, board.firmware))
         self._record_adapter(self.record)
-        later, self._later = self._later, []
-        for change in later:
+        pending, self._pending = self._pending, []
+        for change in pending:
             self._change(change)
         self._files.show_notes(self.record.settings.notes, board)
         stored, is_new = self._stored, self.record.applied is None
@@ -249,11 +244,11 @@ class BoardMemory:
             self._compare()
 
     def _record_adapter(self, found: BoardRecord) -> None:
-        """Save the adapter. If it was another, warn that the record may be of another board."""
+        """Save the adapter. If it has changed, the record may belong to another board."""
         adapter = self._adapter
         self._is_doubted = bool(adapter and found.adapter) and adapter != found.adapter
         if not adapter or adapter == found.adapter:
             return
         self._change(lambda record: replace(record, adapter=adapter))
         if self._is_doubted and found.time is not None:
-            self._files.doubt(found)
+            self._files.warn_doubtful(found)

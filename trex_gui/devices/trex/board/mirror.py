@@ -61,69 +61,64 @@ from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 
 @dataclass(frozen=True, slots=True)
 class BoardRead:
-    """All settings of a board were read.
-
-    `is_changed`: they differ from the last reading, or are the first. `is_other`: this may be
-    another board. `is_new`: this is another board, or another line, so error counts were reset.
-    """
+    """All settings of a board were read."""
 
     report: Connected
-    is_changed: bool
-    is_other: bool
-    is_new: bool
+    is_changed: bool  # the settings differ from the last reading, if any
+    is_other: bool  # the board may be another board
+    is_new: bool  # the board or line is another, so error counts were reset
 
 
 @dataclass(frozen=True, slots=True)
 class MotorsShutDown:
-    """The board has stopped its motors by itself. `reason` is a sentence.
+    """The board has stopped its motors by itself.
 
-    The next motor command would restart them, so only the user may send it.
+    The next motor command would restart the motors, so only the user may send it.
     """
 
-    reason: str
+    reason: str  # a sentence
 
 
 @dataclass(frozen=True, slots=True)
 class DriveLost:
-    """The board no longer follows motor commands. `reason` is a sentence.
+    """The board no longer follows motor commands.
 
     A motor has a fault, or two consecutive replies report control by channels. A single reply may
     be corrupted.
     """
 
-    reason: str
+    reason: str  # a sentence
 
 
 @dataclass(frozen=True, slots=True)
-class LineJudged:
-    """The quality of the line has changed, or is unknown again."""
+class QualityChanged:
+    """The measured quality of the line has changed."""
 
 
-BoardEvent = BoardRead | MotorsShutDown | DriveLost | LineJudged | Sample | Event
+BoardEvent = BoardRead | MotorsShutDown | DriveLost | QualityChanged | Sample | Event
 
 
 @dataclass(frozen=True, slots=True)
 class SetUp:
-    """Completed steps of the set-up, as the stored settings show them."""
+    """Completed steps of the set-up, according to the stored settings."""
 
     sticks: bool  # the channels of both motors are learned
     limits: bool  # both motors have a current limit
-    timeout: bool  # the board stops its motors after a silence
+    timeout: bool  # the serial timeout is on
 
 
 class SafeStart:
-    """Estimates whether safe-start holds the motors, for which the board has no flag.
+    """Estimate of safe-start, for which the board has no flag.
 
     Inferred: safe-start begins at power-up and when a required channel loses its signal. It ends
-    when all driving channels are near neutral at once. The threshold is inferred, too. Ref: TReX Jr
-    User's Guide 4.e.
+    when all driving channels are near neutral. Ref: TReX Jr User's Guide 4.e.
     """
 
     def __init__(self) -> None:
         self._is_over = False
 
     def may_hold(self, state: DeviceState, newest: Newest, *, joint: bool) -> bool:
-        """Return whether a channel commands a speed and no current flows, without a known cause."""
+        """True if a channel commands a speed, but no current flows."""
         is_commanded = bool(_commands(state, newest, joint=joint))
         return is_commanded and Currents in newest.samples and not self._is_over and not joint
 
@@ -139,7 +134,7 @@ class SafeStart:
 
 
 def _commands(state: DeviceState, newest: Newest, *, joint: bool) -> tuple[int, ...]:
-    """Return the commands of the driving channels. Empty if none drives or all are unknown."""
+    """Return the commands of the driving channels. Empty in serial mode or if unknown."""
     sample = newest.get(Remapped)
     if state.mode.is_serial or sample is None:
         return ()
@@ -153,31 +148,31 @@ class BoardMirror:
     def __init__(
         self, memory: BoardMemory, errors_changed: Callable[[], None] = lambda: None
     ) -> None:
-        """`memory`: records of the board on this computer. `errors_changed`: see `errors`."""
+        """`errors_changed` is called after changes of `errors`."""
         self.memory = memory
         self.errors = ErrorCounts(errors_changed)
         self.quality = ConnectionQuality()
         self.newest = Newest()
         self.counters = Counters()  # of the line, since it was opened
-        self.settings: ConnectionSettings | None = None  # how the board is addressed
-        self.adapter = ""  # key of the adapter of the line; to be set before a board is read
+        self.settings: ConnectionSettings | None = None
+        self.adapter = ""  # key of the USB adapter; to be set before a board is read
         self.is_responding = False
-        self.is_joint = False  # both drivers work as one motor now, whatever is stored
-        self.echo = False  # whether sent bytes come back, as on the board's RS-232 side
-        self.connected_at: float | None = None  # when the line was opened, as `now` in `handle`
-        self.connected_utc: datetime | None = None  # this time as `utc`
-        self.restarts = 0  # detected restarts of the board since then
-        self.returns = 0  # times that it responded again after a silence
+        self.is_joint = False  # active state, which may differ from the stored motor mode
+        self.echo = False  # sent bytes come back, as on the board's RS-232 side
+        self.connected_at: float | None = None  # opening time of the line, as `now` in `handle`
+        self.connected_utc: datetime | None = None  # opening time of the line, as `utc`
+        self.restarts = 0  # of the board since the line was opened, as far as detected
+        self.returns = 0  # number of silences after which the board responded again
         self.lease: LeaseChanged | None = None  # of a board served to several users
-        self.other_speeds = SetpointsChanged().speeds  # speeds that another driver has set
+        self.other_speeds = SetpointsChanged().speeds  # setpoints of another driver
         self.is_network_silent = False  # the server of the board does not respond
-        self.network_delay: float | None = None  # seconds to its server and back
-        self.last: DeviceState | None = None  # state read last, also after the line was closed
+        self.network_delay: float | None = None  # round trip to the server in seconds
+        self.last: DeviceState | None = None  # last reading, also after the line was closed
         self._safe_start = SafeStart()
         self._events = StatusEvents()
         self._currents = SpikeFilter()
-        self._joint: dict[str, bool] = {}  # `is_joint` of boards on the line that are not selected
-        self._was_read = False  # since the line was opened
+        self._joint: dict[str, bool] = {}  # `is_joint` of unselected boards
+        self._was_read = False  # a board was read since the line was opened
         self._channel_control = 0  # consecutive replies that report control by channels
 
     # --- State --------------------------------------------------------------------------
@@ -189,7 +184,7 @@ class BoardMirror:
 
     @property
     def serial_controls(self) -> bool | None:
-        """True if serial motor commands reach the motors, or `None` if unknown."""
+        """True if serial commands control the motors. `None` if unknown."""
         sample = self.newest.get(Control)
         return None if sample is None else sample.by_serial
 
@@ -211,9 +206,9 @@ class BoardMirror:
 
     @property
     def so_ground(self) -> bool | None:
-        """State of the SO–G jumper, or `None` if unknown.
+        """False if there is no SO–G jumper. `None` if unknown.
 
-        Inferred: with the jumper no reply would leave SO. RS-232 has pins of its own.
+        Inferred: with the jumper, no reply would leave SO. RS-232 uses separate pins.
         """
         return False if self.is_responding and not self.echo else None
 
@@ -245,7 +240,7 @@ class BoardMirror:
         return remedy_for_silence(self.timeout_stop, text)
 
     def inputs(self, now: float) -> BoardInputs | None:
-        """Return the inputs that decide whether the motors run, or `None` if unknown."""
+        """Return the board's inputs to the drive status, or `None` if unknown."""
         if self.state is None or self.serial_controls is None:
             return None
         state, joint, safe_start = self.state, self.is_joint, tuple[Reason, ...]()
@@ -260,8 +255,8 @@ class BoardMirror:
                 curves, raw.counts, required, source=state.source, joint=joint
             )
         recent = [entry for motor in (1, 2) for entry in self.errors.recent(motor, now)]
-        status = {one.bit: one.is_doubtful for one in recent if isinstance(one.bit, Status)}
-        uart = (one.bit for one in recent if isinstance(one.bit, UartError))
+        status = {entry.bit: entry.is_doubtful for entry in recent if isinstance(entry.bit, Status)}
+        uart = (entry.bit for entry in recent if isinstance(entry.bit, UartError))
         faults = tuple(motor for motor, bit in MOTOR_FAULTS.items() if bit in status)
         return BoardInputs(
             mode=state.mode,
@@ -280,9 +275,9 @@ class BoardMirror:
     # --- Reports ------------------------------------------------------------------------
 
     def handle(self, report: Report, now: float, utc: datetime) -> Iterator[BoardEvent]:
-        """Handle a report, and yield the events that follow. Consume the iterator completely.
+        """Handle a report and yield its events. Consume the iterator completely.
 
-        `now` is in seconds of a monotonic clock, `utc` the date and time.
+        `now` is in seconds of a monotonic clock.
         """
         match report:
             case Batch():
@@ -339,7 +334,7 @@ class BoardMirror:
         self.settings = written.settings
 
     def record_power_cycled(self) -> None:
-        """Record that all stored settings are active now."""
+        """Record that all stored settings are active."""
         if self.last is not None:
             self.is_joint = _is_joint(self.last)
 
@@ -373,7 +368,7 @@ class BoardMirror:
             self._joint.clear()
             self._events = StatusEvents()
         if occasion not in {ReadReason.RELOADED, ReadReason.SELECTED} and self.quality.reset():
-            yield LineJudged()
+            yield QualityChanged()
         self.returns += occasion is ReadReason.RETURNED
         self.restarts += occasion is ReadReason.RESTARTED
         if opened or occasion is ReadReason.SELECTED:
@@ -384,7 +379,7 @@ class BoardMirror:
         yield BoardRead(report, is_changed, is_other, is_new)
         if (event := read_event(report, now)) is not None:
             yield event
-        self.memory.take_board(
+        self.memory.set_board(
             settings_of(state),
             state.source,
             utc,
@@ -394,7 +389,7 @@ class BoardMirror:
         )
 
     def _handle_batch(self, batch: Batch, now: float, utc: datetime) -> Iterator[BoardEvent]:
-        """Handle samples. A stop by the board is yielded before the samples that show it."""
+        """Yield events and samples. A stop by the board precedes its samples."""
         self.counters = batch.counters
         has_failed = self.quality.has_failed_lately(now, batch.counters)
         has_crc = self.settings is not None and self.settings.line.has_crc
@@ -403,20 +398,20 @@ class BoardMirror:
             if isinstance(sample, LatchedStatus):
                 yield from self._events.of(sample, self.errors.entries)
                 self.errors.count(sample, now, utc, is_doubtful=is_doubtful)
-                if reason := self._why_stopped(sample):
+                if reason := self._stop_reason(sample):
                     yield MotorsShutDown(reason)
                 faults = [bit for bit in MOTOR_FAULTS.values() if sample.status & bit]
                 if faults and not sample.is_earlier:
                     names = ", ".join(tr(name) for bit in faults for name in bit_names(bit))
                     yield DriveLost(tr("The board reports: {0}.").format(names))
-        yield from self._judge(batch)
+        yield from self._update_quality(batch)
         for sample in batch.samples:
-            passed: Sequence[Sample] = (sample,)
+            filtered: Sequence[Sample] = (sample,)
             if isinstance(sample, Currents):
-                passed = self._currents.passed(sample, is_doubtful=is_doubtful)
-            for one in passed:
-                self.newest.update(one)
-                yield one
+                filtered = self._currents.passed(sample, is_doubtful=is_doubtful)
+            for newest in filtered:
+                self.newest.update(newest)
+                yield newest
             if isinstance(sample, Control):
                 self._channel_control = 0 if sample.by_serial else self._channel_control + 1
                 if self._channel_control == _LOST:
@@ -424,10 +419,10 @@ class BoardMirror:
         if self.state is not None and not self.state.mode.is_serial:
             self._safe_start.update(self.state, self.newest, self.inputs(now), joint=self.is_joint)
 
-    def _why_stopped(self, latched: LatchedStatus) -> str:
-        """Return the reason why these bits mean that the motors have stopped, or an empty text.
+    def _stop_reason(self, latched: LatchedStatus) -> str:
+        """Return the reason why the board has stopped its motors, or an empty text.
 
-        Serial errors other than a timeout stop them only if UART-Error Shutdown (0x08) is set.
+        A timeout always stops them. Other serial errors need UART-Error Shutdown (0x08).
         """
         if latched.uart & UartError.TIMEOUT:
             return tr(
@@ -442,7 +437,7 @@ class BoardMirror:
             return text.format(names.lower())
         return ""
 
-    def _judge(self, batch: Batch) -> Iterator[BoardEvent]:
+    def _update_quality(self, batch: Batch) -> Iterator[BoardEvent]:
         was_noisy, time = self.quality.is_noisy, batch.samples[-1].time
         if not self.is_responding or not self.quality.update(time, batch.counters):
             return
@@ -451,14 +446,14 @@ class BoardMirror:
             yield Event(time, EventKind.LINK, text, is_problem=True)
         elif was_noisy and not self.quality.is_noisy:
             yield Event(time, EventKind.LINK, tr("The line is good again"))
-        yield LineJudged()
+        yield QualityChanged()
 
     def _clear(self) -> Iterator[BoardEvent]:
         self._channel_control = 0
         self.newest.samples.clear()
         self._safe_start, self._currents = SafeStart(), SpikeFilter()
         if self.quality.reset():
-            yield LineJudged()
+            yield QualityChanged()
 
 
 _TIMEOUT = ParameterKey.SERIAL_TIMEOUT

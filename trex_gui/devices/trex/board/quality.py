@@ -9,26 +9,23 @@ from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.telemetry import Currents
 from trex_gui.devices.trex.driving.board_reasons import NOISE_COUNTS
 
-_WINDOW = 10.0  # least time to judge, in seconds on the session's clock
+_WINDOW = 10.0  # shortest measurement in seconds
+# Smallest measurement in transactions: 3 s at 19200 baud. The three failures after which a board
+# is silent are less than `_NOISY` of this number, so they are not noise.
 _FEWEST = 500
-"""Least number of transactions to judge: 3 s at 19200 baud. Three failures in a row, after which a
-board counts as not responding, are no noise, and stay below `_NOISY` of this number."""
 
-_INTERVAL = 2.0  # seconds between two judgements: words that change more often cannot be read
+_INTERVAL = 2.0  # seconds between two results, so that the text remains readable
 
-_NOISY, _GOOD = 0.01, 0.005
-"""Share of failures from which a line is noisy, and share below which it is good again.
+# A line that damages 1 % of the bytes loses 1.3 % of the transactions (measured with the simulated
+# board), because most damaged replies without CRC look valid. It damages one in 25 motor commands
+# of four bytes, and a single bit can turn one command into another.
+_NOISY = 0.01  # share of failures from which a line is noisy
+_GOOD = 0.005  # share of failures below which a noisy line is good again
 
-A line that damages 1 % of the bytes loses 1.3 % of the transactions (measured with the simulated
-board), since without CRC most damaged replies look valid. It damages one motor command of four
-bytes in 25, and one bit can turn it into another command.
-"""
-
-_STRAY_BYTES = 10  # bytes that belong to no reply and count as one failure: the longest reply
+_STRAY_BYTES = 10  # unexpected bytes that count as one failure: the longest reply
 
 
-_NOISE_LASTS = 5.0
-"""Seconds after a failed transaction in which other replies without CRC may be corrupted, too."""
+_NOISE_LASTS = 5.0  # seconds after a failure in which replies without CRC are doubtful
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,22 +39,22 @@ class _Mark:
 class ConnectionQuality:
     def __init__(self) -> None:
         self.is_noisy: bool | None = None  # `None` until enough was measured
-        self.lost = 0.0  # share of transactions without a reply or with a corrupted one
-        self.seconds = 0.0  # length of the judged time, 10 or more; less at first
-        self.rate = 0.0  # transactions a second in that time; 0 until it is known
+        self.lost = 0.0  # share of transactions with a missing or corrupted reply
+        self.seconds = 0.0  # length of the measurement, at first less than 10
+        self.rate = 0.0  # transactions a second; 0 if unknown
         self._marks = deque[_Mark]()
-        self._failures = 0  # transactions that failed, as last reported
+        self._failures = 0  # last reported number of failures
         self._failed_at = -math.inf
 
     def reset(self) -> bool:
-        """Start measuring again. Return whether the judgement changed."""
+        """Restart the measurement. Return whether the result changed."""
         changed = self.is_noisy is not None
         self.is_noisy, self.lost, self.seconds, self.rate = None, 0.0, 0.0, 0.0
         self._marks.clear()
         return changed
 
     def update(self, time: float, counters: Counters) -> bool:
-        """Judge the counts since the line was opened. Return whether the judgement changed.
+        """Update the measurement. Return whether the result changed.
 
         `time` is on the session's clock, in seconds.
         """
@@ -86,7 +83,7 @@ class ConnectionQuality:
         return (self.is_noisy, round(self.lost, 3)) != before
 
     def has_failed_lately(self, time: float, counters: Counters) -> bool:
-        """Return whether recent readings may be corrupted. `time`: seconds of any one clock."""
+        """Return whether recent readings may be corrupted. `time` is in seconds."""
         failures = counters.missing + counters.corrupted
         if failures > self._failures:
             self._failed_at = time
@@ -95,14 +92,14 @@ class ConnectionQuality:
 
 
 class SpikeFilter:
-    """Drops currents that no neighbouring sample confirms: corrupted replies cause them."""
+    """Filter for currents that no neighbouring sample confirms."""
 
     def __init__(self) -> None:
         self._last: Currents | None = None
-        self._held: Currents | None = None  # waits for the next sample
+        self._held: Currents | None = None  # until the next sample
 
     def passed(self, sample: Currents, *, is_doubtful: bool) -> list[Currents]:
-        """Return the samples to show now. A doubtful jump is held until the next sample."""
+        """Return the samples to show. A doubtful jump is held until the next sample."""
         last, held = self._last, self._held
         confirmed = [held] if held and last and _is_between(held, last, sample) else []
         last = held if confirmed else last
@@ -121,7 +118,7 @@ def _is_between(sample: Currents, first: Currents, second: Currents) -> bool:
 
 
 def quality_text(quality: ConnectionQuality) -> str:
-    """Return the share of recent requests that were answered, as a judgement in words."""
+    """Return the quality in words, with the share of recent requests that were answered."""
     if quality.is_noisy is None:
         return tr("being measured …")
     text = tr("noisy: {0:.1f} % of the requests of the last {1:.0f} s answered")

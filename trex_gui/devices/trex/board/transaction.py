@@ -17,10 +17,10 @@ Values = tuple[tuple[tuple[str, int], ...], tuple[tuple[CalibrationKey, Calibrat
 
 
 class WriteTransaction:
-    """One write of settings. Callers save the snapshot, start, write and verify, then finish.
+    """Write of settings. Call `save_snapshot` and `start`, write, then call `finish`.
 
-    If a write never finishes, because the line or the program is gone, the record of the board
-    expects nothing of the written values. The next connection shows what the board stores.
+    If the line or the program fails during a write, the record expects no values of the written
+    settings. The next connection shows the stored values.
     """
 
     def __init__(
@@ -32,35 +32,32 @@ class WriteTransaction:
         *,
         reason: str,
     ) -> None:
-        """Prepare to write to a board that stores `state`.
-
-        `reason` names the operation for the user, at the head of the snapshot.
-        """
+        """`state` is from before the write. `reason` is the heading of the snapshot."""
         self.state = state
         self.values = values
         self._memory = memory
         self._reason = reason
         self._adapter = "" if link is None else link.label
-        # Read now: a thread may save the snapshot while the memory changes.
+        # Read here, because a thread may save the snapshot while the memory changes.
         self._stored, self._remarks = memory.with_hidden(settings_of(state))
 
     def save_snapshot(self, history: SettingsHistory) -> Snapshot:
-        """Save all settings that the board stores, and the calibrations that it hides.
+        """Save all stored settings, with hidden calibrations.
 
         Raises:
-            SettingsError: saving failed; nothing must be written.
+            SettingsError: saving failed, so nothing must be written.
         """
         return history.save(
             self._stored, adapter=self._adapter, reason=self._reason, remarks=self._remarks
         )
 
     def start(self) -> None:
-        """Expect nothing of the values to write. Call this before the first byte."""
+        """Clear the expected values. Call this before the first byte is sent."""
         parameters, calibrations = self.values
         self._memory.start_writing({key for key, _ in (*parameters, *calibrations)})
 
     def finish(self, results: Sequence[WriteResult], state: DeviceState, now: datetime) -> None:
-        """Record the verified values, and the settings that the board stores. `now` is in UTC."""
+        """Record the settings stored after the write. `now` is in UTC."""
         uncertain = {result.key for result in results if result.error is not None}
         self._memory.record_written(settings_of(state), state.source, uncertain, now)
         if any(result.key == ParameterKey.FACTORY_RESET for result in results):

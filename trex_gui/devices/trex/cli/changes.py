@@ -64,7 +64,7 @@ def require_consent(
 
 def keeper_of(client: TrexClient, state: DeviceState) -> Keeper:
     keeper, adapter = Keeper(say, say_warning), adapter_key(client.settings.url)
-    keeper.memory.take_board(
+    keeper.memory.set_board(
         settings_of(state), state.source, utc_now(), opened=True, adapter=adapter
     )
     keeper.load()

@@ -14,8 +14,8 @@ from trex_gui.devices.trex.board.mirror import (
     BoardMirror,
     BoardRead,
     DriveLost,
-    LineJudged,
     MotorsShutDown,
+    QualityChanged,
 )
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import Sample
@@ -307,7 +307,7 @@ class Device(QObject):
                 case DriveLost(reason=reason):
                     if self.wheels and self.main.motors.armed:
                         self.main.motors.stop(self.named(reason))
-                case LineJudged():
+                case QualityChanged():
                     self.line_judged.emit()
 
     def _on_read(self, read: BoardRead) -> None:

@@ -98,22 +98,22 @@ class ErrorCode(Enum):
     OVERTAKEN_BY_STOP = tr_noop("A stop came first; nothing was sent.")
     # Several boards on one line
     OTHERS_WHILE_DRIVING = tr_noop(
-        "Other boards are not looked for while motors are armed or may be moving. Stop the motors "
-        "first."
+        "The program does not scan for other boards while motors are armed or may be moving. Stop "
+        "the motors first."
     )
     NOT_SELECTED_MOVING = tr_noop(
-        "Board {0} was not selected, since no stop of the present one is confirmed. If a motor "
-        "still turns, cut its power."
+        "Board {0} was not selected, because the stop of the present board is not confirmed. If a "
+        "motor still turns, cut its power."
     )
     NOT_SELECTED_SILENT = tr_noop(
-        "Board {0} was not selected, since it does not respond. Check that it has power. The "
-        "board that was selected before still is."
+        "Board {0} was not selected, because it does not respond. Check that it has power. The "
+        "previous board is still selected."
     )
     NUMBER_TAKEN = tr_noop(
         "Another board on this line has the device number {0}. Choose a number that is free."
     )
     LEFT_GROUP = tr_noop("Board {0} no longer follows: it fell silent, was stopped or restarted.")
-    NO_SUCH_BOARD = tr_noop("Board {0} is not one of those that are driven together here.")
+    NO_SUCH_BOARD = tr_noop("Board {0} does not belong to the boards that are driven together here.")
     OF_BOARD = tr_noop("Board {0}: {1}")
     IN_GROUP = tr_noop(
         "Boards that are driven together keep their numbers, none can be selected, and no typed "
@@ -144,8 +144,8 @@ class ErrorCode(Enum):
         "its last snapshot."
     )
     OTHER_VALUES = tr_noop(
-        "The board no longer stores the settings that were read from it: it is another one, or was "
-        "changed meanwhile. Nothing was written."
+        "The board no longer stores the settings that were read from it: it is another board, or "
+        "its settings were changed meanwhile. Nothing was written."
     )
     STRAY_WRITE = tr_noop(
         "The line corrupted bytes while {0} was written, and another setting may have been changed "
@@ -155,7 +155,7 @@ class ErrorCode(Enum):
         "{0} settings differ from what was read before, so none was restored: another board may be "
         "connected."
     )
-    WRITE_CANCELLED = tr_noop("The writing was cancelled before this was tried.")
+    WRITE_CANCELLED = tr_noop("The write was cancelled before this setting was written.")
     LINE_SETTINGS_UNCERTAIN = tr_noop(
         "{0} {1} may have gone back to the factory default: after a power cycle the board would "
         "run at {2}"

@@ -175,7 +175,7 @@ def open_server(
     try:
         return zenoh.open(_config(config))
     except zenoh.ZError as error:
-        text = tr("{0} cannot be listened at: {1}")
+        text = tr("The server cannot listen at {0}: {1}")
         raise PortUnavailable(text.format(", ".join(listen), error)) from error
 
 

@@ -195,7 +195,7 @@ class RecordFiles(QObject):
         find = partial(self._records.of_other_number, board, adapter)
         in_background(self, find, partial(self.memory.set_lost, board), self._on_failed)
 
-    def doubt(self, record: BoardRecord) -> None:
+    def warn_doubtful(self, record: BoardRecord) -> None:
         time = "" if record.time is None else local_time(record.time)
         self.doubted.emit(tr(DOUBTED).format(record.settings.product.name, time))
 
