@@ -1,1 +1,1 @@
-"""The board over a network: the session stays at the robot, its requests and reports travel."""
+"""Boards over a network. The session runs at the robot, its messages cross the network."""

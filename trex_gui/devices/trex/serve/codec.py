@@ -1,7 +1,7 @@
-"""Messages between server and clients, and their encoding as bytes.
+"""Messages between server and clients, and their encoding.
 
-A message is the name of its type and its fields, in MessagePack. Decoding checks the type of each
-field, and accepts only the types in the tables of this module.
+A message contains the name of its type and its fields, in MessagePack. Decoding checks the type of
+each field, and accepts only the types in the tables of this module.
 """
 
 import math
@@ -58,7 +58,7 @@ from trex_gui.devices.trex.session.messages import (
 from trex_gui.devices.trex.session.messages import Report as SessionReport
 from trex_gui.devices.trex.session.messages import Request as SessionRequest
 
-VERSION = 1  # of the messages; a server refuses clients with another version
+VERSION = 1  # a server refuses clients with another version
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,17 +83,17 @@ class Leave:
 class Welcome:
     """Report: a client was accepted. The newest reports of the session follow."""
 
-    name: str  # of the board, as it is served
+    name: str  # of the served board
 
 
 @dataclass(frozen=True, slots=True)
 class Tick:
-    """Report: nothing else to report, but the server still runs."""
+    """Report: the server still runs."""
 
 
 @dataclass(frozen=True, slots=True)
 class Refused:
-    """Report: the last message to a client that is not, or no longer, served."""
+    """Report: the server refuses or drops the client. This is the last message."""
 
     reason: str
 
@@ -101,8 +101,7 @@ class Refused:
 ClientRequest = Hello | Alive | Leave
 ServerReport = Welcome | Tick | Refused
 
-LARGEST_REQUEST = 8192
-"""Bytes. A `Write` of every parameter and calibration, with their old values, has 3000."""
+LARGEST_REQUEST = 8192  # bytes; a `Write` of all settings, with their old values, has 3000
 
 Request = SessionRequest | ClientRequest
 Report = SessionReport | ServerReport
@@ -112,8 +111,7 @@ _REPORTS: Any = Report | ProbeProgress
 _TO_BOARD: Any = BoardRequest  # inside messages to or from one of several boards
 _OF_BOARD: Any = BoardReport
 
-_VALUES: Any = Written | Signature
-"""Types of the value of an `Outcome`, in addition to bytes and `None`."""
+_VALUES: Any = Written | Signature  # in an `Outcome`, besides bytes and `None`
 
 _ERRORS: dict[str, type[Any]] = {
     kind.__name__: kind
@@ -138,7 +136,7 @@ _ERRORS: dict[str, type[Any]] = {
 
 
 def inner_request(request: Request) -> Request:
-    """Return a request without the number of the board that it is for."""
+    """Return a request without the number of its board."""
     return request.request if isinstance(request, ToBoard) else request
 
 
@@ -153,7 +151,7 @@ def decode_request(data: bytes, head: int) -> tuple[tuple[float, ...], Request]:
 
 
 def encode_report(report: Report) -> Any:
-    """Return a report as plain values, which `with_head` packs for each client."""
+    """Return a report as plain values. `with_head` packs them for each client."""
     return _codec().unstructure(report, _REPORTS)
 
 
@@ -175,7 +173,7 @@ def _decode(data: bytes, head: int, union: Any) -> tuple[tuple[float, ...], Any]
 
 
 def _numbers(found: list[Any], count: int) -> tuple[float, ...]:
-    is_number = [type(one) in {int, float} and math.isfinite(one) for one in found]
+    is_number = [type(value) in {int, float} and math.isfinite(value) for value in found]
     if len(found) != count or not all(is_number):
         raise ValueError(f"{count} numbers and a message were expected")
     return tuple(found)
@@ -197,11 +195,11 @@ def _codec() -> cattrs.Converter:
     codec.register_unstructure_hook(LineSettings, lambda line: line.to_wire())
     codec.register_structure_hook(LineSettings, lambda wire, _: LineSettings.from_wire(wire))
     codec.register_unstructure_hook(
-        ConnectionSettings, lambda one: [one.url, one.name, one.packed, *one.group]
+        ConnectionSettings, lambda value: [value.url, value.name, value.packed, *value.group]
     )
     codec.register_structure_hook(ConnectionSettings, lambda parts, _: _settings(*parts))
     codec.register_unstructure_hook(
-        TrafficEvent, lambda one: [one.time, one.direction.name, one.data, one.text]
+        TrafficEvent, lambda event: [event.time, event.direction.name, event.data, event.text]
     )
     codec.register_structure_hook(TrafficEvent, lambda parts, _: _traffic_event(*parts))
     codec.register_unstructure_hook(RawPacket, lambda raw: raw.packet.raw)
@@ -211,7 +209,7 @@ def _codec() -> cattrs.Converter:
     for error in (StudioError, StudioError | None):
         codec.register_unstructure_hook(error, _error_form)
         codec.register_structure_hook(error, lambda form, _: _error_of(form))
-    codec.register_unstructure_hook(Outcome, lambda one: _outcome_form(one, codec))
+    codec.register_unstructure_hook(Outcome, lambda outcome: _outcome_form(outcome, codec))
     codec.register_structure_hook(Outcome, lambda form, _: _outcome_of(form, codec))
     include_subclasses(Sample, codec, union_strategy=configure_tagged_union)
     for union in (_VALUES, _OF_BOARD, _TO_BOARD, _REQUESTS, _REPORTS):
@@ -236,7 +234,7 @@ def _member(plain: type) -> Callable[[Any, Any], Any]:
 
 
 def _is_code(kind: Any) -> bool:
-    """Return whether the members of an enumeration are encoded by name, not by value."""
+    """True if the members of an enumeration are encoded by name."""
     return isinstance(kind, type) and issubclass(kind, Enum) and kind.__name__ in _BY_NAME
 
 
@@ -248,7 +246,7 @@ def _traffic_event(time: float, direction: str, data: bytes, text: str) -> Traff
 
 
 def _settings(url: str, name: str, packed: str, *group: object) -> ConnectionSettings:
-    numbers = tuple(seven_bits(_strict(int)(one, int), "device number") for one in group)
+    numbers = tuple(seven_bits(_strict(int)(number, int), "device number") for number in group)
     return replace(ConnectionSettings(url, name=name).unpacked(packed), group=numbers)
 
 
@@ -258,7 +256,7 @@ _FIELD = str | int | float
 def _error_form(error: StudioError | None) -> Any:
     if error is None:
         return None
-    kind = next(one.__name__ for one in type(error).__mro__ if one.__name__ in _ERRORS)
+    kind = next(cls.__name__ for cls in type(error).__mro__ if cls.__name__ in _ERRORS)
     if not isinstance(error, CodedError):
         return [kind, "", str(error)]
     code = error.result.name if isinstance(error, Rejected) else error.code.name
@@ -277,7 +275,7 @@ def _error_of(form: Any) -> StudioError | None:
             return None
         case ["Rejected", str(result), str(what)]:
             return Rejected(what, ResultCode[result])
-        case [str(kind), str(code), *fields] if all(isinstance(one, _FIELD) for one in fields):
+        case [str(kind), str(code), *fields] if all(isinstance(field, _FIELD) for field in fields):
             arguments = [ErrorCode[code], *fields] if code else fields
             error: StudioError = _ERRORS[kind](*arguments)
             return error

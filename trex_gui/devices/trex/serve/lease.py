@@ -1,26 +1,22 @@
-"""Lease to drive, held by one client as long as its heartbeats arrive."""
+"""Lease to drive. One client holds it while its heartbeats arrive."""
 
 from dataclasses import dataclass, field
 from enum import IntEnum
 
-LEASE_TIMEOUT = 0.5
-"""Seconds without a heartbeat after which a lease ends and the motors are stopped.
-
-A motor at full speed moves a robot by a metre in that time.
-"""
+LEASE_TIMEOUT = 0.5  # seconds without a heartbeat; a robot at full speed moves by a metre
 
 
 class Role(IntEnum):
     """Permissions of a user. Each role includes the roles before it."""
 
-    WATCH = 0  # see everything, stop, ask for the lease
+    WATCH = 0  # watch and stop
     DRIVE = 1  # hold the lease when it is free or handed over
     OWN = 2  # take the lease from its holder
 
 
 @dataclass(frozen=True, slots=True)
 class User:
-    """A user who may connect, identified by a secret."""
+    """User who may connect, identified by a secret."""
 
     name: str
     role: Role
@@ -29,7 +25,7 @@ class User:
 
 @dataclass(frozen=True, slots=True)
 class Party:
-    """A client of the server, and its user."""
+    """Client of the server, with its user."""
 
     id: str  # of the client
     user: str
@@ -44,12 +40,12 @@ class Lease:
     """
 
     holder: Party | None = None
-    number: int = 0  # counts the holders, so that every new holder has a new number
+    number: int = 0  # increases with each new holder
     waiting: list[Party] = field(default_factory=list)  # in the order of their requests
     _alive_at: float = 0.0
 
     def request(self, party: Party, now: float) -> bool:
-        """Grant a free lease to a party, or queue the party. Return whether it holds the lease."""
+        """Grant a free lease, or queue the party. Return whether the party holds the lease."""
         if party.role < Role.DRIVE:
             return False
         if self.holder is None or self.holder == party:
@@ -59,23 +55,23 @@ class Lease:
         return self.holder == party
 
     def hand_over(self, by: Party, user: str, now: float) -> bool:
-        """Hand the lease of `by` over to a user's waiting party. Return whether that succeeded."""
-        heir = next((one for one in self.waiting if one.user == user), None)
+        """Hand the lease over to a waiting user. Return False if that is not possible."""
+        heir = next((party for party in self.waiting if party.user == user), None)
         if heir is None or by != self.holder:
             return False
         self._grant(heir, now)
         return True
 
     def claim(self, by: Party, now: float) -> bool:
-        """Take the lease from its holder, as only an owner may. Return whether that succeeded."""
+        """Take the lease from its holder. Return False if `by` is not an owner."""
         if by.role < Role.OWN:
             return False
         self._grant(by, now)
         return True
 
     def remove(self, party: Party) -> bool:
-        """Remove a party. Return whether it held the lease, which is then free."""
-        self.waiting = [one for one in self.waiting if one != party]
+        """Remove a party. Return whether the party held the lease."""
+        self.waiting = [other for other in self.waiting if other != party]
         if party != self.holder:
             return False
         self.holder = None
@@ -86,7 +82,7 @@ class Lease:
             self._alive_at = now
 
     def seconds_left(self, now: float) -> float:
-        """Return the seconds until the lease ends without a heartbeat. Infinite if it is free."""
+        """Return the seconds until the lease times out. Infinite without a holder."""
         if self.holder is None:
             return float("inf")
         return self._alive_at + LEASE_TIMEOUT - now
@@ -94,5 +90,5 @@ class Lease:
     def _grant(self, party: Party, now: float) -> None:
         if party != self.holder:
             self.holder, self.number = party, self.number + 1
-        self.waiting = [one for one in self.waiting if one != party]
+        self.waiting = [other for other in self.waiting if other != party]
         self._alive_at = now

@@ -1,6 +1,6 @@
-"""Network of servers and clients: the engine Zenoh, its users and encryption.
+"""Zenoh network of servers and clients, with users and encryption.
 
-Every user has separate key expressions, and the engine lets no other user use them: a message at
+Each user has separate key expressions. The engine rejects other users, so a message at
 `from/alice/…` is from Alice.
 """
 
@@ -20,7 +20,7 @@ from trex_gui.core.transport.urls import LOCAL_USER, Address
 from trex_gui.devices.trex.serve.lease import User
 
 _MOST_SCOUTED = 32
-_DEAD_MS = 4000  # without a message of the engine; then a connection counts as ended
+_DEAD_MS = 4000  # timeout of a connection without messages
 _ROOT = "trex/v1"
 
 
@@ -57,7 +57,7 @@ def open_client(address: Address) -> zenoh.Session:
 
 
 def get(session: zenoh.Session, *parts: str, seconds: float) -> list[bytes]:
-    """Return the replies to a query of a key that arrive within `seconds`."""
+    """Query a key. Return the replies that arrive within `seconds`."""
     try:
         replies = session.get(key(*parts), timeout=seconds)
     except zenoh.ZError:  # the session was closed
@@ -82,7 +82,7 @@ def scout(seconds: float) -> tuple[Address, ...]:
                 continue
             for locator in hello.locators:
                 kind, _, where = str(locator).partition("/")
-                with suppress(BadRequest):  # any computer on the network may have sent it
+                with suppress(BadRequest):  # any computer on the network may reply
                     if kind in {"tcp", "tls"} and len(found) < _MOST_SCOUTED:
                         found[Address.of_host(where.split("?")[0])] = None
     finally:
@@ -91,9 +91,9 @@ def scout(seconds: float) -> tuple[Address, ...]:
 
 
 class ClientLink:
-    """The connections of a client to a server: one for all messages, one for stops.
+    """Connections of a client to a server: one for all messages, one for stops.
 
-    A lost network packet delays later packets of its connection. A stop is sent over both.
+    A lost network packet delays later packets of its connection. So a stop is sent over both.
 
     Args:
         address: of the board.
@@ -108,7 +108,7 @@ class ClientLink:
         def name(part: str) -> str:
             return key(address.name, part, user, client)
 
-        self._kept = (  # the engine ends subscribers and tokens without a reference
+        self._references = (  # without a reference, the engine ends subscribers and tokens
             self._session.declare_subscriber(
                 name("to"), lambda sample: receive(bytes(sample.payload))
             ),
@@ -135,7 +135,7 @@ def open_server(
     *,
     tls: tuple[Path, Path] | None = None,
 ) -> zenoh.Session:
-    """Listen for clients. `tls` are the files of certificate and key.
+    """Listen for clients. `tls` are the certificate and key files.
 
     The engine reads the secrets from a file in `folder`, which only this program may use.
 
@@ -147,11 +147,11 @@ def open_server(
         "mode": "peer",
         "listen/endpoints": list(listen),
         "listen/exit_on_failure": True,
-        # Replies to scouting clients, and does not scout itself
+        # Reply to scouting clients, but do not scout.
         "scouting/multicast/enabled": is_public,
         "scouting/multicast/autoconnect": [],
         "scouting/gossip/enabled": False,
-        # Clients that connect without logging in cannot block others for long.
+        # Clients that connect but do not log in cannot block other clients for long.
         "transport/unicast/accept_pending": 1000,
         "transport/link/tx/lease": _DEAD_MS,
         "transport/unicast/accept_timeout": 3000,
@@ -165,7 +165,7 @@ def open_server(
         secrets.touch(mode=0o600)
         lines = [f"{user.name}:{user.secret}\n" for user in users]
         secrets.write_text("".join(lines), "utf-8")
-        # The engine requires its own user: no client can know this password.
+        # The engine requires a user for itself. No client can know this password.
         config["transport/auth/usrpwd"] = {
             "user": "-",
             "password": os.urandom(16).hex(),
@@ -180,22 +180,21 @@ def open_server(
 
 
 def declare_publisher(session: zenoh.Session, name: str) -> zenoh.Publisher:
-    """Return a publisher that drops no messages and sends each at once, without batching."""
+    """Return a publisher that drops no messages and does not batch them."""
     block = zenoh.CongestionControl.BLOCK
     return session.declare_publisher(name, congestion_control=block, express=True)
 
 
-_MESSAGES = {
+_MESSAGES = {  # by kind of key: engine messages from clients, engine messages to clients
     "send": (["put"], ["declare_subscriber"]),
     "data": (["declare_subscriber"], ["put"]),
     "query": (["query"], ["reply", "declare_queryable"]),
     "token": (["liveliness_token"], ["liveliness_query", "declare_liveliness_subscriber"]),
 }
-"""By kind of key: engine messages that a client may send, and messages that it may receive."""
 
 
 def _access(name: str, users: Sequence[User]) -> dict[str, Any]:
-    """Return the engine's access rules: users reach their own keys, and the public keys."""
+    """Return the engine's access rules. Users reach public keys and their own keys."""
 
     def rules(number: str, keys: Mapping[str, str]) -> list[dict[str, Any]]:
         """Return two rules for each kind of key: incoming and outgoing messages."""
@@ -211,27 +210,27 @@ def _access(name: str, users: Sequence[User]) -> dict[str, Any]:
             for flow, messages in zip(("ingress", "egress"), _MESSAGES[kind], strict=True)
         ]
 
-    everybody = rules("-", {"query": key("*", "info"), "data": key(name, "data", "**")})
-    own = {
-        one.name: rules(
-            one.name,
+    public = rules("-", {"query": key("*", "info"), "data": key(name, "data", "**")})
+    private = {
+        user.name: rules(
+            user.name,
             {
-                "send": key(name, "from", one.name, "*"),
-                "data": key(name, "to", one.name, "*"),
-                "token": key(name, "client", one.name, "*"),
-                "query": key(name, "stop", one.name),
+                "send": key(name, "from", user.name, "*"),
+                "data": key(name, "to", user.name, "*"),
+                "token": key(name, "client", user.name, "*"),
+                "query": key(name, "stop", user.name),
             },
         )
-        for one in users
+        for user in users
     }
     return {
         "enabled": True,
         "default_permission": "deny",
-        "rules": [*everybody, *(one for some in own.values() for one in some)],
-        "subjects": [{"id": user, "usernames": [user]} for user in own],
+        "rules": [*public, *(rule for own in private.values() for rule in own)],
+        "subjects": [{"id": user, "usernames": [user]} for user in private],
         "policies": [
-            {"rules": [one["id"] for one in (*everybody, *some)], "subjects": [user]}
-            for user, some in own.items()
+            {"rules": [rule["id"] for rule in (*public, *own)], "subjects": [user]}
+            for user, own in private.items()
         ],
     }
 

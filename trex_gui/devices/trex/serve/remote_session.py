@@ -1,4 +1,4 @@
-"""Session of a served board, with the messages of a local session."""
+"""Session of a served board. It has the messages of a local session."""
 
 import logging
 import math
@@ -67,33 +67,31 @@ from trex_gui.version import __version__
 
 log = logging.getLogger(__name__)
 
-_SLICE = 0.005  # seconds until a received report is passed on, at most
+_SLICE = 0.005  # longest delay of a received report, in seconds
 _HEARTBEAT = 0.1  # seconds between two heartbeats
-_SILENCE = 0.7
-"""Seconds without a report after which the network counts as silent. The server sends ten reports
-a second, and stops the motors of a client that is silent for half a second."""
 
-_LOST = 5.0  # seconds of silence after which the connection is given up
-_ANSWER = 3.0  # timeout in seconds for the server's welcome, and for its reply about the lease
+# The server sends ten reports a second. It stops the motors of a client after half a second.
+_SILENCE = 0.7  # seconds without a report; then the network is silent
+_LOST = 5.0  # seconds without a report; then the connection ends
 
-_LEAVING = 1.0  # timeout in seconds for the confirmation of the stop before leaving
+_ANSWER = 3.0  # timeout in seconds of the welcome and of a lease request
+_LEAVING = 1.0  # timeout in seconds of the last stop
 _LAST_STOP = -2  # id of the stop before leaving
 _DELAY_INTERVAL = 1.0  # seconds between two reports of the delay
 
 
 @dataclass(slots=True)
 class _Waiting:
-    """Requests that wait for the lease until a deadline."""
+    """Requests that wait for the lease."""
 
     requests: list[Request]
     until: float
 
 
 class RemoteSession:
-    """Serves requests through a server, from connecting to leaving.
+    """Session over a server, with the arguments of a `TrexSession`.
 
-    Takes the arguments of a `TrexSession`. The lease is requested with the first request that needs
-    it, and returned at the end.
+    It requests the lease for the first request that needs it, and returns the lease at the end.
     """
 
     def __init__(
@@ -111,7 +109,7 @@ class RemoteSession:
         self._received: deque[tuple[float, bytes]] = deque()
         self._counter = count(1)
         self._seen = 0.0  # newest server time in a report
-        self._offset = math.inf  # our clock minus the server's, an upper bound
+        self._offset = math.inf  # this clock minus the server's clock, an upper bound
         self._heard_at = 0.0
         self._beat_at = 0.0
         self._watched = SetWatched(True)
@@ -120,15 +118,15 @@ class RemoteSession:
         self._waiting: _Waiting | None = None
         self._board: Connected | None = None
         self._is_silent = False
-        self._has_armed = False  # whether this client armed motors and has not stopped them since
+        self._has_armed = False  # this client has armed motors, and has not stopped them since
         self._closed: Closed | None = None
         self._counters = Counters()
         self._unanswered: set[int] = set()
         self._stops: set[int] = set()  # ids of unconfirmed stops
-        self._delay_at = 0.0  # when the delay was last reported
+        self._delay_at = 0.0  # time of the last delay report
 
     def run(self) -> None:
-        """Serve until `Close` arrives, or the server or the network is lost. Never raises."""
+        """Serve until `Close` arrives or the server is lost. Never raises."""
         error = run_until_closed(
             self._open, self._step, lambda detail: TrexInternalError(ErrorCode.INTERNAL, detail)
         )
@@ -164,12 +162,12 @@ class RemoteSession:
             return
         try:
             if self._may_move and self._closed is None:
-                self._pass_on(Stop(_LAST_STOP))
+                self._forward(Stop(_LAST_STOP))
                 end = self._clock() + _LEAVING
                 while self._may_move and self._clock() < end:
                     self._inbox.get(_SLICE)
                     self._handle_reports()
-        except Exception:  # whatever the engine raises when its connection is gone
+        except Exception:  # the engine may raise any error when the connection is gone
             log.info("the server has left first", exc_info=True)
         try:
             self._send(Leave())
@@ -221,11 +219,11 @@ class RemoteSession:
                     self._send(watched)
             case Stop():
                 self._waiting = None
-                self._pass_on(request)
+                self._forward(request)
             case SendPacket(packet=RawPacket(is_query=True)):
-                self._pass_on(request)
+                self._forward(request)
             case _ if isinstance(request, LeaseRequest) or self._lease.is_mine:
-                self._pass_on(request)
+                self._forward(request)
             case SetMotor() | SetMotors() | SetAuxiliary() if self._waiting is not None:
                 self._waiting.requests.append(request)  # after an `Arm`
             case Arm() | Write() | SelectBoard() | ProbeNumber() | Reload() | SendPacket():
@@ -234,7 +232,7 @@ class RemoteSession:
                     self._send(AskLease())
                 self._waiting.requests.append(request)
 
-    def _pass_on(self, request: Request) -> None:
+    def _forward(self, request: Request) -> None:
         inner = inner_request(request)
         if isinstance(inner, Heartbeat):
             request = Heartbeat()
@@ -276,7 +274,7 @@ class RemoteSession:
             try:
                 (_, time, echo), report = decode_report(data, 3)
             except BadRequest as error:
-                log.warning("a message of the server is not understood: %s", error)
+                log.warning("ignored an invalid message of the server: %s", error)
                 continue
             self._seen = max(self._seen, time)
             self._offset = min(self._offset, arrived - time)
@@ -305,12 +303,12 @@ class RemoteSession:
                 self._closed = report
                 raise report.error or Closing
             case _:
-                self._pass_back(report)
+                self._emit_local(report)
 
-    def _pass_back(self, report: Report | ServerReport, board: int | None = None) -> None:
-        """Pass on a report of the board's session, in this computer's time.
+    def _emit_local(self, report: Report | ServerReport, board: int | None = None) -> None:
+        """Emit a report with times and URL of this computer.
 
-        `board` is the number of another board that is driven with the first board.
+        `board` is the number of a board of the group, `None` for the first board.
         """
 
         def emit(own: BoardReport) -> None:
@@ -318,13 +316,13 @@ class RemoteSession:
 
         match report:
             case OfBoard(number=number, report=inner):
-                self._pass_back(inner, number)
+                self._emit_local(inner, number)
             case Outcome():
-                report = self._here(report, board)
+                report = self._local_outcome(report, board)
                 if report.id != _LAST_STOP:
                     emit(report)
             case Connected():
-                report = replace(report, settings=self._as_here(report.settings))
+                report = replace(report, settings=self._local_settings(report.settings))
                 if board is None:
                     self._board = report
                 is_alone = not report.settings.group
@@ -333,14 +331,14 @@ class RemoteSession:
             case Batch():
                 self._counters = report.counters
                 samples = tuple(
-                    replace(one, time=one.time + self._offset) for one in report.samples
+                    replace(sample, time=sample.time + self._offset) for sample in report.samples
                 )
                 emit(replace(report, samples=samples))
             case Traffic(events=events):
-                moved = (replace(one, time=one.time + self._offset) for one in events)
+                moved = (replace(event, time=event.time + self._offset) for event in events)
                 self._emit(Traffic(tuple(moved)))
             case MotorsStopped(reason=reason, confirmed=confirmed):
-                # The end of a lease stops every board. After other stops each board reports its own
+                # The end of a lease stops every board. Other stops are reported by each board.
                 is_alone = self._board is None or not self._board.settings.group
                 is_alone = is_alone or reason is ErrorCode.LEASE_LOST
                 self._may_move = self._may_move and not (confirmed and is_alone)
@@ -353,7 +351,7 @@ class RemoteSession:
             case _:
                 emit(report)
 
-    def _here(self, outcome: Outcome, board: int | None) -> Outcome:
+    def _local_outcome(self, outcome: Outcome, board: int | None) -> Outcome:
         """Record an outcome. Return it with this computer's URL of the board."""
         self._unanswered.discard(outcome.id)
         if outcome.id in self._stops and outcome.error is None:
@@ -361,13 +359,12 @@ class RemoteSession:
         self._stops.discard(outcome.id)
         if not isinstance(written := outcome.value, Written):
             return outcome
-        written = replace(written, settings=self._as_here(written.settings))
+        written = replace(written, settings=self._local_settings(written.settings))
         if self._board is not None and board is None:
             self._board = replace(self._board, state=written.state, settings=written.settings)
         return replace(outcome, value=written)
 
-    def _as_here(self, settings: ConnectionSettings) -> ConnectionSettings:
-        """Return settings of the server's line with this computer's URL for it."""
+    def _local_settings(self, settings: ConnectionSettings) -> ConnectionSettings:
         return replace(settings, url=self._settings.url, name=self._settings.name)
 
     def _handle_lease(self, report: LeaseChanged) -> None:
@@ -378,6 +375,6 @@ class RemoteSession:
         if report.is_mine:
             waiting, self._waiting = self._waiting, None
             for request in waiting.requests:
-                self._pass_on(request)
+                self._forward(request)
         elif report.driver or not report.may_drive:
             self._reject_waiting()

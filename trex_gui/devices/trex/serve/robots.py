@@ -1,4 +1,4 @@
-"""Served boards on a network: list them, and stop all at once."""
+"""Served boards on a network: list and stop."""
 
 import json
 from collections.abc import Iterable
@@ -13,7 +13,7 @@ from trex_gui.devices.trex.serve.sessions import NEEDS_EXTRA
 
 _SCOUTING_S = 0.7
 _ANSWER_S = 2.0
-_KEPT_S = 1.0  # timeout on a kept connection, which may be dead
+_OPEN_S = 1.0  # timeout on an open connection, which may be dead
 _STOP_S = 10.0  # a stop may take this long on a line that corrupts bytes
 _MOST_AT_ONCE = 100  # connections
 ALL = "all"
@@ -23,7 +23,7 @@ class Robots:
     """Served boards. Connections to their hosts stay open until `close`."""
 
     def __init__(self) -> None:
-        self._kept: dict[Address, Any] = {}  # newest connection, by host, user and port
+        self._newest: dict[Address, Any] = {}  # newest connection by host, user and port
         self._opened: list[Any] = []
 
     def __enter__(self) -> Self:
@@ -33,7 +33,7 @@ class Robots:
         self.close()
 
     def close(self) -> None:
-        opened, self._opened, self._kept = self._opened, [], {}
+        opened, self._opened, self._newest = self._opened, [], {}
         for connection in opened:
             connection.close()
 
@@ -45,27 +45,30 @@ class Robots:
         """
         addresses = _addresses(hosts)
         with ThreadPoolExecutor(_MOST_AT_ONCE) as pool:
-            rows = {row["url"]: row for some in pool.map(self._at, addresses) for row in some}
+            rows = {row["url"]: row for found in pool.map(self._at, addresses) for row in found}
         return sorted(rows.values(), key=lambda row: (row["name"], row["url"]))
 
     def stop(self, names: Iterable[str]) -> dict[str, str]:
-        """Stop these served boards, or all, at the same time.
+        """Stop served boards at the same time.
 
-        `names` are names from the list of robots, or URLs. Return errors by URL, empty for a
-        confirmed stop. A board that is not found has its error under its name.
+        `names` are board names, URLs or `ALL`. Return an error for each URL, empty for a confirmed
+        stop. A board that is not found has an error under its name.
         """
-        wanted = list(names)
-        addresses = [Address.of(one) for one in wanted if "://" in one]
-        if others := {one for one in wanted if "://" not in one}:
-            rows = [row for row in self.find() if ALL in others or row["name"] in others]
+        addresses, missing = [], set[str]()
+        for name in names:
+            if "://" in name:
+                addresses.append(Address.of(name))
+            else:
+                missing.add(name)
+        if missing:
+            rows = [row for row in self.find() if ALL in missing or row["name"] in missing]
             addresses += [Address.of(row["url"]) for row in rows]
-            others -= {ALL, *(row["name"] for row in rows)}
+            missing -= {ALL, *(row["name"] for row in rows)}
         boards = list(dict.fromkeys(addresses))
         with ThreadPoolExecutor(_MOST_AT_ONCE) as pool:
-            results = dict(
-                zip((one.url for one in boards), pool.map(self._stop, boards), strict=True)
-            )
-        return results | dict.fromkeys(others, tr("It did not answer."))
+            errors = pool.map(self._stop, boards)
+            results = {board.url: error for board, error in zip(boards, errors, strict=True)}
+        return results | dict.fromkeys(missing, tr("It did not answer."))
 
     def _at(self, address: Address) -> list[dict[str, Any]]:
         try:
@@ -78,7 +81,7 @@ class Robots:
         return rows
 
     def _stop(self, board: Address) -> str:
-        """Stop one board. Return why the stop is not confirmed, or an empty text."""
+        """Stop one board. Return the error, empty for a confirmed stop."""
         user = board.user or LOCAL_USER
         try:
             answers = self._get(board, board.name, "stop", user, seconds=_STOP_S)
@@ -87,13 +90,13 @@ class Robots:
         return str(json.loads(answers[0])["error"]) if answers else tr("It did not answer.")
 
     def _get(self, address: Address, *parts: str, seconds: float) -> list[bytes]:
-        """Return the replies of a host. Reconnect if a kept connection gives no reply."""
+        """Return the replies of a host. Reconnect if an open connection gives no reply."""
         host, network = replace(address, name=""), _network()
-        if kept := self._kept.get(host):
-            answers: list[bytes] = network.get(kept, *parts, seconds=_KEPT_S)
+        if connection := self._newest.get(host):
+            answers: list[bytes] = network.get(connection, *parts, seconds=_OPEN_S)
             if answers:
                 return answers
-        connection = self._kept[host] = network.open_client(address)
+        connection = self._newest[host] = network.open_client(address)
         self._opened.append(connection)
         return list(network.get(connection, *parts, seconds=seconds))
 
@@ -104,13 +107,13 @@ def _addresses(hosts: Iterable[str]) -> list[Address]:
         return given
     network = _network()
     known = known_hosts()
-    names = {one.host for one in known}
-    scouted = [one for one in network.scout(_SCOUTING_S) if one.host not in names]
+    names = {address.host for address in known}
+    scouted = [address for address in network.scout(_SCOUTING_S) if address.host not in names]
     return [Address("127.0.0.1"), *known, *scouted]
 
 
 def _row_of(data: bytes) -> dict[str, Any] | None:
-    """Parse a server's info about its board. `None` if it is invalid."""
+    """Parse a server's info. `None` if it is invalid."""
     try:
         row = json.loads(data)
         texts = row["name"], row["board"] or "", row["driver"] or "", *row["problems"]

@@ -41,12 +41,12 @@ log = logging.getLogger(__name__)
 _RETRY_S = 1.0  # between two attempts to open the line
 _LEAVING = 0.5  # seconds for the last messages to a client
 _MOST_CLIENTS = 16  # of one user, including clients whose connection was just cut
-_MOST_EVENTS = 1000  # of the line in a batch
-_MOST_WAITING = 300  # messages for a client that does not receive them: some five seconds
+_MOST_EVENTS = 1000  # on the line, in a batch
+_MOST_WAITING = 300  # queued messages for a client, about five seconds
 
 
 class _Outbox:
-    """Sends messages to one client. Only its own thread waits for the client."""
+    """Message queue to one client. Only its thread waits for the client."""
 
     def __init__(self, session: zenoh.Session, name: str, full: Callable[[], None]) -> None:
         self._messages = queue.Queue[bytes | None](_MOST_WAITING)
@@ -57,12 +57,12 @@ class _Outbox:
         self._thread.start()
 
     def close(self, seconds: float) -> None:
-        """Send the queued messages, and wait for at most `seconds`."""
+        """Send the queued messages. Wait up to `seconds`."""
         self.put(None)
         self._thread.join(seconds)
 
     def put(self, message: bytes | None) -> None:
-        """Queue a message. `None` ends the thread after the messages before it."""
+        """Queue a message. `None` ends the thread."""
         try:
             self._messages.put_nowait(message)
         except queue.Full:
@@ -79,16 +79,16 @@ class _Outbox:
 
 
 class ServedBoard:
-    """Serves the board on a line under a name.
+    """Network server of a board.
 
     Args:
-        settings: how to reach the board.
-        name: under which the board is served.
+        settings: connection settings of the board.
+        name: name of the served board.
         listen: endpoints of the engine, such as `tcp/0.0.0.0:7477`.
-        users: who may connect. If empty, every program that reaches the endpoint owns the board.
+        users: users who may connect. If empty, every program that reaches the endpoint is an owner.
         computer: provides ports, threads and clock.
         say: receives messages for the operator of the server.
-        tls: files of certificate and key.
+        tls: certificate and key files.
     """
 
     def __init__(
@@ -108,10 +108,10 @@ class ServedBoard:
         self._inbox = RequestQueue(computer.condition())
         self.server = BoardServer(name, self._put, self._send, computer.clock)
         self._board = BoardMirror(Keeper(log.info, log.warning).memory)
-        self._others: dict[int, BoardMirror] = {}  # driven together with `_board`, by number
+        self._others: dict[int, BoardMirror] = {}  # other boards of the group, by number
         self._traffic: list[TrafficEvent] = []  # since the last batch of samples
-        self._logs = False  # whether `_traffic` is filled
-        self._present: set[Party] = set()  # clients that are connected
+        self._logs = False  # `_traffic` is recorded
+        self._present: set[Party] = set()  # connected clients
         self._outboxes: dict[Party, _Outbox] = {}
         self._is_ending = False
         self._closed = threading.Event()
@@ -119,15 +119,15 @@ class ServedBoard:
             self._network = open_server(name, listen, users, Path(folder), tls=tls)
         self._measurements = self._network.declare_publisher(key(name, "data", "measurements"))
         self._table: MeasurementTable | None = None
-        self._is_subscribed = False  # whether a program subscribes to the measurements
+        self._is_subscribed = False  # a program subscribes to the measurements
         listener = self._measurements.declare_matching_listener(self._on_matching)
-        # One expression per user: the engine announces to clients only expressions they may use.
-        self._kept: list[object] = [
+        # One expression per user, because the engine announces only allowed expressions to clients.
+        self._references: list[object] = [
             listener,
             self._network.declare_queryable(key(name, "info"), self._on_query),
         ]
         for user in self._roles:
-            self._kept += [
+            self._references += [
                 self._network.declare_subscriber(key(name, "from", user, "*"), self._on_request),
                 self._network.liveliness().declare_subscriber(
                     key(name, "client", user, "*"), self._on_client, history=True
@@ -136,11 +136,11 @@ class ServedBoard:
             ]
 
     def run(self, is_ended: Callable[[], object]) -> Closed:
-        """Serve until `is_ended`, then stop the motors and close the line. Return its last report.
+        """Serve until `is_ended`, then stop the motors and close the line.
 
-        A lost line is opened again.
+        A lost line is opened again. Return the last report of the session.
         """
-        said = ""
+        last_error = ""
         while not is_ended():
             self._closed.clear()
             open_transport = logged(
@@ -158,10 +158,10 @@ class ServedBoard:
             self._is_open = False
             last = self._last
             self.server.end(last.error, may_move=last.may_move)
-            text = "" if last.error is None else str(last.error)
-            if text and text != said:
-                self._say(text)
-            said = text
+            error = "" if last.error is None else str(last.error)
+            if error and error != last_error:
+                self._say(error)
+            last_error = error
             self._wait(is_ended)
         for outbox in list(self._outboxes.values()):
             outbox.close(_LEAVING)
@@ -180,10 +180,10 @@ class ServedBoard:
     _is_open = False
 
     def _put(self, request: object) -> None:
-        if isinstance(request, SetReconnectCandidates):  # clients reach the line by another URL
-            here = self._settings
-            places = (replace(one, url=here.url, name=here.name) for one in request.settings)
-            request = SetReconnectCandidates(tuple(places))
+        if isinstance(request, SetReconnectCandidates):  # clients use another URL of the line
+            url, name = self._settings.url, self._settings.name
+            local = (replace(settings, url=url, name=name) for settings in request.settings)
+            request = SetReconnectCandidates(tuple(local))
         self._inbox.put(request)
 
     def _report(self, report: Report) -> None:
@@ -213,9 +213,9 @@ class ServedBoard:
             self.server.report(report)
 
     def _record_traffic(self, event: TrafficEvent) -> None:
-        """Record bytes on the line for clients that show them, beginning with a request."""
-        begins = event.direction is not TrafficDirection.RECEIVED
-        self._logs = self.server.shows_traffic and (self._logs or begins)
+        """Record bytes on the line while a client shows them, starting with a request."""
+        is_start = event.direction is not TrafficDirection.RECEIVED
+        self._logs = self.server.shows_traffic and (self._logs or is_start)
         if self._logs and len(self._traffic) < _MOST_EVENTS:
             self._traffic.append(event)
 
@@ -228,7 +228,7 @@ class ServedBoard:
     # --- The network, in threads of the engine ------------------------------------------
 
     def _party(self, expression: object) -> Party | None:
-        """Return the client that owns a key `…/USER/CLIENT`. `None` for an unknown user."""
+        """Return the client of a key `…/USER/CLIENT`. `None` for an unknown user."""
         user, client = str(expression).split("/")[-2:]
         role = self._roles.get(user)
         return None if role is None else Party(client, user, role)
@@ -239,7 +239,7 @@ class ServedBoard:
             self.server.handle(party, bytes(sample.payload))
 
     def _on_client(self, sample: zenoh.Sample) -> None:
-        """Add a client that has connected, or remove a client whose connection ended."""
+        """Add a connected client, or remove a disconnected client."""
         party = self._party(sample.key_expr)
         if party is None:
             return
@@ -247,12 +247,12 @@ class ServedBoard:
             self.server.remove(party)
             self._remove(party)
             return
-        own = {one for one in self._present if one.user == party.user}
+        own = {present for present in self._present if present.user == party.user}
         if len(own) >= _MOST_CLIENTS:  # the engine may not have reported lost clients yet
-            gone = own - self.server.parties
-            for one in gone:
-                self._remove(one)
-            own -= gone
+            lost = own - self.server.parties
+            for present in lost:
+                self._remove(present)
+            own -= lost
         if len(own) < _MOST_CLIENTS:
             self._present.add(party)
         else:
@@ -272,7 +272,7 @@ class ServedBoard:
         outbox.put(message)
 
     def _drop(self, party: Party) -> None:
-        log.warning("%s takes its messages too slowly", party.user)
+        log.warning("%s receives its messages too slowly", party.user)
         threading.Thread(target=self.server.remove, args=(party,), daemon=True).start()
 
     def _on_query(self, query: zenoh.Query) -> None:
@@ -284,7 +284,7 @@ class ServedBoard:
             query.reply(query.key_expr, json.dumps({"name": self.name, "error": text}))
             query.drop()  # type: ignore[no-untyped-call]
 
-        def reply_later(outcome: Outcome) -> None:  # the session does not wait for a client
+        def reply_later(outcome: Outcome) -> None:  # the session must not wait for a client
             threading.Thread(target=reply, args=(outcome,), daemon=True).start()
 
         if self.server.floods(str(query.key_expr).rpartition("/")[2]):
@@ -299,16 +299,18 @@ class ServedBoard:
         self._is_subscribed = status.matching
 
     def info(self) -> dict[str, Any]:
-        """Return the board's entry in a list of robots. Keys as in `trexcmd robots --json`."""
+        """Return the board's entry of `trexcmd robots --json`."""
         board, lease = self._board, self.server.lease
         state = board.state
         boards = [board, *self._others.values()]
-        problems = [one.name for each in boards for one in each.errors.entries if one.count]
+        problems = [
+            entry.name for mirror in boards for entry in mirror.errors.entries if entry.count
+        ]
         return {
             "name": self.name,
             "board": str(state.signature) if state else None,
             "device_number": state.parameters.get("device_number") if state else None,
-            "responds": all(one.is_responding for one in boards),
+            "responds": all(mirror.is_responding for mirror in boards),
             "driver": lease.holder.user if lease.holder else None,
             "refused": sum(self.server.refused.values()),
             "clients": len(self.server.users),

@@ -1,7 +1,6 @@
-"""Server of a line, without the network: its session, lease and clients.
+"""Server of a line, without the network.
 
-`handle` receives the clients' messages, and `send` is called with messages for clients. Every
-method may be called from any thread. A stop never waits for a client.
+Methods may be called from any thread. A stop never waits for a client.
 """
 
 import logging
@@ -69,18 +68,16 @@ from trex_gui.devices.trex.session.messages import (
 log = logging.getLogger(__name__)
 
 _MOST_WAITING = 32  # client requests that one stop confirms
-MOST_REQUESTS = 600  # of a user in a second: a window that drives sends some 120
+MOST_REQUESTS = 600  # of a user in a second; a window that drives sends about 120
 MOST_JOBS = 8  # queued requests of a client
-_LONGEST_PACKET = 16  # bytes; a packet on the wire delays everything else
+_LONGEST_PACKET = 16  # bytes; a packet on the wire delays a stop
 _MOST_ATTEMPTS = 3
-_CLIENT_TIMEOUT = 5.0  # seconds without any message after which a client is removed
+_CLIENT_TIMEOUT = 5.0  # seconds without a message from a client
 _TICK_INTERVAL = 0.1
-_IDLE_INTERVAL = 0.25  # seconds between two steps without a client; half of the lease timeout
+_IDLE_INTERVAL = 0.25  # seconds between two steps without a client, half of the lease timeout
 _NO_OUTCOME = 0
 
-_STALE = SetpointRequest | Arm
-"""Requests that have no effect once they are older than the lease timeout."""
-
+_STALE = SetpointRequest | Arm  # ignored if they are older than the lease timeout
 
 _WATCHES = SetWatched(True)  # default of a client that has not sent `SetWatched`
 
@@ -91,23 +88,22 @@ class _Client:
     counter: float  # of its last request
     stopped: float  # counter of its last stop, which may overtake other requests
     heard_at: float
-    echo: float = 0.0  # the client's clock minus the server's, at the last request
+    echo: float = 0.0  # client's clock minus server's clock, at the last request
     sent: int = 0
     sent_at: float = 0.0
     watched: SetWatched = _WATCHES
-    # Jobs that wait until the job in flight is done
-    jobs: deque[Job | ToBoard] = field(default_factory=deque)
-    in_flight: int = 0  # id of the job that the session has; 0 without a job
+    jobs: deque[Job | ToBoard] = field(default_factory=deque)  # after the job in flight
+    in_flight: int = 0  # id of the job in the session, or 0
 
 
 class BoardServer:
-    """Lets clients share one board, or boards that are driven together.
+    """Server of a board or group for several clients.
 
     Args:
-        name: under which the board is served.
-        request: receives the requests for the session.
-        send: receives a client and a message for it; must not block.
-        clock: of the reports of the session, in seconds.
+        name: name of the served board.
+        request: receives the requests to the session.
+        send: receives a client and a message to the client. It must not block.
+        clock: clock of the session, in seconds.
     """
 
     def __init__(
@@ -120,18 +116,18 @@ class BoardServer:
         self.name = name
         self.lease = Lease()
         self.refused: Counter[str] = Counter()  # number of refused messages, by reason
-        self.polynomial: int | None = None  # of packets on the line; `None`: without CRC
+        self.polynomial: int | None = None  # of packets on the line; `None` without CRC
         self._request, self._send, self._clock = request, send, clock
         self._lock = threading.RLock()
         self._clients: dict[Party, _Client] = {}
         self._ids = count(1)
-        # By id of a request: clients that wait for its outcome, and the ids that they gave it
+        # Clients that wait for an outcome, with their own request ids, by id of the request
         self._outcomes: dict[int, list[tuple[Party, int]]] = {}
-        self._pending_stop = 0  # id of a stop, until something that may move a motor follows it
-        self._seconds: dict[str, tuple[int, int]] = {}  # by user: second, and its requests
-        # Reports that a new client gets, by board (`None`: the first) and type
+        self._pending_stop = 0  # id of the last stop; 0 after a request that may move a motor
+        self._seconds: dict[str, tuple[int, int]] = {}  # second and its number of requests, by user
+        # Reports for a new client, by board (`None`: the first) and type
         self._newest: dict[int | None, dict[type, BoardReport]] = {None: {}}
-        self._watched_stops: dict[int, Callable[[Outcome], None]] = {}  # by id
+        self._watched_stops: dict[int, Callable[[Outcome], None]] = {}  # callbacks by id
         self._lease_stop = 0  # id of the stop at the end of a lease
         # Speeds since the last stop, by board (`None`: the first) and motor
         self._speeds: dict[int | None, dict[int, int]] = {}
@@ -197,7 +193,7 @@ class BoardServer:
                 self._remove(self._clients[party])
 
     def stop(self, then: Callable[[Outcome], None]) -> None:
-        """Stop the motors for a user who need not be a client. `then` gets the confirmation."""
+        """Stop the motors. `then` receives the outcome."""
         with self._lock:
             own = next(self._ids)
             self._watched_stops[own] = then
@@ -211,7 +207,7 @@ class BoardServer:
 
     @property
     def parties(self) -> set[Party]:
-        """The clients, without clients that were removed for their silence."""
+        """The clients that were not removed."""
         with self._lock:
             return set(self._clients)
 
@@ -220,7 +216,7 @@ class BoardServer:
         return tuple(client.party.user for client in self._all)
 
     def floods(self, user: str) -> bool:
-        """Count a request. True if its user sends too many to decode, which would delay all."""
+        """Count a request. Return whether the user sends too many."""
         with self._lock:
             now = int(self._clock())
             second, count = self._seconds.get(user, (now, 0))
@@ -228,9 +224,9 @@ class BoardServer:
             self._seconds[user] = now, count
             return count > MOST_REQUESTS
 
-    def _refuse(self, why: str) -> None:
+    def _refuse(self, reason: str) -> None:
         with self._lock:
-            self.refused[why] += 1
+            self.refused[reason] += 1
 
     def _welcome(self, party: Party, hello: Hello, counter: float, sent: float, now: float) -> None:
         client = _Client(party, counter, counter, now, sent - now)
@@ -248,7 +244,7 @@ class BoardServer:
         self._clients[party] = client
         news: list[Report] = [Welcome(self.name), self._lease_for(client)]
         for board, newest in self._newest.items():
-            news += [_of_board(board, one) for one in newest.values()]
+            news += [_of_board(board, report) for report in newest.values()]
         for report in news:
             self._post(client, encode_report(report), now)
         self._update_watched()
@@ -265,7 +261,7 @@ class BoardServer:
     # --- Requests -----------------------------------------------------------------------
 
     def _serve(self, client: _Client, request: Request, age: float) -> None:
-        """Handle a request for client or lease. Pass others on to the board."""
+        """Handle a request about the client or the lease. Pass other requests to the board."""
         lease, party, now = self.lease, client.party, client.heard_at
         match request:
             case Alive():
@@ -293,16 +289,16 @@ class BoardServer:
     def _serve_board(
         self, client: _Client, request: Request, age: float, number: int | None = None
     ) -> None:
-        """Handle a request for a board. `number` selects among several, `None` is the first."""
+        """Handle a request to a board. `number` is `None` for the first board."""
         if isinstance(request, ToBoard):
             if request.number in self._newest or request.number == self._first:
                 self._serve_board(client, request.request, age, request.number)
             else:
                 self._reject(client, request.request)
             return
-        if isinstance(request, SendPacket):  # parsed for this line, if it is exactly one packet
-            cut = packets_of(request.packet.packet.raw, self.polynomial)
-            request = SendPacket(request.id, cut[0] if len(cut) == 1 else request.packet)
+        if isinstance(request, SendPacket):  # parse it with the polynomial of the line
+            parsed = packets_of(request.packet.packet.raw, self.polynomial)
+            request = SendPacket(request.id, parsed[0] if len(parsed) == 1 else request.packet)
         if not self._may_send(client, request):
             self._reject(client, request)
         elif isinstance(request, Job):
@@ -313,7 +309,7 @@ class BoardServer:
         elif isinstance(request, SetpointRequest) and not _is_possible(request):
             self._refuse("impossible setpoint")
         elif isinstance(request, Heartbeat):
-            self._request(Heartbeat())  # in the time of this computer
+            self._request(Heartbeat())  # with the time of this computer
         elif number is not None and isinstance(request, SetpointRequest):
             self._pending_stop = 0
             self._record_speeds(None if number == self._first else number, request)
@@ -322,13 +318,16 @@ class BoardServer:
             self._forward(client, request)
 
     def _record_speeds(self, board: int | None, request: SetpointRequest) -> None:
-        for one in setpoints_in(request):
-            speed = one.speed if isinstance(one, SetAuxiliary) else one.drive.signed
-            self._speeds.setdefault(board, {})[one.motor] = speed
+        for setpoint in setpoints_in(request):
+            speeds = self._speeds.setdefault(board, {})
+            if isinstance(setpoint, SetAuxiliary):
+                speeds[setpoint.motor] = setpoint.speed
+            else:
+                speeds[setpoint.motor] = setpoint.drive.signed
 
     @property
     def _first(self) -> int | None:
-        """The number of the first of several boards. `None` for a single board."""
+        """Number of the first board of a group. `None` for a single board."""
         connected = self._newest[None].get(Connected)
         group = connected.settings.group if isinstance(connected, Connected) else ()
         return group[0] if group else None
@@ -347,7 +346,7 @@ class BoardServer:
         return self.lease.holder == client.party and len(client.jobs) < MOST_JOBS
 
     def _request_next_job(self, client: _Client) -> None:
-        """Request a client's next job if none is in flight. Queued jobs end with its lease."""
+        """Request a client's next job if none is in flight."""
         if client.jobs and not client.in_flight:
             request = client.jobs.popleft()
             job = inner_request(request)
@@ -390,7 +389,7 @@ class BoardServer:
         self._request(Stop(self._lease_stop))
 
     def _forward(self, client: _Client, request: Request) -> None:
-        """Pass on a stop or a motor command. A pending stop also serves later stop requests."""
+        """Forward a stop or a motor command. A pending stop serves later stop requests."""
         if not isinstance(request, Stop):
             self._pending_stop = 0
             if isinstance(request, SetpointRequest):
@@ -422,7 +421,7 @@ class BoardServer:
     # --- Reports ------------------------------------------------------------------------
 
     def report(self, report: Report) -> None:
-        """Pass a report on to every client, but an `Outcome` only to waiting clients."""
+        """Send a report to every client, but an `Outcome` only to waiting clients."""
         with self._lock:
             now = self._clock()
             match report:
@@ -448,27 +447,31 @@ class BoardServer:
                     self._record_state(number, state)
                 case Connected() | GuardianChanged() | NotResponding() | SetpointsChanged():
                     self._record_state(None, report)
-            self._post_all(report, (one for one in self._all if _is_for(report, one.watched)))
+            clients = (client for client in self._all if _is_for(report, client.watched))
+            self._post_all(report, clients)
 
     def _record_state(self, board: int | None, report: BoardReport) -> None:
-        """Record a report for clients that connect later, if it describes the present state."""
+        """Record a report for clients that connect later."""
         newest = self._newest.setdefault(board, {})
         match report:
             case Connected():
                 lasting = {GuardianChanged, SetpointsChanged} & newest.keys()
                 opened = replace(report, occasion=ReadReason.OPENED)
-                self._newest[board] = {Connected: opened, **{one: newest[one] for one in lasting}}
+                self._newest[board] = {
+                    Connected: opened,
+                    **{kind: newest[kind] for kind in lasting},
+                }
                 if board is None:
                     self.polynomial = report.settings.framing.polynomial
                     boards = (None, *report.settings.group[1:])
-                    self._newest = {one: self._newest.get(one, {}) for one in boards}
+                    self._newest = {number: self._newest.get(number, {}) for number in boards}
             case GuardianChanged() | NotResponding() | SetpointsChanged():
                 newest[type(report)] = report
 
     def _report_lease_stop(self, *, confirmed: bool) -> None:
         """Report the stop at the end of a lease. A new holder gets only an unconfirmed stop."""
         holder = self.lease.holder if confirmed else None
-        others = (one for one in self._all if one.party != holder)
+        others = (client for client in self._all if client.party != holder)
         self._post_all(MotorsStopped(ErrorCode.LEASE_LOST, confirmed), others)
 
     def _report_setpoints(self) -> None:
@@ -479,9 +482,9 @@ class BoardServer:
                 self.report(_of_board(board, setpoints))
 
     def _report_outcome(self, outcome: Outcome, now: float, board: int | None = None) -> None:
-        """Pass an outcome on to waiting clients. Request the next job of its client.
+        """Send an outcome to the waiting clients. Request the next job of its client.
 
-        `board` is the number of a board other than the first.
+        `board` is `None` for the first board.
         """
         waiting = self._outcomes.pop(outcome.id, [])
         if isinstance(outcome.value, Written):
@@ -496,14 +499,14 @@ class BoardServer:
                 self._request_next_job(client)
 
     def _report_written(self, written: Written, writers: list[Party], board: int | None) -> None:
-        """Report the stored settings of a board to all clients except the writers."""
+        """Report the stored settings to all clients except the writers."""
         connected = self._newest.get(board, {}).get(Connected)
         if not isinstance(connected, Connected):
             return
         connected = replace(connected, state=written.state, settings=written.settings)
         self._newest[board][Connected] = connected
         reloaded = replace(connected, occasion=ReadReason.RELOADED)
-        others = (one for one in self._all if one.party not in writers)
+        others = (client for client in self._all if client.party not in writers)
         self._post_all(_of_board(board, reloaded), others)
 
     def end(self, error: StudioError | None, *, may_move: bool) -> None:
@@ -521,7 +524,7 @@ class BoardServer:
             user=party.user,
             driver=lease.holder.user if lease.holder else "",
             is_mine=lease.holder == party,
-            waiting=tuple(dict.fromkeys(one.user for one in lease.waiting)),
+            waiting=tuple(dict.fromkeys(waiting.user for waiting in lease.waiting)),
             may_drive=party.role >= Role.DRIVE,
             may_take=party.role >= Role.OWN,
         )
@@ -554,7 +557,7 @@ def _of_board(board: int | None, report: BoardReport) -> Report:
 
 
 def _is_for(report: Report, watched: SetWatched) -> bool:
-    """Return whether a client with these `watched` settings gets a report."""
+    """True if a client with these settings receives the report."""
     if isinstance(report, OfBoard):
         return _is_for(report.report, watched)
     if isinstance(report, Traffic):
@@ -563,9 +566,9 @@ def _is_for(report: Report, watched: SetWatched) -> bool:
 
 
 def _is_possible(request: SetpointRequest) -> bool:
-    """Return whether a board has the motors and speeds of a request."""
+    """True if a board has the motors and speeds of a request."""
     setpoints = setpoints_in(request)
-    motors = [one.motor for one in setpoints]
+    motors = [setpoint.motor for setpoint in setpoints]
     try:
         for command in packets(setpoints):
             Framing(None, None).encode(command)
