@@ -113,7 +113,7 @@ class ErrorCode(Enum):
         "Another board on this line has the device number {0}. Choose a number that is free."
     )
     LEFT_GROUP = tr_noop("Board {0} no longer follows: it fell silent, was stopped or restarted.")
-    NO_SUCH_BOARD = tr_noop("Board {0} does not belong to the boards that are driven together here.")
+    NO_SUCH_BOARD = tr_noop("Board {0} does not belong to the boards driven together here.")
     OF_BOARD = tr_noop("Board {0}: {1}")
     IN_GROUP = tr_noop(
         "Boards that are driven together keep their numbers, none can be selected, and no typed "

@@ -1,5 +1,5 @@
-"""A simulated TReX or TReX Jr.
+"""Simulated TReX or TReX Jr.
 
-The tables of parameters and calibrations are shared with the protocol package. Decoding and
-checksum are implemented again from the documentation, so that one mistake cannot hide at both ends.
+The tables of parameters and calibrations are shared with the protocol package. The packet parser
+and the checksum are separate implementations, so that both ends cannot contain the same mistake.
 """

@@ -1,4 +1,4 @@
-"""The two boot modes that jumpers select: learning the channels, and the boot loader.
+"""Boot modes that jumpers select: learning mode and boot loader.
 
 Ref: Pololu TReX manual pages 10-11; forum threads 1769 (boot loader) and 4631 (recovery).
 """
@@ -13,13 +13,12 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
 from trex_gui.devices.trex.simulator.channels import Channels
 from trex_gui.devices.trex.simulator.memory import Memory
 
-_NEUTRALS = 2.0  # seconds to watch the neutrals
-_SETTLING = 0.1  # inferred: seconds to skip at first, while the first pulses of all channels arrive
-_EXTREMES = 10.0  # seconds to watch the extremes
+_NEUTRALS = 2.0  # seconds in which neutrals are measured
+_SETTLING = 0.1  # seconds before the measurement, inferred: each channel needs its first pulse
+_EXTREMES = 10.0  # seconds in which extremes are measured
 _HELD = 50  # updates (0.5 s) for which an extreme must be held
-_FLASH = 0.4  # inferred: seconds for each channel's result
-_UNSTEADY = {InputSource.RC: 100, InputSource.ANALOG: 40}
-"""Inferred: range in counts above which a stick is not at rest."""
+_FLASH = 0.4  # seconds for each channel's result, inferred
+_UNSTEADY = {InputSource.RC: 100, InputSource.ANALOG: 40}  # range in counts, inferred
 
 
 class BootHost(Protocol):
@@ -31,10 +30,9 @@ class BootHost(Protocol):
 
 
 class BootLoader:
-    """Restores the default serial settings, and then waits for new firmware.
+    """Boot loader: restores the default serial settings, then waits for firmware.
 
     `leds` are the patterns of the red and the green LED. `update` runs 100 times a second.
-    `reply` returns the reply to a byte on the serial line.
     """
 
     is_over = False
@@ -66,7 +64,7 @@ class BootLoader:
     def reply(self, byte: int) -> bytes:
         """Echo a byte that is not firmware, with a question mark (forum thread 5011).
 
-        Inferred: the reply is at the rate that was set, and no byte counts as firmware.
+        Inferred: the reply has the active baud rate, and no byte is firmware.
         """
         return bytes([byte]) + b"?" if self._ready else b""
 
@@ -89,11 +87,11 @@ _LEDS = {
 
 
 class LearningMode:
-    """Learns neutral and extremes of every channel from the sticks.
+    """Learning mode: measures neutral and extremes of each channel.
 
-    After `is_over`, normal operation starts without a power cycle.
-    Inferred: how steady a neutral must be, the deadband (the default, or the noise if it is
-    larger), and that a channel that fails retains its values.
+    After `is_over`, normal operation starts without a power cycle. Inferred: the steadiness limit,
+    the deadband (the default or the noise, whichever is larger), and that a channel that fails
+    retains its values.
     """
 
     def __init__(self, board: BootHost) -> None:
@@ -138,7 +136,7 @@ class LearningMode:
                 if self._time >= _EXTREMES:
                     self._learn_extremes()
 
-    def reply(self, byte: int) -> bytes:  # noqa: ARG002 - inferred: there is none
+    def reply(self, byte: int) -> bytes:  # noqa: ARG002 - inferred: no reply
         return b""
 
     def _start(self, step: _Step) -> None:
@@ -157,7 +155,9 @@ class LearningMode:
 
     def _learn_neutrals(self) -> None:
         limit = _UNSTEADY[self._board.mode.source]
-        self._learned = {one for one, watched in self._watched.items() if watched.settle(limit)}
+        self._learned = {
+            channel for channel, watched in self._watched.items() if watched.settle(limit)
+        }
         self._start(_Step.NEUTRALS_SHOWN)
 
     def _learn_extremes(self) -> None:
@@ -178,8 +178,8 @@ class _Watched:
         self._neutral = 0
         self._noise = 0
         self._recent: deque[int] = deque(maxlen=_HELD)
-        self._lows: list[int] = []  # only of held positions
-        self._highs: list[int] = []
+        self._lows: list[int] = []  # of held positions
+        self._highs: list[int] = []  # of held positions
 
     def update(self, value: int | None) -> None:
         if value is None:
@@ -192,7 +192,7 @@ class _Watched:
             self._highs.append(min(self._recent))
 
     def settle(self, limit: int) -> bool:
-        """Use the mean so far as neutral. Return whether the signal was valid and steady."""
+        """Set neutral to the mean. Return whether the signal was valid and steady."""
         if self._is_bad or not self._values:
             return False
         self._noise = max(self._values) - min(self._values)

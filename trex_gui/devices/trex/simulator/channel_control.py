@@ -17,7 +17,7 @@ from trex_gui.devices.trex.simulator.motors import AuxiliaryMotor, Motor, MotorD
 
 @dataclass(frozen=True, slots=True)
 class ChannelSetup:
-    """Calibrations and the masks 0x02-0x04."""
+    """Calibrations, and channel masks of parameters 0x02-0x04."""
 
     calibrations: Sequence[Calibration]
     ignored: int = 0
@@ -38,11 +38,11 @@ class ChannelSetup:
         )
 
     def is_switched(self, channel: int, raw: int | None) -> bool:
-        """Return whether a switch channel (4 flip, 5 override) is active.
+        """True if a switch channel (4 flip, 5 override) is active.
 
-        A switch is active below a threshold (sourced, User's Guide 4.a). Inferred: the threshold
-        is half way from neutral to minimum, no signal and an ignored channel are inactive, and a
-        reversed channel counts from the other end.
+        A switch is active below a threshold (sourced, User's Guide 4.a). Inferred: the threshold is
+        half way from neutral to minimum, or to maximum if the channel is reversed. A channel
+        without a signal and an ignored channel are inactive.
         """
         index = channel - 1
         if raw is None or _has(self.ignored, index):
@@ -56,8 +56,8 @@ class ChannelSetup:
 def motor_values(remapped: Sequence[int], *, mix: bool, flip: bool, joint: bool) -> tuple[int, int]:
     """Return the values of motors 1 and 2 (-127 to 127) from channels 1 and 2.
 
-    Mixing: channel 2 drives forward, channel 1 turns (User's Guide 4.a). Inferred: the sums and
-    their clipping. Flip: motors and directions are swapped (User's Guide 4.a). Joint mode has no
+    Mixing: channel 2 drives forward, channel 1 turns (User's Guide 4.a). The sums and their
+    clipping are inferred. Flip swaps motors and directions (User's Guide 4.a). Joint mode has no
     mixing (TReX Jr manual page 6). Inferred: in joint mode, flip reverses motor 1.
     """
     turn, forward = remapped[0], remapped[1]
@@ -78,13 +78,13 @@ def _clip(value: int) -> int:
 
 
 _SIGNAL_REQUIRED_WITHIN = 0.5  # seconds; User's Guide 4.c
-_NEARLY_NEUTRAL = 8  # inferred: largest offset of sticks from neutral at which safe-start ends
+_NEARLY_NEUTRAL = 8  # greatest output that ends safe-start, inferred
 
 
 class ChannelControl:
     def __init__(self, channels: Channels, memory: Memory, mode: Mode) -> None:
         self.safe_start = not mode.is_serial  # until signals are valid and sticks centred
-        self.override = False  # whether channel 5 gives control to the serial port
+        self.override = False  # channel 5 gives control to the serial port
         self._channels = channels
         self._memory = memory
         self._mode = mode
@@ -100,13 +100,13 @@ class ChannelControl:
         )
 
     def remapped(self, *, mix: bool) -> tuple[int, ...]:
-        """Return the reply to 0x87, -127 to 127. The first two values are of motors 1 and 2."""
+        """Return the reply to 0x87, -127 to 127. The first values are those of motors 1 and 2."""
         raw, setup = self._channels.raw, self.setup
         plain, flip = setup.remapped(raw), setup.is_switched(4, raw[3])
         joint = self._memory.is_joint
         return *motor_values(plain, mix=mix, flip=flip, joint=joint), *plain[2:]
 
-    def watch(self) -> bool:
+    def update(self) -> bool:
         """Update safe-start and override. Return whether the serial port controls the motors."""
         if self._mode.is_serial:
             return True
@@ -119,11 +119,11 @@ class ChannelControl:
             self.safe_start = True
         elif self.safe_start:
             self.safe_start = not self._may_leave_safe_start()
-        # Inferred: safe-start wins over serial override.
+        # Inferred: safe-start has priority over serial override.
         return self.override and not self.safe_start
 
     def drive(self, motors: Sequence[Motor], aux: AuxiliaryMotor, *, mix: bool) -> None:
-        """Drive the motors by the sticks. Inferred: the effect is as of accelerate commands."""
+        """Drive the motors by the sticks. Inferred: the sticks accelerate the motors."""
         remapped = self.remapped(mix=mix)
         for number, motor in enumerate(motors[: 1 if self._memory.is_joint else 2], 1):
             value = remapped[number - 1]
@@ -133,7 +133,7 @@ class ChannelControl:
             else:
                 brake = self._memory.active[MotorParameter.DEADBAND_BRAKE_PWM.of(number)]
                 motor.accelerate(MotorDirection.BRAKE, brake)
-        aux.accelerate(abs(remapped[2]))  # inferred: one direction only, the sign is ignored
+        aux.accelerate(abs(remapped[2]))  # inferred: the sign is ignored
 
     @property
     def _required(self) -> tuple[int, ...]:

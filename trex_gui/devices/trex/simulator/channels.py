@@ -1,4 +1,4 @@
-"""The five channel inputs: their signals, and how the board measures them.
+"""The five channel inputs: signals and their measurement by the board.
 
 Ref: Pololu TReX User's Guide 4.b, 4.c; TReX 1.0 command documentation 0x86.
 """
@@ -11,8 +11,8 @@ from random import Random
 
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 
-SHORTEST_PULSE = 500.0
-LONGEST_PULSE = 2500.0  # pulses outside these widths, in µs, are errors (User's Guide 4.c)
+SHORTEST_PULSE = 500.0  # µs; shorter pulses are errors (User's Guide 4.c)
+LONGEST_PULSE = 2500.0  # µs; longer pulses are errors
 SUPPLY = 5.0  # reference voltage of the analog inputs
 _RECEIVER_PERIOD = 20_000.0  # µs between pulses of a standard receiver (50 Hz)
 _NUMBER = r"[-+]?(?:\d+(?:\.\d*)?|\.\d+)"
@@ -24,7 +24,7 @@ _SIGNAL = re.compile(
 
 
 class SignalKind(Enum):
-    """Kinds of signals. The value is the word in a control line, or the unit."""
+    """Kind of a signal. The value is the word in a control line, or the unit."""
 
     REST = "rest"
     PULSES = "us"
@@ -40,18 +40,21 @@ _WITHOUT_VALUE = {
 
 @dataclass(frozen=True, slots=True)
 class Signal:
-    """Signal at one input: µs for pulses, V for a voltage."""
+    """Signal at one input."""
 
     kind: SignalKind
-    value: float = 0.0
+    value: float = 0.0  # pulse width in µs, or voltage in V
     noise: float = 0.0  # standard deviation of each pulse or conversion
     lost: float = 0.0  # share of missing pulses, 0-1
 
     @classmethod
     def parse(cls, text: str, source: InputSource) -> "Signal":
-        """Read `1500us`, `2.5V`, raw counts, `invalid`, `silent` or `rest`.
+        """Parse `1500us`, `2.5V`, raw counts, `invalid`, `silent` or `rest`.
 
-        `noise 2us` and `lost 0.1` may follow a value. ValueError if no input can carry the signal.
+        `noise 2us` and `lost 0.1` may follow a value.
+
+        Raises:
+            ValueError: the text is not a signal, or its value is out of range.
         """
         word = text.strip().lower()
         if word in _WITHOUT_VALUE:
@@ -107,7 +110,7 @@ class Signal:
         return f"{text} lost {self.lost:g}" if self.lost else text
 
     def has_pulse(self, random: Random) -> bool:
-        """Return whether a pulse, valid or not, arrives when it is due."""
+        """Return whether a due pulse, valid or not, arrives."""
         if self.kind is SignalKind.SILENCE or self.kind is SignalKind.VOLTAGE:
             return False
         return not self.lost or random.random() >= self.lost
@@ -122,9 +125,9 @@ class Signal:
         return None
 
     def conversion(self, random: Random) -> int:
-        """Convert the voltage once, to raw counts.
+        """Convert the voltage to raw counts.
 
-        Inferred: a pulse train is read as its mean, an open input as 0 V.
+        Inferred: a pulse train gives its mean, an open input 0 V.
         """
         volts = 0.0
         if self.kind is SignalKind.VOLTAGE:
@@ -136,18 +139,18 @@ class Signal:
         return InputSource.ANALOG.counts(max(0.0, min(SUPPLY, volts)))
 
 
+# Seconds without a pulse until the value is 0xFFFF. The command documentation says 100 ms, the
+# User's Guide about 150 ms.
 SIGNAL_LOST_AFTER = 0.1
-"""Seconds without a pulse until the value is 0xFFFF. The command documentation says 100 ms, which
-is used here, the User's Guide about 150 ms."""
 
 TICK = 0.0025  # seconds of a simulation step
-_PERIOD_TICKS = 8  # ticks in which every input is measured once: 50 Hz, RC and analog
+_PERIOD_TICKS = 8  # each input is measured once in this period: 50 Hz, RC and analog
+# An analog value is the mean of 16 conversions. Inferred: they are spread over the period.
 _SAMPLES_A_TICK = 2
-"""An analog value is the mean of 16 conversions. Inferred: spread over the period."""
 
 
 class Channels:
-    """The inputs, each measured 50 times a second. Pulses arrive one after the other."""
+    """The five inputs. Each is measured 50 times a second, one after the other."""
 
     def __init__(self, source: InputSource, seed: int = 0) -> None:
         self._random = Random(seed)  # noqa: S311 - noise, not secrets
@@ -169,11 +172,11 @@ class Channels:
 
     @property
     def has_settled(self) -> bool:
-        """Return whether each channel has had time to show a signal."""
+        """True if each channel has had time for a signal."""
         return self._ticks * TICK >= SIGNAL_LOST_AFTER
 
     def silence(self, channel: int) -> float:
-        """Return the seconds since the last valid pulse, infinite before the first."""
+        """Return the seconds since the last valid pulse. Infinite before the first pulse."""
         return (self._ticks - self._good_ticks[channel]) * TICK
 
     def tick(self) -> None:

@@ -1,4 +1,4 @@
-"""Options of `trex-sim` for TReX boards, and the demonstration."""
+"""TReX options of `trex-sim`, and the demonstration."""
 
 import math
 import os
@@ -26,16 +26,16 @@ _FIRMWARE = sorted({version for model in device_table().models for version in mo
 
 _PERIOD = 0.02  # seconds between two pulses of a standard receiver
 
-# By channel: seconds of a full swing, and its size as a share of the stick's travel. The periods
-# have no small common multiple, so that the picture does not repeat. Channel 5 stays in the range
-# without serial override.
+# Period in seconds and amplitude as a share of the stick's travel, by channel. The periods have no
+# small common multiple, so that the motion does not repeat. Channel 5 never activates the serial
+# override.
 _SWINGS = {1: (7.0, 0.8), 2: (11.0, 0.7), 3: (17.0, 0.6), 4: (23.0, 0.3), 5: (29.0, 0.2)}
 
 
 def demonstrate(board: Board, timeline: Timeline) -> None:
     """Load the motors and move the sticks, except sticks that a control line has set."""
     for physics in board.physics:
-        physics.load = physics.load_at_first = physics.constants.light_load
+        physics.load = physics.initial_load = physics.constants.light_load
     signals = board.channels.signals.copy()
 
     def move_sticks() -> None:
@@ -54,7 +54,7 @@ def demonstrate(board: Board, timeline: Timeline) -> None:
 
 @dataclass(frozen=True, slots=True)
 class DeviceOption:
-    """Value of `--device` for one board. `None` for a part that is not given."""
+    """Value of `--device`. A missing part is `None`."""
 
     number: int | None = None
     model: str | None = None
@@ -113,12 +113,12 @@ def simulate(
 def _eeprom(
     path: Path | None, device: DeviceOption, model: str, count: int, *, error_shutdown: bool
 ) -> Eeprom:
-    """Return the memory of a board. A device number stored in a file overrides the option."""
+    """Return the EEPROM of a board. A device number in the file overrides the option."""
     if path is not None and count > 1:
         path = path.with_name(f"{path.stem}-{device.number}{path.suffix}")
     is_new = path is None or not os.path.exists(path)  # noqa: PTH110 - raises nothing
-    make = Eeprom if path is None else partial(Eeprom.open, path)
-    eeprom = make(model, error_shutdown=error_shutdown)
+    create = Eeprom if path is None else partial(Eeprom.open, path)
+    eeprom = create(model, error_shutdown=error_shutdown)
     stored = eeprom[ParameterKey.DEVICE_NUMBER]
     if device.number is None or device.number == stored:
         return eeprom
@@ -152,33 +152,33 @@ SIMULATOR = SimulatorPlugin(
         click.Option(
             ["--eeprom"],
             type=FileName(path_type=Path, dir_okay=False),
-            help="File for the board's EEPROM. With several devices each has its own, with its "
-            "number before the suffix.",
+            help="File for the board's EEPROM. With several devices, each has its own file, with "
+            "the device number before the suffix.",
         ),
         _choice(
             "--error-shutdown",
             ("on", "off"),
             "on",
-            "What the factory stores as uart_error_shutdown: that on is the default is doubtful.",
+            "Factory default of uart_error_shutdown. No source mentions it.",
         ),
         _choice(
             "--timeout-needs-shutdown",
             ("on", "off"),
             "off",
-            "Whether the serial timeout stops motors only while uart_error_shutdown is on. Nobody "
-            "knows which holds for a TReX.",
+            "Let the serial timeout stop motors only while uart_error_shutdown is on. The behavior "
+            "of a real TReX is not known.",
         ),
         _choice(
             "--unknown-parameter",
             ("silent", "byte"),
             "silent",
-            "What reading an unknown parameter returns: nothing (inferred), or FF (twin).",
+            "Reply to a read of an unknown parameter: none (inferred), or FF (twin).",
         ),
         _choice(
             "--rejected-write",
             ("quiet", "error"),
             "quiet",
-            "Whether a rejected write is a format error, too: no (inferred), or yes (twin).",
+            "Effect of a rejected write: no error bit (inferred), or a format error (twin).",
         ),
         click.Option(
             ["--device", "devices"],
@@ -186,7 +186,8 @@ SIMULATOR = SimulatorPlugin(
             metavar="NUMBER[:MODEL]",
             multiple=True,
             callback=_check_numbers,
-            help="A board with this device number; repeat it for several on one wire.",
+            help="Add a board with this device number. Repeat the option for several boards on one "
+            "line.",
         ),
         click.Option(["--demo"], is_flag=True, help="Move the sticks gently and load the motors."),
     ),

@@ -1,4 +1,4 @@
-"""Control lines of `trex-sim` for boards and their wire."""
+"""Control lines of `trex-sim` for TReX boards and their line."""
 
 import json
 from dataclasses import asdict
@@ -22,14 +22,14 @@ from trex_gui.devices.trex.simulator.channels import Signal
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import SimulatedBoards
 
-_FLASH = 0.3  # inferred: seconds for each of the five flashes at power-up
+_FLASH = 0.3  # seconds for each of the five flashes at power-up, inferred
 
 
 def leds(board: Board) -> dict[str, str]:
     """Return the state of the LEDs: `on`, `off` or the name of a pattern.
 
-    In serial control, red is on, and green is lit from the first to the last byte of a packet. In
-    channel control the LEDs are swapped.
+    In serial control, red is on, and green is on from the first to the last byte of a packet.
+    Channel control swaps the LEDs.
     """
     if not board.powered:
         red = green = "off"
@@ -54,7 +54,7 @@ def _learned_flash(board: Board, since: float) -> tuple[str, str]:
 
 
 def report(board: Board) -> dict[str, Any]:
-    """Return the state for JSON. Currents in A, `raw` is `None` if invalid."""
+    """Return the state for JSON. Currents are in A. An invalid `raw` is `None`."""
     memory = board.memory
     return {
         "model": board.model.key,
@@ -117,8 +117,8 @@ def report(board: Board) -> dict[str, Any]:
 def control(line: SimulatedBoards, text: str) -> str:
     """Execute a control line. Return `ok …` or `error …`, without a line end.
 
-    With several boards, the line begins with the device number that a board had at the start, as
-    in `@9 power cycle`. Lines about the wire need no number.
+    With several boards, the line begins with the initial device number of a board, as in
+    `@9 power cycle`. Commands to the wire need no number.
     """
     name = ""
     if text.strip().startswith("@"):
@@ -127,8 +127,8 @@ def control(line: SimulatedBoards, text: str) -> str:
     commands: dict[str, Command] = {"line": (_WIRE_USAGE, partial(_wire, line))}
     on_board: dict[str, Command] = {**_COMMANDS, "show": ("show", partial(_show, line))}
     for key, (usage, run) in on_board.items():
-        found = partial(_no_board, line, name) if board is None else partial(run, board)
-        commands[key] = (usage, found)
+        bound = partial(_no_board, line, name) if board is None else partial(run, board)
+        commands[key] = (usage, bound)
     return execute(text, commands)
 
 
@@ -219,7 +219,7 @@ def _battery(board: Board, voltage: str, resistance: str | None = None) -> str:
 
 
 def _eeprom(board: Board, key: str, value: str) -> str:
-    """Write an EEPROM cell directly. It takes effect at the next power-up."""
+    """Write an EEPROM cell. It takes effect at the next power-up."""
     try:
         board.eeprom.write(key, int(value, 0))
     except KeyError:
@@ -229,7 +229,7 @@ def _eeprom(board: Board, key: str, value: str) -> str:
 
 
 def _accept(board: Board, key: str, highest: str, mask: str = "127") -> str:
-    """Let the firmware accept values beyond an inferred limit, and store some of their bits."""
+    """Accept values beyond an inferred limit. The firmware stores the bits in `mask`."""
     spec = board.memory.parameters[key]
     limits = int(highest, 0), int(mask, 0)
     if not spec.is_open(limits[0]):

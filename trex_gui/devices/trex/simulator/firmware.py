@@ -1,4 +1,4 @@
-"""The simulated board: modes, safety, motors. It does not handle bytes.
+"""Simulated board: modes, safety, motors. It does not handle bytes.
 
 Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 4, 5.
 """
@@ -34,7 +34,7 @@ from trex_gui.devices.trex.simulator.physics import DriverOutput, Machine
 MODE_JUMPERS = ("serial", "rc", "analog")
 
 _UPDATE_TICKS = 4  # motors and safety, 100 times a second
-_CURRENT_TICKS = {InputSource.RC: 5, InputSource.ANALOG: 8}  # readings, 80 or 50 times a second
+_CURRENT_TICKS = {InputSource.RC: 5, InputSource.ANALOG: 8}  # 80 or 50 readings a second
 
 _MOTOR_KEYS = {
     number: [MotorParameter(name).of(number) for name in MotorSettings._fields] for number in (1, 2)
@@ -52,10 +52,10 @@ _COUNTERS = (
 
 
 class Board:
-    """One controller with its motors, receiver and jumpers, switched on.
+    """Controller with motors, receiver and jumpers. It starts switched on.
 
-    `serial` controls the motors by serial commands, and has the latched bits. `sticks` controls
-    them by the channels, with serial override and safe-start.
+    `serial` drives the motors by serial commands, and has the latched bits. `sticks` drives the
+    motors by the channels, with serial override and safe-start.
     """
 
     def __init__(
@@ -75,20 +75,20 @@ class Board:
         if mode not in MODE_JUMPERS:
             raise ValueError(f"the mode jumper is {', '.join(MODE_JUMPERS)}, not {mode!r}")
         self.mode_jumper = mode  # one of `MODE_JUMPERS`, read at power-up
-        self.mix = mix  # whether the mix jumper is set; read all the time
+        self.mix = mix  # the mix jumper is set; read continuously
         self.so_ground = False
         self.now = self.powered_at = 0.0  # seconds since the start
         self.powered = False
         self.boots = 0  # number of power-ups
-        # Whether the serial timeout stops motors only with UART-Error Shutdown set. CMD10 names no
+        # True if the serial timeout stops motors only with UART-Error Shutdown. CMD10 names no
         # condition, but the twin, a qik 2s12v10, has this condition.
         self.timeout_needs_shutdown = False
-        self.unknown_reply = b""  # to a read of an unknown parameter, besides the format error
-        self.rejection_is_error = False  # whether a rejected write is a format error, too
+        self.unknown_reply = b""  # reply to a read of an unknown parameter
+        self.rejection_is_error = False  # a rejected write is also a format error
         self.channels = Channels(InputSource.RC, seed)
         self.machine = Machine(self.model.key, self.model.current_unit, seed)
         self.physics = self.machine.motors
-        self._jumpers_at_first = (mode, mix)
+        self._initial_jumpers = (mode, mix)
         self.is_starved = False  # switched on, but the battery is too low
         self.counters: Counter[str] = Counter(dict.fromkeys(_COUNTERS, 0))
         self._ticks = 0
@@ -131,10 +131,10 @@ class Board:
         self.power_on()
 
     def factory_reset(self) -> None:
-        """Reset all but the time to the state of a new board, and start it."""
+        """Reset everything except the time, then switch on."""
         self.power_off()
         self.eeprom.factory_reset()
-        self.mode_jumper, self.mix = self._jumpers_at_first
+        self.mode_jumper, self.mix = self._initial_jumpers
         self.so_ground = False
         self.channels.disconnect()
         self.machine.factory_reset()
@@ -150,7 +150,7 @@ class Board:
             in_control=self.powered and self.mode.is_serial,
         )
         self.sticks = ChannelControl(self.channels, self.memory, self.mode)
-        self.receiving = False  # whether a packet is incomplete, which lights an LED
+        self.receiving = False  # a packet is incomplete, which lights an LED
 
     @property
     def is_running(self) -> bool:
@@ -166,12 +166,12 @@ class Board:
             until = min(next_tick, self.now + write_left) if write_left else next_tick
             if until > end + EPSILON:
                 break
-            self._pass(until)
+            self._advance_to(until)
             if until == next_tick:
                 self._tick()
-        self._pass(end)
+        self._advance_to(end)
 
-    def _pass(self, until: float) -> None:
+    def _advance_to(self, until: float) -> None:
         if until > self.now:
             seconds, self.now = until - self.now, until
             self.memory.advance(seconds)
@@ -182,8 +182,8 @@ class Board:
             self.channels.tick()
             if self._ticks % _UPDATE_TICKS == 0:
                 self._update()
-        self.machine.advance(TICK, [_drive(each.direction, each.speed) for each in self.motors])
-        self._watch_supply()
+        self.machine.advance(TICK, [_drive(motor.direction, motor.speed) for motor in self.motors])
+        self._check_supply()
         if self.powered and self._ticks % _CURRENT_TICKS[self.mode.source] == 0:
             for physics in self.physics:
                 if self.memory.is_joint:
@@ -191,8 +191,8 @@ class Board:
                 else:
                     physics.measure()
 
-    def _watch_supply(self) -> None:
-        """Switch off if the battery voltage is too low, and restart when it has recovered."""
+    def _check_supply(self) -> None:
+        """Switch off at a low battery voltage. Switch on when it has recovered."""
         if self.powered and self.machine.is_too_low:
             self.counters["brown_outs"] += 1
             self._go_down()
@@ -206,7 +206,7 @@ class Board:
             if self.boot_mode.is_over:
                 self.boot_mode = None
             return
-        self._watch()
+        self._update_control()
         self.serial.check_timeout(
             self.now,
             self.memory.active[ParameterKey.SERIAL_TIMEOUT],
@@ -226,14 +226,14 @@ class Board:
 
     @property
     def remapped(self) -> tuple[int, ...]:
-        """Reply to 0x87, -127 to 127. Channels 1 and 2 are the values of motors 1 and 2."""
+        """Reply to 0x87, -127 to 127. The first values are those of motors 1 and 2."""
         return self.sticks.remapped(mix=self.mix)
 
-    def _watch(self) -> None:
-        """Update which input controls the motors. If it is the channels, apply their speeds."""
+    def _update_control(self) -> None:
+        """Select the input that controls the motors. Apply the speeds of the channels."""
         timeout = self.memory.active[ParameterKey.SERIAL_TIMEOUT]
-        self.serial.hand_over(
-            self.now, timeout, in_control=self.sticks.watch(), shut_down=self._stops_on_timeout
+        self.serial.set_control(
+            self.now, timeout, in_control=self.sticks.update(), shut_down=self._stops_on_timeout
         )
         if self.serial.in_control:
             return
@@ -281,7 +281,7 @@ class Board:
             self._latch_faults()
 
     def force_current(self, number: int, amperes: float | None) -> None:
-        """Force the measured current of motor 1 or 2. With `None`, measure again."""
+        """Force the measured current of motor 1 or 2. `None` restores the measurement."""
         physics = self.physics[number - 1]
         physics.forced = amperes
         if self.powered and not self.memory.is_joint and amperes is not None:

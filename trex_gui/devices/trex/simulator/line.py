@@ -1,4 +1,4 @@
-"""Simulated boards on one line: when a board receives, pauses and transmits."""
+"""Simulated boards on one line, with the timing of their bytes."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -21,7 +21,7 @@ from trex_gui.devices.trex.simulator.uart import SerialPort
 
 
 class BoardStation:
-    """One board on the line. It receives nothing while it transmits."""
+    """Board on the line. It cannot receive while it transmits."""
 
     def __init__(self, board: Board, line: "SimulatedBoards") -> None:
         self.board = board
@@ -40,14 +40,14 @@ class BoardStation:
         self._output: RateConverter | None = None  # to a host at another rate
 
     def _check_boot(self) -> None:
-        """Discard a transfer from before the last power-up."""
+        """Discard a transfer that started before the last power-up."""
         if self._boot != self.board.boots:
             self._boot = self.board.boots
             self._receives_since = self.board.powered_at + self._ahead
             self._discard_transfer()
 
     def _is_up(self, boot: int) -> bool:
-        """Return whether the board has been powered without a break since a power-up."""
+        """True if the board has not lost its power since the power-up `boot`."""
         return self.board.powered and self.board.boots == boot
 
     def _still_up(self) -> Callable[[], bool]:
@@ -94,14 +94,14 @@ class BoardStation:
             self.port.feed_error(error)
         else:
             self.port.feed(byte)
-            self._attend()
+            self._start_transfer()
 
     def _format_error(self, host: SerialFormat) -> ReceiveError | None:
-        """Return the error of each byte between UARTs with different parity or stop bits.
+        """Return the error of bytes from a host with other parity or stop bits.
 
-        A real receiver accepts some of these bytes (half of them have the right parity by chance,
-        and many UARTs check only one stop bit). The simulator rejects all, so that nothing
-        depends on chance.
+        A real receiver accepts some of these bytes: half of them have the right parity by chance,
+        and many UARTs check only one stop bit. The simulator rejects every byte, so that results
+        are reproducible.
         """
         own = self.line_format
         if own.parity is not host.parity:
@@ -110,7 +110,7 @@ class BoardStation:
 
     # --- Transmitting -------------------------------------------------------------------
 
-    def _attend(self) -> None:
+    def _start_transfer(self) -> None:
         line = self._line
         if self.port.pause and not self._is_pausing:
             self._is_pausing = True
@@ -135,7 +135,7 @@ class BoardStation:
     def _resume(self) -> None:
         self._is_pausing = False
         self.port.resume()
-        self._attend()
+        self._start_transfer()
 
     def _pop_outgoing(self) -> bytes:
         data = bytes(self.port.outgoing)
@@ -151,13 +151,13 @@ class BoardStation:
                 line.arrive(line.faults.garble(byte) if is_garbled else byte, line.now)
 
     def _transmit_converted(self, host: SerialFormat) -> None:
-        """Transmit to a host at another rate, in no time."""
+        """Transmit to a host at another rate, without delay."""
         receiver = Receiver(host, host.baud)
         sampled: list[SampledByte] = []
         for byte in self._pop_outgoing():
             sampled += receiver.receive(receiver.known_until, byte, self.line_format, self.baud)
-        for each in (*sampled, *receiver.idle(math.inf)):
-            self._arrive_sampled(self._boot, each.value, each.error, self._line.now)
+        for byte in (*sampled, *receiver.idle(math.inf)):
+            self._arrive_sampled(self._boot, byte.value, byte.error, self._line.now)
         self._transmit()
 
     def _transmit(self) -> None:
@@ -182,14 +182,14 @@ class BoardStation:
     def _arrive_sampled(
         self, boot: int, byte: int, _error: ReceiveError | None, begun: float
     ) -> None:
-        """Deliver a byte to a host at another rate. Programs get bytes with errors, too."""
+        """Deliver a byte to a host at another rate, even with an error."""
         if self._is_up(boot) and not self._line.is_grounded:
             self.board.counters["bytes_garbled"] += 1
             self._line.arrive(byte, begun)
 
 
 class SimulatedBoards(SimulatedLine):
-    """One wire with boards, which are named by their device numbers at the start."""
+    """Line with boards. `numbers` are their initial device numbers."""
 
     def __init__(
         self, boards: Sequence[Board], *, echo: bool = False, paced: bool = True, seed: int = 0
@@ -207,5 +207,5 @@ class SimulatedBoards(SimulatedLine):
 
     @property
     def is_grounded(self) -> bool:
-        """Return whether a jumper holds SO to ground. Inferred: the host then receives nothing."""
+        """True if a jumper grounds SO. Inferred: the host then receives nothing."""
         return any(board.so_ground for board in self.boards)

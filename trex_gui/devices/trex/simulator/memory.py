@@ -1,4 +1,4 @@
-"""Parameters and calibrations, in the EEPROM and in the firmware's memory."""
+"""Parameters and calibrations: stored in the EEPROM and active in the firmware."""
 
 import contextlib
 import json
@@ -30,15 +30,14 @@ _CALIBRATION_KEYS = {InputSource.RC: "rc_calibration", InputSource.ANALOG: "anal
 
 
 class EepromError(StudioError):
-    """The EEPROM file cannot be read or written. The text has its name and the reason."""
+    """The EEPROM file cannot be read or written."""
 
 
 class Eeprom:
-    """EEPROM of one board in wire values. Each write is also saved to the file, if any.
+    """EEPROM of one board, in wire values. Each write is also saved to the file, if any.
 
-    It has a cell for every parameter of any firmware of the model. `unsaved`: error because of
-    which the last write is not in the file. `error_shutdown`: whether the factory switches
-    UART-error shutdown on. No source mentions this default.
+    There is a cell for each parameter in any firmware of the model. `error_shutdown` is the factory
+    default of UART-Error Shutdown, which no source mentions.
     """
 
     def __init__(
@@ -46,7 +45,7 @@ class Eeprom:
     ) -> None:
         self.model = device_table().model(model)
         self.reset_pending = False
-        self.unsaved: EepromError | None = None
+        self.unsaved: EepromError | None = None  # error of the last save
         self._path = path
         self._specs = parameters_of(model, self.model.firmware[-1])
         self.factory = {spec.key: spec.default for spec in self._specs.readable}
@@ -56,7 +55,7 @@ class Eeprom:
 
     @classmethod
     def open(cls, path: Path, model: str = "trex", *, error_shutdown: bool = True) -> "Eeprom":
-        """Return the EEPROM in a file, which is created if missing. EepromError if damaged."""
+        """Open or create a file. EepromError if the file is damaged."""
         eeprom = cls(model, path=path, error_shutdown=error_shutdown)
         try:
             with open_ordinary(path) as file:
@@ -73,7 +72,7 @@ class Eeprom:
         return self._values[key]
 
     def write(self, key: str, value: int) -> None:
-        """Store a wire value and save. KeyError or ValueError if key or value is invalid."""
+        """Store a wire value and save. KeyError or ValueError for an invalid key or value."""
         if key not in self._values:
             raise KeyError(key)
         self._values[key] = self._specs[key].check(value, forced=True)
@@ -101,7 +100,7 @@ class Eeprom:
         self._save_if_possible()
 
     def learned(self, source: InputSource) -> int:
-        """Return the mask of channels whose calibration differs from the default (0x95)."""
+        """Return the mask of channels with changed calibrations (0x95)."""
         default = DEFAULT_CALIBRATION[source]
         calibrations = self._calibrations[source].items()
         return channel_mask(channel for channel, value in calibrations if value != default)
@@ -111,14 +110,14 @@ class Eeprom:
         self._save_if_possible()
 
     def reset_if_pending(self) -> None:
-        """Perform the reset that 0x7F requested, at power-up. Inferred: calibrations remain."""
+        """Perform the reset that 0x7F requested. Inferred: calibrations do not change."""
         if self.reset_pending:
             self._values = dict(self.factory)
             self.reset_pending = False
             self._save_if_possible()
 
     def _save_if_possible(self) -> None:
-        """Save the file. If that fails, the board continues without it."""
+        """Save the file. The board continues if that fails."""
         self.unsaved = None
         try:
             self.save()
@@ -152,7 +151,7 @@ class Eeprom:
 
     def _load(self, text: str) -> None:
         try:
-            self._take(json.loads(text))
+            self._set_document(json.loads(text))
         except (TypeError, ValueError, RecursionError) as error:
             why = "it is nested too deep" if isinstance(error, RecursionError) else error
             raise EepromError(
@@ -160,7 +159,7 @@ class Eeprom:
                 "repair it, or delete it to start with a new board"
             ) from error
 
-    def _take(self, document: object) -> None:
+    def _set_document(self, document: object) -> None:
         if not isinstance(document, dict) or document.get("what") != _WHAT:
             raise ValueError(f'it does not begin with "what": "{_WHAT}"')
         if document.get("model") != self.model.key:
@@ -193,24 +192,24 @@ def _read_calibration(name: str, row: object) -> Calibration:
     for field, value in row.items():
         if type(value) is not int or not 0 <= value <= HIGHEST_CODED:
             raise ValueError(f"{name}: {field} is not a number from 0 to {HIGHEST_CODED}")
-    return Calibration(**row)  # in any order: a power cut may have mixed old and new values
+    return Calibration(**row)  # may be inconsistent: a power cut can mix old and new values
 
 
 def _factory_calibrations() -> dict[InputSource, dict[int, Calibration]]:
     return {source: dict.fromkeys(CHANNELS, DEFAULT_CALIBRATION[source]) for source in InputSource}
 
 
+# Seconds of a write to the EEPROM, 4 ms a byte (command documentation, 0xAF and 0xA0-0xA4). The
+# four values of a calibration have two bytes each.
 PARAMETER_WRITE = 0.004
 CALIBRATION_WRITE = 0.032
-"""Seconds of a write to the EEPROM (command documentation, 0xAF and 0xA0-0xA4): 4 ms per byte.
-The four values of a calibration have two bytes each."""
 
 
 @dataclass(frozen=True, slots=True)
 class _Step:
-    """A pending write to the EEPROM. `lose` is called if the power is cut before `store`.
+    """Pending write to the EEPROM. A power cut before `store` calls `lose`.
 
-    Inferred: the loss erases the cell, and the firmware uses the default at the next power-up.
+    Inferred: the power cut erases the cell. The firmware uses the default at the next power-up.
     """
 
     seconds: float
@@ -219,16 +218,16 @@ class _Step:
 
 
 class Memory:
-    """Active and stored settings, and the pending writes.
+    """Active and stored settings, with pending writes.
 
-    Parameters 0x7B-0x7F take effect after a power cycle, all others when their write ends.
+    Parameters 0x7B-0x7F take effect after a power cycle, other parameters after their write.
     """
 
     def __init__(self, eeprom: Eeprom, firmware: str) -> None:
         self.parameters = parameters_of(eeprom.model.key, firmware)
         self.writes = 0  # number of finished writes
-        # By key: the highest value that this firmware accepts beyond the inferred limits, and the
-        # mask of the bits that it stores
+        # Values that this firmware accepts beyond inferred limits: highest value and mask of the
+        # stored bits, by key
         self.accepted: dict[str, tuple[int, int]] = {}
         self.eeprom = eeprom
         self._firmware = firmware
@@ -248,7 +247,7 @@ class Memory:
 
     @property
     def is_joint(self) -> bool:
-        """Return whether both drivers are joined to drive motor 1."""
+        """True if both drivers drive motor 1."""
         return self.active[ParameterKey.MOTOR_MODE] == 1
 
     @property
@@ -258,7 +257,7 @@ class Memory:
 
     @property
     def crc_polynomial(self) -> int | None:
-        """Polynomial of the CRC, 0x80-0xFF. `None` if packets carry no CRC."""
+        """Polynomial of the CRC, 0x80-0xFF. `None` without CRC."""
         if self.line_settings.detection is not Detection.CRC7:
             return None
         return 0x80 | self.active[ParameterKey.CRC7_POLYNOMIAL]
@@ -271,7 +270,7 @@ class Memory:
 
     @property
     def response_delay(self) -> float:
-        """Seconds before each reply: 1 ms if the parameter is set (firmware 1.2+)."""
+        """Delay before each reply in seconds: 1 ms if the parameter is on (firmware 1.2+)."""
         return 0.001 if self.active.get(ParameterKey.UART_RESPONSE_DELAY) else 0.0
 
     def get(self, number: int) -> int | None:
@@ -279,9 +278,9 @@ class Memory:
         return self.eeprom[spec.key] if spec is not None and spec.readable else None
 
     def set(self, number: int, value: int, mode: Mode) -> ResultCode:
-        """Start to write a parameter. It is stored `busy_for` seconds later.
+        """Start to write a parameter. It is stored after `busy_for` seconds.
 
-        Inferred: the order of the checks.
+        The order of the checks is inferred.
         """
         if not mode.is_serial:
             return ResultCode.NOT_SERIAL_MODE
@@ -325,13 +324,13 @@ class Memory:
             self._steps.append(_Step(seconds, partial(write, value), lose))
 
     def restore_line_settings(self) -> None:
-        """Start to write the default serial settings, for the recovery by jumpers."""
+        """Start to write the default serial settings, as the boot loader does."""
         for key in (ParameterKey.UART_SETTINGS, ParameterKey.CRC7_POLYNOMIAL):
             self._start_write(key, self.eeprom.factory[key], at_once=False)
 
     @property
     def busy_for(self) -> float:
-        """Seconds until all pending writes are finished. 0 without pending writes."""
+        """Seconds until all pending writes are finished."""
         return sum(step.seconds for step in self._steps) - self._done if self._steps else 0.0
 
     def advance(self, seconds: float) -> None:
@@ -347,7 +346,7 @@ class Memory:
             self.writes += 1
 
     def lose_write(self) -> None:
-        """Cut the power. The value being written is lost, and later writes do not happen."""
+        """Lose the present write and drop the pending writes, as a power cut does."""
         if self._steps:
             self._steps[0].lose()
         self._steps.clear()

@@ -1,4 +1,4 @@
-"""The motor outputs, updated 100 times a second, and the serial commands to them.
+"""Motor outputs, updated 100 times a second, and serial motor commands.
 
 Ref: TReX 1.0 command documentation 0x84, 0x85, 0xC0-0xF1; User's Guide 5.b.
 """
@@ -21,40 +21,40 @@ class MotorDirection(Enum):
 
     @classmethod
     def from_bits(cls, bits: int) -> "MotorDirection":
-        """Read the two direction bits of a motor command. 00 and 11 brake."""
+        """Decode the two direction bits of a motor command. 00 and 11 brake."""
         return (cls.BRAKE, cls.REVERSE, cls.FORWARD, cls.BRAKE)[bits & 3]
 
 
 class MotorSettings(NamedTuple):
-    """Parameters of one motor (0x0E-0x16) by the names of their keys. Limit 0: none."""
+    """Parameters of one motor (0x0E-0x16)."""
 
     acceleration: int = 0
     brake_duration: int = 0
-    current_limit: int = 0
+    current_limit: int = 0  # 0: no limit
     current_limit_p: int = 0
 
 
 class Motor:
-    """One of the two reversible outputs.
+    """Reversible output.
 
-    While it brakes, `speed` is the duty cycle of braking, from 127 (full brake) to 0 (coast).
+    During braking, `speed` is the duty cycle, from 127 (full brake) to 0 (coast).
     """
 
     def __init__(self) -> None:
         self.direction = MotorDirection.BRAKE
         self.target_direction = MotorDirection.BRAKE
         self.target_speed = 0
-        self._tenths = 0  # an update adds a tenth of the parameter
-        self._driven = MotorDirection.BRAKE  # direction in which the motor last ran
-        self._braked = 0  # updates spent braking since then
+        self._tenths = 0  # speed in tenths; an update adds the acceleration parameter
+        self._driven = MotorDirection.BRAKE  # last direction in which the motor ran
+        self._braked = 0  # number of braking updates since the motor ran
 
     @property
     def speed(self) -> int:
-        """Speed, or duty cycle of braking, 0-127."""
+        """Speed or duty cycle of braking, 0-127."""
         return self._tenths // 10
 
     def set(self, direction: MotorDirection, speed: int) -> None:
-        """Set direction and speed at once, without ramp and brake duration."""
+        """Set direction and speed immediately, without ramp and brake duration."""
         self.accelerate(direction, speed)
         self._output(direction, speed * 10)
         self._braked = 0
@@ -77,25 +77,25 @@ class Motor:
         return over
 
     def _limit(self, gain: int, excess: int) -> None:
-        """Lower the speed, proportionally and immediately. The rest is inferred."""
-        less = math.ceil(gain * excess / 16) if gain else FULL_SPEED
-        tenths = min(self._tenths, self.target_speed * 10) - 10 * less
+        """Lower the speed immediately, in proportion to the excess. The formula is inferred."""
+        reduction = math.ceil(gain * excess / 16) if gain else FULL_SPEED
+        tenths = min(self._tenths, self.target_speed * 10) - 10 * reduction
         self._tenths = max(0, tenths)
 
     def _follow_target(self, settings: MotorSettings) -> None:
-        wanted = self.target_direction
-        if wanted is MotorDirection.BRAKE:
+        target = self.target_direction
+        if target is MotorDirection.BRAKE:
             self._brake(self.target_speed)
             return
-        if self.direction is not wanted:
+        if self.direction is not target:
             # Inferred: earlier braking counts, and a motor that continues in its direction does
             # not brake. The duration is in updates of 10 ms.
-            reverses = self._driven not in {wanted, MotorDirection.BRAKE}
+            reverses = self._driven not in {target, MotorDirection.BRAKE}
             if reverses and self._braked < settings.brake_duration:
                 self._brake(FULL_SPEED)
                 return
-            self._output(wanted, 0)
-        self._output(wanted, _ramp(self._tenths, self.target_speed * 10, settings.acceleration))
+            self._output(target, 0)
+        self._output(target, _ramp(self._tenths, self.target_speed * 10, settings.acceleration))
 
     def _brake(self, duty: int) -> None:
         self._output(MotorDirection.BRAKE, duty * 10)
@@ -110,7 +110,7 @@ class Motor:
 
 
 class AuxiliaryMotor:
-    """The third output: one direction, without brake (inferred) or current sensing."""
+    """Third output: one direction, without brake (inferred) or current sensing."""
 
     def __init__(self) -> None:
         self.target_speed = 0
@@ -139,19 +139,15 @@ def _ramp(tenths: int, target: int, acceleration: int) -> int:
 
 
 class SerialControl:
-    """The latest serial command to each motor, and the bits that are latched until read.
-
-    `in_control`: whether the motors obey serial commands. `errors`: number of UART errors.
-    `last_byte`: time in seconds when the last byte was received.
-    """
+    """Latest serial command to each motor, and the latched bits."""
 
     def __init__(
         self, motors: Sequence[Motor], aux: AuxiliaryMotor, *, joint: bool, in_control: bool
     ) -> None:
-        self.in_control = in_control
+        self.in_control = in_control  # the motors obey serial commands
         self.status = Status(0)
         self.uart_errors = UartError(0)
-        self.errors = 0
+        self.errors = 0  # number of UART errors
         self._motors = motors
         self._aux = aux
         self._joint = joint
@@ -160,14 +156,15 @@ class SerialControl:
             partial(aux.set, 0),
         )
         self._commands = list(self._stops)  # for motors 1 and 2 and the auxiliary motor
-        self.last_byte = math.inf  # inferred: the timeout runs from the first byte on
+        # Time of the last byte in seconds. Inferred: the timeout starts with the first byte.
+        self.last_byte = math.inf
 
     def drive(
         self, number: int, direction: MotorDirection, speed: int, *, accelerate: bool = False
     ) -> None:
-        """Command motor 1 or 2 (speed 0-127). Applied once serial control is active.
+        """Drive motor 1 or 2 (speed 0-127), or save the command for serial control.
 
-        Inferred: in joint mode, commands to motor 2 are accepted and ignored.
+        Inferred: joint mode ignores commands to motor 2.
         """
         if self._joint and number == 2:
             return
@@ -184,26 +181,26 @@ class SerialControl:
         if self.in_control:
             command()
 
-    def hand_over(self, now: float, timeout: int, *, in_control: bool, shut_down: bool) -> None:
-        """Set whether serial commands control the motors. On a change, apply the latest commands.
+    def set_control(self, now: float, timeout: int, *, in_control: bool, shut_down: bool) -> None:
+        """Start or end serial control. At the start, apply the latest commands.
 
         Inferred: commands of any age apply, and a motor without a command stops. With `shut_down`,
-        all motors stop after the serial timeout (tenths of a second, 0 for none).
+        all motors stop after the serial timeout (tenths of a second, 0: off).
         """
-        begins = in_control and not self.in_control
+        has_gained = in_control and not self.in_control
         self.in_control = in_control
-        if begins:
+        if has_gained:
             self.check_timeout(now, timeout, shut_down=shut_down)
             for command in self._commands:
                 command()
 
     def stop_motors(self) -> None:
-        """Brake both motors fully (inferred) and let the auxiliary motor coast."""
+        """Brake both motors fully (inferred). The auxiliary motor coasts."""
         for stop in self._stops:
             stop()
 
     def check_timeout(self, now: float, timeout: int, *, shut_down: bool) -> None:
-        """Latch the error after `timeout` tenths of a second without a byte. 0 for never.
+        """Latch the error after `timeout` tenths of a second without a byte. 0: never.
 
         Inferred: the error occurs only in serial control, and is latched once per timeout.
         """
@@ -215,9 +212,9 @@ class SerialControl:
                 self._shut_down()
 
     def report(self, error: UartError, *, shut_down: bool) -> None:
-        """Latch a UART error. Stop the motors if the parameter requires it.
+        """Latch a UART error. `shut_down` stops the motors.
 
-        The lost command may have been a stop, so commands not yet applied are dropped, too.
+        The lost command may be a stop, so pending commands are also dropped.
         """
         self.errors += 1
         self.uart_errors |= error
@@ -225,7 +222,7 @@ class SerialControl:
         if shut_down:
             self._shut_down()
 
-    def handle_status(self) -> Status:
+    def pop_status(self) -> Status:
         status, self.status = self.status, Status(0)
         return status
 
@@ -234,7 +231,7 @@ class SerialControl:
         return errors
 
     def _shut_down(self) -> None:
-        """Stop serial control's motors. Inferred: the next command restarts its motor."""
+        """Stop all motors under serial control. Inferred: the next command restarts its motor."""
         self._commands = list(self._stops)
         if self.in_control:
             self.stop_motors()

@@ -1,8 +1,8 @@
 """Battery, two DC motors with their loads, current sensors.
 
-A motor is a resistance and a back-EMF that turn an inertia against dry friction. Its current is
-high at a start or a reversal, falls with speed, follows the load, and is highest when stalled.
-The battery voltage sags under the sum of both currents.
+A motor has a resistance, a back-EMF, an inertia and dry friction. Its current is high at a start or
+a reversal, falls with speed, and rises with the load up to the stall current. The battery voltage
+sags under the currents of both motors.
 """
 
 import math
@@ -19,10 +19,10 @@ class Constants:
     battery_resistance: float  # ohm, with cables
     brown_out: float  # V below which the board resets
     resistance: float  # ohm, of a motor with its driver and wires
-    back_emf: float  # V s/rad of a motor; its torque constant is the same figure in N m/A
-    inertia: float  # kg m2, of rotor and gears as seen from the rotor
-    free: float  # A that a motor draws without load, by its own friction and its gears' friction
-    light_load: float  # A that a motor draws when it drives a robot on a flat floor
+    back_emf: float  # V s/rad; the torque constant in N m/A has the same value
+    inertia: float  # kg m2, of rotor and gears, relative to the rotor
+    free: float  # A without load, through friction of motor and gears
+    light_load: float  # A of a robot on a flat floor
 
     @property
     def stall(self) -> float:
@@ -31,14 +31,14 @@ class Constants:
 
 
 CONSTANTS = {
-    # Only the drivers' figures are the vendor's. The motors are the largest that they support.
+    # The vendor gives only the figures of the drivers. The motors are the largest supported.
     "trex": Constants(
         battery=12.0,  # six lead cells
         battery_resistance=0.04,  # a 7 Ah lead battery (25 mOhm) and a metre of cable
         brown_out=6.0,  # inferred: a linear regulator for 5 V logic needs a volt more
         resistance=0.4,  # stalls at 30 A; continuous rating 13 A (reference: VNH2SP30 carrier)
         back_emf=7.33e-3,  # 15,000 turns a minute at 12 V, a motor of the 550 size
-        inertia=8e-6,  # speeds up with a time constant of 60 ms, usual for that size
+        inertia=8e-6,  # time constant of 60 ms, usual for that size
         free=1.2,  # 4 % of the stall current, usual with a gearbox
         light_load=3.0,
     ),
@@ -48,22 +48,21 @@ CONSTANTS = {
         brown_out=5.0,  # sourced: the Jr runs from 5 to 24 V
         resistance=2.4,  # stalls at 5 A; continuous rating 2.5 A (sourced)
         back_emf=1.1e-2,  # 10,000 turns a minute at 12 V, a small gear motor
-        inertia=3e-6,  # time constant of 60 ms, too
+        inertia=3e-6,  # time constant of 60 ms
         free=0.2,
         light_load=0.8,
     ),
 }
 
-_NOISE_COUNTS = 0.3
-"""Standard deviation of a reading: an average of 64 samples rarely moves by a count."""
+_NOISE_COUNTS = 0.3  # standard deviation of a reading, which is an average of 64 samples
 
 
 class MotorPhysics:
-    """One motor with its load, its driver's fault state and its current sensor."""
+    """Motor with load, driver and current sensor."""
 
     def __init__(self, constants: Constants, current_unit: float, seed: int) -> None:
         self.constants = constants
-        self.load_at_first = constants.free  # the load after `factory_reset`
+        self.initial_load = constants.free  # A, also after `factory_reset`
         self._unit = current_unit
         self._random = random.Random(seed)  # noqa: S311 - noise, not secrets
         self._charge = 0.0  # A s since the last measurement
@@ -71,23 +70,22 @@ class MotorPhysics:
         self.factory_reset()
 
     def factory_reset(self) -> None:
-        self.load = self.load_at_first  # A when running; dry friction, the same at all speeds
-        self.forced: float | None = None  # A that the sensor reports; `None` for the real current
-        self.fault = False  # whether the driver has shut down
+        self.load = self.initial_load  # A; dry friction, which does not depend on the speed
+        self.forced: float | None = None  # reported current in A; `None`: the real current
+        self.fault = False  # the driver has shut down
         self.speed = 0.0  # rad/s, positive forward
         self.clear_reading()
 
     def current_at(self, volts: float) -> float:
         """Return the current in A at a voltage.
 
-        Inferred: between the pulses of the PWM the motor coasts, so that no current flows against
-        the voltage.
+        Inferred: the motor coasts between PWM pulses, so no current flows against the voltage.
         """
         current = (volts - self.constants.back_emf * self.speed) / self.constants.resistance
         return current if not self.fault and current * volts > 0 else 0.0
 
     def advance(self, seconds: float, volts: float, brake: float) -> None:
-        """Advance the time at a voltage, or at 0 V with a duty cycle of braking (0-1)."""
+        """Advance the time. `brake` is the duty cycle of braking (0-1) at 0 V."""
         self._time += seconds
         if not volts and not self.speed:
             return
@@ -116,7 +114,6 @@ class MotorPhysics:
         self.reading = max(0, min(HIGHEST_READING, round(counts)))  # last reading, counts of 0x8D
 
     def clear_reading(self) -> None:
-        """Discard the measurement: no power, or no current sensing."""
         self.reading = 0
         self._charge = self._time = 0.0
 
@@ -139,7 +136,7 @@ class DriverOutput:
 
 
 class Machine:
-    """A battery (V without load, ohm with cables) and two motors. `volts` are at the board."""
+    """Battery and two motors. `volts` is the voltage at the board."""
 
     def __init__(self, model: str, current_unit: float, seed: int) -> None:
         self.constants = CONSTANTS[model]
@@ -167,25 +164,27 @@ class Machine:
     def _volts(self, drives: Sequence[DriverOutput]) -> float:
         """Return the voltage at the board under the currents of its motors.
 
-        Motor current is (share * volts - emf) / R, and the battery supplies `share` of it. The
-        equation is linear in the voltage as long as no current would flow back.
+        The motor current is (share * volts - emf) / R, and the battery supplies `share` of it. The
+        equation is linear in the voltage while no current flows back.
         """
-        taking = [
+        loads = [
             (motor, drive.share)
             for motor, drive in zip(self.motors, drives, strict=True)
             if drive.share and not motor.fault
         ]
-        while taking:
-            conductance = sum(share * share / motor.constants.resistance for motor, share in taking)
+        while loads:
+            conductance = sum(share * share / motor.constants.resistance for motor, share in loads)
             opposing = sum(
                 share * motor.constants.back_emf * motor.speed / motor.constants.resistance
-                for motor, share in taking
+                for motor, share in loads
             )
             volts = (self.battery + self.resistance * opposing) / (
                 1 + self.resistance * conductance
             )
-            still = [(motor, share) for motor, share in taking if motor.current_at(share * volts)]
-            if len(still) == len(taking):
+            remaining = [
+                (motor, share) for motor, share in loads if motor.current_at(share * volts)
+            ]
+            if len(remaining) == len(loads):
                 return volts
-            taking = still
+            loads = remaining
         return self.battery

@@ -1,7 +1,7 @@
-"""The board's UART and packet parser: packets, checksum, errors. It has no clock.
+"""UART and packet parser of the board, without a clock.
 
 Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 5.b (protocols), 5.e (CRC-7).
-This module shares nothing with `protocol.commands`: it is written from the documents.
+This module does not use `protocol.commands`. It implements the documents independently.
 """
 
 from collections import deque
@@ -15,15 +15,15 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
+# Sizes in bytes, inferred. The documents say only that a host which waits for replies causes no
+# overrun. So each buffer holds at least the longest packet or reply.
 RECEIVE_BUFFER = 32
 SEND_BUFFER = 32
-"""Sizes in bytes. Inferred: the documents give no size, but promise that a host which waits for
-replies causes no overrun. Any size that holds the longest packet and reply achieves this."""
 
 _COMMAND_BIT = 0x80
 _EXPANDED = 0x80
 _NULL = 0xFF
-_GAP = -1  # placeholder in the receive buffer for bytes that were invalid or did not fit
+_GAP = -1  # placeholder in the receive buffer for lost bytes
 _UART_ERRORS = {
     ReceiveError.FRAMING: UartError.FRAMING,
     ReceiveError.PARITY: UartError.PARITY,
@@ -45,19 +45,19 @@ def remainder(data: bytes, polynomial: int) -> int:
 
 
 class SerialPort:
-    """The UART of one board and its packet parser.
+    """UART and packet parser of one board.
 
-    The parser pauses for a write to the EEPROM and for the response delay. Bytes received
-    meanwhile are buffered, and processed while the reply is transmitted.
+    The parser pauses for a write to the EEPROM and for the response delay. Bytes that are received
+    during a pause are processed while the reply is transmitted.
 
-    `outgoing` is the send buffer. `pause` is the time in s from the last byte to `resume`.
+    `outgoing` is the send buffer. `pause` is the time in seconds from the last byte to `resume`.
     """
 
     def __init__(self, board: Board) -> None:
         self.board = board
         self._boot = board.boots
         self._reply = b""  # sent after the pause
-        self._start_over()
+        self._reset()
 
     def feed(self, byte: int) -> None:
         if not self._listens():
@@ -74,13 +74,13 @@ class SerialPort:
             self.board.report_error(UartError.READ_OVERRUN)
 
     def feed_error(self, error: ReceiveError) -> None:
-        """Handle a byte in which the hardware detected an error. Its packet is lost."""
+        """Handle a byte with a hardware error. Its packet is lost."""
         if self._listens():
             self.board.record_byte()
             if self.pause:
                 self._add_gap()
             else:
-                self._start()
+                self._clear_packet()
             self.board.report_error(_UART_ERRORS[error])
 
     def _add_gap(self) -> None:
@@ -99,49 +99,49 @@ class SerialPort:
             self._receive(self._buffer.popleft())
 
     def _listens(self) -> bool:
-        """Return whether packets are accepted. Clear all state after a power-up."""
+        """Return whether packets are accepted. Reset the UART after a power-up."""
         if self.board.boots != self._boot:
             self._boot = self.board.boots
-            self._start_over()
+            self._reset()
         return self.board.is_running
 
-    def _start_over(self) -> None:
+    def _reset(self) -> None:
         self._buffer: deque[int] = deque()
         self.outgoing: deque[int] = deque()
         self.pause = 0.0
         self._reply = b""
-        self._start()
+        self._clear_packet()
 
-    def _start(self) -> None:
+    def _clear_packet(self) -> None:
         self._packet = bytearray()
         self._is_skipping = False
         self.board.receiving = False
 
     def _receive(self, byte: int) -> None:
         if byte == _GAP:
-            self._start()
+            self._clear_packet()
         elif byte & _COMMAND_BIT:
             self._handle_command_byte(byte)
         elif self._is_skipping:
-            pass  # belongs to a packet for another device
+            pass  # data of a packet for another device
         elif not self._packet:
             self._reject()  # inferred: a data byte without a packet is a format error
         else:
             self._packet.append(byte)
-            self._go_on()
+            self._parse_packet()
 
     def _handle_command_byte(self, byte: int) -> None:
         if self._packet:
             # Inferred: the byte that interrupts a packet starts the next packet.
             self._reject()
-        self._start()
+        self._clear_packet()
         if byte == _NULL:
-            return  # inferred: a null command carries no CRC either
+            return  # inferred: a null command has no CRC
         self._packet.append(byte)
         self.board.receiving = True
-        self._go_on()
+        self._parse_packet()
 
-    def _go_on(self) -> None:
+    def _parse_packet(self) -> None:
         head = 1
         command = self._packet[0]
         if command == _EXPANDED:
@@ -149,14 +149,14 @@ class SerialPort:
             number = self.board.memory.active[ParameterKey.DEVICE_NUMBER]
             if len(self._packet) >= 2 and self._packet[1] != number:
                 self.board.counters["packets_for_others"] += 1
-                self._start()
+                self._clear_packet()
                 self._is_skipping = True
                 return
             if len(self._packet) < head:
                 return
             command = self._packet[2] | _COMMAND_BIT
             if command == _NULL:
-                self._start()
+                self._clear_packet()
                 return
         if command not in _COMMANDS:
             self._reject()
@@ -166,7 +166,7 @@ class SerialPort:
         if len(self._packet) < head + size + (polynomial is not None):
             return
         packet = bytes(self._packet)
-        self._start()
+        self._clear_packet()
         if polynomial is not None and remainder(packet[:-1], polynomial) != packet[-1]:
             self.board.report_error(UartError.CRC)
         else:
@@ -193,14 +193,14 @@ class SerialPort:
             self._send(reply)
 
     def _send(self, reply: bytes) -> None:
-        """Put a reply into the send buffer. Inferred: bytes that do not fit are lost."""
-        room = SEND_BUFFER - len(self.outgoing)
-        self.outgoing.extend(reply[:room])
-        if len(reply) > room:
+        """Add a reply to the send buffer. Inferred: surplus bytes are lost."""
+        space = SEND_BUFFER - len(self.outgoing)
+        self.outgoing.extend(reply[:space])
+        if len(reply) > space:
             self.board.report_error(UartError.SEND_OVERRUN)
 
     def _reject(self) -> None:
-        self._start()
+        self._clear_packet()
         self.board.report_error(UartError.FORMAT)
 
 
@@ -208,8 +208,7 @@ class _IllogicalData(Exception):  # noqa: N818 - the documentation's word
     """A data byte has an invalid value. The board may still reply."""
 
 
-_Handler = Callable[[Board, int, bytes], bytes]
-"""Function of board, command byte and data. Returns the reply, which may be empty."""
+_Handler = Callable[[Board, int, bytes], bytes]  # board, command byte, data → reply or b""
 
 
 def _read(reply: Callable[[Board], bytes]) -> tuple[int, _Handler]:
@@ -244,7 +243,7 @@ def _get_calibration(board: Board, command: int, _data: bytes) -> bytes:
 def _get_parameter(board: Board, _command: int, data: bytes) -> bytes:
     value = board.memory.get(data[0])
     if value is None:
-        # Inferred and twin: a number that is no parameter is illogical data.
+        # Inferred and twin: an unknown parameter number is illogical data.
         raise _IllogicalData(board.unknown_reply)
     return bytes([value])
 
@@ -287,11 +286,11 @@ def _drive_aux(board: Board, command: int, data: bytes) -> bytes:
     return b""
 
 
-_COMMANDS: dict[int, tuple[int, _Handler]] = {  # with the number of data bytes
+_COMMANDS: dict[int, tuple[int, _Handler]] = {  # number of data bytes and handler, by command byte
     0x81: _read(lambda board: board.model.signature + board.firmware.encode("ascii")),
     0x82: _read(lambda board: board.mode.value.encode("ascii")),
     0x83: _read(lambda board: bytes([board.serial.in_control])),
-    0x84: _read(lambda board: bytes([board.serial.handle_status()])),
+    0x84: _read(lambda board: bytes([board.serial.pop_status()])),
     0x85: _read(lambda board: bytes([board.serial.pop_uart_errors()])),
     0x86: (1, _get_raw),
     0x87: (1, _get_remapped),
