@@ -377,6 +377,6 @@ def test_safety_parameters_are_not_read_while_unwatched(stage: Stage) -> None:
 
 def test_errors_of_which_another_program_has_read_the_status_are_found(stage: Stage) -> None:
     stage.board.report_error(UartError.TIMEOUT)
-    stage.board.serial.handle_status()
+    stage.board.serial.pop_status()
     (first, *_) = samples(run_for(stage, 1.0), LatchedStatus)
     assert (first.uart, first.is_earlier) == (UartError.TIMEOUT, True)

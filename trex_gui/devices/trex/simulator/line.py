@@ -156,8 +156,8 @@ class BoardStation:
         sampled: list[SampledByte] = []
         for byte in self._pop_outgoing():
             sampled += receiver.receive(receiver.known_until, byte, self.line_format, self.baud)
-        for byte in (*sampled, *receiver.idle(math.inf)):
-            self._arrive_sampled(self._boot, byte.value, byte.error, self._line.now)
+        for received in (*sampled, *receiver.idle(math.inf)):
+            self._arrive_sampled(self._boot, received.value, received.error, self._line.now)
         self._transmit()
 
     def _transmit(self) -> None:
