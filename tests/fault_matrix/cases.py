@@ -4,7 +4,7 @@ from tests.fault_matrix.faults import FAULTS
 from tests.fault_matrix.moments import DRIVING, MOMENTS
 
 Case = tuple[str, str]
-"""The names of a fault and a moment."""
+"""Names of a fault and a moment."""
 
 CASES: list[Case] = [(fault, moment) for moment in MOMENTS for fault in FAULTS]
 
@@ -13,7 +13,7 @@ _FAULTS, _MOMENTS = list(FAULTS), sorted(MOMENTS, key=lambda moment: moment not 
 
 
 def timeout_needs_shutdown(fault: str, moment: str) -> bool:
-    """Return which hypothesis about UART-Error Shutdown holds for the boards of a case.
+    """Return the hypothesis about UART-Error Shutdown for a case.
 
     They alternate, so that each fault is seen with both while motors are driven.
     """

@@ -1,4 +1,4 @@
-"""What must hold while something fails, and after it is over."""
+"""Conditions that must hold during and after a fault."""
 
 import csv
 from collections.abc import Callable, Collection
@@ -16,13 +16,13 @@ from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.ui.devices.connection import ConnectionState
 
 HOLD_SECONDS = 3.0
-"""How long a fault lasts: longer than what jams a port for a second, or waits for a stop."""
+"""Duration of a fault: longer than a jammed port or a stop."""
 
 HEAL_SECONDS = 1.0
-"""How long the user needs to see that it is over."""
+"""Time in which the user sees the end of a fault."""
 
 SETTLE_MS = 10_000
-"""Milliseconds within which what a fault has left behind is put right."""
+"""Milliseconds until the effects of a fault are repaired."""
 
 # --- Messages ---------------------------------------------------------------------------
 
@@ -80,7 +80,7 @@ def _said_when_lost(
 
 SAID: dict[Effect, dict[str, tuple[Words, ...]]] = {
     Effect.NONE: _USUAL,
-    # What Apply has to say follows from what is stored: see `_check_applied`.
+    # `_check_applied` checks the messages of Apply.
     Effect.BRIEF: {
         **_USUAL,
         **dict.fromkeys(APPLYING, ()),
@@ -90,12 +90,12 @@ SAID: dict[Effect, dict[str, tuple[Words, ...]]] = {
     Effect.GONE: _said_when_lost((GONE,), (GONE,), (GONE,)),
     Effect.LOST: _said_when_lost((NOT_RESPONDING, GONE), (NO_BOARD, GONE), (FOUND, GONE)),
 }
-"""What the user has to be told, by what happens to the line: one of each group of texts."""
+"""Required messages by event on the line: one of each group."""
 
 SAID_OF: dict[tuple[str, str], tuple[Words, ...]] = {
     # The power fails while the line settings are stored: they become the default, and are written.
     ("other_uart", "apply_line_settings"): ((WRITTEN, NOT_STORED),),
-    # Requests that come back can pass for measurements.
+    # Echoed requests can pass for measurements.
     ("echo", "driving"): ((NOT_RESPONDING,), (MAY_TURN,)),
     ("changed_files", "recording"): ((RECORDED, UNWRITABLE),),
     ("full_disk", "apply_snapshot"): ((NOTHING_WRITTEN,),),
@@ -103,7 +103,7 @@ SAID_OF: dict[tuple[str, str], tuple[Words, ...]] = {
     ("full_disk", "export"): ((NOT_EXPORTED,),),
     ("read_only_disk", "apply_snapshot"): ((NOTHING_WRITTEN,),),
     ("read_only_disk", "export"): ((NOT_EXPORTED,),),
-    # The other program does not get every byte: the stop may be confirmed.
+    # The other program does not receive every byte, so the stop may be confirmed.
     ("stolen_port", "closing"): (),
 }
 """The same for single cases."""
@@ -115,18 +115,18 @@ NOT_SAID: dict[Effect, Words] = {
     Effect.GONE: (INTERNAL,),
     Effect.LOST: (INTERNAL,),
 }
-"""What would be wrong."""
+"""Wrong messages."""
 
 
 def missing_messages(fault: str, moment: str, said: Collection[str]) -> list[Words]:
-    """Return what the user should have been told."""
+    """Return the missing messages."""
     effect = FAULTS[fault].effect
     wanted = SAID_OF.get((fault, moment), SAID[effect].get(moment, ()))
     return [words for words in wanted if not any(word in text for word in words for text in said)]
 
 
 def wrong_messages(fault: str, said: Collection[str]) -> list[str]:
-    """Return what the user was told wrongly."""
+    """Return the wrong messages."""
     wrong = NOT_SAID[FAULTS[fault].effect]
     return [text for text in said if any(word in text for word in wrong)]
 
@@ -135,17 +135,17 @@ def wrong_messages(fault: str, said: Collection[str]) -> list[str]:
 
 
 Starved = Callable[[float, float], float]
-"""Returns for how many seconds between two moments the computer gave this process no time."""
+"""Seconds between two times in which this process did not run."""
 
 
 def never(begin: float, end: float) -> float:
-    """In virtual time the computer is always fast enough."""
+    """Virtual time has no such pauses."""
     del begin, end
     return 0.0
 
 
 def always(begin: float, end: float) -> float:
-    """Where other tests run at the same time, nobody knows."""
+    """Pauses are unknown while other tests run."""
     return end - begin
 
 
@@ -157,7 +157,7 @@ def run_case(
     folder: Path,
     starved: Starved = never,
 ) -> None:
-    """Let something go wrong at a moment; fail if anything falls short."""
+    """Run a fault at a moment. Fail if a condition does not hold."""
     fault, moment = FAULTS[fault_name], MOMENTS[moment_name]
     scene = Scene(
         window,
@@ -205,7 +205,7 @@ def run_case(
 
 
 def _check_motors(scene: Scene, fault: Fault) -> None:
-    """Motors run as the user wants and is told, or they do not, or he is told that they may."""
+    """Motors run as commanded and reported, or a message warns that they may run."""
     if scene.window.device.may_move:
         return
     if fault.forges:  # a query can have become a command, until the idle motors are refreshed
@@ -214,12 +214,12 @@ def _check_motors(scene: Scene, fault: Fault) -> None:
 
 
 def _check_silence(scene: Scene) -> None:
-    """A board that hears nothing stops at its serial timeout, or goes on, of which `SAID` warns."""
+    """A board without a line stops at its serial timeout, or `SAID` warns of it."""
     assert scene.motors_turn() is scene.needs_shutdown
 
 
 def _recover(scene: Scene, fault: Fault) -> None:
-    """Connect again if that is needed, and stop."""
+    """Reconnect if necessary, then stop."""
     window = scene.window
     moving = {ConnectionState.CONNECTING, ConnectionState.DISCONNECTING}
     window.wait(lambda: scene.link not in moving)
@@ -234,7 +234,7 @@ def _recover(scene: Scene, fault: Fault) -> None:
 
 
 def _check_applied(scene: Scene, fault: str, said: Collection[str]) -> None:
-    """What the user was told of every edit is what the board stores."""
+    """The result of each edit agrees with the stored value."""
     stored = scene.stored()
     if fault == "other_uart":  # another program has written them
         stored["uart_settings"] = scene.edits["uart_settings"]
@@ -251,7 +251,7 @@ def _check_applied(scene: Scene, fault: str, said: Collection[str]) -> None:
 
 
 def _check_settings(scene: Scene, fault: Fault) -> None:
-    """Every edit is stored or pending, nothing else has changed, and what is shown is true."""
+    """Every edit is stored or pending, other values are unchanged, and the window is correct."""
     device = scene.window.device
 
     def check_shown() -> None:
@@ -263,7 +263,7 @@ def _check_settings(scene: Scene, fault: Fault) -> None:
         untrue = {key: (shown[key], stored[key]) for key in shown if shown[key] != stored[key]}
         assert untrue == {}, untrue
 
-    # After a write that failed everything is read again.
+    # After a failed write, everything is read again.
     scene.window.qtbot.waitUntil(check_shown, timeout=SETTLE_MS)
     stored = scene.stored()
 
@@ -283,26 +283,26 @@ def _check_settings(scene: Scene, fault: Fault) -> None:
         for key in before
         if stored[key] not in {before[key], scene.edits.get(key, before[key])}
     }
-    # Power that is cut while a value is stored leaves its default.
+    # A power cut while a value is stored leaves its default.
     assert len(wrong) <= fault.cuts_power, wrong
     specs = device.state.specs
     assert all(key in scene.edits and value == specs[key].default for key, value in wrong.items())
 
 
 def _check_other_boards(scene: Scene) -> None:
-    """The other boards store what they did, and never stored anything else."""
+    """The other boards have not written anything."""
     assert scene.others() == scene.others_before
 
 
 def _check_close(scene: Scene) -> None:
-    """The window closes, and says nothing of motors."""
+    """The window closes without a message about motors."""
     scene.window.device.draft.discard_edits()
     assert scene.window.window.close()
     assert not scene.window.program.device_manager.unconfirmed_stop
 
 
 def _check_snapshots(scene: Scene) -> None:
-    """Each is what the board stored before, and there is one before anything is written."""
+    """A snapshot with the previous settings exists before anything is written."""
     history = scene.window.device.writer.history
     own = [one for one in history.snapshots() if one.path not in scene.foreign]
     assert all(history.load(snapshot) == scene.before for snapshot in own)
@@ -311,7 +311,7 @@ def _check_snapshots(scene: Scene) -> None:
 
 
 def _check_files(scene: Scene, fault: str, said: Collection[str]) -> None:
-    """What was recorded or exported is whole, or there is none of it."""
+    """A recording or an export is complete, or does not exist."""
     for path in scene.files:
         if fault == "changed_files":
             continue  # somebody else has written there

@@ -1,4 +1,4 @@
-"""What goes wrong, and how it is put right again."""
+"""Faults and their repair."""
 
 import random
 import sys
@@ -21,7 +21,7 @@ _OFF_MS = 500
 
 
 class Effect(Enum):
-    """What a fault does to the line."""
+    """Effect of a fault on the line."""
 
     NONE = "nothing"
     BRIEF = "some transactions fail, or none"
@@ -60,7 +60,7 @@ def _lines(*lines: str) -> Act:
 
 
 def _swap(here: int, gone: int) -> Act:
-    """Take one board off the line and put another one there, which takes a moment."""
+    """Replace the board on the line by another board."""
 
     def swap(scene: Scene) -> None:
         scene.switch(gone, "off")
@@ -74,7 +74,7 @@ def _soon(scene: Scene, act: Callable[[], object]) -> None:
 
 
 def _change_uart(scene: Scene) -> None:
-    """Switch the board off and on again at settings at which nobody has reason to look for it."""
+    """Restart the board with settings that no scan probes."""
     scene.uart_settings = scene.shown()["parameters"]["uart_settings"]
     other = LineSettings(38400, stop_bits=2).to_wire()
     _lines("power off", f"eeprom uart_settings {other}")(scene)
@@ -87,7 +87,7 @@ def _restore_uart(scene: Scene) -> None:
 
 
 def _replace_files(scene: Scene) -> None:
-    """Write something else over what is being written, and into the folder of the snapshots."""
+    """Write other data over the written file and into the folder of the snapshots."""
     noise = random.Random(0).randbytes(5000)
     snapshot = scene.data / "snapshots" / "20260101T000000Z-trex-1.2.txt"
     snapshot.parent.mkdir(exist_ok=True)
@@ -112,7 +112,7 @@ def _port(effect: Effect, fault: PortFault) -> Fault:
 
 
 def _limit_files(size: int | None) -> Act:
-    """Let no file of this process become larger, as on a disk that is full."""
+    """Prevent files from growing, as on a full disk."""
 
     def limit(_scene: Scene) -> None:
         if sys.platform == "win32":
@@ -126,7 +126,7 @@ def _limit_files(size: int | None) -> Act:
 
 
 def _lock_folders(scene: Scene) -> None:
-    """Put a folder in the place of the user's that takes no files, not even from root."""
+    """Replace the user's folder by a folder that accepts no files."""
     for folder in (scene.folder, scene.data):
         folder.rename(_moved(folder))
         folder.symlink_to("/sys", target_is_directory=True)

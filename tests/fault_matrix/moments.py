@@ -1,4 +1,4 @@
-"""What the user is doing when something goes wrong."""
+"""Actions of the user during a fault."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -32,12 +32,12 @@ EDITS = {
     "crc7_polynomial": 0x15,
     "uart_settings": LineSettings(57600, stop_bits=2).to_wire(),
 }
-"""What Apply writes after the calibration of a channel, in this order."""
+"""Parameters that Apply writes after the calibration of a channel, in this order."""
 
 
 @dataclass(frozen=True, slots=True)
 class Moment:
-    """Something that the user is doing.
+    """Action of the user.
 
     Attributes:
         begin: does it and calls its second argument when the fault is to begin.
@@ -70,7 +70,7 @@ def _read_all(scene: Scene, inject: Inject) -> None:
 
 
 def _apply(step: int | None, scene: Scene, inject: Inject) -> None:
-    """Apply the edits; the fault begins before a step, or before the snapshot is taken."""
+    """Apply the edits. The fault begins before a step, or before the snapshot."""
     scene.connect()
     scene.edit(**EDITS)
     scene.edit_calibration(CALIBRATION, LEARNED)
@@ -214,7 +214,7 @@ MOMENTS: dict[str, Moment] = {
 }
 
 DRIVING = ["driving", "closing"]
-"""When motors turn as the fault begins."""
+"""Moments at which motors turn."""
 
 APPLYING = [name for name in MOMENTS if name.startswith("apply")]
-"""When edits are written."""
+"""Moments at which edits are written."""

@@ -1,4 +1,4 @@
-"""A window, the port that it is connected to, and what a user gets to see while something fails."""
+"""A window, its port, and the messages to the user during a fault."""
 
 import os
 from collections.abc import Callable
@@ -18,10 +18,10 @@ from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.runtime import new_timer, now
 
 FIRST, OTHER, JUNIOR = 7, 8, 9
-"""The numbers of the boards on the line: the user's, another one, and one of another model."""
+"""Numbers of the boards on the line: the user's board, another board, another model."""
 
 LOOK_MS = 20
-"""Milliseconds between two looks at the window."""
+"""Milliseconds between two checks of the window."""
 
 SHORTEST_GAP = 0.1  # seconds
 
@@ -45,7 +45,7 @@ LABELS = (
     "learnNote",
     "reviewHead",
 )
-"""Where messages are shown."""
+"""Places of messages."""
 
 
 def _stored(shown: dict[str, Any]) -> Stored:
@@ -72,7 +72,7 @@ class BoardOnLine(SimulatedDevice):
 
 
 class Scene:
-    """What the cases act on.
+    """Scene of the cases.
 
     Attributes:
         board: the board of the user.
@@ -151,21 +151,21 @@ class Scene:
         return self.board.show()
 
     def stored(self) -> Stored:
-        """Return what the user's board stores, calibrations of either source included."""
+        """Return the stored values of the user's board, with all calibrations."""
         return _stored(self.shown())
 
     def others(self) -> list[tuple[Stored, int]]:
-        """Return what every other board stores, and how often it has written anything."""
+        """Return the stored values and number of writes of each other board."""
         shown = [BoardOnLine(self.line, number).show() for number in self._others]
         return [(_stored(one), one["counters"]["eeprom_writes"]) for one in shown]
 
     def driven(self) -> list[Target]:
-        """Return what the motors of the user's board are to do."""
+        """Return the targets of the motors of the user's board."""
         motors = self.shown()["motors"]
         return [(motor["target_direction"], motor["target_speed"]) for motor in motors]
 
     def motors_turn(self) -> bool:
-        """Whether the board has power and drives any motor, or will."""
+        """True if the board has power and drives a motor, or will drive it."""
         shown = self.shown()
         return bool(shown["power"]) and (
             shown["aux"]["target_speed"] != 0
@@ -196,7 +196,7 @@ class Scene:
             self.edits[key] = value
 
     def at_step(self, number: int, act: Callable[[], object]) -> Callable[[], bool]:
-        """Do something when the line reports its `number`th step; return whether it was done."""
+        """Run an action at the `number`th step of the line. Return whether it ran."""
         done: list[Progress] = []
         progressed = self.window.device.connection.progressed
 
@@ -224,12 +224,12 @@ class Scene:
         self._due = now() + LOOK_MS / 1000
 
     def listen_to(self, notifier: Notifier) -> None:
-        """Hear every message for a banner: the next one may replace it at once."""
+        """Record every banner message, because the next message may replace it."""
         notifier.error.connect(self._hear)
         notifier.info.connect(self._hear)
 
     def hear_all(self, widget: QWidget) -> None:
-        """Hear what all labels of a widget say."""
+        """Record the texts of all labels of a widget."""
         for label in widget.findChildren(QLabel):
             self._hear(label.text())
 

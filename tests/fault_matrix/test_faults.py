@@ -1,4 +1,4 @@
-"""Everything that can go wrong at every moment that matters, one case each."""
+"""Every fault at every moment."""
 
 import sys
 from pathlib import Path
@@ -14,7 +14,7 @@ from tests.support.window import WindowDriver
 from trex_gui.core.timing import Timeouts
 
 EVERY = 13
-"""Of so many cases the gate runs one: each fault, and each moment once or twice."""
+"""The gate runs one case in this number: each fault, and each moment once or twice."""
 
 
 @pytest.mark.parametrize(
@@ -32,7 +32,7 @@ def test_fault(
 
 @pytest.fixture
 def timeouts(request: pytest.FixtureRequest) -> Timeouts:
-    """Be patient in real time: only the fault is to stop motors."""
+    """Use long timeouts in real time, so that only the fault stops motors."""
     return PATIENT if request.node.get_closest_marker("realtime") else Timeouts()
 
 

@@ -1,4 +1,4 @@
-"""What the soak tries, and how it says what fell short."""
+"""Cases and messages of the soak."""
 
 from itertools import islice
 from pathlib import Path

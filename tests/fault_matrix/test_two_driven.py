@@ -1,4 +1,4 @@
-"""Two boards are driven as one robot, and one of them, or their line, fails."""
+"""Faults of two boards that are driven together."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ NUMBERS = (7, 9)
 
 
 class TwoDriven:
-    """A window that drives boards 7 and 9, and what it has said."""
+    """A window that drives boards 7 and 9, with its messages."""
 
     def __init__(self, window: WindowDriver, start: StartSimulator) -> None:
         options = [word for one in ("7", "9", "8:trexjr") for word in ("--device", one)]
@@ -44,7 +44,7 @@ class TwoDriven:
         window.wait(lambda: window.device.is_connected and window.motors.is_available)
 
     def moving(self) -> set[int]:
-        """Return the boards with power that turn a motor, or will."""
+        """Return the powered boards that drive a motor."""
         shown = {number: self.line.show(f"@{number}") for number in NUMBERS}
         return {
             number
@@ -62,7 +62,7 @@ Act = Callable[[TwoDriven, int], object]
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """Something that happens to a board; `stops`: it ends the drive, and the board is named."""
+    """Event at a board. `stops`: it ends the drive with a message about the board."""
 
     inject: Act
     heal: Act = lambda _scene, _number: None
@@ -159,7 +159,7 @@ def test_line_that_fails_leaves_no_motor_unnoticed(
 
 
 def _check_recovery(scene: TwoDriven) -> None:
-    """Both boards come back at rest, and can be driven and stopped again."""
+    """Both boards return stopped, and can be driven and stopped again."""
     window = scene.window
     scene.let_pass(HEAL_SECONDS)
     if window.device.link is ConnectionState.DISCONNECTED:

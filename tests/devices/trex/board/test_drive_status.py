@@ -1,4 +1,4 @@
-"""Why the motors do not follow the setpoints."""
+"""Reasons why the motors do not follow the setpoints."""
 
 import itertools
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""Every error bit that was ever seen."""
+"""Counts of error bits."""
 
 from dataclasses import replace
 from datetime import UTC, datetime

@@ -1,4 +1,4 @@
-"""What this computer keeps of a board, over connections at several adapters."""
+"""Record of a board over connections at several adapters."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -23,7 +23,7 @@ ONE, OTHER = "0403:6001-A500001", "0403:6001-B700002"
 
 
 class Shelf:
-    """Files in memory, and the board whose memory they serve."""
+    """Files in memory, and a board."""
 
     def __init__(self) -> None:
         self.records: dict[str, BoardRecord] = {}
@@ -73,7 +73,7 @@ class Shelf:
     # --- The board ----------------------------------------------------------------------
 
     def connect(self, stored: Settings, adapter: str) -> set[str]:
-        """Connect to a board; return in what it differs from what was applied last."""
+        """Connect to a board. Return the differences from the applied settings."""
         self.stored = stored
         self.memory.set_board(stored, RC, NOW, opened=True, adapter=adapter)
         return {row.key for row in self.memory.differing.rows}
@@ -94,11 +94,11 @@ def shelf() -> Shelf:
 
 
 def test_record_of_a_board_at_another_adapter_is_doubted(shelf: Shelf) -> None:
-    """Two boards as they come from the factory share what is kept of them."""
+    """Two new boards share a record."""
     for adapter, count in ((ONE, 0), (ONE, 0), (OTHER, 1), (OTHER, 1), ("", 1), (ONE, 2)):
         shelf.connect(NEW, adapter)
         assert len(shelf.doubts) == count, adapter
-    # Whichever board gets a number of its own, nothing is taken from the other one.
+    # The record of the other board remains, whichever board gets a new number.
     shelf.write(device_number=8)
     assert sorted(shelf.records) == ["trex-1.2-7", "trex-1.2-8"]
     shelf.write(device_number=9)

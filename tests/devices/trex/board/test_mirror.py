@@ -1,4 +1,4 @@
-"""What the mirror of a board makes of the reports of a session."""
+"""State of a board from the reports of a session."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -61,7 +61,7 @@ def state(mode: Mode = Mode.SERIAL_RC, **parameters: int) -> DeviceState:
 
 
 class Watched:
-    """A mirror, and what it has reported."""
+    """A mirror and its events."""
 
     def __init__(self) -> None:
         self.shelf = Shelf()
@@ -449,7 +449,7 @@ def drive(watched: Watched, value: int, *, counts: int = 0, signal: bool = True)
 
 @pytest.fixture
 def pushed(watched: Watched) -> Watched:
-    """A board that was connected while channel 1 asks for a speed."""
+    """A board that was connected while channel 1 commands a speed."""
     watched.read(state(Mode.RC, required_channels=1))
     drive(watched, 100)
     return watched

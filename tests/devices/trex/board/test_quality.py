@@ -1,4 +1,4 @@
-"""When a line is called good or noisy."""
+"""Quality of a line: good or noisy."""
 
 from dataclasses import replace
 
@@ -9,7 +9,7 @@ from trex_gui.devices.trex.client.client import Counters
 
 
 class MeasuredLine:
-    """A line with so many transactions a second, whose quality is looked at in each frame."""
+    """A line whose quality is updated in each frame."""
 
     def __init__(self, rate: float = 190.0) -> None:
         self.quality = ConnectionQuality()
@@ -21,7 +21,7 @@ class MeasuredLine:
     def run(
         self, seconds: float, *, missing: float = 0.0, corrupted: float = 0.0, stray: float = 0.0
     ) -> list[bool | None]:
-        """Let time pass with these shares of failures; return each new judgement."""
+        """Advance the time with these shares of failures. Return each new result."""
         judged: list[bool | None] = []
         shares = {"requests": 1.0, "missing": missing, "corrupted": corrupted, "unsolicited": stray}
         for _ in range(round(seconds * 30)):

@@ -1,4 +1,4 @@
-"""Window, command line and library keep the same of a board, whichever of them changes it."""
+"""Window, command line and library save the same files."""
 
 import re
 from collections.abc import Callable
@@ -31,7 +31,7 @@ _MASKED = re.compile(r"(# (?:taken|reason|adapter|serial timeout|.*(?:applied|re
 
 
 class Bench:
-    """A board, and an empty data folder for the face that changes it."""
+    """A board and an empty data folder."""
 
     def __init__(self, simulator: SimulatedDevice, runtime: VirtualRuntime, folder: Path) -> None:
         self.simulator = simulator
@@ -40,7 +40,7 @@ class Bench:
 
     @property
     def kept(self) -> dict[str, str]:
-        """The files by name, snapshots by their order, without times, ports and reasons."""
+        """The files by name, without times, ports and reasons. Snapshots are in their order."""
         snapshots = reversed([each.path for each in SettingsHistory().snapshots()])
         others = [*(self.folder / "boards").iterdir(), self.folder / "accepted_values.json"]
         named = {f"snapshot {turn}": path for turn, path in enumerate(snapshots)}

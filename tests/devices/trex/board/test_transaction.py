@@ -1,4 +1,4 @@
-"""One write, with its files on a disk: what is kept before and after it."""
+"""Write of settings, with its files on a disk."""
 
 from pathlib import Path
 
@@ -33,7 +33,7 @@ LINK = ConnectionSettings("/dev/ttyUSB0")
 
 
 class Kept(Keeper):
-    """Keeps what it has said."""
+    """A keeper with a list of its messages."""
 
     def __init__(self, state: DeviceState = STATE) -> None:
         self.said: list[str] = []

@@ -1,4 +1,4 @@
-"""Calibrations on the wire, and what remapping makes of raw counts."""
+"""Calibrations on the wire, and remapping of raw counts."""
 
 import pytest
 from hypothesis import assume, given
@@ -26,7 +26,7 @@ any_calibration = st.builds(Calibration, coded, coded, coded, coded)
 
 @st.composite
 def calibrations(draw: st.DrawFn) -> Calibration:
-    """Calibrations that the board takes, often with a deadband that leaves something."""
+    """Calibrations that the board accepts, often with a deadband smaller than the travel."""
     minimum, neutral, maximum = sorted((draw(coded), draw(coded), draw(coded)))
     assume(minimum < maximum)
     return Calibration(minimum, neutral, maximum, draw(st.integers(0, 200) | coded))

@@ -1,4 +1,4 @@
-"""Boards, clocks and rates as the shipped table has them."""
+"""Boards, clocks and rates in the device table."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Motor commands: directions, speeds, and what stops everything."""
+"""Motor commands: directions, speeds and stops."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Status and error bits, channel masks, modes, and what raw counts are worth."""
+"""Status and error bits, channel masks, modes, units of raw counts."""
 
 from enum import IntFlag
 

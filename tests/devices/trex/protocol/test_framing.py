@@ -1,4 +1,4 @@
-"""How a command is wrapped; CRC-7 against a long division by hand, as the guide describes it."""
+"""Packet encoder, and CRC-7 against the guide's long division."""
 
 from collections.abc import Callable
 

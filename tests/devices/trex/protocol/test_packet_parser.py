@@ -1,4 +1,4 @@
-"""Reading what a host sends, damaged or not."""
+"""Parser of packets from a host, corrupted or not."""
 
 import pytest
 
@@ -67,7 +67,7 @@ def test_invalid_data_makes_packet_malformed(sent: str, words: str) -> None:
 
 
 def test_unordered_calibration_is_still_a_packet() -> None:
-    # The board answers result code 2 to it, so it is no format error.
+    # The board replies with result code 2, so this is no format error.
     raw = bytes.fromhex("a0 01 00 00 00 01 00 00 00 55 2a")
     (event,) = PacketParser().feed(raw)
     assert isinstance(event, Packet)

@@ -1,4 +1,4 @@
-"""The whole parameter table, both models, every firmware; facts as the reference gives them."""
+"""Parameter table of both models and every firmware, against the reference."""
 
 import re
 
@@ -62,7 +62,7 @@ def parameter(key: str, model: str = "trex") -> ParameterSpec:
     return parameters_of(model, "1.2")[key]
 
 
-# What there is.
+# Contents
 
 
 @every_board
@@ -158,7 +158,7 @@ def test_facts_of_the_twin_have_its_grade(model: str) -> None:
     }
 
 
-# What is allowed.
+# Limits
 
 
 @every_model
@@ -191,11 +191,11 @@ def test_rejected_wire_value_names_parameter_value_and_limits(model: str) -> Non
             assert limit in sentence
 
 
-# Text and back.
+# Text
 
 
 def different_specs() -> list[ParameterSpec]:
-    """Return the parameters of all models, one of those whose values read alike."""
+    """Return the parameters of all models, without duplicates."""
     specs = [spec for model in MODELS for spec in parameters_of(model, "1.3")]
     return [*{tuple(map(spec.text, sorted(spec.valid))): spec for spec in specs}.values()]
 
@@ -421,7 +421,7 @@ def test_rejection_does_not_contradict_typed_number(key: str, text: str) -> None
     assert "wire value" not in str(caught.value)
 
 
-# Finding one.
+# Search
 
 
 @pytest.mark.parametrize(

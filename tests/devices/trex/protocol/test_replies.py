@@ -1,4 +1,4 @@
-"""What the replies mean, after the command documentation."""
+"""Replies, according to the command documentation."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""Reading what a board answers to one command, with an echo or a CRC before or behind it."""
+"""Parser of replies, with or without echo and CRC."""
 
 from typing import Any
 

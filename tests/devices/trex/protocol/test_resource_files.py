@@ -1,4 +1,4 @@
-"""The program finds its own files."""
+"""Resource files of the program."""
 
 import pytest
 

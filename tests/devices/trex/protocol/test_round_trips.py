@@ -1,4 +1,4 @@
-"""What holds for every command, framing and cut, and for any bytes whatever."""
+"""Properties of every command and framing, and of arbitrary bytes."""
 
 from itertools import pairwise
 from typing import Any
@@ -96,7 +96,7 @@ REPLIES: dict[type[Command[Any]], st.SearchStrategy[bytes]] = {
 
 @st.composite
 def answers(draw: st.DrawFn) -> tuple[Command[Any], bytes]:
-    """A command and what a board may answer, without CRC."""
+    """A command and a possible reply, without CRC."""
     command = draw(commands)
     size = command.reply_size()
     return command, draw(REPLIES.get(type(command), st.binary(min_size=size, max_size=size)))
@@ -104,7 +104,7 @@ def answers(draw: st.DrawFn) -> tuple[Command[Any], bytes]:
 
 @st.composite
 def noise(draw: st.DrawFn) -> bytes:
-    """Bytes of any kind, more often than chance close to packets."""
+    """Arbitrary bytes, often similar to packets."""
     parts = []
     for _ in range(draw(st.integers(0, 4))):
         whole = draw(framings).encode(draw(commands))

@@ -1,4 +1,4 @@
-"""Requests and reports cross a network as they cross threads."""
+"""Encoding of requests and reports."""
 
 import random
 from typing import Any

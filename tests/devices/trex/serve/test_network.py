@@ -1,4 +1,4 @@
-"""Boards over the network, in real time: Zenoh on the loopback, a simulated board behind it."""
+"""Boards over the network in real time: Zenoh on the loopback, with a simulated board."""
 
 import json
 import os
@@ -63,7 +63,7 @@ def stop_robots(names: list[str]) -> dict[str, str]:
 
 
 class ServerDriver:
-    """`trexcmd serve` in a process of its own."""
+    """`trexcmd serve` in a separate process."""
 
     def __init__(self, simulator: SimulatedDevice, *options: str) -> None:
         self.simulator = simulator
@@ -120,7 +120,7 @@ def server(start_simulator: StartSimulator) -> Iterator[ServerDriver]:
 
 @pytest.fixture
 def secrets(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A file of users, each of which has its secret."""
+    """File of users with their secrets."""
     file, roles = tmp_path / "users", {"alice": "drive", "bob": "own", "wanda": "watch"}
     for user, role in roles.items():
         secret = add_user(file, user, role)

@@ -1,4 +1,4 @@
-"""The server of a board: who may do what, and a lease that never lets two drive."""
+"""Server of a board: permissions of users, and the lease."""
 
 import heapq
 import random
@@ -76,7 +76,7 @@ CONNECTED = Connected(STATE, False, ReadReason.RETURNED, ConnectionSettings("/de
 
 
 class ServedDriver:
-    """A server, its clients, and what reaches the session of the board."""
+    """A server, its clients, and the requests to the session."""
 
     def __init__(self) -> None:
         self.now = 100.0
@@ -105,7 +105,7 @@ class ServedDriver:
             self.server.handle(self.parties[user], self.message(user, request, age=age))
 
     def kinds(self) -> list[type]:
-        """Return the types of what reached the session, without what sets its rate."""
+        """Return the types of the requests to the session, except `SetWatched`."""
         return [type(one) for one in self.session if not isinstance(one, SetWatched)]
 
     def lease_of(self, user: str) -> LeaseChanged:
@@ -291,7 +291,7 @@ def test_what_another_board_stores_is_kept_for_late_clients(line: ServedDriver) 
     assert line.received["late"][2].state == STATE
 
 
-# --- What a client may do -----------------------------------------------------------------
+# --- Permissions --------------------------------------------------------------------------
 
 MOVING = (SetMotor(1, Drive.at(50)), SetAuxiliary(5), Arm(), Heartbeat())
 
@@ -641,7 +641,7 @@ class SimulatedClient:
 
 
 def test_two_drivers_never_drive_at_once(request: pytest.FixtureRequest) -> None:
-    """Random hand-overs, losses and re-orderings; `LossyNetwork` checks each request."""
+    """`LossyNetwork` checks each request."""
     network = LossyNetwork(seed=request.config.getoption("randomly_seed", 1))
     network.run_until(500)
     assert network.moves > 100

@@ -1,4 +1,4 @@
-"""Two boards that are driven together, in virtual time, and what is measured on them."""
+"""Two boards that are driven together in virtual time."""
 
 import math
 import random
@@ -31,7 +31,7 @@ OPENED = 2.0  # seconds after which both boards were read
 
 
 class GroupStage(Stage):
-    """Boards 7 and 9 on one line, driven forward from `OPENED` on, with heartbeats."""
+    """Boards 7 and 9 on one line, driven forward from `OPENED`."""
 
     def __init__(self) -> None:
         self.seventh, self.ninth = a_board(7), a_board(9)
@@ -41,7 +41,7 @@ class GroupStage(Stage):
     def drive(
         self, until: float, also: dict[float, Request | Callable[[], object]] | None = None
     ) -> None:
-        """Drive with heartbeats; also do something at other moments."""
+        """Drive with heartbeats. Run other actions at their times."""
         self.script.at(OPENED, Arm())
         for number in self.boards:
             self.script.at(OPENED, ToBoard(number, FORWARD))
@@ -59,7 +59,7 @@ class GroupStage(Stage):
         }
 
     def stops_of(self, number: int) -> list[float]:
-        """Return when the last byte of each stop of a board has left."""
+        """Return the end times of the stops of a board."""
         framing = replace(GROUP, device_number=number, group=()).framing
         last = framing.encode(STOP[-1])
         seconds = LineSettings().seconds(len(last))
@@ -203,7 +203,7 @@ class RandomSequences:
 
 
 def run_sequences(count: int, seed: int) -> list[str]:
-    """Return what fell short in so many random sequences."""
+    """Return the failures of random sequences."""
     stage = GroupStage()
     inbox = RandomSequences(stage, count, seed)
     reports, untrue = stage.reports, list[str]()

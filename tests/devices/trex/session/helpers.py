@@ -1,4 +1,4 @@
-"""What several tests of the link say in one word."""
+"""Helpers for session tests."""
 
 from collections.abc import Callable, Iterable
 from typing import Any, TypeVar, cast
@@ -32,7 +32,7 @@ def staged(
     mode: str = "serial",
     echo: bool = False,
 ) -> tuple[Stage, ConnectionSettings]:
-    """Return a board that runs at these line settings, and the settings that fit it."""
+    """Return a board with these line settings, and its connection settings."""
     line = LineSettings(baud, detection)
     eeprom = Eeprom(model)
     eeprom.write("uart_settings", line.to_wire())
@@ -41,7 +41,7 @@ def staged(
 
 
 def replying(stage: Stage, kind: type[Command[Any]], replies: Iterable[object]) -> Requester:
-    """Return a requester on a line that turns the replies to one kind of command into these."""
+    """Return a requester that receives these replies to one kind of command."""
     client, corrupted = stage.client(), iter(replies)
 
     def request(command: Command[ReplyT_co]) -> ReplyT_co:
@@ -52,7 +52,7 @@ def replying(stage: Stage, kind: type[Command[Any]], replies: Iterable[object]) 
 
 
 def packet(number: int, command: Command[Any]) -> SendPacket:
-    """Return the request to send a command as a packet that the user typed."""
+    """Return a request that sends the command as a typed packet."""
     (only,) = packets_of(Framing().encode(command), None)
     return SendPacket(number, only)
 
@@ -63,7 +63,7 @@ def among(reports: Iterable[object], kind: type[KindT]) -> list[KindT]:
 
 
 def outcomes(reports: Iterable[object]) -> dict[int, Outcome]:
-    """Return the outcome of each request; no request may have two."""
+    """Return the outcome of each request. Fail if a request has two."""
     found = among(reports, Outcome)
     by_id = {outcome.id: outcome for outcome in found}
     assert len(by_id) == len(found), "a request has two outcomes"
@@ -79,12 +79,12 @@ def samples(reports: Iterable[object], kind: type[KindT]) -> list[KindT]:
 
 
 def bytes_of(value: PolledValue) -> int:
-    """Return the bytes on the wire of one poll without device number and CRC."""
+    """Return the size of a poll on the wire, without device number and CRC."""
     return 1 + value.query.data_size + value.query.reply_size()
 
 
 def commands(sent: bytes | bytearray, polynomial: int | None = None) -> list[Command[object]]:
-    """Read what was sent; everything must be whole."""
+    """Parse the sent packets. Fail if any is malformed."""
     parser = PacketParser(polynomial)
     events = parser.feed(bytes(sent)) + parser.flush()
     packets = among(events, Packet)
@@ -93,19 +93,19 @@ def commands(sent: bytes | bytearray, polynomial: int | None = None) -> list[Com
 
 
 def moving(sent: bytes | bytearray, polynomial: int | None = None) -> list[Command[object]]:
-    """Return the motor commands among what was sent."""
+    """Return the sent motor commands."""
     return [command for command in commands(sent, polynomial) if command.moves]
 
 
 def is_stopped(board: Board) -> bool:
-    """Whether both motors are braked fully and the auxiliary one is off."""
+    """True if both motors brake fully and the auxiliary motor is off."""
     return board.aux.speed == 0 and all(
         motor.direction is MotorDirection.BRAKE and motor.speed == 127 for motor in board.motors
     )
 
 
 def pulses(stage: Stage, start: float, end: float) -> None:
-    """Plan the heartbeats of a window between two moments."""
+    """Schedule the heartbeats of a window between two times."""
     for number in range(int((end - start) / HEARTBEAT_INTERVAL) + 1):
         stage.script.at(start + number * HEARTBEAT_INTERVAL, Heartbeat())
 
@@ -117,20 +117,20 @@ def run_for(
     *,
     may_move: bool = False,
 ) -> list[Report]:
-    """Run the script of a stage, which ends so many seconds after the line began."""
+    """Run the script of a stage. It ends `seconds` after the line was opened."""
     stage.script.at(seconds, Close())
     return stage.run(settings, may_move=may_move)
 
 
 def seen_at(stage: Stage, moment: float, look: Callable[[], KindT]) -> list[KindT]:
-    """Plan a look at the board; return the list that will hold what was seen."""
+    """Schedule a reading of the board. Return the list for its result."""
     seen: list[KindT] = []
     stage.script.at(moment, lambda: seen.append(look()))
     return seen
 
 
 def timed_run(stage: Stage, settings: ConnectionSettings) -> list[tuple[float, Report]]:
-    """Run the script of a stage; return each report with the moment it was made."""
+    """Run the script of a stage. Return each report with its time."""
     reports: list[tuple[float, Report]] = []
     session = TrexSession(
         settings,
@@ -143,7 +143,7 @@ def timed_run(stage: Stage, settings: ConnectionSettings) -> list[tuple[float, R
 
 
 class FailingTransport(VirtualTransport):
-    """A line that works for some calls and is gone from then on."""
+    """Line that is lost after some calls."""
 
     def __init__(self, line: SimulatedBoards, calls: int, failure: Exception) -> None:
         super().__init__(line)

@@ -1,4 +1,4 @@
-"""Several boards on one line: which of them is addressed, and which may move."""
+"""Several boards on one line: selection and motors."""
 
 from dataclasses import replace
 
@@ -62,7 +62,7 @@ class Line(Stage):
         return among(PacketParser().feed(bytes(self.transport.sent)), Packet)
 
     def to_numbers(self) -> set[int | None]:
-        """Return the device numbers in the motor commands that are no stop."""
+        """Return the device numbers of motor commands that are no stop."""
         moving = [one for one in self.packets if one.command.moves]
         return {one.device_number for one in moving if one.command not in STOP}
 

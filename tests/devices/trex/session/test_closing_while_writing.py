@@ -1,4 +1,4 @@
-"""`Close` at every moment of a `Write`: how everything went is told before the line is closed."""
+"""`Close` at every moment of a `Write`."""
 
 from dataclasses import dataclass
 from functools import cache
@@ -33,7 +33,7 @@ from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 PAIR = ("crc7_polynomial", "uart_settings")
 STEP = 0.004
-"""Seconds between two moments: less than any transaction takes."""
+"""Seconds between two moments, less than a transaction."""
 
 CRC_STAYS_ON = line_and_polynomial(FAST, 0x33, SLOW, 0x44)
 BY_WAY_OF_FACTORY = Case(
@@ -52,7 +52,7 @@ ALL = tuple(CLOSED.values())
 
 @dataclass
 class Writing:
-    """One `Write` in a session: an `Attempt` whose outcome came as a report."""
+    """Attempt to write in a session."""
 
     attempt: Attempt
     reports: list[tuple[float, Report]]
@@ -71,7 +71,7 @@ class Writing:
 
 
 def run(attempt: Attempt) -> Writing:
-    """Run what the script of an attempt has left to do."""
+    """Run the rest of the script."""
     settings = attempt.case.link(attempt.case.before)
     attempt.stage.line.host = settings.line
     return Writing(attempt, timed_run(attempt.stage, settings))
@@ -84,7 +84,7 @@ def begun(case: Case) -> Attempt:
 
 
 def taken(writing: Writing) -> Writing:
-    """Take in the outcome, which tells of everything."""
+    """Handle the outcome."""
     assert writing.outcome.error is None
     value = writing.outcome.value
     assert isinstance(value, Written)
@@ -100,7 +100,7 @@ def closed_at(case: Case, moment: float) -> Writing:
 
 @cache
 def moments(case: Case) -> tuple[float, ...]:
-    """Return moments from the beginning of an undisturbed writing to its end."""
+    """Return moments from the start to the end of an undisturbed write."""
     attempt = begun(case)
     attempt.stage.script.at(10.0 if case == SLOWEST else 3.0, Close())
     writing = taken(run(attempt))
@@ -109,7 +109,7 @@ def moments(case: Case) -> tuple[float, ...]:
     return tuple(begin + STEP * (number + 1) for number in range(int((end - begin) / STEP)))
 
 
-# --- What is told -----------------------------------------------------------------------
+# --- Results ----------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("first", sampled(range(3), every=3))
@@ -156,7 +156,7 @@ def test_close_cancels_write_that_has_not_started() -> None:
     assert attempt.stored == attempt.case.before
 
 
-# --- How long it takes ------------------------------------------------------------------
+# --- Duration ---------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(("case", "longest"), [*((one, 0.3) for one in ALL), (SLOWEST, 2.0)])
@@ -190,7 +190,7 @@ def driven(case: Case, moment: float) -> Attempt:
 
 
 def stopped_first(attempt: Attempt, moment: float) -> Writing:
-    """Run; what was on its way at a moment had been sent, and a stop is the next that is."""
+    """Run. The first packet after the moment must be a stop."""
     attempt.at(moment, attempt.stage.transport.sent.clear)
     writing = taken(run(attempt))
     require_order(attempt, lost=0)

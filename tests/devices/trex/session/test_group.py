@@ -1,4 +1,4 @@
-"""Boards of one line that are driven together: one arming, one stop, each confirmed."""
+"""Boards that are driven together: arming and confirmed stops."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -91,7 +91,7 @@ def test_request_for_no_board_of_the_group_is_rejected(stage: GroupStage) -> Non
 
 
 def test_both_stops_leave_at_once_and_are_confirmed() -> None:
-    """At the pace of the line, whatever was on it: 60 presses, 100,000 in the soak."""
+    """60 presses, 100,000 in the soak."""
     left, confirmed = stop_delays(60, seed=1)
     assert max(left) <= 0.020
     assert max(confirmed) <= 0.060

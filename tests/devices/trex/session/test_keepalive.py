@@ -1,4 +1,4 @@
-"""While motors are armed, the board's own serial timeout is fed; else nothing is done for it."""
+"""Keep-alive of the serial timeout while motors are armed."""
 
 import itertools
 import math
@@ -23,18 +23,18 @@ from trex_gui.devices.trex.session.polling import silence, survives_a_loss, too_
 
 
 def opening(baud: int) -> float:
-    """Seconds after which everything has been read, amply."""
+    """Seconds in which everything is read."""
     return 1.0 + 4.0 * 1200 / baud
 
 
 def set_timeout(stage: Stage, tenths: int) -> None:
-    """Store a serial timeout and let it act, as after a power cycle."""
+    """Store and activate a serial timeout."""
     stage.board.eeprom.write("serial_timeout", tenths)
     stage.board.memory.load()
 
 
 INTERVAL = 0.25
-"""Seconds between two heartbeats here: rarer than the window's, and often enough."""
+"""Seconds between two heartbeats."""
 
 
 @pytest.mark.parametrize(
@@ -95,10 +95,10 @@ def test_lost_reply_fires_timeout_only_where_predicted(baud: int, tenths: int) -
     for number in range(44):
         stage.script.at(start + number * INTERVAL, Heartbeat())
         if number >= 4:
-            # Somewhere else in the round of questions each time: each of them is hit.
+            # At another query each time, so that each query is hit.
             stage.script.at(start + (number + 0.05 * number) * INTERVAL, stage.fault(to_drop=1))
     reports = run_for(stage, start + 45 * INTERVAL, settings)
-    # Where three replies in a row happen to be lost, the board counts as silent: not one loss.
+    # Three lost replies in a row would make the board silent.
     replying = itertools.takewhile(lambda report: not isinstance(report, NotResponding), reports)
     fired = [
         one
@@ -114,7 +114,7 @@ def test_lost_reply_fires_timeout_only_where_predicted(baud: int, tenths: int) -
 
 @pytest.mark.parametrize("ahead", [0.0, 0.1])
 def test_reply_lost_after_arming_lets_no_timeout_fire(ahead: float) -> None:
-    """Also the first one, and that of a check whether the stored timeout is the same."""
+    """The first reply and the safety check are included."""
 
     def run(seconds: float, armed_at: float = math.inf) -> Stage:
         stage, settings = staged()
@@ -148,7 +148,7 @@ def test_too_slow_polls_follow_from_size_and_baud_rate() -> None:
     assert too_slow(LineSettings(1200), 0.2) == frozenset()
     assert too_slow(LineSettings(2400), 0.1) == frozenset()
     assert too_slow(LineSettings(1200), 0) == frozenset()
-    # Ten bytes of answer and one of the next question, ten bits each, and the margin.
+    # Ten bytes of the reply and one of the next query, ten bits each, and the margin.
     assert silence(LineSettings(1200), GetRawChannels()) == pytest.approx(11 / 120 + 0.015)
 
 

@@ -1,4 +1,4 @@
-"""What a session reports as stored on a line without CRC that corrupts one byte in a hundred."""
+"""Writes over a line without CRC that corrupts one byte in a hundred."""
 
 import pytest
 

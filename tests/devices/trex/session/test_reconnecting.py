@@ -1,4 +1,4 @@
-"""A board that comes back with other line settings than it had when its power went off."""
+"""Board that returns with other line settings after a power cut."""
 
 from dataclasses import replace
 from functools import partial
@@ -61,7 +61,7 @@ OFF, ON, END = 1.5, 2.5, 30.0
 
 
 class Place(Stage):
-    """A board that is set to `old`, on a port that is set to that too."""
+    """A board and a port with the settings `old`."""
 
     def __init__(self, old: ConnectionSettings = OLD, *, echo: bool = False) -> None:
         number = 7 if old.device_number is None else old.device_number
@@ -73,12 +73,12 @@ class Place(Stage):
         self.line.host = old.line
 
     def store(self, new: ConnectionSettings) -> None:
-        """Let the board be at other settings when it is switched on the next time."""
+        """Set the line settings of the next start."""
         self.board.eeprom.write("uart_settings", new.line.to_wire())
         self.board.eeprom.write("crc7_polynomial", new.polynomial & 0x7F)
 
     def go(self, *expected: ConnectionSettings, new: ConnectionSettings | None = None) -> "Place":
-        """Plan a break of the power, after which the board is at `new`."""
+        """Schedule a power cut, after which the board has the settings `new`."""
         self.script.at(OFF - 0.1, SetReconnectCandidates(expected))
         self.script.at(OFF, self.board.power_off)
         self.script.at(OFF, lambda: self.store(new or self.old))
@@ -86,7 +86,6 @@ class Place(Stage):
         return self
 
     def end(self, moment: float = END) -> list[Report]:
-        """Run until that moment."""
         self.script.at(moment, Close())
         return self.run(self.old)
 
@@ -96,7 +95,7 @@ class Place(Stage):
 
 
 def the_return(place: Place, moment: float = 5.0) -> Connected:
-    """Run, and return what was told when the board was back."""
+    """Run. Return the report of the board's return."""
     place.end(moment)
     first, second = place.connections
     assert (first.occasion, second.occasion) == (ReadReason.OPENED, ReadReason.RETURNED)
@@ -109,7 +108,7 @@ def moment_of_end(new: LineSettings) -> float:
     return 5.0 if new.baud > 4800 else 14.0
 
 
-# --- It is found again ------------------------------------------------------------------
+# --- Scan -------------------------------------------------------------------------------
 
 
 @pytest.mark.slow
@@ -222,7 +221,7 @@ def test_counters_continue_after_reconnect(orders: list[str]) -> None:
     assert among(place.reports, Batch)[-1].counters.requests > silent.counters.requests > 100
 
 
-# --- What it costs ----------------------------------------------------------------------
+# --- Duration ---------------------------------------------------------------------------
 
 
 def test_round_of_reconnect_probes_takes_at_most_1500_ms() -> None:
@@ -279,7 +278,7 @@ def test_requests_are_rejected_while_reconnecting() -> None:
     assert set(place.transport.sent[marks[0] :]) <= {0xFF, 0x81, 0x48}
 
 
-# --- Nothing moves ----------------------------------------------------------------------
+# --- Safety -----------------------------------------------------------------------------
 
 some_or_all_lines = pytest.mark.parametrize(
     "lines",
@@ -301,7 +300,7 @@ some_or_all_lines = pytest.mark.parametrize(
 def test_reconnect_probes_command_no_motor_at_any_settings(
     old: LineSettings, expected: LineSettings, lines: list[LineSettings], orders: list[str]
 ) -> None:
-    """Every reply is lost, so every probe is sent, to a board at any line settings."""
+    """Every reply is lost, so every probe is sent."""
     for line in lines:
         if line.stop_bits == 2:
             continue
@@ -315,7 +314,7 @@ def test_reconnect_probes_command_no_motor_at_any_settings(
 
 
 def runs(board: Board) -> bool:
-    """Whether a motor is told to run."""
+    """True if a command drives a motor."""
     return board.aux.target_speed > 0 or any(
         motor.target_direction is not MotorDirection.BRAKE for motor in board.motors
     )
@@ -327,7 +326,7 @@ def look(place: Place, seen: list[bool]) -> None:
 
 @some_or_all_lines
 def test_stop_retry_at_old_settings_starts_no_motor(lines: list[LineSettings]) -> None:
-    """Motors were driven, and the stop that is sent again and again is not proved."""
+    """Motors were driven, and the repeated stop is not confirmed."""
     for line in lines:
         if line.stop_bits == 2 or line == OLD.line:
             continue
@@ -344,7 +343,7 @@ def test_stop_retry_at_old_settings_starts_no_motor(lines: list[LineSettings]) -
         assert not any(seen), line.text()
 
 
-# --- Places -----------------------------------------------------------------------------
+# --- Probed settings --------------------------------------------------------------------
 
 
 def test_factory_settings_are_probed_last() -> None:
@@ -444,7 +443,6 @@ def test_reply_between_failures_keeps_board_responding() -> None:
 
 
 def test_topic_that_always_fails_counts_despite_other_replies() -> None:
-    """Where wires touch, a request that comes back can pass for a measurement."""
     for topic, fails in ((Control, True), (ModeSample, True), (Raw, False)):
         liveness = LivenessMonitor(Timeouts())
         for _ in range(3):
@@ -499,7 +497,7 @@ def test_scan_continues_until_board_is_read() -> None:
     assert not liveness.is_scanning(client)
 
 
-# --- Where a board is after its next start --------------------------------------------
+# --- Settings after the next start ------------------------------------------------------
 
 
 NOW = ConnectionSettings("/dev/ttyUSB0", name="adapter", timeouts=Timeouts(extra=0.1))

@@ -1,4 +1,4 @@
-"""What waits for the line, and in which order it goes."""
+"""Queue of requests to a line."""
 
 from collections import deque
 
@@ -43,7 +43,7 @@ class Bag:
 
 
 class Queue(TrexRequestQueue):
-    """A queue with the motor output behind it, at time 0."""
+    """A queue and a motor output at time 0."""
 
     def __init__(self, *requests: Request) -> None:
         self.bag = Bag(*requests)

@@ -1,4 +1,4 @@
-"""What is polled next: pure arithmetic over given times."""
+"""Schedule of polls, without a clock."""
 
 import math
 from collections import Counter
@@ -27,7 +27,7 @@ modest = examples(40)
 def simulate(
     wanted: Mapping[Topic, float], cost: Mapping[Topic, float], seconds: float
 ) -> Counter[Topic]:
-    """Ask what the schedule says, each taking its time; count."""
+    """Run the schedule. Count the polls by topic."""
     schedule = Schedule()
     schedule.start(wanted, 0.0)
     now, polled = 0.0, Counter[Topic]()

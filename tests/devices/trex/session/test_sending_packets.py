@@ -1,4 +1,4 @@
-"""Packets that the user typed: they go the way of every other request, and lose nothing."""
+"""Packets that the user typed."""
 
 import pytest
 
@@ -25,7 +25,7 @@ from trex_gui.devices.trex.session.messages import Connected, SendPacket
 
 
 def packet(number: int, text: str) -> SendPacket:
-    """Return the request to send the only packet in these bytes."""
+    """Return the request to send these bytes, which are one packet."""
     (only,) = packets_of(bytes.fromhex(text), None)
     return SendPacket(number, only)
 

@@ -1,4 +1,4 @@
-"""How a session finds its board, or says why there is none."""
+"""Connection of a session, or its error."""
 
 import pytest
 
@@ -29,7 +29,7 @@ from trex_gui.devices.trex.simulator.memory import Eeprom
 
 
 def connected(stage: Stage) -> Connected:
-    """Return the one report of a connection."""
+    """Return the only `Connected` report."""
     (report,) = among(stage.reports, Connected)
     return report
 
@@ -80,11 +80,11 @@ def test_echo_is_detected_with_device_number(board: Board) -> None:
     assert connected(stage).echo
 
 
-# --- When there is no board -------------------------------------------------------------
+# --- No board ---------------------------------------------------------------------------
 
 
 def end(stage: Stage, settings: ConnectionSettings | None = None) -> Closed:
-    """Run a session that finds no board; return how it ended."""
+    """Run a session without a board. Return its error."""
     reports = run_for(stage, 30.0, settings)
     assert not among(reports, Connected)
     assert stage.transport.closed
@@ -149,7 +149,7 @@ def test_echo_without_board_is_reported(board: Board) -> None:
 
 
 class Talker(VirtualTransport):
-    """Another device, which answers everything with text."""
+    """Device that replies with text."""
 
     def read(self, size: int, seconds: float) -> bytes:
         self.wait(seconds)
@@ -164,7 +164,7 @@ def test_unknown_device_is_reported(stage: Stage) -> None:
         assert words in str(error)
 
 
-# --- A line that swallows bytes ---------------------------------------------------------
+# --- Lost bytes -------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("echo", [False, True])

@@ -1,4 +1,4 @@
-"""Motors under a session: a hand that moves fast, a stop that goes before everything."""
+"""Motors in a session: setpoints and stops."""
 
 import itertools
 
@@ -166,7 +166,7 @@ def test_simultaneous_stops_share_packets_and_get_outcomes(stage: Stage) -> None
 
 
 def test_stop_in_rc_mode_is_confirmed() -> None:
-    """Whoever pressed it has to be told that the channels go on: the models see to that."""
+    """The models warn that the channels still drive the motors."""
     stage, settings = staged(mode="rc")
     stage.script.at(1.0, Stop(1))
     run_for(stage, 2.0, settings)
@@ -253,7 +253,7 @@ def test_setpoint_with_corrupted_echo_is_resent(board: Board) -> None:
     stage.script.at(1.0, stage.fault(to_drop=1)).at(1.0, SetMotor(1, Drive.at(50)))
     stage.script.at(2.0, packet(1, GetMode()))
     reports = run_for(stage, 3.0)
-    # Once damaged and once whole; the echo said so, and the status of the board proves it.
+    # Sent twice: the echo of the first was corrupted. The status confirms the stop.
     sent = moving(stage.transport.sent)
     assert sent.count(DriveMotor(1, Drive.at(50))) == 2
     assert outcomes(reports)[1].error is None

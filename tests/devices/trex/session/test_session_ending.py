@@ -1,4 +1,4 @@
-"""However a session ends: the port is given back, nobody waits for ever, no motor runs on."""
+"""End of a session: the port is closed, requests have outcomes, motors stop."""
 
 import logging
 
@@ -104,7 +104,7 @@ def test_close_does_not_wait_for_queued_requests(stage: Stage) -> None:
 def test_unanswered_stop_delays_close_by_less_than_a_second(
     stage: Stage, after: float, *, drives: bool
 ) -> None:
-    """The window waits for a second, then leaves a thread behind that holds the port."""
+    """The window waits for only a second. A later thread would still hold the port."""
     stage.transport.latency = latency_of("/dev/ttyUSB0")
     if drives:
         stage.script.at(0.9, SetMotor(1, Drive.at(60)))
@@ -135,7 +135,7 @@ REQUESTS: list[Request] = [
 
 
 def stage_that_fails(calls: int, failure: Exception, requests: list[Request]) -> Stage:
-    """Return a stage whose line is gone after so many calls."""
+    """Return a stage whose line is lost after some calls."""
     stage = Stage(Board())
     stage.transport = FailingTransport(stage.line, calls, failure)
     for number, request in enumerate(requests):
@@ -190,7 +190,7 @@ def test_status_read_before_line_loss_is_reported(stage: Stage) -> None:
     assert Status.MOTOR1_FAULT in [one.status for one in samples(stage.reports, LatchedStatus)]
 
 
-# --- A mistake of ours ------------------------------------------------------------------
+# --- Internal errors --------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("calls", [0, 150])
@@ -253,7 +253,7 @@ def test_internal_error_completes_the_current_request(
     assert isinstance(reports[-1], Closed)
 
 
-# --- Answers ----------------------------------------------------------------------------
+# --- Outcomes ---------------------------------------------------------------------------
 
 
 def test_each_kind_of_request_gets_an_outcome(stage: Stage) -> None:

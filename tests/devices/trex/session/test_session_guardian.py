@@ -1,4 +1,4 @@
-"""What a session sends to its guardian, and which stops it leaves to it."""
+"""Messages and stops between a session and its guardian."""
 
 import pytest
 

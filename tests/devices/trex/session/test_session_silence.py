@@ -1,4 +1,4 @@
-"""A board that stops answering, and comes back."""
+"""Board that stops responding and returns."""
 
 import pytest
 
@@ -33,7 +33,7 @@ from trex_gui.devices.trex.session.messages import (
 
 
 def off_and_on(stage: Stage, off: float, on: float) -> None:
-    """Plan a break of the power."""
+    """Schedule a power cut."""
     stage.script.at(off, stage.board.power_off).at(on, stage.board.power_on)
 
 

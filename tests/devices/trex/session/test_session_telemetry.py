@@ -1,4 +1,4 @@
-"""What a session asks again and again, how often, and what becomes of it."""
+"""Polled values: rates, samples and reports."""
 
 import itertools
 from collections.abc import Callable
@@ -50,7 +50,7 @@ from trex_gui.ui.plotting.history import MAX_GAP
 
 
 def rates_seen(stage: Stage, seconds: float) -> dict[Topic, float]:
-    """Return how often a second each topic was asked in the last seconds of a session."""
+    """Return the polls per second by topic in the last seconds of a session."""
     last = stage.line.now
     return {
         topic: sum(sample.time > last - seconds for sample in samples(stage.reports, topic))
@@ -233,7 +233,7 @@ def test_error_latched_before_connecting_is_reported(stage: Stage) -> None:
     assert news.uart == UartError.TIMEOUT
 
 
-# --- Beside other work ------------------------------------------------------------------
+# --- During other work ------------------------------------------------------------------
 
 
 def test_telemetry_continues_during_single_requests(stage: Stage) -> None:
@@ -271,7 +271,6 @@ def test_mode_change_after_power_cycle_is_detected(stage: Stage) -> None:
 def test_board_is_read_again_three_times_at_most_after_a_failed_write(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    """Where one value cannot be read, telemetry goes on."""
     readings: list[float] = []
     stage, settings = staged()
 
@@ -308,7 +307,7 @@ def test_board_is_read_again_after_a_write_on_a_port_that_was_jammed(stage: Stag
 
 
 def reset_unnoticed(stage: Stage, **changes: int) -> Callable[[], None]:
-    """Return what changes stored values in a power failure that is too short for a lost reply."""
+    """Return a function that changes stored values without a lost reply."""
 
     def change() -> None:
         for key, wire in changes.items():

@@ -32,7 +32,7 @@ CRC = replace(SHARED, line=LineSettings(detection=Detection.CRC7))
 
 
 def addressed(sent: bytes | bytearray) -> set[int]:
-    """Return the device numbers in what was sent, which has to be expanded packets only."""
+    """Return the device numbers of the sent packets. Fail if any is compact."""
     first, *packets = bytes(sent).split(b"\x80")
     assert not first
     assert all(byte < 0x80 for packet in packets for byte in packet), bytes(sent).hex(" ")
@@ -40,7 +40,7 @@ def addressed(sent: bytes | bytearray) -> set[int]:
 
 
 class TunedStage(Stage):
-    """A stage whose line can be set to other rates."""
+    """A stage with a configurable line."""
 
     def __init__(self, board: Board, *, echo: bool = False) -> None:
         super().__init__(board, echo=echo)

@@ -1,4 +1,4 @@
-"""A board, the wire it hangs on, and a host that speaks hex."""
+"""A board, its line and a host."""
 
 from collections.abc import Callable
 
@@ -14,7 +14,7 @@ Ask = Callable[[str], str]
 
 def make_ask(line: SimulatedBoards) -> Ask:
     def ask(packet: str) -> str:
-        """Send a packet, wait until the wire is quiet, return what came."""
+        """Send a packet. Return the bytes until the line is silent."""
         line.send(bytes.fromhex(packet))
         while (event := line.next_event) is not None:
             line.advance_to(event)

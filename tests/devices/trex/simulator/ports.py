@@ -1,4 +1,4 @@
-"""Packets to the UART of a board and its answers, in hex, without a wire."""
+"""UART of a board without a line: packets and replies in hex."""
 
 from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import UartError
@@ -9,7 +9,7 @@ from trex_gui.devices.trex.simulator.uart import SerialPort
 NO_REPLY = ""
 
 SETTLED = 0.12
-"""Seconds after power-up in which each channel is known to have a signal, or to have none."""
+"""Seconds after power-up until the signals of all channels are known."""
 
 
 def feed(port: SerialPort, packet: str) -> None:
@@ -18,20 +18,20 @@ def feed(port: SerialPort, packet: str) -> None:
 
 
 def answer(port: SerialPort) -> str:
-    """Take what the send buffer holds."""
+    """Empty the send buffer."""
     data = bytes(port.outgoing)
     port.outgoing.clear()
     return data.hex(" ").upper()
 
 
 def pass_pause(port: SerialPort) -> None:
-    """Let the board's program pass one pause, as the wire does."""
+    """End one pause of the parser, as the line does."""
     port.board.advance(port.pause)
     port.resume()
 
 
 def ask(port: SerialPort, packet: str) -> str:
-    """Send packets and return what is answered, waiting for writes."""
+    """Send packets and wait for writes. Return the replies."""
     feed(port, packet)
     while port.pause:
         pass_pause(port)
@@ -43,7 +43,7 @@ def errors(port: SerialPort) -> UartError:
 
 
 def a_board(number: int = 7, settings: int = 0x05, model: str = "trex", **parameters: int) -> Board:
-    """A board whose memory holds this from the start."""
+    """A board with these stored values."""
     eeprom = Eeprom(model)
     cells = {"device_number": number, "uart_settings": settings, **parameters}
     for key, value in cells.items():

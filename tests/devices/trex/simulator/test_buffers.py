@@ -1,4 +1,4 @@
-"""What the board's program does with what comes while it pauses, and with its answers."""
+"""Buffers for bytes received during a pause, and for replies."""
 
 import pytest
 from hypothesis import given
@@ -129,7 +129,7 @@ def test_buffers_never_exceed_their_sizes(junk: list[str], delay: int) -> None:
     assert ask(port, "FF 82") == "72"
 
 
-# --- Packets that the documents leave out ---------------------------------------------
+# --- Undocumented packets -------------------------------------------------------------
 
 
 @pytest.mark.parametrize("settings", [0x05, 0x25], ids=["plain", "crc"])

@@ -1,4 +1,4 @@
-"""The five inputs in time: when each is measured, how long it is kept."""
+"""Timing of the five inputs."""
 
 import math
 from itertools import pairwise
@@ -17,7 +17,7 @@ from trex_gui.devices.trex.simulator.line import SimulatedBoards
 
 RC, ANALOG = InputSource.RC, InputSource.ANALOG
 PERIOD = 8
-"""Ticks in which each input is renewed once."""
+"""Ticks in which each input is measured once."""
 
 
 def ticks(channels: Channels, count: int) -> list[tuple[int | None, ...]]:

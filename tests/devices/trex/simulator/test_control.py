@@ -192,7 +192,7 @@ def test_quit_command_replies_goodbye(line: SimulatedBoards) -> None:
     assert control(line, " Quit ") == GOODBYE == "ok bye"
 
 
-# --- What show reports ----------------------------------------------------------------
+# --- The command `show` ---------------------------------------------------------------
 
 
 def test_show_contains_fields_used_by_scripts() -> None:
@@ -277,7 +277,7 @@ def test_leds_are_off_without_power(board: Board) -> None:
     assert report(board)["leds"] == {"red": "off", "green": "off"}
 
 
-# Prescaler, wire value of the maximum, and what both together give: prescalers divide 20 MHz by
+# Prescaler, wire value of the maximum and their frequency: prescalers divide 20 MHz by
 # 8, 64, 256 or 1024, and the wire carries the upper seven bits of the maximum.
 PWM = [
     (0, 0x3F, 19531), (0, 0x7F, 9766),

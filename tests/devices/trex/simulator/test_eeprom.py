@@ -173,7 +173,7 @@ def test_factory_value_of_error_shutdown_decides_about_stray_bytes(choice: str) 
         assert (line.boards[0].motors[0].speed == 0x50) is (choice == "off")
 
 
-# --- Writes that a power cut ends -----------------------------------------------------
+# --- Power cuts during writes ---------------------------------------------------------
 
 
 RC, ANALOG = InputSource.RC, InputSource.ANALOG

@@ -1,4 +1,4 @@
-"""A board as a whole: power, the sticks that drive it, and what stops its motors by itself."""
+"""Complete board: power, sticks, and automatic stops."""
 
 import pytest
 
@@ -69,7 +69,7 @@ class TestPower:
 
 
 PULSES = 0.03
-"""Seconds in which every input has had its pulse and the motors have been updated."""
+"""Seconds in which each input is measured and the motors are updated."""
 
 
 def put(board: Board, channel: int, text: str) -> None:
@@ -161,7 +161,7 @@ class TestSerialOverride:
 
 
 either_firmware = pytest.mark.parametrize("needs_shutdown", [False, True])
-"""Whether the serial timeout needs UART-Error Shutdown, which is on in these tests, is unknown."""
+"""It is unknown if the serial timeout needs UART-Error Shutdown, which is on in these tests."""
 
 
 class TestSafety:

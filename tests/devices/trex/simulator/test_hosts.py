@@ -1,4 +1,4 @@
-"""What hosts leave behind, and settings that no TReX has, do not trouble the next host."""
+"""Hosts that disconnect, and their settings."""
 
 import shutil
 import sys
@@ -16,7 +16,7 @@ Start = StartSimulator
 needs_pty = pytest.mark.skipif(sys.platform == "win32", reason="has no pseudo-terminals")
 
 
-# pyserial's RFC 2217 client uses what Python has given up.
+# pyserial's RFC 2217 client uses deprecated functions.
 pytestmark = [
     pytest.mark.realtime,
     pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning"),

@@ -18,7 +18,7 @@ from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 Ask = Callable[[str], str]
 BYTE = 10 / 19200
-"""Seconds that a byte takes with the factory's settings."""
+"""Seconds of a byte with the factory settings."""
 
 SIGNATURE_BYTES = b"TReX1.2"
 
@@ -224,7 +224,7 @@ class TestFaults:
         assert ask("82") == "72"
 
 
-# --- Bytes whose beginning was missed -------------------------------------------------
+# --- Incomplete bytes -----------------------------------------------------------------
 
 
 @pytest.fixture
@@ -267,7 +267,7 @@ def test_byte_that_spans_plugging_in_is_lost(warm: SimulatedBoards, question: st
 
 
 def test_overlapping_replies_are_garbled() -> None:
-    """Two answers, the second a millisecond later: nobody reads either, and bytes are few."""
+    """Two replies a millisecond apart. Neither is read."""
     late = Eeprom()
     late.write("uart_response_delay", 1)
     late.write("device_number", 8)
@@ -324,7 +324,7 @@ def test_drop_unsent_discards_queued_bytes(warm: SimulatedBoards) -> None:
 
 
 def heard(seed: int, lines: tuple[str, ...], packet: str, mode: str = "serial") -> bytes:
-    """Ask the same question forty times; return all that came."""
+    """Send the same query forty times. Return all replies."""
     line = SimulatedBoards([Board(mode=mode, seed=seed)], seed=seed)
     for text in lines:
         assert control(line, text).startswith("ok")

@@ -1,4 +1,4 @@
-"""One motor with what it turns: inrush, load, stall, coasting, braking, its sensor."""
+"""Motor and load: inrush, stall, coasting, braking, current sensor."""
 
 from itertools import pairwise
 from typing import Any
@@ -34,7 +34,7 @@ def run(physics: MotorPhysics, seconds: float, volts: float, brake: float = 0.0)
 
 
 def reading(physics: MotorPhysics, volts: float, brake: float = 0.0) -> float:
-    """Return the current in A that the sensor shows over the next 80th of a second."""
+    """Return the measured current in A over the next 80th of a second."""
     physics.measure()
     run(physics, 0.0125, volts, brake)
     physics.measure()
@@ -189,7 +189,7 @@ IDLE = DriverOutput()
 
 
 def weaken(board: Board) -> None:
-    """Give the board a battery that one stalled motor pulls below what it needs."""
+    """Set a battery that cannot supply a stalled motor."""
     assert control(SimulatedBoards([board]), "battery 8 0.5") == "ok battery 8 V, 0.5 ohm"
 
 
@@ -221,7 +221,7 @@ class TestMachine:
             machine = Machine("trex", 0.15, 0)
             machine.advance(TICK, drives)
             volts.append(machine.volts)
-        # A divider of the battery's resistance and those of the motors that stand still.
+        # Divider of the resistances of battery and stationary motors.
         resistances = [0.4, 0.2]
         expected = [12 * each / (each + TREX.battery_resistance) for each in resistances]
         assert volts == pytest.approx([12.0, *expected])

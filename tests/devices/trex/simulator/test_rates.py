@@ -1,4 +1,4 @@
-"""A host at a wrong baud rate: it is never understood, and the board notices."""
+"""Host at a wrong baud rate: the board rejects its packets and reports errors."""
 
 from collections.abc import Iterable
 from itertools import permutations
@@ -36,7 +36,7 @@ def a_line(code: int, *, paced: bool) -> SimulatedBoards:
 
 
 def ask(line: SimulatedBoards, packet: str) -> bytes:
-    """Send a packet, wait until the wire is quiet, return what the host makes of it."""
+    """Send a packet. Return the bytes that the host receives."""
     line.send(bytes.fromhex(packet))
     while (event := line.next_event) is not None:
         line.advance_to(event)
@@ -45,7 +45,7 @@ def ask(line: SimulatedBoards, packet: str) -> bytes:
 
 @pytest.fixture(scope="module")
 def good() -> dict[str, bytes]:
-    """What a board answers to a host at its rate."""
+    """Reply of the board to a host at its rate."""
     line = a_line(5, paced=False)
     line.host = LineSettings()
     replies = {packet: ask(line, packet) for packet in QUERIES}
@@ -55,7 +55,7 @@ def good() -> dict[str, bytes]:
 
 @pytest.fixture(scope="module", params=[True, False], ids=["paced", "unpaced"])
 def requested(request: pytest.FixtureRequest) -> Requested:
-    """Every query asked once by a host at every wrong rate: the replies, the errors."""
+    """Replies and errors of each query at each wrong rate."""
     rates = baud_rates()
     requested: Requested = {}
     for code, host in permutations(range(len(rates)), 2):
@@ -145,7 +145,7 @@ def test_power_cut_discards_half_received_byte() -> None:
 
 
 def garbage(host: int, *, so_ground: bool) -> bytes:
-    """Return what a host at this rate hears when it sends every byte there is."""
+    """Return the bytes that a host at this rate receives after sending every byte."""
     board = a_board()
     board.so_ground = so_ground
     line = SimulatedBoards([board])

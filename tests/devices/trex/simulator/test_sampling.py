@@ -1,4 +1,4 @@
-"""What a receiver makes of levels: at the same rate everything, at another something else."""
+"""Receiver at the sender's rate and at other rates."""
 
 from itertools import pairwise, permutations
 
@@ -20,7 +20,7 @@ settings = st.builds(
 def heard(
     receiver: Receiver, data: bytes, sender: LineSettings, gap: float = 0.0
 ) -> list[SampledByte]:
-    """Send bytes, with a gap of so many bytes' time between them, and let the wire rest."""
+    """Send bytes with gaps in units of a byte's time, then idle."""
     result: list[SampledByte] = []
     at = 0.0
     for byte in data:
@@ -82,16 +82,16 @@ def test_byte_is_complete_just_after_middle_of_stop_bit(data: bytes, line: LineS
 @pytest.mark.parametrize(
     ("sender", "own", "data", "result"),
     [
-        # A byte at half the rate: the start bit is two of ours, then each bit is there twice.
+        # A byte at half the rate: each bit, also the start bit, is received twice.
         (9600, 19200, "FF", [(0xFE, None)]),
         (9600, 19200, "00", [(0x00, "FRAMING")]),
         (4800, 19200, "FF", [(0xF8, None)]),
         (14400, 115200, "FF", [(0x80, None)]),
         (1200, 115200, "FF", [(0x00, "FRAMING")]),
-        # Half as fast again.
+        # One and a half times the rate.
         (28800, 19200, "81", [(0xF0, None)]),
         (28800, 19200, "81 48", [(0x30, None), (0xFD, None)]),
-        # At six times the rate the byte is over before our first data bit.
+        # At six times the rate, the byte ends before the first received data bit.
         (115200, 19200, "00", [(0xFF, None)]),
     ],
 )
@@ -167,7 +167,7 @@ def test_due_time_of_begun_byte_is_correct(
 
 
 def samples_an_edge(sender: LineSettings, own: LineSettings) -> bool:
-    """Whether the middle of some bit lies exactly between two of the sender's bits."""
+    """True if a sampling time is exactly between two bits of the sender."""
     return any((2 * bit + 1) * sender.baud % (2 * own.baud) == 0 for bit in range(12))
 
 

@@ -4,11 +4,11 @@ import time
 from collections.abc import Callable
 
 LONG_TIMEOUT = 20.0
-"""Seconds after which something that should have happened will not."""
+"""Timeout in seconds."""
 
 
 def becomes(look: Callable[[], object], wanted: object) -> bool:
-    """Look again and again until it is as wanted; return whether that was in time."""
+    """Wait for a condition. Return whether it became true in time."""
     end = time.monotonic() + LONG_TIMEOUT
     while look() != wanted:
         if time.monotonic() > end:

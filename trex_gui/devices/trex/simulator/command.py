@@ -165,8 +165,8 @@ SIMULATOR = SimulatorPlugin(
             "--timeout-needs-shutdown",
             ("on", "off"),
             "off",
-            "Let the serial timeout stop motors only while uart_error_shutdown is on. The behaviour "
-            "of a real TReX is not known.",
+            "Let the serial timeout stop motors only while uart_error_shutdown is on. The "
+            "behaviour of a real TReX is not known.",
         ),
         _choice(
             "--unknown-parameter",
