@@ -69,7 +69,7 @@ class Watched:
         self.now = 0.0
         self.events: list[BoardEvent] = []
 
-    def take(self, report: Report) -> list[BoardEvent]:
+    def handle(self, report: Report) -> list[BoardEvent]:
         found = list(self.board.handle(report, self.now, UTC_NOW))
         self.events += found
         return found
@@ -80,18 +80,18 @@ class Watched:
         occasion: ReadReason = ReadReason.OPENED,
         line: ConnectionSettings = LINE,
     ) -> BoardRead:
-        found = self.take(Connected(board, False, occasion, line))
+        found = self.handle(Connected(board, False, occasion, line))
         (read,) = (event for event in found if isinstance(event, BoardRead))
         return read
 
     def sample(self, *samples: Sample, **counters: int) -> list[BoardEvent]:
-        return self.take(Batch(samples, Counters(**counters)))
+        return self.handle(Batch(samples, Counters(**counters)))
 
     def lose(self) -> None:
-        self.take(NotResponding("", Counters()))
+        self.handle(NotResponding("", Counters()))
 
     def close(self, *, may_move: bool = False) -> None:
-        self.take(Closed(None, may_move=may_move))
+        self.handle(Closed(None, may_move=may_move))
 
     def connection(self) -> tuple[float | None, int, int]:
         return self.board.connected_at, self.board.returns, self.board.restarts
@@ -264,7 +264,7 @@ def test_serial_error_is_one_event_until_it_is_cleared(watched: Watched) -> None
 
 def test_repeated_motor_commands_are_an_event(watched: Watched) -> None:
     watched.read(state())
-    watched.take(CommandsRepeated())
+    watched.handle(CommandsRepeated())
     assert "motor commands are repeated" in watched.logged[-1][2]
 
 
@@ -426,10 +426,10 @@ def test_replies_show_that_so_is_not_grounded(watched: Watched) -> None:
         Connected(state(), False, ReadReason.OPENED, LINE),
         NotResponding("", Counters()),
     ):
-        watched.take(report)
+        watched.handle(report)
         found.append(watched.board.so_ground)
     assert watched.board.connected_utc == UTC_NOW
-    watched.take(returned_by_rs_232)
+    watched.handle(returned_by_rs_232)
     assert [*found, watched.board.so_ground] == [None, False, None, None]
 
 

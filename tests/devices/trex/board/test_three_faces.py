@@ -138,7 +138,7 @@ def test_each_face_keeps_the_same(
     assert '"uart_error_shutdown"' in kept["window"]["accepted_values.json"]
 
 
-def note_by_library(bench: Bench) -> None:
+def set_note_by_library(bench: Bench) -> None:
     def change() -> None:
         with Trex(bench.simulator.url) as board:
             board.set_note("serial_timeout", NOTE)
@@ -148,7 +148,7 @@ def note_by_library(bench: Bench) -> None:
 
 @pytest.mark.parametrize(
     "face",
-    [lambda bench: run_command(bench, "set", "serial_timeout", "7"), note_by_library],
+    [lambda bench: run_command(bench, "set", "serial_timeout", "7"), set_note_by_library],
     ids=["set", "library"],
 )
 def test_faces_without_a_window_know_the_adapter(

@@ -92,7 +92,7 @@ def test_record_of_another_board_with_the_number_is_put_aside() -> None:
     kept.finish([WriteResult("device_number", 9)])
     aside = other.with_name("trex-1.2-9.replaced-1.txt")
     assert aside.read_text("utf-8") == "of another board"
-    assert f"is in {aside} now" in kept.said[-1]
+    assert f"is in {aside}." in kept.said[-1]
     assert "device_number: 9" in record_of("trex-1.2-9")
     assert not (BoardRecords().folder / "trex-1.2-7.txt").exists()
 

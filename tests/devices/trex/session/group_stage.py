@@ -208,13 +208,13 @@ def run_sequences(count: int, seed: int) -> list[str]:
     inbox = RandomSequences(stage, count, seed)
     reports, untrue = stage.reports, list[str]()
 
-    def take(report: Report) -> None:
+    def record(report: Report) -> None:
         """Compare a confirmation with the boards at that moment."""
         reports.append(report)
         if isinstance(report, Outcome) and report.error is None and stage.moving:
             untrue.append(f"{stage.line.now:.3f}: {stage.moving} moves after a confirmed stop")
 
-    TrexSession(GROUP, inbox, take, lambda _: stage.transport).run()
+    TrexSession(GROUP, inbox, record, lambda _: stage.transport).run()
     every = [one.report if isinstance(one, OfBoard) else one for one in reports]
     found, ended = [*inbox.problems, *untrue], outcomes(every)
     found += [f"stop {number} has no outcome" for number in inbox.stops if number not in ended]

@@ -34,7 +34,7 @@ def test_reported_settings_are_those_of_the_board(stage: Stage, seed: int) -> No
     stored: list[tuple[dict[str, int], dict[int, Calibration]]] = []
     closed: list[StudioError | None] = []
 
-    def note(report: Report) -> None:
+    def record(report: Report) -> None:
         match report:
             case Connected(state=state):
                 reported.append(state)
@@ -47,7 +47,7 @@ def test_reported_settings_are_those_of_the_board(stage: Stage, seed: int) -> No
                 closed.append(error)
 
     settings = ConnectionSettings("virtual")
-    TrexSession(settings, stage.script, note, lambda _settings: stage.transport).run()
+    TrexSession(settings, stage.script, record, lambda _settings: stage.transport).run()
     assert written.items() <= wanted.items()
     for state, (parameters, calibrations) in zip(reported, stored, strict=True):
         assert state.parameters.items() <= parameters.items()

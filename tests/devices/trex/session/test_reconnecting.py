@@ -230,11 +230,11 @@ def test_round_of_reconnect_probes_takes_at_most_1500_ms() -> None:
     requested: list[tuple[float, SerialFormat | None]] = []
     write = place.transport.write
 
-    def note(data: bytes) -> None:
+    def record(data: bytes) -> None:
         requested.append((place.line.now, place.line.host))
         write(data)
 
-    place.transport.write = note  # type: ignore[method-assign] # a knob
+    place.transport.write = record  # type: ignore[method-assign] # a knob
     place.script.at(ON + 0.01, place.board.power_off)
     place.end(12.0)
     rounds = [moment for moment, host in requested if host == CRC]
@@ -250,12 +250,12 @@ def test_stop_and_close_are_served_between_probes() -> None:
     stops: list[tuple[float, SerialFormat | None]] = []
     write = place.transport.write
 
-    def note(data: bytes) -> None:
+    def record(data: bytes) -> None:
         if data == STOPS[0]:
             stops.append((place.line.now, place.line.host))
         write(data)
 
-    place.transport.write = note  # type: ignore[method-assign] # a knob
+    place.transport.write = record  # type: ignore[method-assign] # a knob
     place.script.at(5.0, Stop(1))
     place.end(9.0)
     assert isinstance(outcomes(place.reports)[1].error, NoReply)

@@ -76,10 +76,10 @@ def test_single_lost_reply_keeps_board_responding(stage: Stage) -> None:
 
 
 def test_returning_board_is_found_within_one_second_and_read_again(stage: Stage) -> None:
-    def take_jumper() -> None:
+    def set_jumper() -> None:
         stage.board.mode_jumper = "rc"
 
-    stage.script.at(1.0, stage.board.power_off).at(1.5, take_jumper)
+    stage.script.at(1.0, stage.board.power_off).at(1.5, set_jumper)
     stage.script.at(5.0, stage.board.power_on).at(7.0, Close())
     timed = timed_run(stage, stage.client().settings)
     seen = [(at, one) for at, one in timed if isinstance(one, Connected | NotResponding)]

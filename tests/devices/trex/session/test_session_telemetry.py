@@ -278,13 +278,13 @@ def test_board_is_read_again_three_times_at_most_after_a_failed_write(
         readings.append(stage.line.now)
         raise BadReply("readings differ")
 
-    def begin_to_fail() -> None:
+    def start_failing() -> None:
         error = NoReply("no reply")
         results = (WriteResult("serial_timeout", error=error),)
         monkeypatch.setattr(jobs, "write_all", lambda *_, **_options: results)
         monkeypatch.setattr(board_reader, "read_everything", fail)
 
-    stage.script.at(1.0, begin_to_fail).at(1.0, Write(1, (("serial_timeout", 5),)))
+    stage.script.at(1.0, start_failing).at(1.0, Write(1, (("serial_timeout", 5),)))
     reports = run_for(stage, 9.0, settings)
     assert len(readings) == 3
     assert all(later - earlier >= 2.0 for earlier, later in itertools.pairwise(readings))

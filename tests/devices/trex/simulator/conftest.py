@@ -9,18 +9,18 @@ from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.uart import SerialPort
 
-Ask = Callable[[str], str]
+Exchange = Callable[[str], str]
 
 
-def make_ask(line: SimulatedBoards) -> Ask:
-    def ask(packet: str) -> str:
+def create_exchange(line: SimulatedBoards) -> Exchange:
+    def exchange(packet: str) -> str:
         """Send a packet. Return the bytes until the line is silent."""
         line.send(bytes.fromhex(packet))
         while (event := line.next_event) is not None:
             line.advance_to(event)
         return line.receive().hex(" ")
 
-    return ask
+    return exchange
 
 
 @pytest.fixture
@@ -39,8 +39,8 @@ def line(board: Board) -> SimulatedBoards:
 
 
 @pytest.fixture
-def ask(line: SimulatedBoards) -> Ask:
-    return make_ask(line)
+def exchange(line: SimulatedBoards) -> Exchange:
+    return create_exchange(line)
 
 
 @pytest.fixture

@@ -30,7 +30,7 @@ def pass_pause(port: SerialPort) -> None:
     port.resume()
 
 
-def ask(port: SerialPort, packet: str) -> str:
+def exchange(port: SerialPort, packet: str) -> str:
     """Send packets and wait for writes. Return the replies."""
     feed(port, packet)
     while port.pause:

@@ -1,6 +1,6 @@
 import pytest
 
-from tests.devices.trex.simulator.ports import ask
+from tests.devices.trex.simulator.ports import exchange
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.simulator.channels import Signal, SignalKind
 from trex_gui.devices.trex.simulator.control import report
@@ -55,7 +55,7 @@ def test_boot_loader_handshake_restores_serial_settings() -> None:
 def test_board_waiting_for_boot_loader_ignores_packets() -> None:
     board = start("serial")
     port = SerialPort(board)
-    assert ask(port, "81") == ""
+    assert exchange(port, "81") == ""
     assert report(board)["counters"]["bytes_received"] == 0
 
 

@@ -8,8 +8,8 @@ from tests.devices.trex.simulator.ports import (
     NO_REPLY,
     a_board,
     answer,
-    ask,
     errors,
+    exchange,
     feed,
     pass_pause,
 )
@@ -31,7 +31,7 @@ def test_bytes_during_eeprom_write_are_handled_after_it(port: SerialPort) -> Non
     pass_pause(port)
     assert answer(port) == "00 0F 72"
     assert port.pause == 0
-    assert ask(port, "82") == "72"
+    assert exchange(port, "82") == "72"
 
 
 def test_response_delay_adds_to_write_time() -> None:
@@ -48,7 +48,7 @@ def test_byte_beyond_receive_buffer_latches_read_overrun(port: SerialPort) -> No
     assert errors(port) == UartError.READ_OVERRUN
     pass_pause(port)
     assert answer(port) == "00"
-    assert ask(port, "82") == "72"
+    assert exchange(port, "82") == "72"
 
 
 def test_replies_that_just_fill_send_buffer_are_sent(port: SerialPort) -> None:
@@ -126,7 +126,7 @@ def test_buffers_never_exceed_their_sizes(junk: list[str], delay: int) -> None:
         pass_pause(port)
     assert not port.pause
     answer(port)
-    assert ask(port, "FF 82") == "72"
+    assert exchange(port, "FF 82") == "72"
 
 
 # --- Undocumented packets -------------------------------------------------------------
@@ -135,12 +135,12 @@ def test_buffers_never_exceed_their_sizes(junk: list[str], delay: int) -> None:
 @pytest.mark.parametrize("settings", [0x05, 0x25], ids=["plain", "crc"])
 def test_null_command_of_either_protocol_needs_no_checksum(settings: int) -> None:
     port = SerialPort(a_board(settings=settings))
-    assert ask(port, "FF 80 07 7F") == NO_REPLY
+    assert exchange(port, "FF 80 07 7F") == NO_REPLY
     assert not errors(port)
 
 
 def test_packets_for_other_boards_are_counted(port: SerialPort) -> None:
-    assert ask(port, "80 08 06 1F 80 01 2F 7B 01 55 2A 80 03 04 02 01 40") == NO_REPLY
+    assert exchange(port, "80 08 06 1F 80 01 2F 7B 01 55 2A 80 03 04 02 01 40") == NO_REPLY
     assert report(port.board)["counters"]["packets_for_others"] == 3
 
 
@@ -148,14 +148,14 @@ def test_bad_byte_discards_its_packet(port: SerialPort) -> None:
     port.feed(0xF0)
     port.feed_error(ReceiveError.PARITY)
     assert errors(port) == UartError.PARITY
-    assert ask(port, "7F") == NO_REPLY
+    assert exchange(port, "7F") == NO_REPLY
     assert errors(port) == UartError.FORMAT
     assert port.board.aux.speed == 0
 
 
 def test_unpowered_board_ignores_packets(port: SerialPort) -> None:
     port.board.power_off()
-    assert ask(port, "81") == NO_REPLY
+    assert exchange(port, "81") == NO_REPLY
     port.feed_error(ReceiveError.FRAMING)
     port.board.power_on()
     assert not errors(port)
@@ -167,7 +167,7 @@ def test_board_may_behave_like_the_twin() -> None:
     assert isinstance(line, SimulatedBoards)
     (board,) = line.boards
     port = SerialPort(board)
-    assert ask(port, "C0 20 9F 60 85") == "FF 40"
+    assert exchange(port, "C0 20 9F 60 85") == "FF 40"
     assert board.motors[0].speed == 127, "errors stop the motors"
-    assert ask(port, "AF 60 00 55 2A 85") == "01 40"
-    assert ask(port, "AF 07 00 55 2A 85") == "00 00"
+    assert exchange(port, "AF 60 00 55 2A 85") == "01 40"
+    assert exchange(port, "AF 07 00 55 2A 85") == "00 00"

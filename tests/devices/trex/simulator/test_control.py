@@ -3,7 +3,7 @@ from typing import Any
 
 import pytest
 
-from tests.devices.trex.simulator.ports import ask
+from tests.devices.trex.simulator.ports import exchange
 from trex_gui.core.simulator.control_lines import GOODBYE
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
@@ -293,15 +293,15 @@ def test_prescaler_and_maximum_set_pwm_frequency_at_once(
     board: Board, port: SerialPort, number: int, prescaler: int, maximum: int, hertz: int
 ) -> None:
     before = report(board)["motors"][2 - number]["pwm_hz"]
-    assert ask(port, f"AF {8 + number:02X} {prescaler:02X} 55 2A") == "00"
-    assert ask(port, f"AF {10 + number:02X} {maximum:02X} 55 2A") == "00"
+    assert exchange(port, f"AF {8 + number:02X} {prescaler:02X} 55 2A") == "00"
+    assert exchange(port, f"AF {10 + number:02X} {maximum:02X} 55 2A") == "00"
     assert report(board)["motors"][number - 1]["pwm_hz"] == pytest.approx(hertz, abs=0.6)
     assert report(board)["motors"][2 - number]["pwm_hz"] == before
 
 
 def test_show_reports_motor_load_and_rpm(board: Board, port: SerialPort) -> None:
     board.physics[0].load = 4.0
-    ask(port, "C1 7F")
+    exchange(port, "C1 7F")
     board.advance(2)
     motor, other = report(board)["motors"]
     assert motor["load"] == 4.0

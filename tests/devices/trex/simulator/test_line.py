@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.devices.trex.simulator.conftest import make_ask
+from tests.devices.trex.simulator.conftest import create_exchange
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.matrix import examples
 from trex_gui.core.simulator.sampling import ReceiveError
@@ -16,7 +16,7 @@ from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
-Ask = Callable[[str], str]
+Exchange = Callable[[str], str]
 BYTE = 10 / 19200
 """Seconds of a byte with the factory settings."""
 
@@ -119,16 +119,16 @@ class TestSeveralBoards:
     def test_compact_request_makes_all_boards_reply_at_once(self, paced: bool) -> None:
         line = SimulatedBoards([a_board(7), a_board(9, model="trexjr")], paced=paced)
         both = bytes(a & b for a, b in zip(b"TReX1.2\xff\xff", b"TReXJr1.2", strict=True))
-        assert make_ask(line)("81") == both.hex(" ")
+        assert create_exchange(line)("81") == both.hex(" ")
         assert line.faults.counters["collisions"] == 7
 
     def test_identical_replies_are_received_as_one(self) -> None:
-        assert make_ask(SimulatedBoards([a_board(7), a_board(9)]))("82") == "72"
+        assert create_exchange(SimulatedBoards([a_board(7), a_board(9)]))("82") == "72"
 
     def test_compact_motor_command_reaches_all_boards(self) -> None:
         line = SimulatedBoards([a_board(7), a_board(9), a_board(11)])
-        make_ask(line)("F0 7F")
-        make_ask(line)("80 09 70 05")
+        create_exchange(line)("F0 7F")
+        create_exchange(line)("80 09 70 05")
         assert [board.aux.speed for board in line.boards] == [127, 5, 127]
 
     def test_line_without_board_is_rejected(self) -> None:
@@ -137,49 +137,55 @@ class TestSeveralBoards:
 
 
 class TestFaults:
-    def test_requested_number_of_bytes_is_corrupted(self, line: SimulatedBoards, ask: Ask) -> None:
+    def test_requested_number_of_bytes_is_corrupted(
+        self, line: SimulatedBoards, exchange: Exchange
+    ) -> None:
         line.faults.errors.extend([ReceiveError.FRAMING] * 3)
-        assert ask("82 82 82") == ""
-        assert ask("82") == "72"
+        assert exchange("82 82 82") == ""
+        assert exchange("82") == "72"
 
     def test_all_boards_on_line_detect_the_same_error(self) -> None:
         line = SimulatedBoards([a_board(7), a_board(9)])
         line.faults.errors.append(ReceiveError.OVERRUN)
-        make_ask(line)("82")
+        create_exchange(line)("82")
         errors = [board.serial.uart_errors for board in line.boards]
         assert errors == [UartError.DATA_OVERRUN] * 2
 
     def test_muted_line_carries_commands_but_no_replies(
-        self, line: SimulatedBoards, ask: Ask
+        self, line: SimulatedBoards, exchange: Exchange
     ) -> None:
         line.faults.mute = True
-        assert ask("81") == ""
-        assert ask("F0 7F") == ""
+        assert exchange("81") == ""
+        assert exchange("F0 7F") == ""
         assert line.boards[0].aux.speed == 127
         line.faults.mute = False
-        assert ask("82") == "72"
+        assert exchange("82") == "72"
 
     @pytest.mark.parametrize(
         ("fault", "count", "reply"), [("to_drop", 3, b"X1.2"), ("to_double", 2, b"TTRReX1.2")]
     )
     def test_fault_drops_or_doubles_bytes_of_reply(
-        self, line: SimulatedBoards, ask: Ask, fault: str, count: int, reply: bytes
+        self, line: SimulatedBoards, exchange: Exchange, fault: str, count: int, reply: bytes
     ) -> None:
         setattr(line.faults, fault, count)
-        assert ask("81") == reply.hex(" ")
-        assert ask("82") == "72"
+        assert exchange("81") == reply.hex(" ")
+        assert exchange("82") == "72"
 
-    def test_drop_sent_loses_bytes_of_request(self, line: SimulatedBoards, ask: Ask) -> None:
+    def test_drop_sent_loses_bytes_of_request(
+        self, line: SimulatedBoards, exchange: Exchange
+    ) -> None:
         line.faults.to_drop_sent = 1
-        assert ask("F0 7F") == ""
+        assert exchange("F0 7F") == ""
         assert line.boards[0].aux.speed == 0
-        assert ask("85") == "40"
+        assert exchange("85") == "40"
 
-    def test_corrupted_bytes_of_reply_are_others(self, line: SimulatedBoards, ask: Ask) -> None:
+    def test_corrupted_bytes_of_reply_are_others(
+        self, line: SimulatedBoards, exchange: Exchange
+    ) -> None:
         line.faults.to_corrupt = 2
-        reply = bytes.fromhex(ask("81"))
+        reply = bytes.fromhex(exchange("81"))
         assert [a == b for a, b in zip(reply, b"TReX1.2", strict=True)] == [False] * 2 + [True] * 5
-        assert ask("82") == "72"
+        assert exchange("82") == "72"
 
     def test_delayed_reply_arrives_late_and_in_order(self, line: SimulatedBoards) -> None:
         line.faults.delay = 0.5
@@ -215,13 +221,15 @@ class TestFaults:
         assert line.receive() == b""
         assert line.boards[0].serial.uart_errors == UartError.PARITY | UartError.FRAMING
 
-    def test_unplugged_line_carries_nothing(self, line: SimulatedBoards, ask: Ask) -> None:
+    def test_unplugged_line_carries_nothing(
+        self, line: SimulatedBoards, exchange: Exchange
+    ) -> None:
         line.unplug()
-        assert ask("81") == ""
-        assert ask("F0 7F") == ""
+        assert exchange("81") == ""
+        assert exchange("F0 7F") == ""
         assert line.boards[0].aux.speed == 0
         line.plug()
-        assert ask("82") == "72"
+        assert exchange("82") == "72"
 
 
 # --- Incomplete bytes -----------------------------------------------------------------
@@ -263,7 +271,7 @@ def test_byte_that_spans_plugging_in_is_lost(warm: SimulatedBoards, question: st
     control(warm, "line plug")
     warm.advance(0.05)
     assert warm.receive() == b""
-    assert make_ask(warm)("82") == "72"
+    assert create_exchange(warm)("82") == "72"
 
 
 def test_overlapping_replies_are_garbled() -> None:
@@ -283,7 +291,7 @@ def test_overlapping_replies_are_garbled() -> None:
     longest = (0.001 + 7 * BYTE) / BYTE
     assert len(got) <= longest + 1
     assert line.now > begun
-    assert make_ask(line)("80 08 02") == "72"
+    assert create_exchange(line)("80 08 02") == "72"
 
 
 def test_injected_bytes_take_line_time_and_collide_with_reply(warm: SimulatedBoards) -> None:
@@ -316,7 +324,7 @@ def test_drop_unsent_discards_queued_bytes(warm: SimulatedBoards) -> None:
     assert warm.backlog == 0
     warm.advance(1)
     assert warm.boards[0].counters["bytes_received"] == 0
-    assert make_ask(warm)("81") == "54 52 65 58 31 2e 32"
+    assert create_exchange(warm)("81") == "54 52 65 58 31 2e 32"
     assert not warm.boards[0].serial.pop_uart_errors() & UartError.FORMAT
 
 

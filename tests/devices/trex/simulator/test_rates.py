@@ -35,7 +35,7 @@ def a_line(code: int, *, paced: bool) -> SimulatedBoards:
     return SimulatedBoards([a_board(settings=code)], paced=paced)
 
 
-def ask(line: SimulatedBoards, packet: str) -> bytes:
+def exchange(line: SimulatedBoards, packet: str) -> bytes:
     """Send a packet. Return the bytes that the host receives."""
     line.send(bytes.fromhex(packet))
     while (event := line.next_event) is not None:
@@ -48,7 +48,7 @@ def good() -> dict[str, bytes]:
     """Reply of the board to a host at its rate."""
     line = a_line(5, paced=False)
     line.host = LineSettings()
-    replies = {packet: ask(line, packet) for packet in QUERIES}
+    replies = {packet: exchange(line, packet) for packet in QUERIES}
     assert all(replies.values())
     return replies
 
@@ -63,7 +63,7 @@ def requested(request: pytest.FixtureRequest) -> Requested:
         line.host = LineSettings(rates[host])
         serial = line.boards[0].serial
         requested[rates[host], rates[code]] = [
-            (packet, ask(line, packet), serial.pop_uart_errors()) for packet in QUERIES
+            (packet, exchange(line, packet), serial.pop_uart_errors()) for packet in QUERIES
         ]
     assert len(requested) == 110
     return requested
@@ -112,18 +112,18 @@ def test_board_replies_again_at_correct_rate() -> None:
     for code, host in permutations(range(len(baud_rates())), 2):
         line = a_line(code, paced=True)
         line.host = LineSettings(baud_rates()[host])
-        ask(line, "81")
+        exchange(line, "81")
         line.host = LineSettings(baud_rates()[code])
         line.advance(0.02)
-        ask(line, "FF")
-        assert ask(line, "81") == b"TReX1.2"
+        exchange(line, "FF")
+        assert exchange(line, "81") == b"TReX1.2"
 
 
 def test_board_at_other_rate_latches_error_and_ignores_command() -> None:
     line = SimulatedBoards([a_board(7, settings=0x05), a_board(9, settings=0x0A)])
     line.host = LineSettings(19200)
-    assert ask(line, "81") == b"TReX1.2"
-    assert ask(line, "F0 7F") == b""
+    assert exchange(line, "81") == b"TReX1.2"
+    assert exchange(line, "F0 7F") == b""
     near, far = line.boards
     assert (near.aux.speed, far.aux.speed) == (127, 0)
     assert not near.serial.uart_errors
@@ -141,7 +141,7 @@ def test_power_cut_discards_half_received_byte() -> None:
     board.power_on()
     line.advance(0.1)
     line.host = LineSettings(115200)
-    assert ask(line, "82") == b"r"
+    assert exchange(line, "82") == b"r"
 
 
 def garbage(host: int, *, so_ground: bool) -> bytes:
