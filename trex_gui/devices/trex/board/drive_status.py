@@ -44,8 +44,6 @@ class DriveStatus:
 
 
 class SetpointSource(Enum):
-    """Source of a motor's setpoint."""
-
     UNKNOWN = auto()
     JOINT = auto()  # setpoint of motor 1: both drivers work as one motor
     SAFE_START = auto()  # safe-start holds the motor
@@ -57,8 +55,6 @@ class SetpointSource(Enum):
 
 @dataclass(frozen=True, slots=True)
 class MotorSetpoint:
-    """Setpoint of a motor, with its source."""
-
     source: SetpointSource
     speed: int = 0  # -127 to 127
     may_turn: bool = False  # no stop was confirmed since the motors were driven
@@ -109,7 +105,6 @@ def drive_statuses(now: DriveInputs) -> tuple[DriveStatus, ...]:
 
 
 def _own_reasons(now: DriveInputs, *, by_serial: bool) -> Iterator[Reason]:
-    """Yield this program's reason. There is none while the channels drive."""
     if now.armed:
         yield Reason(DriveBlocker.RUNNING)
     elif now.may_move:

@@ -1,4 +1,4 @@
-"""Error bits of a board: counts, times and events for the log.
+"""Error bits of a board: counts, times and log events.
 
 Reading a latched bit clears it. The board latches the bit again while its cause lasts.
 """
@@ -228,7 +228,6 @@ def _earlier(latched: LatchedStatus) -> Event:
 
 
 def read_event(report: Connected, now: float) -> Event | None:
-    """Return the event of a reading. `None` if the user requested the reading."""
     is_problem = report.occasion is ReadReason.SETTING_CHANGED
     match report.occasion:
         case ReadReason.OPENED:

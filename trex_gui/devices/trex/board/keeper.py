@@ -53,7 +53,6 @@ class Keeper:
         self.memory = BoardMemory(self)
 
     def load(self) -> None:
-        """Read the record of the board once."""
         board, self._requested = self._requested, None
         if board is not None:
             self.memory.handle_record(board, read_record(board, self._warn))
@@ -119,7 +118,7 @@ class Keeper:
     def restored_afterwards(
         self, client: TrexClient, state: DeviceState, reason: str
     ) -> Iterator[Callable[[ParameterSpec, int], int]]:
-        """Save a snapshot, yield a function that writes trial values, then restore the board.
+        """Save a snapshot, yield a function for trial writes, then restore.
 
         The record expects the previous values throughout. If the program or the line fails, the
         next connection shows the differences.

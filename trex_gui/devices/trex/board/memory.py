@@ -23,7 +23,7 @@ DOUBTED = tr_noop(  # {0}: model, {1}: date of the record
 
 
 class Files(Protocol):
-    """Requests of a `BoardMemory` to its user interface, handled at once or later."""
+    """Requests of a `BoardMemory`, handled at once or later."""
 
     def find(self, board: BoardIdentity, /) -> None:
         """Read the record of a board, and call `handle_record`."""
@@ -59,10 +59,7 @@ _Change = Callable[[BoardRecord], BoardRecord]
 
 
 class BoardMemory:
-    """Record of a board, updated after readings, writes and notes.
-
-    Times are in UTC.
-    """
+    """Record of a board. Times are in UTC."""
 
     def __init__(self, files: Files) -> None:
         self._files = files
@@ -149,7 +146,6 @@ class BoardMemory:
         self._compare()
 
     def _rename(self, board: BoardIdentity) -> None:
-        """Move the record to a new device number of the same board."""
         if self._board is None or board == self._board or self.record is None:
             return
         lost, self._lost = self._lost, None
@@ -172,7 +168,6 @@ class BoardMemory:
     def record_written(
         self, stored: Settings, source: InputSource, uncertain: Collection[str], now: datetime
     ) -> None:
-        """Record the settings stored after a write. Some values may be `uncertain`."""
         self._stored, self._source = stored, source
         if self._board is not None:
             self._rename(BoardIdentity.of(stored, is_simulated=self._board.is_simulated))
@@ -196,7 +191,6 @@ class BoardMemory:
     # --- Decisions ----------------------------------------------------------------------
 
     def accept(self, now: datetime) -> None:
-        """Accept the stored settings in place of the applied settings."""
         stored, source = self._stored, self._source
         if stored is not None:
             self._change(lambda record: record.accepting(stored, source, now))
@@ -244,7 +238,6 @@ class BoardMemory:
             self._compare()
 
     def _record_adapter(self, found: BoardRecord) -> None:
-        """Save the adapter. If it has changed, the record may belong to another board."""
         adapter = self._adapter
         self._is_doubted = bool(adapter and found.adapter) and adapter != found.adapter
         if not adapter or adapter == found.adapter:

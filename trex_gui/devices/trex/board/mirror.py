@@ -118,7 +118,6 @@ class SafeStart:
         self._is_over = False
 
     def may_hold(self, state: DeviceState, newest: Newest, *, joint: bool) -> bool:
-        """True if a channel commands a speed, but no current flows."""
         is_commanded = bool(_commands(state, newest, joint=joint))
         return is_commanded and Currents in newest.samples and not self._is_over and not joint
 
@@ -143,8 +142,6 @@ def _commands(state: DeviceState, newest: Newest, *, joint: bool) -> tuple[int, 
 
 
 class BoardMirror:
-    """State of the board of a session, if one is connected."""
-
     def __init__(
         self, memory: BoardMemory, errors_changed: Callable[[], None] = lambda: None
     ) -> None:
@@ -196,12 +193,10 @@ class BoardMirror:
 
     @property
     def silence(self) -> DriveBlocker:
-        """Reason for the silence of a board that does not respond."""
         return DriveBlocker.NETWORK_SILENT if self.is_network_silent else DriveBlocker.SILENT
 
     @property
     def other_driver(self) -> str:
-        """Other user who drives this served board. Empty if there is none."""
         return "" if self.lease is None or self.lease.is_mine else self.lease.driver
 
     @property
@@ -214,7 +209,6 @@ class BoardMirror:
 
     @property
     def set_up(self) -> SetUp | None:
-        """Completed steps of the set-up, or `None` without a connection."""
         if self.state is None:
             return None
         stored = self.state.parameters.get
@@ -334,7 +328,6 @@ class BoardMirror:
         self.settings = written.settings
 
     def record_power_cycled(self) -> None:
-        """Record that all stored settings are active."""
         if self.last is not None:
             self.is_joint = _is_joint(self.last)
 
@@ -420,9 +413,9 @@ class BoardMirror:
             self._safe_start.update(self.state, self.newest, self.inputs(now), joint=self.is_joint)
 
     def _stop_reason(self, latched: LatchedStatus) -> str:
-        """Return the reason why the board has stopped its motors, or an empty text.
+        """Return the reason why the board stopped its motors, or an empty text.
 
-        A timeout always stops them. Other serial errors need UART-Error Shutdown (0x08).
+        A timeout always stops the motors. Other serial errors require UART-Error Shutdown (0x08).
         """
         if latched.uart & UartError.TIMEOUT:
             return tr(

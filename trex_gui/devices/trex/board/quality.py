@@ -118,7 +118,7 @@ def _is_between(sample: Currents, first: Currents, second: Currents) -> bool:
 
 
 def quality_text(quality: ConnectionQuality) -> str:
-    """Return the quality in words, with the share of recent requests that were answered."""
+    """Return the quality in words, with the share of answered requests."""
     if quality.is_noisy is None:
         return tr("being measured …")
     text = tr("noisy: {0:.1f} % of the requests of the last {1:.0f} s answered")

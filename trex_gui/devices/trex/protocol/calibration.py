@@ -1,4 +1,4 @@
-"""Channel calibrations, and the mapping of raw inputs to outputs of -127 to 127.
+"""Channel calibrations, and remapping of raw inputs.
 
 Ref: Pololu TReX User's Guide 4.b (regions); TReX 1.0 command documentation 0x87, 0x90-0x94,
 0xA0-0xA4. The arithmetic between the region limits is inferred: no source gives it.
@@ -49,7 +49,6 @@ class CalibrationKey(StrEnum):
 
     @property
     def label(self) -> str:
-        """Name for the user, such as `RC channel 1`."""
         return tr("{0} channel {1}").format(self.source.word, self.channel)
 
 
@@ -124,7 +123,7 @@ def read_count(text: str) -> tuple[int, InputSource | None]:
 
 
 def encode_14_bits(value: int) -> bytes:
-    """Encode a calibration value, 0-16383, as two data bytes: low, then high seven bits.
+    """Encode 0-16383 as two data bytes: low seven bits, high seven bits.
 
     Inferred: the documentation says "low byte, high byte", but no data byte may exceed 127.
     Only this encoding obeys the limit, and other Pololu controllers use it.

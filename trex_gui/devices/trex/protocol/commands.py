@@ -58,7 +58,7 @@ class Command(ABC, Generic[ReplyT_co]):
         return cls()
 
     def reply_size(self, _head: bytes = b"", /) -> int:
-        """Return the reply size in bytes for a reply with these first bytes. 0: no reply."""
+        """Return the size of a reply that starts with these bytes. 0: no reply."""
         return self.fixed_reply
 
     @abstractmethod
@@ -134,7 +134,7 @@ class GetMode(Command[Mode]):
 
 @dataclass(frozen=True, slots=True)
 class GetSerialControl(Command[bool]):
-    """0x83: True if serial commands control the motors (serial mode, or channel 5)."""
+    """0x83: True if serial commands control the motors."""
 
     opcodes = (0x83,)
     fixed_reply = 1
@@ -193,7 +193,6 @@ class _ChannelQuery(Command[ReplyT_co]):
 
     @property
     def channels(self) -> tuple[int, ...]:
-        """The requested channels, in the order of the reply."""
         return channels_in(self.mask)
 
     def reply_size(self, _head: bytes = b"", /) -> int:
@@ -232,7 +231,7 @@ class GetRemappedChannels(_ChannelQuery[Mapping[int, int]]):
 
 @dataclass(frozen=True, slots=True)
 class GetCurrent(Command[int]):
-    """0x8D, 0x8E: current of one motor in counts of `Model.current_unit` ampere."""
+    """0x8D, 0x8E: current of one motor in counts."""
 
     opcodes = (0x8D, 0x8E)
     fixed_reply = 1
@@ -253,7 +252,7 @@ class GetCurrent(Command[int]):
 
 @dataclass(frozen=True, slots=True)
 class GetCurrents(Command[tuple[int, int]]):
-    """0x8F: currents of both motors in counts of `Model.current_unit` ampere."""
+    """0x8F: currents of both motors in counts."""
 
     opcodes = (0x8F,)
     fixed_reply = 2
@@ -279,7 +278,7 @@ class GetCalibration(_ChannelCommand[Calibration]):
 
 @dataclass(frozen=True, slots=True)
 class GetCalibratedChannels(Command[int]):
-    """0x95: mask of the channels whose calibration differs from the default ("learned")."""
+    """0x95: mask of channels with changed calibrations ("learned")."""
 
     opcodes = (0x95,)
     fixed_reply = 1
@@ -422,8 +421,8 @@ class DriveMotor(_MotorCommand):
 class DriveBoth(_MotorCommand):
     """0xD0-0xEF: set, or accelerate, both motors in one packet.
 
-    For accelerating, the documentation's formula says 0xD0. Its heading and working programs say
-    0xE0.
+    For acceleration, the formula in the documentation gives 0xD0. Its heading and working programs
+    use 0xE0.
     """
 
     opcodes = range(0xD0, 0xF0)
@@ -449,7 +448,7 @@ class DriveBoth(_MotorCommand):
 
 @dataclass(frozen=True, slots=True)
 class DriveAuxiliary(_MotorCommand):
-    """0xF0, 0xF1: set, or accelerate, the one-way auxiliary motor to 0-127."""
+    """0xF0, 0xF1: set, or accelerate, the auxiliary motor to 0-127."""
 
     opcodes = (0xF0, 0xF1)
     data_size = 1

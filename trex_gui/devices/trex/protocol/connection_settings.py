@@ -88,7 +88,6 @@ class ConnectionSettings(PortSettings):
         return replace(self, device_number=group[0], group=group)
 
     def of_board(self, number: int) -> "ConnectionSettings":
-        """Return settings for one board of the group. The other boards are reserved."""
         others = self.reserved | (frozenset(self.group) - {number})
         return replace(self, device_number=number, reserved=others)
 

@@ -75,7 +75,7 @@ BEYOND_A_STOP = tr_noop(
 
 
 def describe(command: c.Command[Any], board: c.Signature | None = None) -> str:
-    """Return a command in words, in the units of `board` (default: the newest TReX)."""
+    """Return a command in words. Default units are those of the newest TReX."""
     if (text := _QUERIES.get(type(command))) is not None:
         return tr(text)
     match command:
@@ -139,7 +139,6 @@ def describe_reply(command: c.Command[Any], value: Any, board: c.Signature | Non
 
 
 def who_controls(mode: Mode, by_serial: bool, *, joint: bool) -> str:
-    """Return who controls the motors, and how to give control to this program."""
     if mode.is_serial and by_serial:
         text = tr("Serial commands control the motors (serial mode).")
     elif by_serial:

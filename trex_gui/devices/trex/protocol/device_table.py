@@ -22,7 +22,7 @@ class Model:
     part: str
     signature: bytes
     signature_size: int
-    current_unit: float
+    current_unit: float  # ampere per count
     firmware: tuple[str, ...]
     highest_pwm: int | None
     guide: str  # URL of the user's guide

@@ -42,7 +42,7 @@ class Drive:
 
     @classmethod
     def brake(cls, duty: int = FULL_SCALE) -> "Drive":
-        """Return braking with a duty of 0 (coast) to 127 (full brake)."""
+        """Return a setpoint from 0 (coast) to 127 (full brake)."""
         return cls(Direction.BRAKE, seven_bits(duty, tr("brake duty")))
 
     @property

@@ -190,7 +190,7 @@ class BoardElsewhere(TrexNoReplyError):  # noqa: N818 - nothing went wrong with 
 
 
 class TrexBadReplyError(TrexError, BadReply):
-    """The received bytes are no valid reply, or the board reads back another value."""
+    """The reply is invalid, or the board reads back another value."""
 
 
 class TrexInternalError(TrexError, InternalError):
@@ -198,7 +198,7 @@ class TrexInternalError(TrexError, InternalError):
 
 
 class OtherBoard(TrexError):  # noqa: N818 - nothing went wrong with the line
-    """Another board replies, or the stored values of the board have changed."""
+    """Another board replies, or the stored values have changed."""
 
 
 class Skipped(TrexError):  # noqa: N818 - nothing went wrong
@@ -219,7 +219,7 @@ def is_unsteady(error: BaseException) -> bool:
 
 
 def needs_a_look(error: BaseException) -> bool:
-    """True if the board's wires, jumpers and LEDs may show the cause."""
+    """True if wires, jumpers or LEDs may show the cause."""
     return isinstance(error, TrexError) and error.code in {
         ErrorCode.NO_BOARD,
         ErrorCode.ECHO_ONLY,
@@ -228,6 +228,5 @@ def needs_a_look(error: BaseException) -> bool:
 
 
 def suggests_scan(error: BaseException) -> bool:
-    """True if a scan may find the board."""
     is_shared = isinstance(error, TrexError) and error.code is ErrorCode.SEVERAL_BOARDS
     return is_shared or needs_a_look(error)

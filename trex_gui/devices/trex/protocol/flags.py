@@ -166,7 +166,7 @@ class InputSource(Enum):
         return round(physical * self.counts_per_unit)
 
     def text(self, count: float) -> str:
-        """Return a raw count in physical units, such as `1500 µs` or `2.50 V`."""
+        """Format a raw count, such as `1500 µs` or `2.50 V`."""
         if self is InputSource.RC:
             return f"{self.physical(count):.0f} µs"
         return f"{Number(self.physical(count)):.2f} V"
@@ -182,7 +182,7 @@ class Mode(Enum):
 
     @property
     def is_serial(self) -> bool:
-        """True if the board accepts parameters and obeys serial motor commands."""
+        """True if the board accepts parameters and serial motor commands."""
         return self is Mode.SERIAL_RC or self is Mode.SERIAL_ANALOG
 
     @property
@@ -198,7 +198,7 @@ def channels_in(mask: int) -> tuple[int, ...]:
 
 
 def channel_mask(channels: Iterable[int]) -> int:
-    """Return the byte with the bits of these channels (1-5) set."""
+    """Return the mask of channels 1-5. Bit n is channel n+1."""
     mask = 0
     for channel in channels:
         if channel not in CHANNELS:

@@ -109,14 +109,12 @@ class NeedData:
 
 @dataclass(frozen=True, slots=True)
 class Reply(Generic[ReplyT_co]):
-    """Complete reply."""
-
     raw: bytes  # with echo and CRC
     value: ReplyT_co
 
 
 class PacketParser:
-    """Splits the bytes from a host into packets. `polynomial` is `None` without CRC.
+    """Parser for packets from a host. `polynomial` is `None` without CRC.
 
     A command byte inside a packet makes that packet malformed and starts a new packet. Inferred:
     the documentation calls it an error, but does not say where the board resumes.
@@ -127,7 +125,6 @@ class PacketParser:
         self._buffer = bytearray()
 
     def feed(self, data: bytes) -> list[Packet | Malformed]:
-        """Return the packets and errors that these bytes complete."""
         events: list[Packet | Malformed] = []
         for byte in data:
             if byte >= 0x80 and self._buffer:
@@ -147,7 +144,6 @@ class PacketParser:
         return Malformed(raw, reason)
 
     def _parse(self) -> Packet | Malformed | None:
-        """Parse the buffer. `None` if the packet is incomplete."""
         buffer = self._buffer
         if buffer[0] < 0x80:
             return self._reject(tr("a data byte outside a packet"))

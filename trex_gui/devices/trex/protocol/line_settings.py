@@ -46,7 +46,6 @@ class LineSettings(SerialFormat):
     def __init__(
         self, baud: int = 19200, detection: Detection = Detection.NONE, stop_bits: int = 1
     ) -> None:
-        """Derive the parity from `detection`, as `dataclasses.replace` requires."""
         SerialFormat.__init__(self, baud, _PARITIES.get(detection, Parity.NONE), stop_bits)
         object.__setattr__(self, "detection", detection)
 

@@ -43,7 +43,7 @@ class ParameterKey(StrEnum):
 
 
 class MotorParameter(StrEnum):
-    """Parameter of each motor: the part of its key after `motor1_` or `motor2_`."""
+    """Key of a motor parameter, without `motor1_` or `motor2_`."""
 
     ACCELERATION = "acceleration"
     BRAKE_DURATION = "brake_duration"
@@ -61,19 +61,18 @@ _NAMES = {"motor1": tr_noop("Motor 1"), "motor2": tr_noop("Motor 2")}
 
 
 def other_motor_key(key: str) -> str | None:
-    """Return the key of the other motor's parameter. `None` if `key` names no motor."""
     motor, _, rest = key.partition("_")
     other = {"motor1": "motor2", "motor2": "motor1"}.get(motor)
     return other and f"{other}_{rest}"
 
 
 def motor_name(key: str) -> str:
-    """Return the name of the motor in a key, such as `Motor 1`. Empty without a motor."""
+    """Return the motor of a key, such as `Motor 1`, or an empty text."""
     return tr(_NAMES.get(key.partition("_")[0], ""))
 
 
 def pwm_keys(key: str) -> tuple[str, ...]:
-    """Return the motor's prescaler and maximum keys if `key` is either, else only `key`."""
+    """Return both PWM keys of a motor for either key. Other keys are returned alone."""
     for part in (MotorParameter.PWM_PRESCALER, MotorParameter.PWM_MAXIMUM):
         if key.endswith(part) and motor_name(key):
             motor = key.removesuffix(part)
@@ -94,7 +93,7 @@ def acceleration_wire(seconds: float) -> int:
 
 @cached_text
 def ramp_seconds(wire: int) -> str:
-    """Return the seconds to full speed, with enough decimals to identify the wire value."""
+    """Return the seconds to full speed. The decimals identify the wire value."""
     texts = (f"{FULL_SPEED_S / wire:.{decimals}f}" for decimals in range(1, 5))
     return with_decimal_point(
         next(text for text in texts if acceleration_wire(float(text)) == wire)
@@ -200,7 +199,6 @@ class ParameterSpec:
         return tr("{0} is {1}, not {2}").format(self.name, self.range_text(), wire)
 
     def check(self, wire: int, *, forced: bool = False) -> int:
-        """Return `wire` if it is allowed, else raise BadRequest naming the limits."""
         if problem := self.problem(wire, forced=forced):
             raise BadRequest(problem)
         return wire
@@ -305,7 +303,6 @@ class ParameterSpec:
 
     @property
     def decimals(self) -> int:
-        """Number of decimals that distinguishes neighbouring values."""
         return max(0, math.ceil(-math.log10(self.scale)))
 
     def _wire_of_time(self, seconds: float) -> int | None:
@@ -327,7 +324,6 @@ class ParameterSpec:
         return 1 if self.zero and near == 0 < steps else near
 
     def _steps(self, text: str) -> float | None:
-        """Parse a number and convert it to wire steps. `None` if it is not a number."""
         is_coded = self.kind in {ParameterKind.POLYNOMIAL, ParameterKind.UART}
         if is_coded and text.lower().startswith("0x"):
             try:
@@ -420,14 +416,13 @@ def parameters_of(model_key: str, firmware: str) -> ParameterSet:
 
 
 def unconfirmed_defaults(specs: Iterable[ParameterSpec]) -> str:
-    """Return a list of the parameters with unsourced defaults, as text."""
+    """Return the names of parameters with unsourced defaults."""
     graded = ((spec.name, spec.grade("default").mark) for spec in specs)
     return ", ".join(name + mark for name, mark in graded if mark)
 
 
 @cache
 def parameter_number(key: str) -> int:
-    """Return the number of a parameter. It is the same on every model."""
     for row in device_table().rows:
         if row["key"] == key:
             number: int = row["number"]

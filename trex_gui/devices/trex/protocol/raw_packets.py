@@ -22,8 +22,6 @@ _MOTOR_OPCODES = frozenset(opcode for opcode, cls in COMMANDS.items() if cls.mov
 
 @dataclass(frozen=True, slots=True)
 class RawPacket:
-    """Packet typed by the user, perhaps malformed."""
-
     packet: Packet | Malformed
 
     @property
@@ -32,12 +30,11 @@ class RawPacket:
 
     @property
     def moves(self) -> bool:
-        """True if the bytes may be a motor command, or the start of a motor command."""
+        """True if a board may read a complete or partial motor command."""
         return may_move(self.packet.raw)
 
     @property
     def writes(self) -> bool:
-        """True if the packet stores a parameter or a calibration."""
         return isinstance(self.packet, Packet) and isinstance(
             self.packet.command, SetParameter | SetCalibration
         )
@@ -49,14 +46,10 @@ class RawPacket:
 
     @property
     def writes_everywhere(self) -> bool:
-        """True if the packet stores a value in every board on the line."""
         return self.writes and self.device_number is None
 
     def is_within_stop(self, device_number: int | None) -> bool:
-        """True if a stop to this number reaches every board that the packet may move.
-
-        A stop to `None` reaches all boards.
-        """
+        """True if a stop to this number (`None`: to all) covers the packet's boards."""
         return device_number is None or device_number == self.device_number
 
     @property
@@ -65,7 +58,7 @@ class RawPacket:
         return self.packet.device_number if isinstance(self.packet, Packet) else None
 
     def words(self, board: Signature | None = None) -> str:
-        """Return a description in the units of `board` (default: the newest TReX)."""
+        """Describe the packet. Default units are those of the newest TReX."""
         packet = self.packet
         if isinstance(packet, Malformed):
             return tr("not a TReX packet: {0}").format(packet.reason)

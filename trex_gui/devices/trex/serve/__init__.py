@@ -1,1 +1,1 @@
-"""Boards over a network. The session runs at the robot, its messages cross the network."""
+"""Boards over a network. The session runs at the robot."""

@@ -136,12 +136,10 @@ _ERRORS: dict[str, type[Any]] = {
 
 
 def inner_request(request: Request) -> Request:
-    """Return a request without the number of its board."""
     return request.request if isinstance(request, ToBoard) else request
 
 
 def encode_request(request: Request, *head: float) -> bytes:
-    """Return a request as bytes, after its `head` of numbers."""
     return msgpack.encode([*head, _codec().unstructure(request, _REQUESTS)])
 
 
@@ -218,7 +216,7 @@ def _codec() -> cattrs.Converter:
 
 
 def _strict(kind: type) -> Callable[[Any, Any], Any]:
-    """Return a hook that accepts only values of `kind`, and an `int` as a `float`."""
+    """Return a hook that accepts only `kind`. A `float` may be an `int`."""
 
     def check(value: Any, _kind: Any) -> Any:
         if type(value) is kind or (kind is float and type(value) is int):
@@ -229,12 +227,10 @@ def _strict(kind: type) -> Callable[[Any, Any], Any]:
 
 
 def _member(plain: type) -> Callable[[Any, Any], Any]:
-    """Return a hook that converts a plain value to a member of an enumeration."""
     return lambda value, kind: kind(_strict(plain)(value, plain))
 
 
 def _is_code(kind: Any) -> bool:
-    """True if the members of an enumeration are encoded by name."""
     return isinstance(kind, type) and issubclass(kind, Enum) and kind.__name__ in _BY_NAME
 
 

@@ -70,7 +70,6 @@ class Lease:
         return True
 
     def remove(self, party: Party) -> bool:
-        """Remove a party. Return whether the party held the lease."""
         self.waiting = [other for other in self.waiting if other != party]
         if party != self.holder:
             return False

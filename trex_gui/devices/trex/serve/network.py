@@ -66,7 +66,6 @@ def get(session: zenoh.Session, *parts: str, seconds: float) -> list[bytes]:
 
 
 def scout(seconds: float) -> tuple[Address, ...]:
-    """Return the computers on the local network that reply within `seconds`."""
     found: dict[Address, None] = {}
     config = _config({"scouting/multicast/enabled": True})
     try:
@@ -91,7 +90,7 @@ def scout(seconds: float) -> tuple[Address, ...]:
 
 
 class ClientLink:
-    """Connections of a client to a server: one for all messages, one for stops.
+    """Connection of a client to a server, with a second connection for stops.
 
     A lost network packet delays later packets of its connection. So a stop is sent over both.
 
@@ -194,10 +193,7 @@ _MESSAGES = {  # by kind of key: engine messages from clients, engine messages t
 
 
 def _access(name: str, users: Sequence[User]) -> dict[str, Any]:
-    """Return the engine's access rules. Users reach public keys and their own keys."""
-
     def rules(number: str, keys: Mapping[str, str]) -> list[dict[str, Any]]:
-        """Return two rules for each kind of key: incoming and outgoing messages."""
         return [
             {
                 "id": f"{number}-{kind}-{flow}",

@@ -82,8 +82,6 @@ _DELAY_INTERVAL = 1.0  # seconds between two reports of the delay
 
 @dataclass(slots=True)
 class _Waiting:
-    """Requests that wait for the lease."""
-
     requests: list[Request]
     until: float
 
@@ -157,7 +155,6 @@ class RemoteSession:
         self._heard_at = self._clock()
 
     def _close(self) -> None:
-        """Stop the motors if this client drove them, and leave."""
         if self._link is None:
             return
         try:
@@ -247,7 +244,6 @@ class RemoteSession:
         self._send(request)
 
     def _reject_waiting(self) -> None:
-        """Report that another client drives, or that this client may not drive."""
         waiting, self._waiting = self._waiting, None
         code = ErrorCode.OTHER_DRIVES if self._lease.may_drive else ErrorCode.MAY_NOT_DRIVE
         for request in waiting.requests if waiting else ():
@@ -352,7 +348,6 @@ class RemoteSession:
                 emit(report)
 
     def _local_outcome(self, outcome: Outcome, board: int | None) -> Outcome:
-        """Record an outcome. Return it with this computer's URL of the board."""
         self._unanswered.discard(outcome.id)
         if outcome.id in self._stops and outcome.error is None:
             self._may_move = False

@@ -38,7 +38,7 @@ class Robots:
             connection.close()
 
     def find(self, hosts: Iterable[str] = ()) -> list[dict[str, Any]]:
-        """Return the info of each served board, with its `url`, sorted by name.
+        """Return the info and `url` of each served board, sorted by name.
 
         Raises:
             StudioError: no host can be queried at all.
@@ -81,7 +81,6 @@ class Robots:
         return rows
 
     def _stop(self, board: Address) -> str:
-        """Stop one board. Return the error, empty for a confirmed stop."""
         user = board.user or LOCAL_USER
         try:
             answers = self._get(board, board.name, "stop", user, seconds=_STOP_S)
@@ -113,7 +112,6 @@ def _addresses(hosts: Iterable[str]) -> list[Address]:
 
 
 def _row_of(data: bytes) -> dict[str, Any] | None:
-    """Parse a server's info. `None` if it is invalid."""
     try:
         row = json.loads(data)
         texts = row["name"], row["board"] or "", row["driver"] or "", *row["problems"]
@@ -124,7 +122,6 @@ def _row_of(data: bytes) -> dict[str, Any] | None:
 
 
 def require_network() -> None:
-    """Raise PortUnavailable if the packages for the network are not installed."""
     _network()
 
 

@@ -1,4 +1,4 @@
-"""Served board: session in one thread, network in threads of the engine."""
+"""Served board. The network runs in threads of the engine."""
 
 import json
 import logging
@@ -57,7 +57,6 @@ class _Outbox:
         self._thread.start()
 
     def close(self, seconds: float) -> None:
-        """Send the queued messages. Wait up to `seconds`."""
         self.put(None)
         self._thread.join(seconds)
 
@@ -213,14 +212,12 @@ class ServedBoard:
             self.server.report(report)
 
     def _record_traffic(self, event: TrafficEvent) -> None:
-        """Record bytes on the line while a client shows them, starting with a request."""
         is_start = event.direction is not TrafficDirection.RECEIVED
         self._logs = self.server.shows_traffic and (self._logs or is_start)
         if self._logs and len(self._traffic) < _MOST_EVENTS:
             self._traffic.append(event)
 
     def _publish(self, sample: Sample) -> None:
-        """Publish measurements as JSON while a program subscribes to them."""
         if self._is_subscribed and self._table is not None and self._table.add(sample):
             row = self._table.finish(sample.time)
             self._measurements.put(json.dumps(row), encoding="application/json")
@@ -239,7 +236,6 @@ class ServedBoard:
             self.server.handle(party, bytes(sample.payload))
 
     def _on_client(self, sample: zenoh.Sample) -> None:
-        """Add a connected client, or remove a disconnected client."""
         party = self._party(sample.key_expr)
         if party is None:
             return

@@ -187,7 +187,6 @@ class BoardServer:
                 self._serve(client, request, age=now - seen)
 
     def remove(self, party: Party) -> None:
-        """Remove a client whose connection ended."""
         with self._lock:
             if party in self._clients:
                 self._remove(self._clients[party])
@@ -202,12 +201,10 @@ class BoardServer:
 
     @property
     def shows_traffic(self) -> bool:
-        """True if any client shows the bytes on the line."""
         return any(client.watched.traffic for client in self._all)
 
     @property
     def parties(self) -> set[Party]:
-        """The clients that were not removed."""
         with self._lock:
             return set(self._clients)
 
@@ -216,7 +213,6 @@ class BoardServer:
         return tuple(client.party.user for client in self._all)
 
     def floods(self, user: str) -> bool:
-        """Count a request. Return whether the user sends too many."""
         with self._lock:
             now = int(self._clock())
             second, count = self._seconds.get(user, (now, 0))
@@ -261,7 +257,6 @@ class BoardServer:
     # --- Requests -----------------------------------------------------------------------
 
     def _serve(self, client: _Client, request: Request, age: float) -> None:
-        """Handle a request about the client or the lease. Pass other requests to the board."""
         lease, party, now = self.lease, client.party, client.heard_at
         match request:
             case Alive():
@@ -327,7 +322,6 @@ class BoardServer:
 
     @property
     def _first(self) -> int | None:
-        """Number of the first board of a group. `None` for a single board."""
         connected = self._newest[None].get(Connected)
         group = connected.settings.group if isinstance(connected, Connected) else ()
         return group[0] if group else None
@@ -346,7 +340,6 @@ class BoardServer:
         return self.lease.holder == client.party and len(client.jobs) < MOST_JOBS
 
     def _request_next_job(self, client: _Client) -> None:
-        """Request a client's next job if none is in flight."""
         if client.jobs and not client.in_flight:
             request = client.jobs.popleft()
             job = inner_request(request)
@@ -359,7 +352,6 @@ class BoardServer:
             self._request(replace(request, request=job) if isinstance(request, ToBoard) else job)
 
     def _drop_jobs(self, party: Party) -> None:
-        """Reject the queued jobs of a client that no longer drives."""
         if (client := self._clients.get(party)) is not None:
             jobs, client.jobs = client.jobs, deque()
             for job in jobs:
@@ -451,7 +443,6 @@ class BoardServer:
             self._post_all(report, clients)
 
     def _record_state(self, board: int | None, report: BoardReport) -> None:
-        """Record a report for clients that connect later."""
         newest = self._newest.setdefault(board, {})
         match report:
             case Connected():
@@ -469,7 +460,6 @@ class BoardServer:
                 newest[type(report)] = report
 
     def _report_lease_stop(self, *, confirmed: bool) -> None:
-        """Report the stop at the end of a lease. A new holder gets only an unconfirmed stop."""
         holder = self.lease.holder if confirmed else None
         others = (client for client in self._all if client.party != holder)
         self._post_all(MotorsStopped(ErrorCode.LEASE_LOST, confirmed), others)
@@ -499,7 +489,6 @@ class BoardServer:
                 self._request_next_job(client)
 
     def _report_written(self, written: Written, writers: list[Party], board: int | None) -> None:
-        """Report the stored settings to all clients except the writers."""
         connected = self._newest.get(board, {}).get(Connected)
         if not isinstance(connected, Connected):
             return
@@ -510,7 +499,6 @@ class BoardServer:
         self._post_all(_of_board(board, reloaded), others)
 
     def end(self, error: StudioError | None, *, may_move: bool) -> None:
-        """Report to every client that the line was closed, and remove all clients."""
         with self._lock:
             self.report(Closed(error or TrexError(ErrorCode.CLOSED), may_move))
             self._clients.clear()
@@ -557,7 +545,6 @@ def _of_board(board: int | None, report: BoardReport) -> Report:
 
 
 def _is_for(report: Report, watched: SetWatched) -> bool:
-    """True if a client with these settings receives the report."""
     if isinstance(report, OfBoard):
         return _is_for(report.report, watched)
     if isinstance(report, Traffic):
@@ -566,7 +553,6 @@ def _is_for(report: Report, watched: SetWatched) -> bool:
 
 
 def _is_possible(request: SetpointRequest) -> bool:
-    """True if a board has the motors and speeds of a request."""
     setpoints = setpoints_in(request)
     motors = [setpoint.motor for setpoint in setpoints]
     try:

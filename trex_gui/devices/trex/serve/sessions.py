@@ -1,4 +1,4 @@
-"""Session of a board on a line of this computer, or on a server."""
+"""Session of a local or served board."""
 
 from collections.abc import Callable
 from typing import Protocol

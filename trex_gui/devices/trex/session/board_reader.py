@@ -159,7 +159,6 @@ class BoardReader:
     # --- A board that does not respond --------------------------------------------------
 
     def try_to_reconnect(self) -> None:
-        """Query the board, or probe the next candidate."""
         line = self._line
         try:
             line.driver.stop_without_reply()
@@ -176,7 +175,6 @@ class BoardReader:
             line.liveness.retry_later(line.now())
 
     def _request_mode(self, client: TrexClient) -> None:
-        """Query the board. Detect the echo again if the reply is unreadable."""
         try:
             client.request(GetMode())
         except (NoReply, BadReply) as error:

@@ -115,7 +115,7 @@ class JobServer:
         self._reader.read_everything(ReadReason.SELECTED)
 
     def _stop_all(self, job: SelectBoard) -> None:
-        """Stop every board on the line: commands without a number have driven all boards."""
+        """Stop every board on the line, because commands without a number have driven all."""
         for number in job.sharing:
             self._line.client.settings = replace(self._line.client.settings, device_number=number)
             self._line.motors.handle(OutputEvent.DIRECT_COMMAND_SENT, self._line.now())
@@ -124,7 +124,6 @@ class JobServer:
         self._line.has_driven = False
 
     def _send_packet(self, packet: RawPacket) -> bytes:
-        """Send a packet that the user typed."""
         line = self._line
         if not packet.is_query and not packet.moves:
             line.require_alone()  # the packet may change the device number
@@ -153,7 +152,6 @@ class JobServer:
         return reply.raw
 
     def _read_after_write(self) -> None:
-        """Read everything. Derive reconnect candidates from the changes."""
         before = self._reader.state.parameters
         self._reader.read_everything(ReadReason.RELOADED)
         state = self._reader.state
@@ -164,7 +162,6 @@ class JobServer:
             self._line.liveness.expect(places)
 
     def _report_cleared(self, value: object) -> None:
-        """Report the status bits that a user's packet has cleared."""
         status = self._line.status
         if isinstance(value, Status):
             status.uart_due |= bool(value & Status.UART_ERROR)

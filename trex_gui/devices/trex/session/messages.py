@@ -80,9 +80,9 @@ class SelectBoard:
 
 @dataclass(frozen=True, slots=True)
 class SetReconnectCandidates:
-    """Set further settings at which to probe for a silent board. No outcome.
+    """Probe these settings, too, for a silent board. No outcome.
 
-    They are dropped when the board responds at other settings. Send this request before a `Write`
+    The settings are dropped when the board responds at others. Send this request before a `Write`
     of UART settings, because the board may lose power during the write.
     """
 
@@ -176,15 +176,11 @@ class Connected:
 
 @dataclass(frozen=True, slots=True)
 class GuardianChanged:
-    """State of the guardian process, which stops the motors if this program fails."""
-
     is_ready: bool
 
 
 @dataclass(frozen=True, slots=True)
 class Written:
-    """Result of a `Write`."""
-
     results: tuple[WriteResult, ...]
     state: DeviceState  # after the write
     settings: ConnectionSettings  # after the write

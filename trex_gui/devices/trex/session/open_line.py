@@ -1,4 +1,4 @@
-"""Open line of a session, for each board."""
+"""Open line of a session."""
 
 import math
 from collections.abc import Callable
@@ -53,7 +53,7 @@ class SampleBatcher:
 
 @dataclass(slots=True, eq=False)
 class OpenLine:
-    """Line of one board, with the priorities of its use."""
+    """Line and parts of one board. Methods serve stops first, then setpoints."""
 
     client: TrexClient
     transport: GuardedTransport
@@ -118,7 +118,7 @@ class OpenLine:
         return run.is_confirmed
 
     def _stop(self, runs: dict["OpenLine", StopRun]) -> None:
-        """Stop these boards, and other boards whose stops become due meanwhile."""
+        """Stop these boards. Include stops that become due during this time."""
 
         def due() -> list[StopRun]:
             self.requests.collect()
@@ -140,7 +140,6 @@ class OpenLine:
                 board.record_failure(error)
 
     def due_stops(self) -> list[StopRun]:
-        """Return the due stop, if any."""
         if self.motors.quality.is_shared:
             return [self.driver.takeover_stop()]
         if (run := self.driver.due_stop()) is not None:

@@ -95,7 +95,7 @@ class Schedule:
         return topic if topic is not None and self._due[topic] <= now else None
 
     def record_poll(self, topic: Topic, now: float) -> None:
-        """Set the next due time of a topic: one period after the last due time.
+        """Set the next due time, one period after the last.
 
         If the line falls behind, all topics are delayed by the same time, so that none starves.
         """

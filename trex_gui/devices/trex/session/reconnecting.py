@@ -1,4 +1,4 @@
-"""Search for a board that has stopped responding, perhaps at other line settings."""
+"""Search for a silent board, perhaps at other line settings."""
 
 import logging
 from collections import Counter, deque
@@ -30,7 +30,7 @@ _STRICT = frozenset({Control, ModeSample})
 
 
 class LivenessMonitor:
-    """Counter of failed transactions, and scan for a silent board."""
+    """Detects a silent board, and probes for it."""
 
     def __init__(self, timeouts: Timeouts) -> None:
         self.retry_at = 0.0  # time of the next probe, on the line's clock
@@ -53,7 +53,7 @@ class LivenessMonitor:
 
     @property
     def is_failing(self) -> bool:
-        """True if the last transaction failed, but the board is not silent yet."""
+        """True after a failed transaction, until the board is silent."""
         return self._failures > 0 and not self.silent
 
     def record_reply(self, topic: Topic) -> None:
@@ -174,7 +174,7 @@ def after_power_cycle(
 def reconnect_places(
     used: ConnectionSettings, expected: Iterable[ConnectionSettings]
 ) -> tuple[ConnectionSettings, ...]:
-    """Return the settings to probe for a silent board, beginning with the present settings.
+    """Return the settings to probe for a silent board, present settings first.
 
     The factory default comes last: a power cut while UART settings are stored leaves the board with
     it. A board replies with any stop bits, so a candidate with other stop bits replaces the present
@@ -204,7 +204,6 @@ def _differ_in_stop_bits(first: ConnectionSettings, second: ConnectionSettings) 
 
 
 def _may_misread(line: LineSettings, places: Iterable[ConnectionSettings]) -> bool:
-    """True if a board at these settings may read an unsafe probe as a motor command."""
     return any(
         place.line.detection is Detection.ODD and place.line.baud * 3 == line.baud * 8
         for place in places

@@ -115,7 +115,6 @@ class TrexRequestQueue:
             first.report(Outcome(request.id, error=error))
 
     def is_for_all(self, outcome: Outcome) -> bool:
-        """True if the outcome is from a stop for all boards."""
         return self._awaited[outcome.id] > 0
 
     def joined(self, outcome: Outcome, number: int) -> Outcome | None:
@@ -135,6 +134,5 @@ class TrexRequestQueue:
         return self.is_closing
 
     def abandon(self) -> list[int]:
-        """Drop all requests. Return the ids without an outcome."""
         ids = [number for board in self._boards.values() for number in board.abandon()]
         return list(dict.fromkeys(ids))

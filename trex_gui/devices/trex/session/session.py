@@ -1,7 +1,7 @@
-"""Session loop of a line. It runs one transaction at a time, without Qt.
+"""Session loop of a line, without Qt. It runs one transaction at a time.
 
-The priorities are stops, setpoints, requests, then polling. Only a stop may be sent without a
-request.
+Stops have the highest priority, before setpoints, requests and polls. Of all motor commands, only a
+stop is sent without a request.
 """
 
 import logging
@@ -175,7 +175,6 @@ class TrexSession:
         )
 
     def _add(self, board: _Board, client: TrexClient, lines: list[OpenLine]) -> None:
-        """Create the parts of a board. `client` is for the first board, `lines` is shared."""
         own = client if board is self._boards[0] else client.to_board(board.settings)
         status, batcher = StatusReader(self._transport.clock), SampleBatcher(board.emit)
         sees_close = self._requests.sees_close
@@ -278,7 +277,6 @@ class TrexSession:
         boards[0].line.client.close()
 
     def _is_another(self, board: _Board) -> bool:
-        """True if the board that replies is certainly not the board that was read."""
         signature = board.reader.signature
         try:
             return signature is not None and (

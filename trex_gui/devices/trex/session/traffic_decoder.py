@@ -26,8 +26,6 @@ _POLLED = frozenset(range(0x82, 0x90)) | {0xFF}  # polled values and the null co
 
 
 class TrexDecoder(Decoder):
-    """Decoder of both sub-protocols, with or without CRC and echo."""
-
     def __init__(self) -> None:
         self.board: Signature | None = None  # determines units and parameters; `None` if unknown
 
@@ -38,7 +36,6 @@ class TrexDecoder(Decoder):
         return bytes.fromhex(shown)
 
     def learn(self, transaction: Transaction) -> None:
-        """Set the board when its signature was read."""
         match last_exchange(transaction):
             case _, Reply(value=Signature() as board):
                 self.board = board
@@ -57,7 +54,6 @@ class TrexDecoder(Decoder):
         return may_move(sent)
 
     def is_whole(self, transaction: Transaction) -> bool:
-        """True if the reply is complete."""
         if not transaction.sent:
             return False
         _, reply = last_exchange(transaction)
@@ -120,7 +116,6 @@ def last_exchange(
 
 
 def _reply(packet: Packet, transaction: Transaction) -> Reply[object] | NeedData | Malformed:
-    """Parse the reply. Detect an echo if `transaction.echo` is unknown."""
     framing = Framing(packet.device_number, _polynomial(transaction.settings))
     received, echo = transaction.received, transaction.echo
     if echo is not None:

@@ -192,7 +192,6 @@ class _Watched:
             self._highs.append(min(self._recent))
 
     def settle(self, limit: int) -> bool:
-        """Set neutral to the mean. Return whether the signal was valid and steady."""
         if self._is_bad or not self._values:
             return False
         self._noise = max(self._values) - min(self._values)
@@ -201,7 +200,6 @@ class _Watched:
         return self._noise <= limit
 
     def calibration(self, deadband: int) -> Calibration | None:
-        """Return the calibration. `None` if the stick hardly moved or the signal was invalid."""
         if self._is_bad or not self._lows:
             return None
         lowest = min(self._neutral, *self._lows)

@@ -54,7 +54,7 @@ class ChannelSetup:
 
 
 def motor_values(remapped: Sequence[int], *, mix: bool, flip: bool, joint: bool) -> tuple[int, int]:
-    """Return the values of motors 1 and 2 (-127 to 127) from channels 1 and 2.
+    """Return the values of motors 1 and 2, -127 to 127.
 
     Mixing: channel 2 drives forward, channel 1 turns (User's Guide 4.a). The sums and their
     clipping are inferred. Flip swaps motors and directions (User's Guide 4.a). Joint mode has no

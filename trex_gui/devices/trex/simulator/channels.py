@@ -40,8 +40,6 @@ _WITHOUT_VALUE = {
 
 @dataclass(frozen=True, slots=True)
 class Signal:
-    """Signal at one input."""
-
     kind: SignalKind
     value: float = 0.0  # pulse width in µs, or voltage in V
     noise: float = 0.0  # standard deviation of each pulse or conversion
@@ -110,7 +108,6 @@ class Signal:
         return f"{text} lost {self.lost:g}" if self.lost else text
 
     def has_pulse(self, random: Random) -> bool:
-        """Return whether a due pulse, valid or not, arrives."""
         if self.kind is SignalKind.SILENCE or self.kind is SignalKind.VOLTAGE:
             return False
         return not self.lost or random.random() >= self.lost
@@ -158,7 +155,6 @@ class Channels:
         self.start(source)
 
     def disconnect(self) -> None:
-        """Reset every input to its rest signal."""
         self.signals = dict.fromkeys(CHANNELS, Signal(SignalKind.REST))
 
     def start(self, source: InputSource) -> None:
@@ -172,11 +168,9 @@ class Channels:
 
     @property
     def has_settled(self) -> bool:
-        """True if each channel has had time for a signal."""
         return self._ticks * TICK >= SIGNAL_LOST_AFTER
 
     def silence(self, channel: int) -> float:
-        """Return the seconds since the last valid pulse. Infinite before the first pulse."""
         return (self._ticks - self._good_ticks[channel]) * TICK
 
     def tick(self) -> None:

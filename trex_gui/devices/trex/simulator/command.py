@@ -33,7 +33,7 @@ _SWINGS = {1: (7.0, 0.8), 2: (11.0, 0.7), 3: (17.0, 0.6), 4: (23.0, 0.3), 5: (29
 
 
 def demonstrate(board: Board, timeline: Timeline) -> None:
-    """Load the motors and move the sticks, except sticks that a control line has set."""
+    """Load the motors. Move the sticks that no control line has set."""
     for physics in board.physics:
         physics.load = physics.initial_load = physics.constants.light_load
     signals = board.channels.signals.copy()
@@ -54,8 +54,6 @@ def demonstrate(board: Board, timeline: Timeline) -> None:
 
 @dataclass(frozen=True, slots=True)
 class DeviceOption:
-    """Value of `--device`. A missing part is `None`."""
-
     number: int | None = None
     model: str | None = None
 

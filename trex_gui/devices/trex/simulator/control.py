@@ -133,7 +133,6 @@ def control(line: SimulatedBoards, text: str) -> str:
 
 
 def _board(line: SimulatedBoards, name: str) -> Board | None:
-    """Return the board with a name such as `@9`. Without a name, return the only board."""
     if not name and len(line.boards) == 1:
         return line.boards[0]
     boards = zip(line.numbers, line.boards, strict=True)

@@ -52,7 +52,7 @@ _COUNTERS = (
 
 
 class Board:
-    """Controller with motors, receiver and jumpers. It starts switched on.
+    """Controller with motors, receiver and jumpers.
 
     `serial` drives the motors by serial commands, and has the latched bits. `sticks` drives the
     motors by the channels, with serial override and safe-start.
@@ -131,7 +131,6 @@ class Board:
         self.power_on()
 
     def factory_reset(self) -> None:
-        """Reset everything except the time, then switch on."""
         self.power_off()
         self.eeprom.factory_reset()
         self.mode_jumper, self.mix = self._initial_jumpers
@@ -192,7 +191,6 @@ class Board:
                     physics.measure()
 
     def _check_supply(self) -> None:
-        """Switch off at a low battery voltage. Switch on when it has recovered."""
         if self.powered and self.machine.is_too_low:
             self.counters["brown_outs"] += 1
             self._go_down()
@@ -230,7 +228,6 @@ class Board:
         return self.sticks.remapped(mix=self.mix)
 
     def _update_control(self) -> None:
-        """Select the input that controls the motors. Apply the speeds of the channels."""
         timeout = self.memory.active[ParameterKey.SERIAL_TIMEOUT]
         self.serial.set_control(
             self.now, timeout, in_control=self.sticks.update(), shut_down=self._stops_on_timeout

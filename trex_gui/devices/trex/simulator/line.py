@@ -40,14 +40,12 @@ class BoardStation:
         self._output: RateConverter | None = None  # to a host at another rate
 
     def _check_boot(self) -> None:
-        """Discard a transfer that started before the last power-up."""
         if self._boot != self.board.boots:
             self._boot = self.board.boots
             self._receives_since = self.board.powered_at + self._ahead
             self._discard_transfer()
 
     def _is_up(self, boot: int) -> bool:
-        """True if the board has not lost its power since the power-up `boot`."""
         return self.board.powered and self.board.boots == boot
 
     def _still_up(self) -> Callable[[], bool]:
@@ -86,7 +84,6 @@ class BoardStation:
             self._receive(byte, error, begun)
 
     def _receive(self, byte: int, error: ReceiveError | None, begun: float) -> None:
-        """Receive a complete byte, unless the board was transmitting or off at its start."""
         self._check_boot()
         if self._is_transmitting or begun < self._receives_since - EPSILON:
             self.board.counters["bytes_missed"] += 1
@@ -97,7 +94,7 @@ class BoardStation:
             self._start_transfer()
 
     def _format_error(self, host: SerialFormat) -> ReceiveError | None:
-        """Return the error of bytes from a host with other parity or stop bits.
+        """Return the error of bytes with other parity or stop bits.
 
         A real receiver accepts some of these bytes: half of them have the right parity by chance,
         and many UARTs check only one stop bit. The simulator rejects every byte, so that results
@@ -151,7 +148,6 @@ class BoardStation:
                 line.arrive(line.faults.garble(byte) if is_garbled else byte, line.now)
 
     def _transmit_converted(self, host: SerialFormat) -> None:
-        """Transmit to a host at another rate, without delay."""
         receiver = Receiver(host, host.baud)
         sampled: list[SampledByte] = []
         for byte in self._pop_outgoing():
@@ -182,7 +178,6 @@ class BoardStation:
     def _arrive_sampled(
         self, boot: int, byte: int, _error: ReceiveError | None, begun: float
     ) -> None:
-        """Deliver a byte to a host at another rate, even with an error."""
         if self._is_up(boot) and not self._line.is_grounded:
             self.board.counters["bytes_garbled"] += 1
             self._line.arrive(byte, begun)

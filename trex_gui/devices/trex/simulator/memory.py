@@ -1,4 +1,4 @@
-"""Parameters and calibrations: stored in the EEPROM and active in the firmware."""
+"""Stored and active parameters and calibrations."""
 
 import contextlib
 import json
@@ -117,7 +117,6 @@ class Eeprom:
             self._save_if_possible()
 
     def _save_if_possible(self) -> None:
-        """Save the file. The board continues if that fails."""
         self.unsaved = None
         try:
             self.save()
@@ -247,7 +246,6 @@ class Memory:
 
     @property
     def is_joint(self) -> bool:
-        """True if both drivers drive motor 1."""
         return self.active[ParameterKey.MOTOR_MODE] == 1
 
     @property
@@ -270,7 +268,7 @@ class Memory:
 
     @property
     def response_delay(self) -> float:
-        """Delay before each reply in seconds: 1 ms if the parameter is on (firmware 1.2+)."""
+        """Delay of each reply in seconds (firmware 1.2+)."""
         return 0.001 if self.active.get(ParameterKey.UART_RESPONSE_DELAY) else 0.0
 
     def get(self, number: int) -> int | None:
@@ -324,13 +322,11 @@ class Memory:
             self._steps.append(_Step(seconds, partial(write, value), lose))
 
     def restore_line_settings(self) -> None:
-        """Start to write the default serial settings, as the boot loader does."""
         for key in (ParameterKey.UART_SETTINGS, ParameterKey.CRC7_POLYNOMIAL):
             self._start_write(key, self.eeprom.factory[key], at_once=False)
 
     @property
     def busy_for(self) -> float:
-        """Seconds until all pending writes are finished."""
         return sum(step.seconds for step in self._steps) - self._done if self._steps else 0.0
 
     def advance(self, seconds: float) -> None:
@@ -346,7 +342,7 @@ class Memory:
             self.writes += 1
 
     def lose_write(self) -> None:
-        """Lose the present write and drop the pending writes, as a power cut does."""
+        """Simulate a power cut: lose the current write, drop later writes."""
         if self._steps:
             self._steps[0].lose()
         self._steps.clear()

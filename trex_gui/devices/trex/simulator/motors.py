@@ -21,7 +21,6 @@ class MotorDirection(Enum):
 
     @classmethod
     def from_bits(cls, bits: int) -> "MotorDirection":
-        """Decode the two direction bits of a motor command. 00 and 11 brake."""
         return (cls.BRAKE, cls.REVERSE, cls.FORWARD, cls.BRAKE)[bits & 3]
 
 
@@ -50,7 +49,6 @@ class Motor:
 
     @property
     def speed(self) -> int:
-        """Speed or duty cycle of braking, 0-127."""
         return self._tenths // 10
 
     def set(self, direction: MotorDirection, speed: int) -> None:
@@ -162,7 +160,7 @@ class SerialControl:
     def drive(
         self, number: int, direction: MotorDirection, speed: int, *, accelerate: bool = False
     ) -> None:
-        """Drive motor 1 or 2 (speed 0-127), or save the command for serial control.
+        """Drive motor 1 or 2 at 0-127. Without serial control, only save the command.
 
         Inferred: joint mode ignores commands to motor 2.
         """

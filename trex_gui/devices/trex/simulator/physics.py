@@ -26,7 +26,6 @@ class Constants:
 
     @property
     def stall(self) -> float:
-        """Stall current in A at full battery voltage."""
         return self.battery / self.resistance
 
 
@@ -58,8 +57,6 @@ _NOISE_COUNTS = 0.3  # standard deviation of a reading, which is an average of 6
 
 
 class MotorPhysics:
-    """Motor with load, driver and current sensor."""
-
     def __init__(self, constants: Constants, current_unit: float, seed: int) -> None:
         self.constants = constants
         self.initial_load = constants.free  # A, also after `factory_reset`
@@ -129,10 +126,8 @@ class MotorPhysics:
 
 @dataclass(frozen=True, slots=True)
 class DriverOutput:
-    """Share of the supply voltage at a motor (-1 to 1), or duty cycle of braking (0-1)."""
-
-    share: float = 0.0
-    brake: float = 0.0
+    share: float = 0.0  # of the supply voltage, -1 to 1
+    brake: float = 0.0  # duty cycle of braking, 0-1
 
 
 class Machine:
@@ -162,7 +157,7 @@ class Machine:
             motor.advance(seconds, drive.share * self.volts, drive.brake)
 
     def _volts(self, drives: Sequence[DriverOutput]) -> float:
-        """Return the voltage at the board under the currents of its motors.
+        """Return the voltage at the board under load.
 
         The motor current is (share * volts - emf) / R, and the battery supplies `share` of it. The
         equation is linear in the voltage while no current flows back.

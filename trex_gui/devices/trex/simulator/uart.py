@@ -74,7 +74,6 @@ class SerialPort:
             self.board.report_error(UartError.READ_OVERRUN)
 
     def feed_error(self, error: ReceiveError) -> None:
-        """Handle a byte with a hardware error. Its packet is lost."""
         if self._listens():
             self.board.record_byte()
             if self.pause:
@@ -84,7 +83,6 @@ class SerialPort:
             self.board.report_error(_UART_ERRORS[error])
 
     def _add_gap(self) -> None:
-        """Mark a missing byte, so that later bytes do not complete its packet."""
         if not self._buffer or self._buffer[-1] != _GAP:
             self._buffer.append(_GAP)
 
@@ -99,7 +97,6 @@ class SerialPort:
             self._receive(self._buffer.popleft())
 
     def _listens(self) -> bool:
-        """Return whether packets are accepted. Reset the UART after a power-up."""
         if self.board.boots != self._boot:
             self._boot = self.board.boots
             self._reset()
