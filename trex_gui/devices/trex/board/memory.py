@@ -76,7 +76,7 @@ class BoardMemory:
         self._is_renamed = False  # the next start of the board resets its number
         self._pending: list[_Change] = []  # changes before the record was found
 
-    # --- What is known ------------------------------------------------------------------
+    # --- Known settings -----------------------------------------------------------------
 
     def hidden_calibration(
         self, channel: int, source: InputSource

@@ -159,7 +159,7 @@ class BoardMirror:
         self.connected_at: float | None = None  # opening time of the line, as `now` in `handle`
         self.connected_utc: datetime | None = None  # opening time of the line, as `utc`
         self.restarts = 0  # of the board since the line was opened, as far as detected
-        self.returns = 0  # number of silences after which the board responded again
+        self.returns = 0  # number of ended silences
         self.lease: LeaseChanged | None = None  # of a board served to several users
         self.other_speeds = SetpointsChanged().speeds  # setpoints of another driver
         self.is_network_silent = False  # the server of the board does not respond

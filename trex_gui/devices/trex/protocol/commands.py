@@ -338,7 +338,7 @@ class SetCalibration(_ChannelCommand[ResultCode]):
     opcodes = range(0xA0, 0xA5)
     data_size = 10
     fixed_reply = 1
-    seconds_to_answer = 0.1  # about 32 ms; the documentation calls 100 ms too late
+    seconds_to_answer = 0.1  # usually 32 ms; the documentation allows less than 100 ms
 
     calibration: Calibration
 
@@ -361,7 +361,7 @@ class SetParameter(Command[ResultCode]):
     opcodes = (0xAF,)
     data_size = 4
     fixed_reply = 1
-    seconds_to_answer = 0.05  # about 4 ms; the documentation calls 50 ms too late
+    seconds_to_answer = 0.05  # usually 4 ms; the documentation allows less than 50 ms
 
     number: int
     value: int

@@ -21,8 +21,7 @@ def numbers_in(text: str) -> frozenset[int]:
 class ConnectionSettings(PortSettings):
     """Port, line and address of a board.
 
-    With `reserved` numbers, no packet is compact or goes to these numbers, and nothing is sent at
-    another baud rate.
+    `reserved` numbers forbid compact packets, packets to these numbers, and other baud rates.
     """
 
     line: LineSettings = field(default_factory=LineSettings)

@@ -43,8 +43,8 @@ class BoardReader:
     def read_everything(self, occasion: ReadReason) -> None:
         """Read and report all settings.
 
-        Stop the motors unless the board is only reloaded: the window still sends setpoints for the
-        previous state or board. The motors have to be armed again.
+        Except after a reload, the motors are stopped and have to be armed again: the window may
+        still send setpoints for the previous state or board.
         """
         line = self._line
         if occasion.power_cycled:

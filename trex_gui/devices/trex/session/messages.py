@@ -80,9 +80,9 @@ class SelectBoard:
 
 @dataclass(frozen=True, slots=True)
 class SetReconnectCandidates:
-    """Probe these settings, too, for a silent board. No outcome.
+    """Set additional settings to probe for a silent board. No outcome.
 
-    The settings are dropped when the board responds at others. Send this request before a `Write`
+    They are dropped when the board responds at other settings. Send this request before a `Write`
     of UART settings, because the board may lose power during the write.
     """
 

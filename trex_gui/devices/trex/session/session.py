@@ -118,8 +118,8 @@ class TrexSession:
     def run(self) -> None:
         """Serve the line until it is lost or `Close` comes. Then report `Closed`.
 
-        Never raises. In any case, driven motors are stopped, the port is closed and every request
-        gets its outcome.
+        Never raises. Driven motors are always stopped, the port is closed, and every request has an
+        outcome.
         """
         error = run_until_closed(
             self._open, self._step, lambda detail: TrexInternalError(ErrorCode.INTERNAL, detail)
