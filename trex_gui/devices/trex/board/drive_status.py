@@ -23,7 +23,7 @@ class DriveInputs:
     may_move: bool = False  # motors were driven, and no stop was confirmed since
     driven: frozenset[int] = frozenset()  # motors that were driven, as far as known
     lost_board: str = ""  # warning that the previous board may still be driven
-    silence_remedy: str = ""  # for a board that is lost while it is driven
+    silence_remedy: str = ""  # remedy for a board that is lost while driven
     other_driver: str = ""  # another user who drives this served board
     other_speeds: tuple[int, int, int] = (0, 0, 0)  # setpoints of the other user
     lacks_board: int | None = None  # number of a board in the group that cannot be driven

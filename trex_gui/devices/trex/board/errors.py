@@ -166,7 +166,7 @@ class ErrorCounts:
     def clear(self, bit: Status | UartError) -> None:
         """Mark an error as cleared. An active error is reported again."""
         other = Status.UART_ERROR if isinstance(bit, UartError) else bit
-        self.entries = tuple(  # identity, since bits of both bytes have the same numbers
+        self.entries = tuple(  # compare identity: bits of both bytes have equal numbers
             replace(entry, is_uncleared=False) if entry.bit is bit or entry.bit is other else entry
             for entry in self.entries
         )

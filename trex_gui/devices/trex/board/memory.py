@@ -63,7 +63,7 @@ class BoardMemory:
 
     def __init__(self, files: Files) -> None:
         self._files = files
-        self.record: BoardRecord | None = None  # `None` until it was found
+        self.record: BoardRecord | None = None  # `None` until the record is found
         # Differences of the board (left) from the last applied settings. A simulated board has
         # none, because each start creates a new board.
         self.differing = Comparison(())
@@ -71,7 +71,7 @@ class BoardMemory:
         self._stored: Settings | None = None  # settings of the board while it is connected
         self._source = InputSource.RC  # the active input source
         self._adapter = ""
-        self._lost: BoardRecord | None = None  # of the board that may have lost its number
+        self._lost: BoardRecord | None = None  # record of the board that may have lost its number
         self._is_doubted = False  # the record may belong to another board
         self._is_renamed = False  # the next start of the board resets its number
         self._pending: list[_Change] = []  # changes before the record was found

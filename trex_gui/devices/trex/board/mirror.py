@@ -64,9 +64,9 @@ class BoardRead:
     """All settings of a board were read."""
 
     report: Connected
-    is_changed: bool  # the settings differ from the last reading, if any
-    is_other: bool  # the board may be another board
-    is_new: bool  # the board or line is another, so error counts were reset
+    is_changed: bool  # the settings differ from the last reading
+    is_other: bool  # this may be another board
+    is_new: bool  # another board or line: error counts were reset
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,7 +150,7 @@ class BoardMirror:
         self.errors = ErrorCounts(errors_changed)
         self.quality = ConnectionQuality()
         self.newest = Newest()
-        self.counters = Counters()  # of the line, since it was opened
+        self.counters = Counters()  # counters of the line since its opening
         self.settings: ConnectionSettings | None = None
         self.adapter = ""  # key of the USB adapter; to be set before a board is read
         self.is_responding = False
@@ -158,13 +158,13 @@ class BoardMirror:
         self.echo = False  # sent bytes come back, as on the board's RS-232 side
         self.connected_at: float | None = None  # opening time of the line, as `now` in `handle`
         self.connected_utc: datetime | None = None  # opening time of the line, as `utc`
-        self.restarts = 0  # of the board since the line was opened, as far as detected
+        self.restarts = 0  # detected restarts since the line was opened
         self.returns = 0  # number of ended silences
-        self.lease: LeaseChanged | None = None  # of a board served to several users
+        self.lease: LeaseChanged | None = None  # lease of a served board
         self.other_speeds = SetpointsChanged().speeds  # setpoints of another driver
         self.is_network_silent = False  # the server of the board does not respond
         self.network_delay: float | None = None  # round trip to the server in seconds
-        self.last: DeviceState | None = None  # last reading, also after the line was closed
+        self.last: DeviceState | None = None  # last reading; remains after the line is closed
         self._safe_start = SafeStart()
         self._events = StatusEvents()
         self._currents = SpikeFilter()

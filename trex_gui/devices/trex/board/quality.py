@@ -96,7 +96,7 @@ class SpikeFilter:
 
     def __init__(self) -> None:
         self._last: Currents | None = None
-        self._held: Currents | None = None  # until the next sample
+        self._held: Currents | None = None  # sample that waits for confirmation
 
     def passed(self, sample: Currents, *, is_doubtful: bool) -> list[Currents]:
         """Return the samples to show. A doubtful jump is held until the next sample."""

@@ -28,7 +28,7 @@ class ConnectionSettings(PortSettings):
     device_number: int | None = None  # 0-127; `None` for the compact protocol
     polynomial: int = DEFAULT_POLYNOMIAL
     reserved: frozenset[int] = frozenset()  # numbers of other devices on the line
-    group: tuple[int, ...] = ()  # boards driven together, `device_number` first; empty for one
+    group: tuple[int, ...] = ()  # numbers of boards driven together, `device_number` first
 
     @classmethod
     def on(cls, port: PortSettings) -> "ConnectionSettings":

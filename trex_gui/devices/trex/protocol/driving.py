@@ -27,7 +27,7 @@ class Drive:
     """Setpoint of one motor."""
 
     direction: Direction
-    speed: int  # or braking duty, 0-127
+    speed: int  # speed or braking duty, 0-127
 
     @classmethod
     def at(cls, speed: int) -> "Drive":

@@ -109,7 +109,7 @@ class NeedData:
 
 @dataclass(frozen=True, slots=True)
 class Reply(Generic[ReplyT_co]):
-    raw: bytes  # with echo and CRC
+    raw: bytes  # bytes with echo and CRC
     value: ReplyT_co
 
 

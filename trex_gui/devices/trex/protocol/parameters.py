@@ -149,7 +149,7 @@ class ParameterSpec:
     number: int
     key: str
     name: str
-    short_name: str  # without the motor
+    short_name: str  # name without the motor
     kind: ParameterKind
     description: str
     group: str
@@ -167,7 +167,7 @@ class ParameterSpec:
     since: str = "1.0"
     grades: Mapping[str, Grade] = field(default_factory=dict)  # evidence by field of the table
     doubt: str = ""  # argument against an inferred default
-    section: str = ""  # in the user's guide, such as `4.c`; empty if unknown
+    section: str = ""  # of the user's guide, such as `4.c`; empty if unknown
 
     @property
     def readable(self) -> bool:

@@ -15,7 +15,7 @@ from trex_gui.devices.trex.protocol.commands import (
 from trex_gui.devices.trex.protocol.descriptions import describe
 from trex_gui.devices.trex.protocol.framing import EXPANDED_START, Malformed, Packet, PacketParser
 
-MOST_BYTES = 256  # sent at once; the longest packet has 14 bytes
+MOST_BYTES = 256  # size of a request in bytes; the longest packet has 14
 
 _MOTOR_OPCODES = frozenset(opcode for opcode, cls in COMMANDS.items() if cls.moves)
 

@@ -83,7 +83,7 @@ class Leave:
 class Welcome:
     """Report: a client was accepted. The newest reports of the session follow."""
 
-    name: str  # of the served board
+    name: str  # name of the served board
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ class Role(IntEnum):
     """Permissions of a user. Each role includes the roles before it."""
 
     WATCH = 0  # watch and stop
-    DRIVE = 1  # hold the lease when it is free or handed over
+    DRIVE = 1  # hold a lease that is free or handed over
     OWN = 2  # take the lease from its holder
 
 
@@ -27,7 +27,7 @@ class User:
 class Party:
     """Client of the server, with its user."""
 
-    id: str  # of the client
+    id: str  # id of the client
     user: str
     role: Role
 
@@ -41,7 +41,7 @@ class Lease:
 
     holder: Party | None = None
     number: int = 0  # increases with each new holder
-    waiting: list[Party] = field(default_factory=list)  # in the order of their requests
+    waiting: list[Party] = field(default_factory=list)  # in the order of requests
     _alive_at: float = 0.0
 
     def request(self, party: Party, now: float) -> bool:

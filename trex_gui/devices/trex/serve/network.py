@@ -20,7 +20,7 @@ from trex_gui.core.transport.urls import LOCAL_USER, Address
 from trex_gui.devices.trex.serve.lease import User
 
 _MOST_SCOUTED = 32
-_DEAD_MS = 4000  # timeout of a connection without messages
+_DEAD_MS = 4000  # timeout of a silent connection
 _ROOT = "trex/v1"
 
 

@@ -15,7 +15,7 @@ _SCOUTING_S = 0.7
 _ANSWER_S = 2.0
 _OPEN_S = 1.0  # timeout on an open connection, which may be dead
 _STOP_S = 10.0  # a stop may take this long on a line that corrupts bytes
-_MOST_AT_ONCE = 100  # connections
+_MOST_AT_ONCE = 100  # most connections at once
 ALL = "all"
 
 

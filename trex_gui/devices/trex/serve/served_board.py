@@ -38,10 +38,10 @@ from trex_gui.devices.trex.settings.board_records import utc_now
 
 log = logging.getLogger(__name__)
 
-_RETRY_S = 1.0  # between two attempts to open the line
+_RETRY_S = 1.0  # seconds between two attempts to open the line
 _LEAVING = 0.5  # seconds for the last messages to a client
-_MOST_CLIENTS = 16  # of one user, including clients whose connection was just cut
-_MOST_EVENTS = 1000  # on the line, in a batch
+_MOST_CLIENTS = 16  # clients of a user, including recently lost clients
+_MOST_EVENTS = 1000  # events in a batch
 _MOST_WAITING = 300  # queued messages for a client, about five seconds
 
 
@@ -108,7 +108,7 @@ class ServedBoard:
         self.server = BoardServer(name, self._put, self._send, computer.clock)
         self._board = BoardMirror(Keeper(log.info, log.warning).memory)
         self._others: dict[int, BoardMirror] = {}  # other boards of the group, by number
-        self._traffic: list[TrafficEvent] = []  # since the last batch of samples
+        self._traffic: list[TrafficEvent] = []  # events since the last batch
         self._logs = False  # `_traffic` is recorded
         self._present: set[Party] = set()  # connected clients
         self._outboxes: dict[Party, _Outbox] = {}

@@ -68,7 +68,7 @@ from trex_gui.devices.trex.session.messages import (
 log = logging.getLogger(__name__)
 
 _MOST_WAITING = 32  # client requests that one stop confirms
-MOST_REQUESTS = 600  # of a user in a second; a window that drives sends about 120
+MOST_REQUESTS = 600  # requests of a user a second; a driving window sends about 120
 MOST_JOBS = 8  # queued requests of a client
 _LONGEST_PACKET = 16  # bytes; a packet on the wire delays a stop
 _MOST_ATTEMPTS = 3
@@ -85,14 +85,14 @@ _WATCHES = SetWatched(True)  # default of a client that has not sent `SetWatched
 @dataclass(slots=True, eq=False)
 class _Client:
     party: Party
-    counter: float  # of its last request
-    stopped: float  # counter of its last stop, which may overtake other requests
+    counter: float  # counter of the last request
+    stopped: float  # counter of the last stop, which may overtake requests
     heard_at: float
     echo: float = 0.0  # client's clock minus server's clock, at the last request
     sent: int = 0
     sent_at: float = 0.0
     watched: SetWatched = _WATCHES
-    jobs: deque[Job | ToBoard] = field(default_factory=deque)  # after the job in flight
+    jobs: deque[Job | ToBoard] = field(default_factory=deque)  # jobs after the job in flight
     in_flight: int = 0  # id of the job in the session, or 0
 
 
@@ -116,7 +116,7 @@ class BoardServer:
         self.name = name
         self.lease = Lease()
         self.refused: Counter[str] = Counter()  # number of refused messages, by reason
-        self.polynomial: int | None = None  # of packets on the line; `None` without CRC
+        self.polynomial: int | None = None  # `None` without CRC
         self._request, self._send, self._clock = request, send, clock
         self._lock = threading.RLock()
         self._clients: dict[Party, _Client] = {}
@@ -304,7 +304,7 @@ class BoardServer:
         elif isinstance(request, SetpointRequest) and not _is_possible(request):
             self._refuse("impossible setpoint")
         elif isinstance(request, Heartbeat):
-            self._request(Heartbeat())  # with the time of this computer
+            self._request(Heartbeat())  # has the time of this computer
         elif number is not None and isinstance(request, SetpointRequest):
             self._pending_stop = 0
             self._record_speeds(None if number == self._first else number, request)

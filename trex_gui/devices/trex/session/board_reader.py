@@ -17,7 +17,7 @@ from trex_gui.devices.trex.session.open_line import OpenLine
 from trex_gui.devices.trex.session.polling import SAFETY_PARAMETERS, Polling, Topic
 
 _STALE_READS = 3
-_STALE_READ_INTERVAL = 2.0  # seconds, in which telemetry continues
+_STALE_READ_INTERVAL = 2.0  # seconds
 
 # Each of the four parameters is read once a second. This takes a tenth of a line at 1200 baud.
 _SAFETY_READ_INTERVAL = 0.25  # seconds
@@ -27,7 +27,7 @@ class BoardReader:
     state: DeviceState  # set by the first reading
 
     def __init__(self, line: OpenLine) -> None:
-        self.signature: Signature | None = None  # of the last board read
+        self.signature: Signature | None = None  # signature of the last board
         self.polling = Polling()
         self.safety_read_at = -math.inf
         self.port_rates: frozenset[int] | None = None  # baud rates of the port; `None` if unknown

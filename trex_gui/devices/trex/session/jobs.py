@@ -186,7 +186,7 @@ class JobServer:
             line.require_alone()
             line.require_stopped()
         elif is_addressed and ParameterKey.FACTORY_RESET in parameters:
-            number = state.specs[ParameterKey.DEVICE_NUMBER].default  # after the next start
+            number = state.specs[ParameterKey.DEVICE_NUMBER].default  # value after the next start
         if number is not None and number != stored:
             require_free_number(line.client, number, line.serve_motors)
 

@@ -75,7 +75,7 @@ class SelectBoard:
 
     id: int
     number: int
-    sharing: tuple[int, ...] = ()  # all boards on the line; commands without a number drive them
+    sharing: tuple[int, ...] = ()  # numbers of all boards on the line
 
 
 @dataclass(frozen=True, slots=True)

@@ -61,14 +61,14 @@ class OpenLine:
     driver: MotorDriver
     status: StatusReader
     liveness: LivenessMonitor
-    requests: TrexRequestQueue  # of all boards
+    requests: TrexRequestQueue  # shared by all boards
     queue: BoardQueue
     batcher: SampleBatcher
     emit: Callable[[BoardReport], None]
-    boards: list["OpenLine"]  # of the session, including this board
+    boards: list["OpenLine"]  # all boards of the session
     reserved: frozenset[int]  # numbers of devices outside the session
-    has_driven: bool = False  # until each board on the line was stopped
-    is_guarded: bool = False  # last reported state
+    has_driven: bool = False  # True until each board on the line is stopped
+    is_guarded: bool = False  # last reported value
 
     @property
     def settings(self) -> ConnectionSettings:

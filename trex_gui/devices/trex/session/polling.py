@@ -17,7 +17,7 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.parameters import MotorParameter, ParameterKey
 
-SAFETY_PARAMETERS = (  # protect the motors, so a session reads them continuously
+SAFETY_PARAMETERS = (  # read continuously, because they protect the motors
     ParameterKey.SERIAL_TIMEOUT,
     MotorParameter.CURRENT_LIMIT.of(1),
     ParameterKey.UART_ERROR_SHUTDOWN,
@@ -32,9 +32,9 @@ _LONGEST_LAG = 0.1  # seconds; a schedule that is later than this does not catch
 # milliseconds, measured while a window paints).
 _MARGIN = 0.015  # longest time between a reply and the next query, in seconds
 
-_KEEPALIVE_SHARE = 0.4  # of the serial timeout; after this pause, any topic is polled
+_KEEPALIVE_SHARE = 0.4  # share of the serial timeout after which any topic is polled
 
-_CHEAPEST = Control  # one byte out, one byte in
+_CHEAPEST = Control  # shortest transaction: one byte out, one byte in
 
 
 def rates(source: InputSource, *, watched: bool = True) -> Mapping[Topic, float]:

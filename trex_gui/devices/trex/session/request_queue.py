@@ -43,7 +43,7 @@ class BoardQueue:
             case SetReconnectCandidates(settings=settings):
                 self._liveness.expect(settings)
             case Arm(selection=selection) if selection != self.selection:
-                pass  # for another board
+                pass  # meant for another board
             case _ if isinstance(request, Job):
                 self.jobs.append(request)
             case _ if isinstance(request, Heartbeat) or not is_closing:
@@ -69,7 +69,7 @@ class TrexRequestQueue:
     """Requests to all boards of a line. `ToBoard` explains their addresses."""
 
     _inbox: Inbox[Request]
-    _boards: Mapping[int | None, BoardQueue]  # by number, in the order of the group
+    _boards: Mapping[int | None, BoardQueue]  # by device number, in group order
     is_ready: bool = True  # every board was read
     is_closing: bool = False  # a `Close` was received
     is_watched: bool = True  # samples are shown or recorded
@@ -96,7 +96,7 @@ class TrexRequestQueue:
                 case ToBoard(number=number, request=inner):
                     self._dispatch(number, inner)
                 case Arm() if not self.is_ready:
-                    pass  # not every board was read
+                    pass  # some board is not read yet
                 case Stop() | Arm() | Heartbeat():
                     if isinstance(request, Stop):
                         self._awaited[request.id] += len(boards)

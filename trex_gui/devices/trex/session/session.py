@@ -161,7 +161,7 @@ class TrexSession:
                 # A line that was just opened may have lost the echo.
                 self._start(client)
         except (NoReply, BadReply) as error:
-            if self._needs_stop():  # before any further probe
+            if self._needs_stop():  # the stop precedes further probes
                 raise explain(self._settings, echo=client.echo, error=error) from error
             raise diagnose(
                 client, error, progress=self._report_probe, cancelled=self._needs_stop

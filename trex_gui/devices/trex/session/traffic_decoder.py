@@ -102,7 +102,7 @@ class TrexDecoder(Decoder):
         return f"{request} → {fault}"
 
 
-_packets = lru_cache(maxsize=256)(packets_of)  # polls repeat the same few packets
+_packets = lru_cache(maxsize=256)(packets_of)  # polls repeat few packets
 
 
 def last_exchange(

@@ -14,7 +14,7 @@ from trex_gui.devices.trex.simulator.channels import Channels
 from trex_gui.devices.trex.simulator.memory import Memory
 
 _NEUTRALS = 2.0  # seconds in which neutrals are measured
-_SETTLING = 0.1  # seconds before the measurement, inferred: each channel needs its first pulse
+_SETTLING = 0.1  # seconds until each channel has a pulse, inferred
 _EXTREMES = 10.0  # seconds in which extremes are measured
 _HELD = 50  # updates (0.5 s) for which an extreme must be held
 _FLASH = 0.4  # seconds for each channel's result, inferred

@@ -161,7 +161,9 @@ class Channels:
         self.source = source
         unknown = 0 if source is InputSource.ANALOG else None
         self._raw: dict[int, int | None] = dict.fromkeys(CHANNELS, unknown)
-        self._pulse_ticks = dict.fromkeys(CHANNELS, -math.inf)  # of the last pulse, valid or not
+        self._pulse_ticks = dict.fromkeys(
+            CHANNELS, -math.inf
+        )  # tick of the last pulse, valid or not
         self._good_ticks = dict.fromkeys(CHANNELS, -math.inf)
         self._converted = dict.fromkeys(CHANNELS, 0)
         self._ticks = 0

@@ -33,7 +33,7 @@ from trex_gui.devices.trex.simulator.physics import DriverOutput, Machine
 
 MODE_JUMPERS = ("serial", "rc", "analog")
 
-_UPDATE_TICKS = 4  # motors and safety, 100 times a second
+_UPDATE_TICKS = 4  # updates of motors and safety: 100 times a second
 _CURRENT_TICKS = {InputSource.RC: 5, InputSource.ANALOG: 8}  # 80 or 50 readings a second
 
 _MOTOR_KEYS = {

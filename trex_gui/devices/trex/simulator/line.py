@@ -36,8 +36,8 @@ class BoardStation:
     def _discard_transfer(self) -> None:
         self._is_transmitting = False
         self._is_pausing = False
-        self._input: RateConverter | None = None  # from a host at another rate
-        self._output: RateConverter | None = None  # to a host at another rate
+        self._input: RateConverter | None = None  # converter from a host at another rate
+        self._output: RateConverter | None = None  # converter to a host at another rate
 
     def _check_boot(self) -> None:
         if self._boot != self.board.boots:
@@ -65,7 +65,7 @@ class BoardStation:
         self, byte: int, host: SerialFormat | None, error: ReceiveError | None, begun: float
     ) -> None:
         if error is ReceiveError.PARITY and self.line_format.parity is Parity.NONE:
-            error = None  # not detected
+            error = None  # undetected without parity
         if host is not None:
             error = self._format_error(host) or error
         self._receive(byte, error, begun)

@@ -153,7 +153,7 @@ class SerialControl:
             *(partial(motor.set, MotorDirection.BRAKE, FULL_SPEED) for motor in motors),
             partial(aux.set, 0),
         )
-        self._commands = list(self._stops)  # for motors 1 and 2 and the auxiliary motor
+        self._commands = list(self._stops)  # commands to motors 1 and 2 and the auxiliary motor
         # Time of the last byte in seconds. Inferred: the timeout starts with the first byte.
         self.last_byte = math.inf
 
