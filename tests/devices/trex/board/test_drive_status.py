@@ -194,7 +194,7 @@ def test_motors_follow_only_where_nothing_stops_or_blocks_them() -> None:
         (DriveInputs(board=replace(RC, is_held=True)), 2, (SetpointSource.SAFE_START,)),
     ],
 )
-def test_setpoint_is_what_the_motor_follows(
+def test_setpoint_has_speed_and_source(
     now: DriveInputs, motor: int, expected: tuple[SetpointSource, int, bool]
 ) -> None:
     newest = Newest()

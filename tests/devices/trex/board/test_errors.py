@@ -69,7 +69,7 @@ def test_each_bit_is_counted_separately(log: ErrorCounts, position: int) -> None
     assert log.entries[position].last == TODAY
 
 
-def test_each_change_is_told() -> None:
+def test_each_change_is_reported() -> None:
     told: list[int] = []
     board = ErrorCounts(lambda: told.append(sum(counts(board))))
     board.count(news(*BITS), NOW, TODAY)
@@ -111,7 +111,7 @@ def test_error_is_active_while_it_is_reported(log: ErrorCounts) -> None:
         (UartError.FRAMING, False, True),
     ],
 )
-def test_what_stops_the_motors_depends_on_error_shutdown(
+def test_error_shutdown_determines_bits_that_stop_motors(
     bit: Status | UartError, *, stops: bool, stops_if_set: bool
 ) -> None:
     assert stops_motors(bit, errors_stop=False) is stops
@@ -142,7 +142,7 @@ def test_recent_errors_are_those_of_the_motor_and_of_the_line(log: ErrorCounts) 
     assert not log.recent(1, NOW + 3)
 
 
-def test_counts_of_another_board_on_the_line_are_kept(log: ErrorCounts) -> None:
+def test_counts_of_another_board_on_the_line_are_retained(log: ErrorCounts) -> None:
     log.count(news(Status.MOTOR1_FAULT), NOW, TODAY)
     log.select("one", "other")
     assert sum(counts(log)) == 0

@@ -105,7 +105,7 @@ def test_record_of_a_board_at_another_adapter_is_doubted(shelf: Shelf) -> None:
     assert sorted(shelf.records) == ["trex-1.2-7", "trex-1.2-9"], "this one is its own"
 
 
-def test_board_that_lost_its_number_differs_from_what_was_applied(shelf: Shelf) -> None:
+def test_board_without_its_number_differs_from_applied_settings(shelf: Shelf) -> None:
     assert not shelf.connect(NEW, ONE), "nothing was applied before"
     shelf.write(device_number=12, serial_timeout=15)
     assert not shelf.connect(NEW, OTHER), "another adapter"
@@ -150,7 +150,7 @@ def test_values_of_a_write_without_an_end_are_not_expected(shelf: Shelf) -> None
 
 
 @pytest.mark.parametrize("is_simulated", [False, True])
-def test_simulated_board_says_nothing_about_real_ones(shelf: Shelf, *, is_simulated: bool) -> None:
+def test_simulated_board_does_not_affect_real_boards(shelf: Shelf, *, is_simulated: bool) -> None:
     shelf.memory.set_board(NEW, RC, NOW, opened=True, is_simulated=is_simulated)
     kind = Signature(NEW.product, "1.2")
     shelf.memory.record_accepted(kind, {"uart_error_shutdown": 2})
@@ -158,7 +158,7 @@ def test_simulated_board_says_nothing_about_real_ones(shelf: Shelf, *, is_simula
     assert shelf.accepted == ([] if is_simulated else [{"uart_error_shutdown": 2}])
 
 
-def test_what_happens_before_the_record_is_found_counts(shelf: Shelf) -> None:
+def test_changes_before_the_record_is_found_are_recorded(shelf: Shelf) -> None:
     memory, shelf.is_slow = shelf.memory, True
     shelf.connect(NEW, "")
     shelf.write(serial_timeout=5)

@@ -178,7 +178,7 @@ def test_nothing_is_stored_or_measured_without_a_board(watched: Watched) -> None
         (ReadReason.RELOADED, state(device_number=9), LINE, True, False, False),
     ],
 )
-def test_errors_are_counted_on_for_what_may_be_the_same_board(
+def test_error_counts_continue_if_the_board_may_be_the_same(
     watched: Watched,
     occasion: ReadReason,
     other: DeviceState,
@@ -474,7 +474,7 @@ def test_required_channel_losing_signal_begins_safe_start_again(pushed: Watched)
     assert may_hold(pushed)
 
 
-def test_joint_motors_are_not_said_to_be_held(pushed: Watched) -> None:
+def test_joint_motors_are_not_reported_as_held(pushed: Watched) -> None:
     pushed.read(state(Mode.RC, motor_mode=1), ReadReason.RESTARTED)
     drive(pushed, 100)
     assert not may_hold(pushed)

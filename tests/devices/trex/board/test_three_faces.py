@@ -111,7 +111,7 @@ def by_library(bench: Bench, _qtbot: QtBot) -> None:
     Program(bench.runtime, change).end()
 
 
-def test_each_face_keeps_the_same(
+def test_each_interface_saves_equal_files(
     qtbot: QtBot,
     virtual_time: VirtualRuntime,
     start_simulator: StartSimulator,
@@ -165,7 +165,7 @@ def test_faces_without_a_window_know_the_adapter(
     assert "# adapter: 0403:6001-A10KX7YZ" in text
 
 
-def test_run_of_a_motor_keeps_nothing(
+def test_run_of_a_motor_saves_nothing(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:
     bench = Bench(quick_simulator, virtual_time, data_folder())

@@ -52,7 +52,7 @@ def record_of(name: str) -> str:
     return (BoardRecords().folder / f"{name}.txt").read_text("utf-8")
 
 
-def test_snapshot_says_why_and_where() -> None:
+def test_snapshot_has_reason_and_adapter() -> None:
     kept = Kept()
     kept.prepare(STATE, LINK, "a test", [("serial_timeout", 5)])
     (snapshot,) = (data_folder() / "snapshots").glob("*.txt")
@@ -60,7 +60,7 @@ def test_snapshot_says_why_and_where() -> None:
     assert str(snapshot) in kept.said[0]
 
 
-def test_only_what_was_verified_is_expected_and_accepted() -> None:
+def test_only_verified_values_are_expected_and_accepted() -> None:
     results = [
         WriteResult("serial_timeout", error=NoReply("silent")),
         WriteResult("uart_error_shutdown", 2),  # beyond its limit
@@ -97,7 +97,7 @@ def test_record_of_another_board_with_the_number_is_put_aside() -> None:
     assert not (BoardRecords().folder / "trex-1.2-7.txt").exists()
 
 
-def test_files_that_cannot_be_saved_are_said_once(tmp_path: Path) -> None:
+def test_failed_save_is_reported_once(tmp_path: Path) -> None:
     del tmp_path
     folder = BoardRecords().folder
     folder.parent.mkdir(parents=True, exist_ok=True)
@@ -110,7 +110,7 @@ def test_files_that_cannot_be_saved_are_said_once(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("tried", [3, 4])
-def test_board_that_differs_too_much_from_what_was_read_is_not_restored(tried: int) -> None:
+def test_board_with_many_differences_is_not_restored(tried: int) -> None:
     stage, settings = staged()
     client = stage.client(settings)
     state = read_everything(client.request)

@@ -96,7 +96,7 @@ def test_set_top_bit_is_not_reported_as_bad_baud_rate() -> None:
         (Detection.CRC7, "57600 baud, CRC-7, 2 stop bits"),
     ],
 )
-def test_short_text_names_only_what_few_lines_have(detection: Detection, text: str) -> None:
+def test_short_text_omits_common_settings(detection: Detection, text: str) -> None:
     settings = ConnectionSettings("/dev/ttyUSB0", LineSettings(57600, detection, 2))
     assert settings.short == text
     assert replace(settings, line=LineSettings()).short == "19200 baud"

@@ -14,7 +14,7 @@ from trex_gui.devices.trex.protocol.commands import (
 from trex_gui.devices.trex.protocol.framing import Framing, Malformed, NeedData, Reply, ReplyParser
 
 
-def test_parser_needs_what_is_missing_of_the_reply() -> None:
+def test_parser_reports_missing_bytes_of_the_reply() -> None:
     assert ReplyParser(GetRawChannels()).feed() == NeedData(10)
     assert ReplyParser(GetSignature()).feed(b"TReXJr1") == NeedData(2)
 

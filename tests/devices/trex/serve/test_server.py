@@ -171,7 +171,7 @@ def test_outcome_goes_to_the_client_that_waits(served: ServedDriver) -> None:
     assert not any(isinstance(one, Outcome) for one in served.received["alice"])
 
 
-def test_others_learn_what_one_has_written(served: ServedDriver) -> None:
+def test_written_settings_are_reported_to_other_clients(served: ServedDriver) -> None:
     served.send("alice", AskLease(), Write(7, (("serial_timeout", 5),)))
     state = replace(STATE, parameters={"serial_timeout": 5})
     served.server.report(Outcome(served.session[-1].id, Written((), state, CONNECTED.settings)))
@@ -278,7 +278,7 @@ def test_driver_drives_each_board_of_a_line(line: ServedDriver) -> None:
     assert isinstance(line.session[-1], Stop), "it is for all"
 
 
-def test_what_another_board_stores_is_kept_for_late_clients(line: ServedDriver) -> None:
+def test_late_client_receives_settings_of_other_boards(line: ServedDriver) -> None:
     line.send("alice", AskLease(), ToBoard(9, Write(7, (("serial_timeout", 5),))))
     job: Any = line.session[-1]
     state = replace(STATE, parameters={"serial_timeout": 5})

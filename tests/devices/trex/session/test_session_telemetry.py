@@ -130,7 +130,7 @@ def test_samples_are_delivered_soon_and_not_faster_than_they_are_displayed() -> 
     assert min(gaps) >= FRAME - 1e-9
 
 
-def test_samples_contain_what_board_measures(stage: Stage) -> None:
+def test_samples_contain_measurements_of_the_board(stage: Stage) -> None:
     stage.board.channels.signals[1] = Signal.pulses(2000)
     stage.board.channels.signals[4] = Signal.parse("invalid", InputSource.RC)
     stage.board.force_current(2, 3.0)

@@ -84,7 +84,7 @@ def test_failed_connection_is_followed_by_no_probes() -> None:
     assert addressed(stage.transport.sent) == {7}
 
 
-def test_reserved_numbers_are_not_asked_for() -> None:
+def test_reserved_numbers_are_not_probed() -> None:
     wire = wire_of(a_board(7), a_board(9))
     wire.reconfigure(SHARED.line)
     found = boards_by_number(TrexClient(wire, SHARED), lambda _number: None, lambda: False)
