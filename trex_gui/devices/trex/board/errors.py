@@ -91,7 +91,6 @@ class ErrorCounts:
     """
 
     def __init__(self, changed: Callable[[], None] = lambda: None) -> None:
-        """`changed` is called after each change of `entries`."""
         self.entries = UNSEEN  # motor 1, motor 2, then UART error and its kinds
         self._changed = changed
         self._others: dict[str, tuple[ErrorEntry, ...]] = {}  # entries of unselected boards

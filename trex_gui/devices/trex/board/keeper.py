@@ -65,7 +65,7 @@ class Keeper:
         parameters: Sequence[tuple[str, int]],
         calibrations: Sequence[tuple[CalibrationKey, Calibration]] = (),
     ) -> WriteTransaction:
-        """Prepare a write: save a snapshot, then clear the expected values.
+        """Save a snapshot, then clear the expected values.
 
         Raises:
             SettingsError: the snapshot cannot be saved, so nothing must be written.

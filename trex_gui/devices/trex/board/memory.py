@@ -81,7 +81,6 @@ class BoardMemory:
     def hidden_calibration(
         self, channel: int, source: InputSource
     ) -> tuple[Calibration | None, Known | None]:
-        """Return the last known calibration for an input source, with its date."""
         if self.record is None:
             return None, None
         found = self.record.settings.calibrations.get(CalibrationKey.of(source, channel))
@@ -174,7 +173,6 @@ class BoardMemory:
         self._change(lambda record: record.after_writing(stored, source, uncertain, now))
 
     def restore(self, record: BoardRecord) -> None:
-        """Restore an earlier record, because the writes after it were undone."""
         self._change(lambda _record: record)
 
     def record_reset(self) -> None:

@@ -145,7 +145,6 @@ class BoardMirror:
     def __init__(
         self, memory: BoardMemory, errors_changed: Callable[[], None] = lambda: None
     ) -> None:
-        """`errors_changed` is called after changes of `errors`."""
         self.memory = memory
         self.errors = ErrorCounts(errors_changed)
         self.quality = ConnectionQuality()

@@ -47,7 +47,6 @@ class ConnectionQuality:
         self._failed_at = -math.inf
 
     def reset(self) -> bool:
-        """Restart the measurement. Return whether the result changed."""
         changed = self.is_noisy is not None
         self.is_noisy, self.lost, self.seconds, self.rate = None, 0.0, 0.0, 0.0
         self._marks.clear()

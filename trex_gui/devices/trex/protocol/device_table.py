@@ -41,7 +41,6 @@ class PwmClock:
     offset: int
 
     def maximum(self, wire: int) -> int:
-        """Return the timer's top value for a wire value."""
         return self.scale * wire + self.offset
 
     def frequency(self, prescaler: int, maximum_wire: int) -> float:

@@ -31,11 +31,7 @@ class Drive:
 
     @classmethod
     def at(cls, speed: int) -> "Drive":
-        """Return the setpoint for a speed. 0 is forward.
-
-        Raises:
-            BadRequest: the speed is not -127 to 127.
-        """
+        """Return the setpoint for -127 to 127, else raise BadRequest. 0 is forward."""
         if not -FULL_SCALE <= speed <= FULL_SCALE:
             raise BadRequest(tr("a motor's speed is -127 to 127, not {0}").format(speed))
         return cls(Direction.REVERSE if speed < 0 else Direction.FORWARD, abs(speed))

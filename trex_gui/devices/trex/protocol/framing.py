@@ -79,7 +79,6 @@ class Framing:
 
     @property
     def crc_size(self) -> int:
-        """Size of the CRC in bytes: 0 or 1."""
         return 0 if self.polynomial is None else 1
 
 
@@ -102,8 +101,6 @@ class Malformed:
 
 @dataclass(frozen=True, slots=True)
 class NeedData:
-    """Incomplete reply."""
-
     size: int  # least number of missing bytes
 
 

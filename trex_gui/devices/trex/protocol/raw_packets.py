@@ -41,7 +41,6 @@ class RawPacket:
 
     @property
     def is_query(self) -> bool:
-        """True if the packet neither moves a motor nor stores anything."""
         return isinstance(self.packet, Packet) and not (self.moves or self.writes)
 
     @property

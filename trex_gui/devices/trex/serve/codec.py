@@ -149,7 +149,6 @@ def decode_request(data: bytes, head: int) -> tuple[tuple[float, ...], Request]:
 
 
 def encode_report(report: Report) -> Any:
-    """Return a report as plain values. `with_head` packs them for each client."""
     return _codec().unstructure(report, _REPORTS)
 
 

@@ -61,7 +61,6 @@ class _Outbox:
         self._thread.join(seconds)
 
     def put(self, message: bytes | None) -> None:
-        """Queue a message. `None` ends the thread."""
         try:
             self._messages.put_nowait(message)
         except queue.Full:

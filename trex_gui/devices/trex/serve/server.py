@@ -284,7 +284,6 @@ class BoardServer:
     def _serve_board(
         self, client: _Client, request: Request, age: float, number: int | None = None
     ) -> None:
-        """Handle a request to a board. `number` is `None` for the first board."""
         if isinstance(request, ToBoard):
             if request.number in self._newest or request.number == self._first:
                 self._serve_board(client, request.request, age, request.number)

@@ -72,7 +72,6 @@ class OpenLine:
 
     @property
     def settings(self) -> ConnectionSettings:
-        """Present settings, with the numbers that the user has reserved."""
         return replace(self.client.settings, reserved=self.reserved)
 
     def now(self) -> float:
@@ -99,7 +98,6 @@ class OpenLine:
             raise Closing
 
     def serve_motors(self) -> bool:
-        """Send due stops or setpoints. Return whether the line was used."""
         return self.serve_stops() or self.drive_next()
 
     def serve_stops(self) -> bool:
@@ -112,7 +110,6 @@ class OpenLine:
         return any(board.drive() for board in self.boards)
 
     def stop_and_confirm(self) -> bool:
-        """Stop this board. Return whether it confirmed the stop."""
         run = self.driver.final_stop()
         self._stop({self: run})
         return run.is_confirmed

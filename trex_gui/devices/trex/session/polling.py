@@ -67,7 +67,7 @@ def too_slow(line: LineSettings, timeout: float) -> frozenset[Topic]:
 def survives_a_loss(line: LineSettings, timeout: float, lateness: float) -> bool:
     """True if a lost reply does not cause a serial timeout.
 
-    `lateness` is the wait for a missing reply beyond its transmission time, in seconds.
+    `lateness` is the timeout of a reply in seconds, without its transmission.
     """
     left_out = too_slow(line, timeout)
     polled = [POLLED[topic].query for topic in POLLED if topic not in left_out]

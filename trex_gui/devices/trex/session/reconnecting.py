@@ -53,7 +53,6 @@ class LivenessMonitor:
 
     @property
     def is_failing(self) -> bool:
-        """True after a failed transaction, until the board is silent."""
         return self._failures > 0 and not self.silent
 
     def record_reply(self, topic: Topic) -> None:
@@ -85,11 +84,7 @@ class LivenessMonitor:
         return self.silent and can_probe and (self._has_probed or bool(self.candidates))
 
     def probe_next(self, client: TrexClient) -> TrexClient | None:
-        """Send one probe. Return a client if the board replied.
-
-        Raises:
-            PortUnavailable: the line is gone.
-        """
+        """Send one probe. Return a client if the board replied."""
         self._has_probed = True
         if not self._places:
             self._places.extend(reconnect_places(client.settings, self.candidates))

@@ -77,10 +77,7 @@ class TrexRequestQueue:
     _failed: dict[int, Outcome] = field(default_factory=dict)  # first error by id of the stop
 
     def collect(self, seconds: float = 0.0) -> None:
-        """Queue received requests, waiting up to `seconds` for the first.
-
-        `Close` drops all setpoints.
-        """
+        """Queue received requests, waiting up to `seconds` for the first."""
         boards = list(self._boards.values())
         request = self._inbox.get(max(seconds, 0.0))
         while request is not None:

@@ -322,7 +322,6 @@ class TrexSession:
         first.collect(self._seconds_to_wait(now))
 
     def _serve(self, board: _Board, now: float, *, watched: bool) -> bool:
-        """Do the next due task of one board. Return whether the line was used."""
         reader, liveness, jobs = board.reader, board.liveness, board.queue.jobs
         if jobs and not board.had_job:
             self._serve_job(board)

@@ -49,10 +49,7 @@ class Signal:
     def parse(cls, text: str, source: InputSource) -> "Signal":
         """Parse `1500us`, `2.5V`, raw counts, `invalid`, `silent` or `rest`.
 
-        `noise 2us` and `lost 0.1` may follow a value.
-
-        Raises:
-            ValueError: the text is not a signal, or its value is out of range.
+        `noise 2us` and `lost 0.1` may follow a value. ValueError for any other text.
         """
         word = text.strip().lower()
         if word in _WITHOUT_VALUE:

@@ -218,7 +218,6 @@ def _battery(board: Board, voltage: str, resistance: str | None = None) -> str:
 
 
 def _eeprom(board: Board, key: str, value: str) -> str:
-    """Write an EEPROM cell. It takes effect at the next power-up."""
     try:
         board.eeprom.write(key, int(value, 0))
     except KeyError:

@@ -100,7 +100,6 @@ class Eeprom:
         self._save_if_possible()
 
     def learned(self, source: InputSource) -> int:
-        """Return the mask of channels with changed calibrations (0x95)."""
         default = DEFAULT_CALIBRATION[source]
         calibrations = self._calibrations[source].items()
         return channel_mask(channel for channel, value in calibrations if value != default)
@@ -255,7 +254,6 @@ class Memory:
 
     @property
     def crc_polynomial(self) -> int | None:
-        """Polynomial of the CRC, 0x80-0xFF. `None` without CRC."""
         if self.line_settings.detection is not Detection.CRC7:
             return None
         return 0x80 | self.active[ParameterKey.CRC7_POLYNOMIAL]

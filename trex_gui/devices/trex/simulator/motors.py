@@ -52,7 +52,6 @@ class Motor:
         return self._tenths // 10
 
     def set(self, direction: MotorDirection, speed: int) -> None:
-        """Set direction and speed immediately, without ramp and brake duration."""
         self.accelerate(direction, speed)
         self._output(direction, speed * 10)
         self._braked = 0
@@ -62,10 +61,7 @@ class Motor:
         self.target_speed = speed
 
     def update(self, settings: MotorSettings, current: int) -> bool:
-        """Run one update of 10 ms. Return whether the current is over the limit.
-
-        `current` is in counts of 0x8D.
-        """
+        """Update after 10 ms. Return whether the current, in counts, is over the limit."""
         limit = 2 * settings.current_limit
         over = 0 < limit < current
         if over and self.direction is self.target_direction is not MotorDirection.BRAKE:

@@ -87,7 +87,6 @@ class SerialPort:
             self._buffer.append(_GAP)
 
     def resume(self) -> None:
-        """End a pause: reply, then process buffered bytes until the next pause."""
         if not self._listens():
             return
         self.pause = 0.0
