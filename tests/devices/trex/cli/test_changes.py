@@ -289,7 +289,7 @@ def test_last_applied_settings_are_compared_with_board(trexcmd: RunCommand) -> N
     other.write_text("notes of another board", encoding="utf-8")
     renumbered = trexcmd("set", "device_number", "9")  # the record follows the number
     aside = other.with_name("trex-1.2-9.replaced-1.txt")
-    assert f"another board with this device number is in {aside} now" in renumbered.stderr
+    assert f"another board with this device number is in {aside}." in renumbered.stderr
     assert aside.read_text(encoding="utf-8") == "notes of another board"
     assert trexcmd("diff", "--last", "--device", "9").stdout == ""
     trexcmd("raw", "AF 07 00 55 2A")  # by another program

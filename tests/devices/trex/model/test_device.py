@@ -219,7 +219,7 @@ def test_doubt_about_the_record_is_said(recorder: RecorderOfBoard) -> None:
         device.motors.adapter = adapter
         recorder.connect(recorder.simulator.url, again=device.is_connected)
         recorder.until(lambda: device.records.files.is_idle)
-    assert "this TReX (notes, calibrations, applied settings) is of 20" in "".join(said)
+    assert "settings of this TReX on this computer are of 20" in "".join(said)
 
 
 # --- Motors -----------------------------------------------------------------------------
