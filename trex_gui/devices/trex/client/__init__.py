@@ -1,1 +1,1 @@
-"""One transaction at a time with a TReX, and what is read and written with them."""
+"""Transactions with a TReX, and reading and writing of its settings."""

@@ -1,7 +1,7 @@
-"""Transactions: one command out, its whole reply in, before anything else is sent.
+"""Transactions with a board, one at a time.
 
-A TReX cannot receive while it replies, so there is never a second request in flight. Deadlines
-add up the time of the bytes on the wire and the delay of the board. Every use of the line raises
+A TReX cannot receive while it replies, so a request waits for the previous reply. Deadlines add the
+time of the bytes on the wire to the delay of the board. Every use of the line raises
 `PortUnavailable` if the line is gone.
 """
 
@@ -42,17 +42,17 @@ from trex_gui.devices.trex.protocol.framing import (
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number
 
 BOARD_DELAY = 0.005
-"""Seconds a board may need for a query: its 1 ms response delay and half of its 10 ms cycle.
+"""Longest delay of a reply in seconds: 1 ms response delay and half of the 10 ms cycle.
 
-Inferred: no source gives more than the response delay.
+Inferred, except for the response delay.
 """
 
 LONGEST_REPLY = 16  # bytes: ten for five raw channels, a CRC, and the echo of the request
-_ECHO_PROBES = 2  # a corrupted byte must not hide an echo
+_ECHO_PROBES = 2  # one corrupted byte must not hide an echo
 
 
 class Requester(Protocol):
-    """Runs transactions: a client, or a session that handles a stop in between."""
+    """Runs transactions: a client, or a session that handles stops in between."""
 
     def __call__(self, command: Command[ReplyT_co]) -> ReplyT_co: ...
 
@@ -71,11 +71,11 @@ class Counters:
 
 @dataclass(slots=True)
 class _Wire:
-    """State of the line that delays the next transaction with any of its boards."""
+    """State of a line that several boards share."""
 
-    free_at: float
-    is_unanswered: bool = False
-    unanswered: int = 0  # missing replies since a reply was last matched to its request
+    free_at: float  # time when all sent bytes have left the port
+    is_unanswered: bool = False  # True if the reply to the last request is missing
+    unanswered: int = 0  # missing replies since the last reply that was matched to its request
 
 
 class TrexClient:
@@ -87,13 +87,13 @@ class TrexClient:
         echo: bool = False,
         wire: _Wire | None = None,
     ) -> None:
-        self.echo = echo  # whether everything sent comes back, as on the RS-232 side of the board
-        # Whether to send a null command while waiting for a late reply, so that the board's serial
-        # timeout does not stop motors that are driven
+        self.echo = echo  # True if sent bytes come back, as on the RS-232 side of the board
+        # True to send a null command before waiting for a late reply, so that the board's serial
+        # timeout does not stop driven motors
         self.keepalive_while_waiting = False
         self.counters = Counters()
         self.transport = transport
-        self.settings = settings  # how the line was opened, with the board's present number
+        self.settings = settings  # has the current number of the board
         self._wire = wire or _Wire(transport.clock())
         self._stop_sequence: tuple[ConnectionSettings, bool, str, StopSequence] | None = None
 
@@ -105,12 +105,12 @@ class TrexClient:
         """Send a command and return its parsed reply.
 
         A motor command has no reply: the call returns at once, and the next request waits until
-        the bytes have left.
+        the bytes have left the port.
 
         Raises:
-            BadRequest: a value does not fit; nothing was sent.
-            NoReply: the reply is missing, or incomplete at its deadline.
-            BadReply: the bytes are no reply to this command.
+            BadRequest: a value is out of range; nothing was sent.
+            NoReply: the reply is missing or incomplete at its deadline.
+            BadReply: the received bytes are no reply to this command.
         """
         return self._request(command, self.settings.framing).value
 
@@ -120,7 +120,7 @@ class TrexClient:
             reply = self._transact(command, framing)
         except (NoReply, BadReply):
             if number is not None:
-                self._look_for(number)
+                self._try_number(number)
             raise
         if reply.value is ResultCode.OK and number is not None:
             self.settings = replace(self.settings, device_number=number)
@@ -129,7 +129,7 @@ class TrexClient:
     def send_packet(self, packet: Packet | Malformed) -> Reply[object]:
         """Send bytes that a user typed, and return the reply.
 
-        If the bytes are no packet, the reply is everything that arrives, and its value is `None`.
+        If the bytes are no packet, the reply is all received bytes, and its value is `None`.
 
         Raises:
             NoReply, BadReply: as for `request`.
@@ -155,11 +155,10 @@ class TrexClient:
         packet = framing.encode(command)
         parser = ReplyParser(command, framing, self.echo)
         self._start_transaction()
-        begun = self.transport.clock()
+        started = self.transport.clock()
         self.transport.write(packet)
-        # Queued bytes must leave the port before the board can reply. A port may also block the
-        # caller until it has accepted everything.
-        self._wire.free_at = max(begun + line.seconds(len(packet)), self.transport.clock())
+        # The board replies after all bytes have left the port. `write` may block until then.
+        self._wire.free_at = max(started + line.seconds(len(packet)), self.transport.clock())
         deadline = self._wire.free_at + self._allowance + command.seconds_to_answer
         received = b""
         state = parser.feed()
@@ -181,16 +180,16 @@ class TrexClient:
         match state:
             case Malformed(raw, reason):
                 self.counters.corrupted += 1
-                # Bytes that still arrive belong to the same corrupted reply.
+                # Wait for the remaining bytes of the corrupted reply.
                 self.transport.wait(line.seconds(LONGEST_REPLY))
                 raise TrexBadReplyError(ErrorCode.CORRUPTED_REPLY, hex_text(raw), reason)
             case Reply(raw):
-                took = self.transport.clock() - begun
+                seconds = self.transport.clock() - started
                 if self._wire.unanswered and command.reply_size():
                     self._reject_late_reply(raw)
                 self.counters.replies += bool(command.reply_size())
                 if command.reply_size() or self.echo:
-                    self.counters.slowest = max(self.counters.slowest, took)
+                    self.counters.slowest = max(self.counters.slowest, seconds)
                     self._wire.free_at = min(self._wire.free_at, self.transport.clock())
                 return state
 
@@ -201,7 +200,7 @@ class TrexClient:
         self.counters.unsolicited += len(late)
 
     def send(self, command: Command[None]) -> None:
-        """Send a command without a reply. An echo is awaited and not checked."""
+        """Send a command without a reply. Discard its echo."""
         packet = self.settings.framing.encode(command)
         self.drain()
         self.counters.requests += 1
@@ -211,12 +210,12 @@ class TrexClient:
             self._read_echo(packet)
 
     def detect_echo(self, before: Callable[[], None] | None = None) -> bool:
-        """Find out with null commands whether everything sent comes back.
+        """Detect with null commands if sent bytes come back. Set and return `echo`.
 
-        `before` is called before each of them: a stop may have to be sent first.
+        `before` is called before each null command, so that a stop can be sent first.
 
         Raises:
-            BadReply: bytes arrive without end; a TReX sends none unsolicited.
+            BadReply: unsolicited bytes arrive without end, so the device is no TReX.
         """
         self.echo = False
         for _ in range(_ECHO_PROBES):
@@ -231,7 +230,7 @@ class TrexClient:
         return self.echo
 
     def _drain_late_reply(self) -> bytes:
-        """Discard a late reply, before it is taken for the next reply. A stop does not wait."""
+        """Wait for a late reply and return it, so that it is not taken for the next reply."""
         if not self._wire.is_unanswered:
             return b""
         self._wire.is_unanswered = False
@@ -245,10 +244,9 @@ class TrexClient:
         return late.removesuffix(self._null) if self.echo and self.keepalive_while_waiting else late
 
     def _reject_late_reply(self, reply: bytes) -> None:
-        """Raise `BadReply` if another reply follows `reply`.
+        """Raise `BadReply` if more bytes follow: then `reply` belongs to an earlier request.
 
-        An adapter or the system may have delayed earlier replies, which all arrive now. Then
-        `reply` belongs to an earlier request.
+        An adapter or the system may deliver several delayed replies together.
         """
         more = self.transport.read(1, self.transport.latency)
         if more:
@@ -267,7 +265,10 @@ class TrexClient:
         return self.transport.read(len(packet), seconds)
 
     def stop_sequence(self, board: str) -> StopSequence:
-        """Return the guardian's present sequence to stop the motors. `board` names the board."""
+        """Return the sequence with which the guardian stops the motors.
+
+        `board`: name of the board in messages.
+        """
         known = self._stop_sequence
         if known is None or known[:3] != (self.settings, self.echo, board):
             framing, line = self.settings.framing, self.settings.line
@@ -291,7 +292,7 @@ class TrexClient:
 
     @property
     def has_crc(self) -> bool:
-        """Return whether a CRC shows corrupted bytes. A parity bit shows them to the board only."""
+        """True if replies have a CRC. Parity is checked by the board only."""
         return self.settings.line.has_crc
 
     @property
@@ -304,7 +305,7 @@ class TrexClient:
         return self.transport.latency + self.settings.timeouts.extra + BOARD_DELAY
 
     def _new_number(self, command: object, framing: Framing) -> int | None:
-        """Return the new device number if a command changes the number of the addressed board."""
+        """Return the device number that a command gives to the connected board."""
         if (
             isinstance(command, SetParameter)
             and command.number == parameter_number(ParameterKey.DEVICE_NUMBER)
@@ -314,8 +315,8 @@ class TrexClient:
             return command.value
         return None
 
-    def _look_for(self, number: int) -> None:
-        """Use the new number if the board replies to it, although the first reply was lost."""
+    def _try_number(self, number: int) -> None:
+        """Switch to the new device number if the board replies to it."""
         before = self.settings
         self.settings = replace(before, device_number=number)
         try:

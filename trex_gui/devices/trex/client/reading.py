@@ -1,7 +1,6 @@
-"""Reading everything that a board stores and reports.
+"""Reading of the settings that a board stores.
 
-Plain functions over a `Requester`, so the command line, the session and tests share them. Each
-raises `PortUnavailable` if the line is gone.
+Every function raises `PortUnavailable` if the line is gone.
 """
 
 import contextlib
@@ -44,22 +43,22 @@ from trex_gui.devices.trex.protocol.parameters import (
 
 KeyT = TypeVar("KeyT", str, int)
 
-Progress = Callable[[int, int, str], None]
-"""Called with the steps done, their total, and what comes next."""
+Progress = Callable[[int, int, str], None]  # called with steps done, total steps, next step
 
-ATTEMPTS = 3  # how often a transaction is tried on a line that corrupts bytes
+ATTEMPTS = 3  # attempts of a transaction on a line that corrupts bytes
 
 CONNECTING_ATTEMPTS = 7
-"""Attempts of the first request: a line that was just opened may swallow some replies. On a
-silent local line the last four take half a second."""
+"""Attempts of the first request, since a line that was just opened may lose some replies.
 
-_DISAGREEMENTS = 3
-"""Number of differing readings in a row after which the value counts as unknown."""
+On a silent local line, the last four take half a second.
+"""
+
+_DISAGREEMENTS = 3  # consecutive differing readings after which a value counts as unknown
 
 
 @dataclass(frozen=True, slots=True)
 class DeviceState:
-    """Stored settings and mode of a board, as it reported them last."""
+    """Stored settings and mode of a board when they were last read."""
 
     signature: Signature
     mode: Mode
@@ -67,7 +66,7 @@ class DeviceState:
     parameters: Mapping[str, int]  # stored wire value (0-127) by key
     calibrations: Mapping[int, Calibration]  # by channel, for the active input source only
     calibrated: int  # mask of channels whose calibration differs from the default
-    unread: Mapping[str, str] = field(default_factory=dict)  # why a value is missing, by key
+    unread: Mapping[str, str] = field(default_factory=dict)  # error by key of a missing value
 
     @property
     def specs(self) -> ParameterSet:
@@ -85,13 +84,13 @@ class DeviceState:
 
     @property
     def source(self) -> InputSource:
-        """The active input source, to which `calibrations` belong."""
+        """Active input source, to which `calibrations` belong."""
         return self.mode.source
 
     def active_parameters(self, connection: ConnectionSettings | None) -> dict[str, int]:
-        """Return active wire values of parameters that need a power cycle, as far as known.
+        """Return known active wire values of parameters that need a power cycle.
 
-        The connection shows the UART settings, and the mode shows the input source. Stored values
+        The UART settings follow from the connection, the input source from the mode. Stored values
         may differ until the next power cycle.
         """
         active: dict[str, int] = {}
@@ -105,10 +104,9 @@ class DeviceState:
 
 
 def may_be_same_board(one: DeviceState, other: DeviceState) -> bool:
-    """True if two readings may be of one board.
+    """True if two states may belong to one board: equal model, firmware and stored values.
 
-    They are not if the models, the firmwares or any stored values in both differ. The mode may
-    differ, since a jumper may have been moved.
+    Only values in both states are compared. The mode may differ: a jumper may have been moved.
     """
     if one.signature != other.signature or _differ(one.parameters, other.parameters):
         return False
@@ -118,10 +116,10 @@ def may_be_same_board(one: DeviceState, other: DeviceState) -> bool:
 def other_board(
     request: Requester, signature: Signature, number: int | None = None
 ) -> Signature | None:
-    """Return the signature of the board that replies if it, or its device number, differs.
+    """Return the signature of the replying board if signature or device number differ.
 
-    The board is queried twice, because a corrupted reply can look like another model or number. A
-    `number` of `None` is not compared.
+    Queries twice, because a corrupted reply can look like another model or number. A `number` of
+    `None` is not compared.
 
     Raises:
         NoReply, BadReply: as for `query`.
@@ -137,14 +135,12 @@ def other_board(
 def board_at(client: TrexClient, number: int, *, attempts: int = 1) -> Signature | None:
     """Return the signature of the board with a device number. `None` without a reply.
 
-    The board also has to report that number: a reply to another master does not count.
-
-    The query has its own client: a number without a board is no fault of the line, and must not be
-    counted. The query changes no values, and clears no latched bits. Reserved numbers get no query.
+    The board must also report this number: a reply to another master does not count. No values and
+    no latched bits change. Reserved numbers are not queried. `client.counters` are not changed,
+    since a number without a board is no fault of the line.
 
     Raises:
-        BadReply: something replies that cannot be read: several boards have this number, or the
-            line corrupts bytes.
+        BadReply: a reply is unreadable, from several boards or a line that corrupts bytes.
     """
     if number in client.settings.reserved:
         return None
@@ -163,10 +159,10 @@ def board_at(client: TrexClient, number: int, *, attempts: int = 1) -> Signature
 
 
 def is_several(client: TrexClient, stored_number: int) -> bool:
-    """True if several boards respond as one to commands without a number.
+    """True if several boards reply at once to commands without a number.
 
-    Boards of one model reply alike. Their device numbers are read as one number with the bits that
-    all of them share. No board responds to it unless it is a board's own number.
+    Equal replies of boards of one model look like a single reply. Different device numbers overlap
+    in `stored_number`, a number to which usually no board replies.
     """
     if client.settings.device_number is not None:
         return False
@@ -181,7 +177,7 @@ def require_free_number(
     """Check that no board uses this device number. `before` is called before each query.
 
     Raises:
-        BadRequest: a board has the number, or no attempt got a readable reply (several boards).
+        BadRequest: a board has the number, or every reply was unreadable (several boards).
     """
     unreadable = 0
     for _ in range(ATTEMPTS):
@@ -202,7 +198,7 @@ def _differ(one: Mapping[KeyT, object], other: Mapping[KeyT, object]) -> bool:
 def query(
     request: Requester, command: Command[ReplyT_co], *, attempts: int = ATTEMPTS
 ) -> ReplyT_co:
-    """Run a transaction that changes nothing, several times on a line that corrupts bytes.
+    """Run a transaction that changes nothing, and retry it after an error.
 
     Raises:
         NoReply, BadReply: every attempt failed.
@@ -222,14 +218,14 @@ def agreed(
     has_crc: bool = False,
     earlier: ReplyT_co | None = None,
 ) -> ReplyT_co:
-    """Read a stored value until two readings in a row are equal. With a CRC, read it once.
+    """Read a stored value until two consecutive readings are equal. With a CRC, read it once.
 
-    Without a CRC nothing shows that a byte was corrupted. One corrupted byte can even spoil two
-    replies: if it turns the request into another, the reply is longer, and its rest is taken for
-    the next reply. So a different query separates two readings. `earlier` is the first reading.
+    Without a CRC, corruption is undetected, and one corrupted byte can damage two replies: it turns
+    the request into a request with a longer reply, whose rest is taken for the next reply. So a
+    different query separates two readings. `earlier` is the first reading.
 
     Raises:
-        BadReply: three readings in a row differ from the reading before.
+        BadReply: three consecutive readings differ from the previous reading.
         NoReply: as for `query`.
     """
     readings = [query(request, command) if earlier is None else earlier]
@@ -246,24 +242,25 @@ def agreed(
 
 
 def read_signature(request: Requester, *, has_crc: bool = False) -> Signature:
-    """Return the signature of the board that responds. NoReply and BadReply as for `agreed`."""
+    """Return the signature of the replying board. NoReply and BadReply as for `agreed`."""
     signature = query(request, GetSignature(), attempts=CONNECTING_ATTEMPTS)
     return agreed(request, GetSignature(), has_crc=has_crc, earlier=signature)
 
 
 def read_everything(
     request: Requester,
-    progress: Progress = lambda _done, _total, _what: None,
+    progress: Progress = lambda _done, _total, _next: None,
     *,
     has_crc: bool = False,
 ) -> DeviceState:
-    """Read signature, mode, every parameter and the calibrations that the mode shows.
+    """Read signature, mode, parameters and the calibrations of the active input source.
 
-    Without a CRC everything is read in two passes: interference often lasts for more than one
-    transaction. A board that falls silent meanwhile is read once more.
+    Without a CRC everything is read in two passes, since interference often lasts longer than one
+    transaction. If the board falls silent, reading is retried once from the start.
 
     Raises:
-        NoReply, BadReply: the board does not answer, or is no TReX, or a value was not `agreed`.
+        NoReply: the board does not reply.
+        BadReply: the device is no TReX, or its replies differ.
     """
     readings: dict[Command[Any], Any] = {}
 
@@ -298,8 +295,8 @@ def _read_pass(read: Requester, progress: Progress, number: int, passes: int) ->
     steps = 4 + len(specs) + len(CHANNELS)
     done = count(number * steps + 1)
 
-    def read_next(what: str, command: Command[ReplyT_co]) -> ReplyT_co:
-        progress(next(done), passes * steps, what)
+    def read_next(name: str, command: Command[ReplyT_co]) -> ReplyT_co:
+        progress(next(done), passes * steps, name)
         return read(command)
 
     mode = read_next("mode", GetMode())
@@ -312,7 +309,7 @@ def _read_pass(read: Requester, progress: Progress, number: int, passes: int) ->
         except (NoReply, BadReply) as error:
             if is_unsteady(error):
                 raise
-            # Either the board is gone, and this raises, or it rejects this one parameter.
+            # Raises if the board is gone. Otherwise the board rejects only this parameter.
             read(GetMode())
             unread[spec.key] = str(error)
     calibrations = {

@@ -1,4 +1,4 @@
-"""Samples of polled values, the table of these values, and reading the latched status bits."""
+"""Samples of polled values, their table, and the reader of latched bits."""
 
 import contextlib
 from collections.abc import Callable, Mapping
@@ -33,12 +33,11 @@ from trex_gui.devices.trex.protocol.flags import (
 
 @dataclass(frozen=True, slots=True)
 class Sample:
-    """A polled value, and when its reply arrived (s, on the session's clock)."""
+    """Polled value. False if there is nothing to report."""
 
-    time: float
+    time: float  # arrival of the reply in seconds on the session's clock
 
     def __bool__(self) -> bool:
-        """True if there is something to report."""
         return True
 
 
@@ -58,23 +57,19 @@ class Remapped(Sample):
 
 @dataclass(frozen=True, slots=True)
 class Currents(Sample):
-    """Currents of motors 1 and 2 in counts (`Model.current_unit` ampere each)."""
+    """Currents of motors 1 and 2 in counts of `Model.current_unit` ampere."""
 
     counts: tuple[int, int]
 
 
 @dataclass(frozen=True, slots=True)
 class LatchedStatus(Sample):
-    """Status bits and UART error bits that were latched since they were last read. False if none.
-
-    `is_earlier`: the bits were latched before the board was connected or selected, or by the
-    search for it. `is_whole`: no unread error can be latched.
-    """
+    """Status and UART error bits latched since the last reading. False if none."""
 
     status: Status
     uart: UartError
-    is_earlier: bool = False
-    is_whole: bool = True
+    is_earlier: bool = False  # True if latched by the scan, or before the board was selected
+    is_whole: bool = True  # False if unread errors may be latched
 
     def __bool__(self) -> bool:
         return bool(self.status or self.uart)
@@ -88,7 +83,7 @@ class LatchedStatus(Sample):
     def has_line_error(self) -> bool:
         """True if the line has corrupted bytes. A timeout does not count.
 
-        An announced error of unknown kind counts: the query for its kind was corrupted.
+        An announced error without a known kind counts: reading its kind failed.
         """
         is_unread = Status.UART_ERROR in self.status and not self.uart
         return is_unread or bool(self.uart & ~UartError.TIMEOUT)
@@ -106,16 +101,12 @@ class LatchedStatus(Sample):
 
 @dataclass(frozen=True, slots=True)
 class Control(Sample):
-    """Source of control: serial commands or channels."""
-
-    by_serial: bool
+    by_serial: bool  # True if serial commands control the motors, not channels
 
 
 @dataclass(frozen=True, slots=True)
 class ModeSample(Sample):
-    """The mode, which only changes with a power cycle."""
-
-    mode: Mode
+    mode: Mode  # changes with a power cycle only
 
 
 SampleT = TypeVar("SampleT", bound=Sample)
@@ -123,7 +114,7 @@ SampleT = TypeVar("SampleT", bound=Sample)
 
 @dataclass(slots=True)
 class Newest:
-    """The newest sample of each polled value."""
+    """Newest sample of each polled value."""
 
     samples: dict[type[Sample], Any] = field(default_factory=dict)
 
@@ -131,7 +122,7 @@ class Newest:
         return replace(self, samples=self.samples.copy())
 
     def __getitem__(self, kind: type[SampleT]) -> SampleT:
-        """Return a sample. KeyError while there is none."""
+        """Return a sample. KeyError before the first sample."""
         sample: SampleT = self.samples[kind]
         return sample
 
@@ -148,13 +139,13 @@ class Newest:
 @dataclass(frozen=True, slots=True)
 class PolledValue:
     query: Command[Any]
-    rate: float  # times a second; `analog_rate`: with analog inputs, if it differs
-    # Creates a sample from a time and the reply; `None`: `StatusReader` reads the value
+    rate: float  # polls per second
+    # Creates a sample from a time and the reply; `None` if `StatusReader` reads the value
     sample: Callable[[float, Any], Sample] | None
     # Columns of recordings, CSV and `trexcmd stream`, for an input source and amperes per count
     kind: Callable[[InputSource, float], SampleKind]
-    analog_rate: float | None = None
-    # Times a second while nothing shows or records samples and no motor moves, if it differs
+    analog_rate: float | None = None  # different rate with analog inputs
+    # Different rate while no sample is shown or recorded and no motor moves
     unwatched: float | None = None
 
 
@@ -221,7 +212,7 @@ POLLED: Mapping[type[Sample], PolledValue] = {
         GetCurrents(),
         rate=80.0,
         analog_rate=50.0,
-        unwatched=20.0,  # the plot of currents keeps a curve without gaps
+        unwatched=20.0,  # the plot of currents needs a curve without gaps
         sample=Currents,
         kind=lambda _, current_unit: SampleKind(
             "currents",
@@ -234,7 +225,7 @@ POLLED: Mapping[type[Sample], PolledValue] = {
     ),
     LatchedStatus: PolledValue(
         GetStatus(),
-        rate=10.0,  # bits are latched, so none is missed between two polls
+        rate=10.0,  # latched bits are not missed between two polls
         sample=None,
         kind=lambda *_: SampleKind(
             "status",
@@ -265,7 +256,7 @@ POLLED: Mapping[type[Sample], PolledValue] = {
     ),
     ModeSample: PolledValue(
         GetMode(),
-        rate=1.0,  # it only changes with a power cycle
+        rate=1.0,
         sample=ModeSample,
         kind=lambda *_: SampleKind(
             "mode",
@@ -277,19 +268,22 @@ POLLED: Mapping[type[Sample], PolledValue] = {
         ),
     ),
 }
-"""Ref: command documentation 0x86 (inputs about 50 Hz), 0x8D (currents 50 Hz with analog, about
-80 Hz with RC inputs)."""
+"""Values that are polled while a board is connected.
+
+Ref: command documentation 0x86 (inputs about 50 Hz), 0x8D (currents 50 Hz with analog, about 80 Hz
+with RC inputs).
+"""
 
 
 # --- Status -----------------------------------------------------------------------------
 
 
 class StatusReader:
-    """Reads the latched bits, and loses none on a line that corrupts bytes.
+    """Reads the latched bits without losing any on a line that corrupts bytes.
 
-    Reading clears a byte. So after a lost status, or a lost byte of announced UART errors, the UART
-    error byte is read the next time. It is also read the first time, because a guardian or another
-    program may have read the status before.
+    Reading a byte clears its bits. So after a lost status or lost UART errors, the next reading
+    includes the UART errors. So does the first reading, because a guardian or another program may
+    have read the status before.
     """
 
     def __init__(self, clock: Callable[[], float]) -> None:
@@ -297,11 +291,11 @@ class StatusReader:
         self.reset()
 
     def reset(self) -> None:
-        """Mark the next bits as earlier: the board was searched for, or selected only now."""
-        self._is_first = self.uart_due = True  # bits may be latched that no status announces
+        """Mark the next bits as earlier, after a scan or selection."""
+        self._is_first = self.uart_due = True  # errors may be latched that no status announces
 
     def read(self, request: Requester) -> LatchedStatus:
-        """Read and clear the status, and the UART errors if there may be any.
+        """Read and clear the status, and any UART errors.
 
         Raises:
             NoReply, BadReply: no status arrived.
@@ -322,12 +316,7 @@ class StatusReader:
 def poll(
     request: Requester, topic: type[Sample], clock: Callable[[], float], reader: StatusReader
 ) -> Sample:
-    """Read one topic. Return its sample at the time of its reply. False if no bit was latched.
-
-    Raises:
-        NoReply, BadReply: as for every transaction.
-        PortUnavailable: the line is gone.
-    """
+    """Read one polled value. Errors are as for `TrexClient.request`."""
     polled = POLLED[topic]
     if polled.sample is None:
         return reader.read(request)

@@ -1,7 +1,7 @@
-"""Storing one value: write it, read it back, and compare.
+"""Writing of one value, which is read back and compared.
 
-Plain functions over a `Requester`, so the command line, the session and tests share them. Each
-raises `PortUnavailable` if the line is gone.
+Every function raises `PortUnavailable` if the line is gone. `has_crc` is True if a CRC protects the
+line, see `agreed`.
 """
 
 from collections.abc import Callable
@@ -32,13 +32,11 @@ def write_parameter(
     """Store one parameter and return the value that was read back.
 
     A lost reply is no failure: only the value read back counts. The factory reset cannot be read
-    back; its result code has to suffice.
-
-    `has_crc`: whether a CRC protects the line, in every function here; see `agreed`.
+    back, so its result code counts.
 
     Raises:
-        BadRequest: the value is outside limits that are not inferred; nothing was sent.
-        Rejected: the board rejected it.
+        BadRequest: the value is outside documented limits; nothing was sent.
+        Rejected: the board rejected the value.
         BadReply: the value read back differs.
         NoReply: the board does not respond.
     """
@@ -57,84 +55,79 @@ def write_parameter(
 
 
 def write_calibration(
-    request: Requester, key: CalibrationKey, wanted: Calibration, *, has_crc: bool = False
+    request: Requester, key: CalibrationKey, value: Calibration, *, has_crc: bool = False
 ) -> Calibration:
-    """Store a calibration for the active input source. Return what was read back.
+    """Store a calibration for the active input source. Return the value read back.
 
-    A board that lost power for a moment may have another active source now. Then nothing more is
-    written, because each source has its own calibrations.
+    Each source has its own calibrations, and a short power loss may change the active source.
+    Nothing is written to another source.
 
     Raises:
         BadRequest: minimum, neutral and maximum are not in order; nothing was sent.
         BadReply: the active source, or the value read back, differs.
         Rejected, NoReply: as for `write_parameter`.
     """
-    what = tr("Calibration of channel {0}").format(key.channel)
-    command = SetCalibration(key.channel, wanted)
-    command.data()  # invalid values raise here, before anything is sent
+    name = tr("Calibration of channel {0}").format(key.channel)
+    command = SetCalibration(key.channel, value)
+    command.data()  # raises if the values are invalid, before anything is sent
 
     def require_source() -> None:
         mode = agreed(request, GetMode(), has_crc=has_crc)
         if not mode.is_serial:
-            raise Rejected(what, ResultCode.NOT_SERIAL_MODE)
+            raise Rejected(name, ResultCode.NOT_SERIAL_MODE)
         if mode.source is not key.source:
-            names = key.source.word, mode.source.word
-            raise TrexBadReplyError(ErrorCode.OTHER_SOURCE, what, *names)
+            sources = key.source.word, mode.source.word
+            raise TrexBadReplyError(ErrorCode.OTHER_SOURCE, name, *sources)
 
     stored = _write_and_verify(
         request,
-        what,
+        name,
         command,
         GetCalibration(key.channel),
-        wanted,
+        value,
         has_crc=has_crc,
         before=require_source,
     )
-    if stored != wanted:
-        raise TrexBadReplyError(ErrorCode.CALIBRATION_MISMATCH, what, stored)
+    if stored != value:
+        raise TrexBadReplyError(ErrorCode.CALIBRATION_MISMATCH, name, stored)
     return stored
 
 
 def _write_and_verify(
     request: Requester,
-    what: str,
+    name: str,
     command: SetParameter | SetCalibration,
     read_back: Command[ValueT],
-    wanted: ValueT,
+    value: ValueT,
     *,
     has_crc: bool,
     before: Callable[[], None] = lambda: None,
 ) -> ValueT:
     """Write until the value is read back. Return the last reading.
 
-    `before` is called before each write.
-
-    Raises:
-        Rejected: the board rejects the value. Without a CRC, two rejections in a row are needed,
-            because the first packet or its reply may have been corrupted.
+    `before` is called before each write. Without a CRC, only two consecutive rejections count,
+    because the first packet or its reply may have been corrupted.
     """
 
     def write() -> None:
-        """Write until the board accepts the value. If it never does, the read-back decides."""
         rejected: ResultCode | None = None
         for _ in range(ATTEMPTS):
             before()
             try:
                 code = request(command)
             except (NoReply, BadReply):
-                # The packet or its reply was corrupted: writing the same value again is harmless.
-                continue
+                continue  # writing the same value again is harmless
             if code is ResultCode.OK:
                 return
             if has_crc or code is rejected:
-                raise Rejected(what, code)
+                raise Rejected(name, code)
             rejected = code
             query(request, GetMode())  # see `agreed`
 
-    stored = wanted
+    stored = value
     for _ in range(ATTEMPTS):
         write()
         stored = agreed(request, read_back, has_crc=has_crc)
-        if stored == wanted:
+        if stored == value:
             break
     return stored

@@ -1,4 +1,4 @@
-"""Storing of several values, in an order that keeps the board within reach of a scan."""
+"""Writing of several values, in an order that lets a scan find the board."""
 
 import contextlib
 import logging
@@ -65,12 +65,9 @@ _LINE, _POLYNOMIAL = ParameterKey.UART_SETTINGS, ParameterKey.CRC7_POLYNOMIAL
 
 @dataclass(frozen=True, slots=True)
 class WriteResult:
-    """The value that was read back after a write, or why it is not stored.
+    """Value read back after a write, or the error."""
 
-    `key` is a parameter's key, or a `CalibrationKey`.
-    """
-
-    key: str
+    key: str  # key of a parameter, or a `CalibrationKey`
     stored: int | Calibration | None = None
     error: StudioError | None = None
 
@@ -84,47 +81,46 @@ def write_all(
     specs: ParameterSet,
     parameters: Sequence[tuple[str, int]],
     calibrations: Sequence[tuple[CalibrationKey, Calibration]] = (),
-    progress: Progress = lambda _done, _total, _what: None,
+    progress: Progress = lambda _done, _total, _next: None,
     *,
     before: DeviceState | None = None,
     has_crc: bool = False,
     cancelled: Callable[[], bool] = lambda: False,
     stored: Callable[[WriteResult], None] = lambda _result: None,
 ) -> tuple[WriteResult, ...]:
-    """Store calibrations, then parameters by key, and return the result of each.
+    """Store calibrations, then parameters by key. Return the result of each.
 
-    Calibrations come first, while their input source is active. Parameters that take effect at
-    once come next, then those that need a power cycle, and the serial settings last.
+    Calibrations come first, while their input source is active. Next come parameters that take
+    effect at once, then parameters that need a power cycle. The serial settings come last.
 
-    Power may fail at any moment. A value that is being written then becomes the factory default.
-    Yet the board must start at settings that a scan tries: the old ones, the new ones or the
-    default. So the polynomial is changed while the stored line settings have no CRC: before them
-    if CRC is switched on, after them if it is switched off. If CRC stays on and the line changes
-    too, the default line settings are stored meanwhile. If only the polynomial changes, a power
-    cut in the 4 ms of its write leaves the default polynomial, which a scan tries too.
+    If power fails during a write, the written value becomes the factory default. The board must
+    still start with settings that a scan tries: the old, the new or the default settings. So the
+    polynomial is changed while the stored line settings have no CRC: first if CRC is switched on,
+    last if CRC is switched off. If CRC stays on and the line settings change, the default line
+    settings are stored in between. If only the polynomial changes, a power cut during its 4 ms
+    write leaves the default polynomial, which a scan also tries.
 
-    Once the line is gone, or the board has stopped responding or is not in serial mode, the other
-    writes are not attempted, as they would fail too. The same holds after `cancelled`, but serial
-    settings that belong together are not separated. `stored` is called after each write with the
-    stored value, if it was read.
+    If the line is gone, or the board does not respond or is not in serial mode, no other writes are
+    attempted, since they would also fail. `cancelled` also ends writing, but never between the
+    serial settings. `stored` is called after each write whose value was read back.
 
-    Without a CRC one corrupted bit can turn a write into a write of another setting. So if a write
-    was repeated or failed, every other setting is compared with its value `before` and restored,
-    even if later writes were not attempted. If the board is gone or in another mode, a repeated
-    write counts as failed.
+    Without a CRC, one corrupted bit can turn a write into a write of another setting. So if a write
+    was repeated or failed, every other setting is compared with `before` and restored, even if
+    later writes were not attempted. If the board is gone or in another mode, a repeated write
+    counts as failed.
 
     Nothing is written to a board whose settings differ from `before`. The identity of the board is
     checked again before a write that is repeated or follows a failed reading, and at the end. Two
-    boards with the same model, firmware and stored values cannot be told apart.
+    boards with equal model, firmware and stored values cannot be distinguished.
 
     Raises:
-        OtherBoard: the board is not the one of `before`; nothing more is written.
+        OtherBoard: the board differs from `before`; nothing more is written.
     """
     total = len(parameters) + len(calibrations)
     work = _Work(request, specs, total, progress, has_crc, cancelled, stored, before)
     work.compare_settings()
-    for calibration_key, wanted in calibrations:
-        work.store(calibration_key, wanted)
+    for calibration_key, calibration in calibrations:
+        work.store(calibration_key, calibration)
     ordered = sorted(parameters, key=lambda item: _write_order(specs, item[0]))
     for key, wire in ordered:
         if key not in {_LINE, _POLYNOMIAL}:
@@ -157,7 +153,7 @@ def after_writing(state: DeviceState, results: Sequence[WriteResult]) -> DeviceS
 
 
 class _Route(Enum):
-    """The order in which serial settings are written. See `write_all` for the reasons."""
+    """Order in which serial settings are written. See `write_all` for the reasons."""
 
     POLYNOMIAL_FIRST = auto()
     LINE_FIRST = auto()
@@ -175,20 +171,19 @@ class _Work:
     stored: Callable[[WriteResult], None]
     before: DeviceState | None  # expected state of the board; `None`: not checked
     results: list[WriteResult] = field(default_factory=list)
-    fatal_error: StudioError | None = None  # why nothing more is attempted
-    # Indexes of the results whose write was repeated or failed
-    doubtful: list[int] = field(default_factory=list)
-    repeated: int = 0  # repeats and failures: at most as many other settings were changed
-    unknown: set[str] = field(default_factory=set)  # keys of failed writes, with any value
-    has_sent: bool = False  # whether any write was sent
-    _sent: int = 0
-    _has_failed: bool = False  # whether a transaction failed since the board was last checked
+    fatal_error: StudioError | None = None  # error that ends writing
+    doubtful: list[int] = field(default_factory=list)  # indexes of repeated or failed writes
+    repeated: int = 0  # repeats and failures, the most other settings that they can have changed
+    unknown: set[str] = field(default_factory=set)  # keys of failed writes
+    has_sent: bool = False  # True if any write was sent
+    _sent: int = 0  # packets of the current write
+    _has_failed: bool = False  # True if a transaction failed since the last check of the board
     _number: int | None = None  # device number that the board stores; `None` if unknown
 
     def compare_settings(self) -> None:
-        """Raise `OtherBoard` if the board stores other values than `before`.
+        """Raise `OtherBoard` if the stored values differ from `before`. Set `fatal_error`.
 
-        Values that differ in a first pass may be corrupted and are read again. A failure is fatal.
+        If values differ in the first pass, they may be corrupted, so a second pass follows.
         """
         if self.before is None:
             return
@@ -217,7 +212,7 @@ class _Work:
         raise OtherBoard(ErrorCode.OTHER_VALUES)
 
     def require_same_board(self) -> None:
-        """Raise `OtherBoard` if the board that replies now is not the board of `before`.
+        """Raise `OtherBoard` if the replying board differs from `before`.
 
         Raises:
             NoReply, BadReply, PortUnavailable: the board cannot be read.
@@ -254,15 +249,15 @@ class _Work:
     def undo_stray_writes(self, before: DeviceState) -> None:
         """Restore other settings that corrupted writes have changed.
 
-        If that fails, the last repeated or failed write counts as failed. Nothing is restored if
-        more settings differ than such writes can have changed: another board may be connected.
+        If this fails, the last repeated or failed write counts as failed. Nothing is restored if
+        more settings differ than corruption can explain: another board may be connected.
         """
         doubtful = self.doubtful
         error = self.fatal_error
         if error is None or (not isinstance(error, PortUnavailable) and self._replies(before)):
             error = self._restore_all_but_unknown(before)
         else:
-            # A failed write retains its error, which seldom has to do with a stray write.
+            # A failed write retains its own error, which a stray write seldom causes.
             doubtful = [number for number in doubtful if self.results[number].error is None]
         if error is not None and doubtful:
             key = self.results[doubtful[-1]].key
@@ -270,7 +265,7 @@ class _Work:
             self.results[doubtful[-1]] = WriteResult(key, error=stray)
 
     def _replies(self, before: DeviceState) -> bool:
-        """True if the board, or one like it, replies in the same mode."""
+        """True if a board with the signature and mode of `before` replies."""
         try:
             signature = query(self.request, GetSignature())
             return (signature, query(self.request, GetMode())) == (before.signature, before.mode)
@@ -278,8 +273,8 @@ class _Work:
             return False
 
     def _restore_all_but_unknown(self, before: DeviceState) -> StudioError | None:
-        """Restore settings that differ, except `unknown`. Return the error if that fails."""
-        after = after_writing(before, [one for one in self.results if one.error is None])
+        """Restore changed settings except `unknown`. Return the error of a failure."""
+        after = after_writing(before, [result for result in self.results if result.error is None])
         wanted: dict[str, int | Calibration] = {**after.parameters}
         for channel, calibration in after.calibrations.items():
             wanted[CalibrationKey.of(after.source, channel)] = calibration
@@ -316,7 +311,7 @@ class _Work:
     def _restore(
         self, wanted: Mapping[str, int | Calibration]
     ) -> tuple[StudioError | None, list[str]]:
-        """Write values that differ from `wanted`. Return the last error and all failed keys."""
+        """Write values that differ from `wanted`. Return the last error and the failed keys."""
         last: StudioError | None = None
         keys: list[str] = []
         for key, value in wanted.items():
@@ -345,7 +340,7 @@ class _Work:
         return self.specs[key].name
 
     def store_serial(self, serial: list[tuple[str, int]]) -> None:
-        """Store line settings and polynomial in the order that keeps the board reachable."""
+        """Store line settings and polynomial in the order that `write_all` describes."""
         self._check_cancelled()
         route = _Route.POLYNOMIAL_FIRST
         if self.fatal_error is None and len(dict(serial)) == 2:
@@ -375,7 +370,7 @@ class _Work:
         return _Route.POLYNOMIAL_FIRST if is_same else _Route.VIA_DEFAULT
 
     def _record_uncertain_line(self) -> None:
-        """Extend an error: the line settings may be neither the old nor the new settings."""
+        """Replace the error of the line settings, which may be neither old nor new."""
         spec = self.specs[_LINE]
         for number, result in enumerate(self.results):
             if result.key == _LINE and result.error is not None:
@@ -392,7 +387,6 @@ class _Work:
             self.fatal_error = Skipped(ErrorCode.WRITE_CANCELLED)
 
     def store(self, key: str, value: int | Calibration, *, may_cancel: bool = True) -> None:
-        """Write a value, unless an earlier error was fatal."""
         if may_cancel:
             self._check_cancelled()
         result = WriteResult(key, error=self.fatal_error)
@@ -417,7 +411,7 @@ class _Work:
 
 
 def _stores_crc(wire: int) -> bool:
-    """Return whether packets carry a CRC under these line settings. False if they are unknown."""
+    """True if packets carry a CRC with these line settings. False if they are invalid."""
     try:
         return LineSettings.from_wire(wire).detection is Detection.CRC7
     except BadRequest:
@@ -433,7 +427,7 @@ def _write_order(specs: ParameterSet, key: str) -> tuple[bool, bool, int]:
 
 
 def _if_fatal(error: StudioError) -> StudioError | None:
-    """Return the error if every later write would fail the same way."""
+    """Return the error if every later write would fail for the same reason."""
     if isinstance(error, (NoReply, PortUnavailable)):
         return error
     if isinstance(error, Rejected) and error.result is ResultCode.NOT_SERIAL_MODE:

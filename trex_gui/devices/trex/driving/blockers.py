@@ -8,19 +8,19 @@ from trex_gui.core.translation import tr, tr_noop
 
 
 class Effect(IntEnum):
-    """Effect of a reason on the motors, worst first. JSON uses the names in lower case."""
+    """Effect of a reason on the motors, worst first. JSON has the names in lower case."""
 
-    STOPS = 0  # the motors are off, or may be, whatever drives them
-    BLOCKS = 1  # serial commands do not reach them
-    LIMITS = 2  # they run more slowly than they should
+    STOPS = 0  # the motors are off, or may be, in every mode
+    BLOCKS = 1  # serial commands do not reach the motors
+    LIMITS = 2  # the motors run more slowly than commanded
     NOTE = 3
 
 
 @unique
 class DriveBlocker(Enum):
-    """Reason why the motors do not follow the setpoints. With `Effect.NOTE` they may follow.
+    """Reason why the motors do not follow the setpoints, or a note about them.
 
-    Reasons with the same effect are shown in this order. `Reason.fields` fills the braces.
+    Reasons of equal effect are shown in this order. `Reason.fields` fills the braces.
     """
 
     LOST = (
@@ -166,17 +166,16 @@ class DriveBlocker(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Reason:
-    """Blocker with the values for its braces. A tuple becomes a list of translated names."""
+    """Blocker and the values for its braces. A tuple becomes a list of translated names."""
 
     blocker: DriveBlocker
     fields: tuple[object, ...] = ()
 
     def text(self) -> str:
-        """Return what keeps the motors from running, as a sentence."""
         return tr(self.blocker.text).format(*self._words())
 
     def remedy(self) -> str:
-        """Return the remedy for the user, as a sentence. Empty without a remedy."""
+        """Return the remedy as a sentence. Empty without a remedy."""
         return tr(self.blocker.remedy).format(*self._words()) if self.blocker.remedy else ""
 
     def _words(self) -> Iterator[object]:
@@ -189,4 +188,6 @@ class Reason:
 
 def worst_first(reasons: Iterable[Reason]) -> tuple[Reason, ...]:
     order = list(DriveBlocker)
-    return tuple(sorted(reasons, key=lambda one: (one.blocker.effect, order.index(one.blocker))))
+    return tuple(
+        sorted(reasons, key=lambda reason: (reason.blocker.effect, order.index(reason.blocker)))
+    )

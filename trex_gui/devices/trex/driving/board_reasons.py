@@ -1,4 +1,4 @@
-"""Reasons why the motors of a board do not run, and the state of its LEDs."""
+"""Reasons why the motors of a board do not run, and its LED patterns."""
 
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
@@ -25,33 +25,33 @@ _NO_ERROR = UartError(0)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BoardInputs:
-    """Reports of a board that decide whether its motors run."""
+    """Inputs of `board_reasons`, as the board reported them last."""
 
     mode: Mode = Mode.SERIAL_RC
-    by_serial: bool = True  # whether serial commands reach the motors
-    joint: bool = False  # whether both drivers work as one motor now
-    safe_start: tuple[Reason, ...] = ()  # why it does not end, see `safe_start_reasons`
-    is_held: bool = False  # whether safe-start may hold the motors: the board has no flag for it
+    by_serial: bool = True  # True if serial commands reach the motors
+    joint: bool = False  # True if both drivers work as one motor
+    safe_start: tuple[Reason, ...] = ()  # see `safe_start_reasons`
+    is_held: bool = False  # True if safe-start may hold the motors: the board has no flag for it
     faults: tuple[int, ...] = ()  # motors whose driver shut down recently
     doubtful: tuple[int, ...] = ()  # motors in `faults` whose reply may have been corrupted
     over_limit: tuple[int, ...] = ()  # motors whose current passed its limit recently
     uart: UartError = _NO_ERROR  # recent UART errors
-    error_shutdown: bool = False  # whether the board is set to stop the motors at a UART error
-    timeout: str = "off"  # the board's serial timeout as text
+    error_shutdown: bool = False  # True if the board stops its motors at a UART error
+    timeout: str = "off"  # serial timeout of the board as text
 
     @property
     def shut_down(self) -> frozenset[int]:
-        """Motors that are certainly off, whatever their setpoints."""
+        """Motors that are certainly off."""
         return frozenset(self.faults) - frozenset(self.doubtful)
 
     @property
     def lacks_signal(self) -> bool:
-        """True if a channel that the board requires has no signal, which starts safe-start."""
-        return any(one.blocker is DriveBlocker.CHANNEL_SILENT for one in self.safe_start)
+        """True if a required channel has no signal, which starts safe-start."""
+        return any(reason.blocker is DriveBlocker.CHANNEL_SILENT for reason in self.safe_start)
 
 
 def board_reasons(now: BoardInputs) -> tuple[Reason, ...]:
-    """Return every reason that a board gives why its motors do not follow serial commands."""
+    """Return all reasons why the motors do not follow serial commands, worst first."""
     reasons = [Reason(DriveBlocker.FAULT, (motor,)) for motor in now.faults]
     reasons += [Reason(DriveBlocker.OVER_LIMIT, (motor,)) for motor in now.over_limit]
     if now.uart & UartError.TIMEOUT:
@@ -73,13 +73,13 @@ def board_reasons(now: BoardInputs) -> tuple[Reason, ...]:
 
 
 def held_by_safe_start(now: BoardInputs) -> tuple[Reason, ...]:
-    """Return the reasons why safe-start holds the motors, or may, with channels in control.
+    """Return the reasons why safe-start may hold the motors, with channels in control.
 
-    It certainly holds them without a required signal, and (inferred) while channel 5 requests an
-    override that is not granted.
+    Safe-start certainly holds the motors while a required signal is missing, and (inferred) while
+    channel 5 requests an override that is not granted.
     """
     certain = {DriveBlocker.CHANNEL_SILENT, DriveBlocker.OVERRIDE_AT_START}
-    if not now.is_held and not any(one.blocker in certain for one in now.safe_start):
+    if not now.is_held and not any(reason.blocker in certain for reason in now.safe_start):
         return ()
     return now.safe_start or (Reason(DriveBlocker.SAFE_START),)
 
@@ -92,12 +92,14 @@ def safe_start_reasons(
     source: InputSource,
     joint: bool,
 ) -> tuple[Reason, ...]:
-    """Return the reasons that would keep safe-start from ending with channels in control.
+    """Return the reasons why safe-start would not end, with channels in control.
 
-    It ends when required channels have a signal (RC), driving channels are near neutral, and
-    channel 5 does not override, all at once. Ref: TReX Jr User's Guide 4.e; how near is near,
-    and the threshold of channel 5, are inferred. `curves` are the known stored curves by
-    channel; `raw` are the counts of channels 1-5; `required` is the mask Required Channels.
+    Safe-start ends when all required channels have a signal (RC), all driving channels are near
+    neutral, and channel 5 does not override. Ref: TReX Jr User's Guide 4.e. The distance from
+    neutral and the threshold of channel 5 are inferred.
+
+    `curves`: known stored curves by channel. `raw`: counts of channels 1-5. `required`: the mask
+    Required Channels.
     """
     counts = dict(zip(CHANNELS, raw, strict=True))
     reasons = [
@@ -121,7 +123,7 @@ def safe_start_reasons(
 
 
 def _near(curve: ChannelCurve, *, is_above: bool) -> int:
-    """Return how many counts from neutral still count as near."""
+    """Return the largest distance from neutral that counts as near, in counts."""
     neutral, side = curve.calibration.neutral, 1 if is_above else -1
     reach = max(curve.calibration.maximum - neutral, neutral - curve.calibration.minimum)
 
@@ -131,10 +133,9 @@ def _near(curve: ChannelCurve, *, is_above: bool) -> int:
     return max(0, bisect_right(range(reach), NEARLY_NEUTRAL, key=output) - 1)
 
 
-# --- What the board shows ---------------------------------------------------------------
+# --- LEDs -------------------------------------------------------------------------------
 
-PACKETS = "with packets"
-"""Pattern of a LED that lights during a packet; the simulator reports on or off."""
+PACKETS = "with packets"  # lights during a packet; the simulator reports on or off
 
 SAFE_START_FLASH = "fast flash"
 
@@ -148,15 +149,15 @@ LED_TEXTS = {
 
 
 SAFE_START_NOTE = tr_noop("If the green LED is steady instead, safe-start is over.")
-"""For a pattern `SAFE_START_FLASH`: safe-start is inferred, since no command asks for it."""
+"""Note for `SAFE_START_FLASH`: safe-start is inferred, since no command reports it."""
 
 
 def led_patterns(now: BoardInputs) -> tuple[str, str]:
-    """Return the patterns of the red and the green LED in this state.
+    """Return the patterns of the red and the green LED.
 
-    Ref: TReX Jr User's Guide 4.e (fast green flash: safe-start); manuals: the LED of what controls
-    the motors is on, the other one lights from the first to the last byte of a packet. Inferred:
-    red shows packets during safe-start, too.
+    Ref: TReX Jr User's Guide 4.e: a fast green flash shows safe-start. Manuals: the red LED is on
+    if serial commands control the motors, the green LED if channels do. The other LED lights from
+    the first to the last byte of a packet. Inferred: red also shows packets during safe-start.
     """
     if now.by_serial:
         return "on", PACKETS

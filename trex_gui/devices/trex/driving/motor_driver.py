@@ -1,7 +1,7 @@
-"""Sends motor output through a client: setpoints, stops and their confirmation.
+"""Sending of setpoints and stops through a client, and confirmation of stops.
 
-A stop is the one motor command that is sent unprompted. Motor commands have no reply: a stop is
-confirmed if the board replies with its status and has latched no UART error since the packets.
+A stop is the only motor command that is sent unrequested. Motor commands have no reply: a stop is
+confirmed if the next status shows no UART error.
 """
 
 import logging
@@ -27,52 +27,50 @@ from trex_gui.devices.trex.protocol.flags import Status, UartError
 
 log = logging.getLogger(__name__)
 
-DRIVE_INTERVAL = 0.02  # least seconds between two motor packets; the board acts every 10 ms
+DRIVE_INTERVAL = 0.02  # shortest time in seconds between motor packets; the board acts every 10 ms
 
-_LONGEST_DRIVE = 11  # bytes that leave together: both motors and auxiliary, expanded, CRC
+_LONGEST_DRIVE = 11  # bytes of the packets for both motors and the auxiliary, expanded, with CRC
 
 _ATTEMPTS = 20
 _RETRY_ATTEMPTS = 4
 
 _CLEAN_ROUNDS = 2
-"""Rounds of stop and clean status in a row that confirm a stop.
+"""Consecutive rounds of stop and clean status that confirm a stop.
 
-A board is deaf while it answers an earlier query, and latches nothing for packets that it misses
-entirely. It can miss one round, but not the round after its reply.
+A board receives nothing while it replies to an earlier query, and latches no error for packets that
+it misses entirely. It can miss one round, but not the round after its reply.
 """
 
 _CAREFUL_ROUNDS = 8
-"""Clean rounds on a line that damages bytes, if the stop cannot wait for a quiet line.
+"""Clean rounds on a line that damages bytes, for a stop that cannot wait for a quiet line.
 
-The last packet can still have become a speed, undetected. The probability is 2p/9 * (1 - p)**56 for
-a damage probability p: 0.14 % at worst. See `LineQuality` for a stronger confirmation.
+Damage may still turn the last packet into a speed, undetected. The probability is
+2p/9 * (1 - p)**56 for a damage probability p per byte: 0.14 % at worst. See `LineQuality` for a
+stronger confirmation.
 """
 
+# Limits of a stop before the port is closed. The window waits for one second.
 _CLOSING_ATTEMPTS = 6
-_CAREFUL_CLOSING_ATTEMPTS = 16
-_CLOSING_SECONDS = 0.5
-"""Limits of a stop before the port is closed. A line that damages bytes gets more attempts.
-
-The window waits for one second. The last round may start just before `_CLOSING_SECONDS`.
-"""
+_CAREFUL_CLOSING_ATTEMPTS = 16  # on a line that damages bytes
+_CLOSING_SECONDS = 0.5  # latest start of a round
 
 
 @dataclass(slots=True, eq=False)
 class StopRun:
-    """A stop of one board that is repeated until clean statuses follow. See `stop_together`."""
+    """Stop of one board, repeated until clean statuses follow. See `stop_together`."""
 
     driver: "MotorDriver"
-    attempts: int  # rounds that are left
-    rounds: int  # clean rounds in a row that confirm it
-    is_final: bool  # does not wait until a line that damages bytes is quiet
-    aborts: Callable[[], bool]  # ends it after a round that was not clean
-    stops: Sequence[Stop]  # requests that it serves; queued again if the line is gone
-    end: Callable[[bool], None]  # receives whether the board has confirmed the stop
-    clean: int = 0
+    attempts: int  # remaining rounds
+    rounds: int  # consecutive clean rounds that confirm the stop
+    is_final: bool  # True if the stop does not wait for a quiet line
+    aborts: Callable[[], bool]  # called after a round that was not clean; True ends the stop
+    stops: Sequence[Stop]  # served requests; queued again if the line is gone
+    end: Callable[[bool], None]  # called with True if the board has confirmed the stop
+    clean: int = 0  # consecutive clean rounds
     latched: list[LatchedStatus] = field(default_factory=list)
     was_sent: bool = False
-    most_unanswered: int = _ATTEMPTS  # unanswered rounds in a row that end it
-    unanswered: list[NoReply] = field(default_factory=list)  # errors of the last rounds, in a row
+    most_unanswered: int = _ATTEMPTS  # consecutive unanswered rounds that end the stop
+    unanswered: list[NoReply] = field(default_factory=list)  # errors of consecutive last rounds
 
     @property
     def is_confirmed(self) -> bool:
@@ -81,17 +79,17 @@ class StopRun:
 
 @dataclass(slots=True, eq=False)
 class MotorDriver:
-    """Drives and stops the motors of one board when its owner lets it use the line.
+    """Drives and stops the motors of one board.
 
-    Every method that uses the line raises `PortUnavailable` if it is gone.
+    Every method that uses the line raises `PortUnavailable` if the line is gone.
     """
 
     output: MotorOutput  # state of the motors; receives the requests
-    client: TrexClient  # runs the transactions; the owner replaces it when the board moved
-    _status: StatusReader  # reads the status that confirms stops
-    # Receives the bits that confirming a stop has cleared
-    _take_statuses: Callable[[Sequence[LatchedStatus]], None] = lambda _: None
-    # Whether to abort stops without a reply: the port is about to be closed
+    client: TrexClient  # replaced by the owner if the board gets other connection settings
+    _status: StatusReader
+    # Called with statuses whose bits were cleared by reading them
+    _on_statuses: Callable[[Sequence[LatchedStatus]], None] = lambda _: None
+    # True while the port is about to be closed, which aborts stops without a reply
     _is_closing: Callable[[], bool] = lambda: False
 
     def _send_stop(self) -> None:
@@ -109,12 +107,9 @@ class MotorDriver:
         stops: Sequence[Stop] = (),
         end: Callable[[bool], None] = lambda _: None,
     ) -> StopRun:
-        """Return a stop. A final stop takes more rounds on a line that damages bytes.
-
-        A careful stop takes as many on a line that is too new to judge.
-        """
+        """Return a stop with `_CAREFUL_ROUNDS` if it is careful, or final on a bad line."""
         self.output.retry.clear()
-        self.output.refresh.clear()  # nothing drives while a reply is late
+        self.output.refresh.clear()  # a late reply must not let a refresh drive the motors
         is_careful = is_careful or (is_final and not self._is_quiet())
         rounds = _CAREFUL_ROUNDS if is_careful else _CLEAN_ROUNDS
         return StopRun(self, attempts, rounds, is_final, aborts or self._is_closing, stops, end)
@@ -122,12 +117,12 @@ class MotorDriver:
     def send_stop(self, run: StopRun) -> None:
         run.attempts -= 1
         run.was_sent = False
-        with suppress(NoReply, BadReply, BadRequest):  # the stop of another board comes next
+        with suppress(NoReply, BadReply, BadRequest):  # the other boards must be stopped, too
             self._send_stop()
             run.was_sent = True
 
     def check_stop(self, run: StopRun) -> bool:
-        """Read the status after a stop. Return whether no other round is needed."""
+        """Read the status after a stop. Return whether the stop is over."""
         run.clean += 1
         try:
             if not run.was_sent:
@@ -148,18 +143,22 @@ class MotorDriver:
 
     def finish_stop(self, run: StopRun) -> None:
         confirmed = run.is_confirmed
-        self._take_statuses(run.latched)
+        self._on_statuses(run.latched)
         self._is_quiet()
         self.output.record_stop(self._now(), run.latched, confirmed=confirmed, final=run.is_final)
         run.end(confirmed)
 
     def stop_and_confirm(self, *, careful: bool = False) -> bool:
-        """Stop unprompted, at once and for good. Return whether the board has confirmed it."""
+        """Run a final stop. Return whether the board has confirmed it."""
         run = self.final_stop(careful=careful)
         stop_together([run])
         return run.is_confirmed
 
     def final_stop(self, *, careful: bool = False) -> StopRun:
+        """Return a stop that does not wait for a quiet line.
+
+        `careful`: the line is too new to judge its quality.
+        """
         return self._stop(_ATTEMPTS, is_final=True, is_careful=careful)
 
     def takeover_stop(self) -> StopRun:
@@ -175,7 +174,7 @@ class MotorDriver:
             self.output.end_stops(stops, self._now(), answered=answered)
 
     def closing_stop(self) -> StopRun:
-        """Return the stop before the port is closed, which serves every requested stop."""
+        """Return the stop before the port is closed. It serves every requested stop."""
         end = self._now() + _CLOSING_SECONDS
         attempts = _CLOSING_ATTEMPTS if self._is_quiet() else _CAREFUL_CLOSING_ATTEMPTS
         stops = self.output.pop_stops()
@@ -190,10 +189,10 @@ class MotorDriver:
         return self._stop(attempts, is_final=True, aborts=is_late, stops=stops, end=report)
 
     def stop_early(self) -> None:
-        """Send the requested stops on a line that is not tested yet. Its echo is discarded.
+        """Send the requested stops on an untested line, and discard a possible echo.
 
-        Requests stay queued until they are confirmed. If motors may be moving since an earlier
-        session, it may have driven another board: all boards get a stop without a number, too.
+        The requests stay queued until they are confirmed. If motors may be moving, an earlier
+        session may have driven another board: a stop without a number reaches all boards.
         """
         if not (self.output.may_move or self.output.stops):
             return
@@ -210,7 +209,7 @@ class MotorDriver:
         client.transport.wait(client.transport.latency)
 
     def stop_without_reply(self) -> None:
-        """Stop motors that may be moving on a silent board, which may still receive."""
+        """Stop motors that may be moving. A silent board may still receive."""
         if self.output.may_move:
             self._send_stop()
 
@@ -235,10 +234,10 @@ class MotorDriver:
         self.output.report(MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed))
 
     def serve(self) -> bool:
-        """Send, repeat or refresh setpoints if they are due. Return whether the line was used.
+        """Send due setpoints, retries or refreshes. Return whether anything was due.
 
         Raises:
-            NoReply, BadReply: the echo of a setpoint is corrupted. The setpoint is sent again.
+            NoReply, BadReply: the echo of a setpoint is corrupted; it is queued again.
         """
         if self.seconds_to_drive() > 0:
             return False
@@ -266,42 +265,49 @@ class MotorDriver:
         )
 
     def seconds_to_drive(self) -> float:
-        """Return the seconds until motor packets are due. They use at most half of the time."""
+        """Return the seconds until motor packets are due."""
         self._is_quiet()
         return self.output.seconds_to_drive(self._now(), self._interval)
 
     @property
     def _interval(self) -> float:
+        """Seconds between motor packets, which occupy at most half of the line's time."""
         return max(DRIVE_INTERVAL, 2 * self.client.settings.line.seconds(_LONGEST_DRIVE))
 
     def avoids_risky_polls(self) -> bool:
-        """True if queries that one damaged bit turns into a motor command are left out."""
+        """True if queries must be avoided that one damaged bit turns into a motor command."""
         return (self.output.may_move or self.output.is_armed) and not self._is_quiet()
 
     def _refresh(self, *, is_waiting: bool = False) -> None:
-        """Send every setpoint again: speeds only if the board has not stopped its motors."""
+        """Send every setpoint again. Omit speeds if the board may have stopped its motors.
+
+        `is_waiting`: a reply is still awaited, so no status can be read.
+        """
         refresh = self.output.refresh
         self.output.record_refresh()
         for command in refresh.idle_commands():
-            self.client.send(command)  # sent before the rest of a reply is awaited
-        refresh.record_sent(self._now())  # counted from now, so that polls have a turn
+            self.client.send(command)
+        refresh.record_sent(self._now())  # measured from the end, so that polls have time
         if (refresh.stops_on_error or refresh.holds_speeds) and refresh.running:
             if is_waiting:
                 return
             latched = LatchedStatus(self._now(), Status(0), UartError(0), is_whole=False)
-            with suppress(NoReply, BadReply):  # polling finds out whether the board is silent
+            with suppress(NoReply, BadReply):  # polling detects a silent board
                 latched = self._status.read(self.client.request)
-            self._take_statuses([latched] if latched else [])
+            self._on_statuses([latched] if latched else [])
             self.output.record_status(latched, stops_on_error=True)
             if not latched.is_whole:
-                refresh.record_sent(self._now())  # else it is due at once, before any poll
+                refresh.record_sent(self._now())  # polls come before the next refresh
                 return
         for command in refresh.speeds():
             self.client.send(command)
         refresh.record_sent(self._now())
 
     def refresh_while_waiting(self, waited: float) -> float:
-        """Refresh setpoints while only the adapter can be late. Return seconds to the next call."""
+        """Refresh due setpoints once only the adapter can delay a reply.
+
+        `waited`: seconds since the request was sent. Return the seconds to the next call.
+        """
         reply = self.client.settings.line.seconds(LONGEST_REPLY) + BOARD_DELAY - waited
         seconds = max(reply, self.output.refresh_due(self._interval) - self._now())
         if self.client.echo:
@@ -328,18 +334,18 @@ class MotorDriver:
 def stop_together(
     runs: Sequence[StopRun], due: Callable[[], Sequence[StopRun]] = tuple
 ) -> list[StopRun]:
-    """Stop boards on one line. Every stop is sent before the first status is awaited.
+    """Stop boards on one line. In each round, all stops are sent before a status is read.
 
     `due` returns stops of other boards that have become due meanwhile. Return all stops.
     """
-    left, every = list(runs), list(runs)
+    unfinished, every = list(runs), list(runs)
     try:
-        while left:
-            for run in left:
+        while unfinished:
+            for run in unfinished:
                 run.driver.send_stop(run)
-            left = [run for run in left if not run.driver.check_stop(run)]
+            unfinished = [run for run in unfinished if not run.driver.check_stop(run)]
             more = due()
-            left += more
+            unfinished += more
             every += more
     except Exception:
         for run in every:

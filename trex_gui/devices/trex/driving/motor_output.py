@@ -1,8 +1,7 @@
-"""State machine of the motor output: permissions, motion, and what to send next.
+"""State machine of the motor output.
 
-Pure. Every method takes the time, in seconds on the line's clock. `motor_driver` does the I/O.
-
-`Arming` and `Motion` change independently. Each has a transition table below.
+Pure: `now` is the time in seconds on the line's clock, and `motor_driver` does the I/O. `Arming`
+and `Motion` change independently, each by its own transition table.
 """
 
 import math
@@ -39,18 +38,17 @@ class Arming(Enum):
     """Motor commands that may be sent."""
 
     INITIAL = auto()  # all commands: the motors were neither armed nor stopped yet
-    ARMED = auto()  # all commands, while heartbeats arrive
+    ARMED = auto()  # all commands while heartbeats arrive
     DISARMED = auto()  # no commands until the motors are armed
-    UNREACHABLE = auto()  # no commands, even after arming: the board does not respond
+    UNREACHABLE = auto()  # no commands, and no arming: the board does not respond
 
 
 class Motion(Enum):
-    """Motion of the motors, as far as commands and confirmations show it."""
+    """Motion of the motors, inferred from commands and confirmations."""
 
     STOPPED = auto()  # no motor was driven since the last confirmed stop
     DRIVEN = auto()  # a motor may be moving as commanded
-    STOP_UNCONFIRMED = auto()
-    """A motor may be moving although a stop was sent. The stop is retried."""
+    STOP_UNCONFIRMED = auto()  # a motor may be moving after a stop, which is retried
 
 
 class OutputEvent(Enum):
@@ -111,7 +109,7 @@ _MOTION: Mapping[tuple[Motion, OutputEvent], tuple[Motion, tuple[Action, ...]]] 
 
 
 class MotorOutput:
-    """Commands to the motors of one board, and whether the motors may be moving."""
+    """Arming, motion and queued commands of one board's motors."""
 
     def __init__(
         self,
@@ -120,23 +118,22 @@ class MotorOutput:
         *,
         may_move: bool = False,
     ) -> None:
-        """`report` receives the outcomes of stops, automatic stops and repeated commands."""
         self.arming = Arming.INITIAL
         self.motion = Motion.DRIVEN if may_move else Motion.STOPPED
         self.stops: list[Stop] = []  # requested stops that were not sent yet
-        self.setpoints = SetpointSlots()  # the newest queued setpoint of each motor
-        self.quality = LineQuality()  # whether the line damages bytes
+        self.setpoints = SetpointSlots()
+        self.quality = LineQuality()
         self.restart = RestartWatch(self.quality)
         self.refresh = SetpointRefresh(self.quality, lambda: self.restart.is_checking)
         self.report = report
         self._timeouts = timeouts or Timeouts()
-        self.retry = SetpointRetry()  # the unconfirmed setpoints
+        self.retry = SetpointRetry()
         self._sent_at = 0.0
         self._heartbeat_at = -math.inf
         self._stopped_at = -math.inf
         self._noisy_stops: list[Stop] = []
         self._noisy_until = -math.inf
-        self.is_repeating = False  # whether `CommandsRepeated` was reported and still holds
+        self.is_repeating = False  # True from a `CommandsRepeated` report until the line is quiet
 
     @property
     def is_armed(self) -> bool:
@@ -148,7 +145,7 @@ class MotorOutput:
         return self.motion is not Motion.STOPPED
 
     def handle(self, event: OutputEvent, now: float) -> None:
-        """Apply the transition tables to an event, and perform their actions."""
+        """Apply the transition tables to an event and perform their actions."""
         self.arming, actions = _ARMING.get((self.arming, event), (self.arming, ()))
         self.motion, more = _MOTION.get((self.motion, event), (self.motion, ()))
         for action in (*actions, *more):
@@ -168,7 +165,7 @@ class MotorOutput:
     # --- Requests -----------------------------------------------------------------------
 
     def take(self, request: MotorRequest, now: float) -> None:
-        """Handle a request. Setpoints are dropped unless `arming` permits them."""
+        """Handle a request. Drop setpoints while `arming` forbids them."""
         match request:
             case Stop():
                 self.stops.append(request)
@@ -176,23 +173,24 @@ class MotorOutput:
             case Arm():
                 self.handle(OutputEvent.ARM, now)
             case Heartbeat(sent=sent):
-                self._heartbeat_received(now if sent is None else sent)
+                self._record_heartbeat(now if sent is None else sent)
             case _:
-                self._heartbeat_received(now)
+                self._record_heartbeat(now)
                 if self.arming in {Arming.INITIAL, Arming.ARMED}:
                     self.setpoints.put(request)
 
-    def _heartbeat_received(self, at: float) -> None:
-        """Record a heartbeat, unless it arrives after the timeout.
+    def _record_heartbeat(self, at: float) -> None:
+        """Record a heartbeat before the timeout.
 
-        If the computer was suspended, its first heartbeat afterwards must not hide the timeout.
+        After the computer was suspended, a late heartbeat must not hide the timeout.
         """
         if at - self._heartbeat_at <= self._timeouts.heartbeat:
             self._heartbeat_at = max(self._heartbeat_at, at)
 
     # --- Next actions -------------------------------------------------------------------
 
-    # `seconds_to_…` return seconds from now, infinite if nothing is due.
+    # `seconds_to_…` return seconds from `now`, infinite if nothing is due. `interval` is the
+    # shortest time in seconds between motor packets.
 
     def seconds_to_heartbeat_timeout(self, now: float) -> float:
         return self._heartbeat_at + self._timeouts.heartbeat - now if self.is_armed else math.inf
@@ -203,7 +201,6 @@ class MotorOutput:
         return self._stopped_at + STOP_RETRY_INTERVAL - now
 
     def seconds_to_drive(self, now: float, interval: float) -> float:
-        """`interval`: shortest time in seconds between motor packets."""
         due = min(
             self._sent_at if self.setpoints else math.inf,
             self.retry.due,
@@ -212,7 +209,7 @@ class MotorOutput:
         return max(due, self._sent_at + interval) - now
 
     def refresh_due(self, interval: float) -> float:
-        """Return the time of the next refresh of all setpoints, on the line's clock."""
+        """Return the time of the next refresh, on the line's clock."""
         due = math.inf
         if self.arming is not Arming.UNREACHABLE:
             due = self.refresh.due(interval, armed=self.is_armed)
@@ -220,13 +217,13 @@ class MotorOutput:
         return due
 
     def record_refresh(self) -> None:
-        """Report that setpoints are being refreshed, once until the line is quiet."""
+        """Report `CommandsRepeated` once, until the line is quiet."""
         if not self.is_repeating:
             self.is_repeating = True
             self.report(CommandsRepeated())
 
     def pop_setpoints(self, now: float) -> list[Setpoint]:
-        """Return the setpoints to send now: queued setpoints, or retries. Record them as sent."""
+        """Return queued setpoints, or else due retries. Record them as sent."""
         self._sent_at = now
         if setpoints := self.setpoints.pop():
             self.retry.start(setpoints, now)
@@ -239,7 +236,6 @@ class MotorOutput:
         return setpoints
 
     def record_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
-        """Pass a polled status on. See `SetpointRetry.record_status`."""
         self.quality.record_status(latched)
         self.refresh.record_status(latched, stops_on_error=stops_on_error)
         self.restart.record_status(latched, stops_on_error=stops_on_error)
@@ -254,16 +250,16 @@ class MotorOutput:
         return stops
 
     def put_back(self, stops: Sequence[Stop]) -> None:
-        """Requeue stops ahead of stops that have arrived meanwhile."""
+        """Requeue stops before newer stops."""
         self.stops[:0] = stops
 
     def record_stop(
         self, now: float, statuses: Sequence[LatchedStatus], *, confirmed: bool, final: bool
     ) -> None:
-        """Record the result of an attempt to stop. All setpoints are idle from now on.
+        """Record the result of a stop, after which all setpoints are idle.
 
-        `statuses` were latched meanwhile. `confirmed`: clean statuses followed the stop. `final`:
-        these are sufficient even on a line that damages bytes.
+        `statuses`: statuses with latched bits since its first packet. `confirmed`: True if enough
+        clean statuses followed. `final`: True if the stop does not wait for a quiet line.
         """
         self._sent_at = self._stopped_at = now
         was_driven = self.may_move
@@ -280,9 +276,8 @@ class MotorOutput:
     def end_stops(self, stops: Sequence[Stop], now: float, *, answered: bool) -> None:
         """Report the outcome of stops that were sent.
 
-        On a line that damages bytes the outcome waits until the line is quiet, or for
-        `Timeouts.stop_confirmation`, while the stop is retried. A board that does not respond gets
-        no retries, so its stops end at once.
+        On a line that damages bytes, the stop is retried until the line is quiet, or until
+        `Timeouts.stop_confirmation` expires. Stops of an unreachable board end at once.
         """
         if not answered:
             self.report_stops(stops, TrexNoReplyError(ErrorCode.STOP_UNCONFIRMED))

@@ -8,40 +8,36 @@ from trex_gui.devices.trex.protocol.commands import Command, DriveAuxiliary, Dri
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 
-HEARTBEAT_INTERVAL = 0.1  # seconds between two heartbeats while motors are armed
+HEARTBEAT_INTERVAL = 0.1  # seconds between heartbeats while motors are armed
 
 
 @dataclass(frozen=True, slots=True)
 class SetMotor:
-    """Setpoint of motor 1 or 2."""
-
-    motor: int
+    motor: int  # 1 or 2
     drive: Drive
     accelerate: bool = False
 
 
 @dataclass(frozen=True, slots=True)
 class SetMotors:
-    """Setpoints of both motors, sent in one packet: neither begins before the other."""
+    """Setpoints of both motors in one packet, so that both start together."""
 
     drives: tuple[SetMotor, SetMotor]
 
 
 @dataclass(frozen=True, slots=True)
 class SetAuxiliary:
-    """Setpoint of the auxiliary motor, 0-127."""
-
-    speed: int
+    speed: int  # 0-127
     accelerate: bool = False
 
-    motor: ClassVar = 3  # number of the channel that drives it
+    motor: ClassVar = 3  # channel of the auxiliary motor
 
 
 @dataclass(frozen=True, slots=True)
 class Stop:
-    """Stop every motor before anything else is sent. Its `Outcome` is its confirmation.
+    """Stop all motors before anything else is sent. Its `Outcome` is the confirmation.
 
-    Setpoints are dropped until an `Arm`, and other motor commands are rejected.
+    Until the next `Arm`, setpoints are dropped and other motor commands are rejected.
     """
 
     id: int
@@ -49,41 +45,39 @@ class Stop:
 
 @dataclass(frozen=True, slots=True)
 class Arm:
-    """Arm the motors until a `Stop`. Has no outcome.
+    """Arm the motors until the next `Stop`. This request has no outcome.
 
-    While they are armed, polling keeps the board's serial timeout from expiring. Without a
-    `Heartbeat` or a setpoint for `Timeouts.heartbeat` seconds the motors are stopped and
-    `MotorsStopped` is reported.
+    Meanwhile, polls prevent the board's serial timeout. Without a `Heartbeat` or a setpoint for
+    `Timeouts.heartbeat` seconds, the motors are stopped and `MotorsStopped` is reported.
     """
 
-    # `Connected.selection` of the intended board; the request has no effect on any other board
-    selection: int = 0
+    selection: int = 0  # `Connected.selection` of the intended board; ignored by other boards
 
 
 @dataclass(frozen=True, slots=True)
 class Heartbeat:
-    """The window that armed the motors still responds. Due every `HEARTBEAT_INTERVAL` seconds."""
+    """Signal from a responsive window, due every `HEARTBEAT_INTERVAL` seconds."""
 
-    sent: float | None = None  # time on the line's clock; `None`: time of receipt
+    sent: float | None = None  # time on the line's clock, `None` for the time of receipt
 
 
 @dataclass(frozen=True, slots=True)
 class StopSent:
-    """A stop was sent, requested or automatic. Its confirmation follows."""
+    """A requested or automatic stop was sent. Its confirmation follows."""
 
 
 @dataclass(frozen=True, slots=True)
 class CommandsRepeated:
-    """The line has damaged bytes: the last motor commands are sent again until it is quiet."""
+    """The line has damaged bytes, so setpoints are repeated until it is quiet."""
 
 
 @dataclass(frozen=True, slots=True)
 class MotorsStopped:
-    """The motors were stopped automatically, or an unconfirmed stop was confirmed at last."""
+    """The motors were stopped automatically, or a stop was confirmed late."""
 
-    reason: ErrorCode | None  # why they were stopped; `None` for a late confirmation
-    confirmed: bool  # whether the board's status confirmed the stop
-    board: int | None = None  # number of the board that caused it, if several are driven
+    reason: ErrorCode | None  # reason for the stop, `None` for a late confirmation
+    confirmed: bool  # True if a status of the board confirmed the stop
+    board: int | None = None  # number of the board that caused the stop, if several are driven
 
 
 Setpoint = SetMotor | SetAuxiliary
@@ -104,17 +98,17 @@ def is_idle(setpoint: Setpoint) -> bool:
 
 
 def packets(setpoints: Sequence[Setpoint]) -> list[Command[None]]:
-    """Return the fewest commands that carry these setpoints, at most one for each motor."""
+    """Return the commands for these setpoints. A setpoint of each motor makes one packet."""
     motors = [setpoint for setpoint in setpoints if isinstance(setpoint, SetMotor)]
     commands: list[Command[None]] = []
     if len(motors) == 2 and motors[0].accelerate == motors[1].accelerate:
         first, second = sorted(motors, key=lambda setpoint: setpoint.motor)
         commands.append(DriveBoth(first.drive, second.drive, first.accelerate))
     else:
-        commands += [DriveMotor(one.motor, one.drive, one.accelerate) for one in motors]
+        commands += [DriveMotor(motor.motor, motor.drive, motor.accelerate) for motor in motors]
     commands += [
-        DriveAuxiliary(one.speed, one.accelerate)
-        for one in setpoints
-        if isinstance(one, SetAuxiliary)
+        DriveAuxiliary(setpoint.speed, setpoint.accelerate)
+        for setpoint in setpoints
+        if isinstance(setpoint, SetAuxiliary)
     ]
     return commands

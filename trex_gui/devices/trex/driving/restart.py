@@ -9,24 +9,24 @@ from trex_gui.devices.trex.driving.requests import SetMotor, Setpoint, is_idle
 from trex_gui.devices.trex.driving.setpoints import LineQuality
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 
-_DRAWS = 3  # counts that prove a current; inferred: a motor without load draws more
-_SETTLING = 0.1  # seconds from a new setpoint to a current that belongs to it
+_DRAWS = 3  # counts that confirm a current; inferred: a motor without load draws more
+_SETTLING = 0.1  # seconds until the current follows a new setpoint
 _FALLEN = 1.0  # seconds without a current; a robot that rolls downhill seldom draws none for longer
 _FALLEN_AFTER_LOSS = 0.06  # seconds without a current after a lost reply
 
 
 class RestartWatch:
-    """Finds out whether a board restarted while it drove motors 1 and 2.
+    """Detects that a board restarted while it drove motors 1 and 2.
 
-    No query tells, and repeating a setpoint would start a motor that stands still. Evidence is that
-    the motors that drew a current under their setpoints draw none any more, on a quiet line, with a
-    status that gives no reason. Motors that never drew a current give no evidence.
+    No query reveals a restart, and repeating a setpoint would start a motor at rest. Evidence is a
+    driven motor that stops drawing a current on a quiet line, without an explanation in the status.
+    Motors that never drew a current give no evidence.
     """
 
     def __init__(self, quality: LineQuality) -> None:
         self._quality = quality
-        self._running: dict[int, tuple[SetMotor, float]] = {}  # and when it has settled
-        self._drawing: set[int] = set()
+        self._running: dict[int, tuple[SetMotor, float]] = {}  # setpoint and settling time
+        self._drawing: set[int] = set()  # motors that drew a current
         self.clear()
 
     def clear(self) -> None:
@@ -41,29 +41,30 @@ class RestartWatch:
 
     @property
     def is_checking(self) -> bool:
-        """True if the board may have restarted. No speed is refreshed meanwhile."""
+        """True if the board may have restarted. No speed may be refreshed."""
         return bool(self._drawing) and (self._is_reply_lost or self._fallen_at < math.inf)
 
     def record_setpoints(self, setpoints: Sequence[Setpoint], now: float) -> None:
-        for one in setpoints:
-            known, _ = self._running.get(one.motor, (None, now))
-            if isinstance(one, SetMotor) and one.motor in {1, 2} and one != known:
-                self._drawing.discard(one.motor)
-                self._running[one.motor] = one, math.inf if is_idle(one) else now + _SETTLING
+        for setpoint in setpoints:
+            motor = setpoint.motor
+            known, _ = self._running.get(motor, (None, now))
+            if isinstance(setpoint, SetMotor) and motor in {1, 2} and setpoint != known:
+                self._drawing.discard(motor)
+                settled_at = math.inf if is_idle(setpoint) else now + _SETTLING
+                self._running[motor] = setpoint, settled_at
 
     def record_lost_reply(self) -> None:
-        """Record a failed transaction before `quality` counts it."""
+        """Record a failed transaction. Call this before `quality` counts the failure."""
         if self._quality.is_quiet and self._drawing:
             self._is_reply_lost = True
 
     def record_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
-        """Record a status, which may explain why no motor draws a current."""
         if (
             latched.status & ~Status.UART_ERROR
             or latched.uart & UartError.TIMEOUT
             or (stops_on_error and latched.has_line_error)
         ):
-            self._drawing.clear()  # the status explains it
+            self._drawing.clear()  # the status explains the missing current
             self._end_check()
         enough = _FALLEN_AFTER_LOSS if self._is_reply_lost else _FALLEN
         self.has_restarted |= latched.is_whole and latched.time - self._fallen_at >= enough

@@ -1,4 +1,4 @@
-"""Queue, retry and refresh of setpoints, and the quality of the line that carries them."""
+"""Queue, retry and refresh of setpoints, and the quality of the line."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -19,22 +19,22 @@ from trex_gui.devices.trex.protocol.commands import Command, DriveMotor
 from trex_gui.devices.trex.protocol.driving import Drive
 
 REPEATS = (0.15, 0.3, 0.6, 1.2)
-"""Delays in seconds before each retry of an unconfirmed setpoint.
+"""Seconds before each retry of an unconfirmed setpoint.
 
-On all but slow lines the next status arrives before the first retry. A status with an error
+Except on slow lines, the next status arrives before the first retry. A status with an error
 restarts the sequence at once.
 """
 
-LONGEST_REPEATING = 5.0  # seconds after which retries end, confirmed or not
+LONGEST_REPEATING = 5.0  # longest time in seconds for retries
 
 _CLEAN_STATUSES = 2
-"""Number of clean statuses, each after a packet, that confirm a setpoint. See `motor_driver`.
+"""Clean statuses that confirm a setpoint, each after a packet. See `motor_driver`.
 
-One status is enough where a retry could do harm: a speed that is set at once bypasses the
-current limiter.
+One status is enough where a retry is harmful: a speed without acceleration bypasses the current
+limiter.
 """
 
-_REFRESHED = 1000  # undamaged replies in a row after which refreshing ends
+_REFRESHED = 1000  # consecutive undamaged replies after which refreshing ends
 
 
 class SetpointSlots:
@@ -46,27 +46,24 @@ class SetpointSlots:
 
     def put(self, *requests: SetpointRequest) -> None:
         for request in requests:
-            self._by_motor.update({one.motor: one for one in setpoints_in(request)})
+            self._by_motor.update({each.motor: each for each in setpoints_in(request)})
 
     def __bool__(self) -> bool:
         return bool(self._by_motor)
 
     def pop(self) -> list[Setpoint]:
-        """Return the queued setpoints ordered by motor, and clear the queue."""
+        """Return the queued setpoints in motor order, and clear the queue."""
         setpoints = [self._by_motor[motor] for motor in sorted(self._by_motor)]
         self.clear()
         return setpoints
 
     def put_back(self, setpoints: Sequence[Setpoint]) -> None:
-        """Requeue setpoints whose packets were corrupted, unless newer setpoints are queued."""
+        """Requeue setpoints. Newer setpoints of a motor take precedence."""
         self.put(*setpoints, *self.pop())
 
 
 class SetpointRetry:
-    """Retries setpoints until a status confirms them.
-
-    Motor packets have no reply. A clean status after the packet confirms it.
-    """
+    """Retries setpoints until clean statuses confirm them: motor packets have no reply."""
 
     def __init__(self) -> None:
         self.due = math.inf  # time of the next retry, on the line's clock
@@ -77,7 +74,6 @@ class SetpointRetry:
         self._sent_since_status = False
 
     def start(self, setpoints: Sequence[Setpoint], now: float) -> None:
-        """Start the retry sequence for setpoints that have just been sent."""
         slots = SetpointSlots()
         slots.put(*self._unconfirmed, *setpoints)
         self._set_at = now
@@ -113,42 +109,41 @@ class SetpointRetry:
         if not self._unconfirmed:
             return
         if latched.stops_motors() or (stops_on_error and not latched.is_clean):
-            self._unconfirmed = [one for one in self._unconfirmed if is_idle(one)]
+            self._unconfirmed = [each for each in self._unconfirmed if is_idle(each)]
         if not latched.is_clean:
             self._clean = self._repeated = 0
             self.due = latched.time
         elif self._sent_since_status:
             self._sent_since_status = False
             self._clean += 1
-        is_harmless = all(one.accelerate or is_idle(one) for one in self._unconfirmed)
+        is_harmless = all(each.accelerate or is_idle(each) for each in self._unconfirmed)
         if not self._unconfirmed or self._clean >= (_CLEAN_STATUSES if is_harmless else 1):
             self.clear()
 
 
 QUIET = 300
-"""Undamaged replies in a row after which a line counts as quiet.
+"""Consecutive undamaged replies after which a line counts as quiet.
 
-Let each byte be damaged with probability p, in any one of its nine bits (eight data bits and the
-stop bit). Two of them make the last packet of a brake drive the motor, undetected: probability
-2p/9. Each reply needs an undamaged sent byte, so the probability that such a line counts as quiet
-is below 2p/9 * (1 - p)**300: at most 2.7e-4 (p = 1/300), 1.1e-4 at 1 %, 1.0e-5 at 2 %, 2e-9 at 5 %.
-The auxiliary speed has seven such bits, so its probability is 3.5 times as high. CRC-7 detects
-every single-bit error. At 19200 baud and above, 300 replies take 1.6 s.
+Assume that each byte is damaged with probability p, in one of its nine bits (eight data bits and
+the stop bit). Damage to one of two bits turns the last packet of a brake into a speed, undetected:
+probability 2p/9. Each reply needs an undamaged request byte, so the probability of a damaged brake
+on a quiet line is below 2p/9 * (1 - p)**300: at most 2.7e-4 (p = 1/300), 1.1e-4 at 1 %, 1.0e-5 at
+2 %, 2e-9 at 5 %. The auxiliary speed has seven such bits, so its probability is 3.5 times as high.
+CRC-7 detects every single-bit error. At 19200 baud and above, 300 replies take 1.6 s.
 """
 
 
 class LineQuality:
-    """Quality of a line, which decides whether a clean status can be trusted.
+    """Record of damaged bytes on a line.
 
     A clean status means that the board latched no error, not that it received the packet as sent.
     Without a CRC, one flipped bit turns C0 7F (brake) into C2 7F (full speed forward), or 86 1F
-    (a query) into C6 1F (a quarter forward). But such a line also damages bytes that are checked.
+    (a query) into C6 1F (a quarter forward). Such a line also damages bytes that are checked.
     """
 
     def __init__(self) -> None:
         self.answers = 0  # complete replies since the line was opened
-        # True while another process also uses the line. Failures are no damage then
-        self.is_shared = False
+        self.is_shared = False  # True while another process uses the line: failures are no damage
         self._has_crc = False
         self._is_observed = False
         self._failures = 0
@@ -164,10 +159,7 @@ class LineQuality:
             self._record_damage()
 
     def record_status(self, latched: LatchedStatus) -> None:
-        """Record line errors that the board has latched.
-
-        Errors before the first `observe` are older than the connection.
-        """
+        """Record latched line errors. Errors before the first `observe` are ignored."""
         if self._is_observed and latched.has_line_error:
             self._record_damage()
 
@@ -177,7 +169,7 @@ class LineQuality:
         return self.is_quiet_for(QUIET)
 
     def is_quiet_for(self, replies: int) -> bool:
-        """True if the line has a CRC, or was undamaged for this number of replies."""
+        """True with a CRC, or after this number of undamaged replies."""
         if self._has_crc or self._damaged_at is None:
             return True
         return self.answers - self._damaged_at >= replies
@@ -190,20 +182,20 @@ class LineQuality:
 class SetpointRefresh:
     """Refreshes all setpoints on a line that damages bytes.
 
-    Undetected damage can turn a setpoint, or a query, into another motor command. Only other
-    damage reveals that, so all setpoints are refreshed until the line is quiet. Speeds are sent as
-    accelerate commands, which the current limiter limits. From the first setpoint or arming on,
-    motors without a setpoint are braked. Before that nothing is sent, not even after a stop:
-    another program may drive the board.
+    Undetected damage can turn a setpoint or a query into another motor command. Detected damage
+    makes this likely, so all setpoints are refreshed until the line is quiet. Speeds are sent as
+    accelerate commands, which obey the current limiter. After the first setpoint or arming, motors
+    without a setpoint are braked. Before, nothing is sent, not even after a stop: another program
+    may drive the board.
     """
 
     def __init__(self, quality: LineQuality, holds_speeds: Callable[[], bool]) -> None:
         self._quality = quality
         self._is_held = holds_speeds
-        self.stops_on_error = True  # whether the board stops its motors on a UART error
+        self.stops_on_error = True  # True if the board stops its motors on a UART error
         self._is_active = False
         self._setpoints: dict[int, Setpoint] = {}
-        self.clear = self._setpoints.clear  # every motor counts as fully braked from then on
+        self.clear = self._setpoints.clear  # motors without a setpoint count as braked
         self.holds_speeds = False  # True after the board has stopped motors, until a clean status
         self._auxiliary_at_risk = False
         self._answers_since: int | None = None
@@ -212,7 +204,7 @@ class SetpointRefresh:
     def record_setpoints(self, setpoints: Sequence[Setpoint], now: float) -> None:
         self._is_active = True
         self._sent_at = now
-        self._setpoints.update({one.motor: one for one in setpoints})
+        self._setpoints.update({setpoint.motor: setpoint for setpoint in setpoints})
         if not all(isinstance(command, DriveMotor) for command in packets(setpoints)):
             self._record_auxiliary_risk()
 
@@ -223,15 +215,15 @@ class SetpointRefresh:
         self._record_auxiliary_risk()
 
     def record_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
-        """Hold speeds back until the next clean status if the board has stopped its motors."""
+        """Hold speeds back if the board has stopped its motors, until a clean status."""
         self.stops_on_error = stops_on_error
         self.holds_speeds = latched.stops_motors(on_error=stops_on_error)
-        if latched.uart and stops_on_error:  # no bit that noise added
+        if latched.uart and stops_on_error:  # a second reply confirms the error
             for setpoint in self.running:
                 del self._setpoints[setpoint.motor]
 
     def on_direct_command(self) -> None:
-        """Pause until the next setpoint or stop, since the state of the motors is unknown."""
+        """Pause until the next setpoint or stop: the motors are in an unknown state."""
         self._is_active = False
 
     def due(self, interval: float, *, armed: bool) -> float:
@@ -244,18 +236,17 @@ class SetpointRefresh:
         return self._sent_at + interval if self._is_active else math.inf
 
     def record_sent(self, now: float) -> None:
-        """Record the time of a refresh, which takes long if echoes are awaited."""
         self._sent_at = now
 
     def idle_commands(self) -> list[Command[None]]:
         """Return a packet for each idle motor.
 
-        The packet for both motors is one bit away from a packet for the auxiliary motor, so each
-        motor gets its own. The auxiliary motor gets none unless an earlier packet may have started
-        it: damage to its speed would be more dangerous than no packet.
+        A packet for both motors is one bit away from a packet for the auxiliary motor, so each
+        motor gets its own packet. The auxiliary motor gets a packet only if damage may have started
+        it. Otherwise damage to its speed would be more dangerous than no packet.
         """
-        motors = (self._setpoints.get(one, SetMotor(one, Drive.brake())) for one in (1, 2))
-        idle = [one for one in motors if is_idle(one)]
+        motors = (self._setpoints.get(motor, SetMotor(motor, Drive.brake())) for motor in (1, 2))
+        idle = [setpoint for setpoint in motors if is_idle(setpoint)]
         auxiliary = self._setpoints.get(SetAuxiliary.motor, SetAuxiliary(0))
         if self._auxiliary_at_risk and is_idle(auxiliary):
             self._record_auxiliary_risk()
@@ -263,13 +254,18 @@ class SetpointRefresh:
         return [command for setpoint in idle for command in packets([setpoint])]
 
     def speeds(self) -> list[Command[None]]:
-        """Return the packets of all running motors, unless the status shows that they stopped."""
-        running = [] if self.holds_speeds or self._is_held() else self.running
-        return [each for one in running for each in packets([replace(one, accelerate=True)])]
+        """Return a packet for each running motor. None if the board may have stopped them."""
+        if self.holds_speeds or self._is_held():
+            return []
+        return [
+            command
+            for setpoint in self.running
+            for command in packets([replace(setpoint, accelerate=True)])
+        ]
 
     @property
     def running(self) -> list[Setpoint]:
-        return [one for one in self._setpoints.values() if not is_idle(one)]
+        return [setpoint for setpoint in self._setpoints.values() if not is_idle(setpoint)]
 
     def _record_auxiliary_risk(self) -> None:
         """Record that damage to a packet may have started the auxiliary motor."""
@@ -277,7 +273,7 @@ class SetpointRefresh:
         self._answers_since = None
 
     def _watch_auxiliary(self) -> None:
-        """Clear the risk once the line has been quiet since the packet that caused it."""
+        """Clear the risk after `QUIET` undamaged replies."""
         if self._answers_since is None:
             self._answers_since = self._quality.answers
         if self._quality.answers - self._answers_since >= QUIET:

@@ -15,20 +15,18 @@ from trex_gui.devices.trex.protocol.driving import Drive
 
 _WHEEL = re.compile(r"(\d{1,3})\.([12])\.([12])([+-])")
 
-LEFT, RIGHT = 1, 2  # sides, numbered like the motors of a single board
+LEFT, RIGHT = 1, 2  # numbered like the motors of a single board
 
 
 @dataclass(frozen=True, slots=True)
 class Wheel:
-    """Motor 1 or 2 of a board, on one side. `is_reversed`: it runs backward to go forward."""
-
     board: int
-    motor: int
-    side: int
-    is_reversed: bool = False
+    motor: int  # 1 or 2
+    side: int  # LEFT or RIGHT
+    is_reversed: bool = False  # True if the motor runs backward to move the robot forward
 
     def turned(self, drive: Drive | None) -> Drive | None:
-        """Return the motor's setpoint for a setpoint of its side."""
+        """Return the setpoint of the motor for a setpoint of its side."""
         if drive is None or drive.is_brake or not self.is_reversed:
             return drive
         return Drive.at(-drive.signed)
@@ -40,7 +38,7 @@ def front_and_back(boards: Iterable[int]) -> tuple[Wheel, ...]:
 
 
 def packed(wheels: Iterable[Wheel]) -> str:
-    """Return wheels as a text for the preferences: `7.1.1+ 7.2.2-`."""
+    """Return the text of wheels for the preferences, such as `7.1.1+ 7.2.2-`."""
     return " ".join(f"{w.board}.{w.motor}.{w.side}{'-' if w.is_reversed else '+'}" for w in wheels)
 
 
@@ -56,16 +54,17 @@ def unpacked(text: str) -> tuple[Wheel, ...]:
 def setpoints_of(
     wheels: Sequence[Wheel], request: SetpointRequest
 ) -> dict[int, SetMotor | SetMotors]:
-    """Return the request to each board for setpoints of the sides."""
-    wanted = {one.motor: one for one in setpoints_in(request)}
-    found: dict[int, list[SetMotor]] = {}
+    """Return the request to each board. In `request`, motors 1 and 2 are the sides."""
+    by_side = {setpoint.motor: setpoint for setpoint in setpoints_in(request)}
+    by_board: dict[int, list[SetMotor]] = {}
     for wheel in wheels:
-        setpoint = wanted.get(wheel.side)
+        setpoint = by_side.get(wheel.side)
         if setpoint is None or isinstance(setpoint, SetAuxiliary):
             continue
         drive = wheel.turned(setpoint.drive) or setpoint.drive
-        found.setdefault(wheel.board, []).append(replace(setpoint, motor=wheel.motor, drive=drive))
+        motor = replace(setpoint, motor=wheel.motor, drive=drive)
+        by_board.setdefault(wheel.board, []).append(motor)
     return {
-        board: SetMotors((one[0], one[1])) if len(one) == 2 else one[0]
-        for board, one in found.items()
+        board: SetMotors((motors[0], motors[1])) if len(motors) == 2 else motors[0]
+        for board, motors in by_board.items()
     }
