@@ -198,10 +198,10 @@ def test_axis_widens_for_the_calibration(plot: CurvePlot) -> None:
 
 
 def test_names_and_minimum_heights_follow_the_font_size(plot: CurvePlot) -> None:
-    before = plot.minimumSizeHint().height(), plot.handles.room_above()
+    before = plot.minimumSizeHint().height(), plot.handles.height_above()
     theme().set_font_size(150)
     plot.grab()
-    after = plot.minimumSizeHint().height(), plot.handles.room_above()
+    after = plot.minimumSizeHint().height(), plot.handles.height_above()
     theme().set_font_size(100)
     assert after[0] > 1.4 * before[0]
     assert after[1] > 1.2 * before[1]

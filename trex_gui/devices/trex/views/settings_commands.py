@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class SettingsCommands(QObject):
-    parameter_wanted = Signal(str)  # key of the parameter to show
+    parameter_requested = Signal(str)  # key of the parameter to show during its review
 
     def __init__(
         self, device: Device, linter: BoardLinter, boards: BoardList, frame: MainWindow
@@ -108,7 +108,7 @@ class SettingsCommands(QObject):
         if parameters.values.stored.get(key) != parameters.values.active_of(key):
             self.guide()
             return
-        self.parameter_wanted.emit(key)
+        self.parameter_requested.emit(key)
         wire = parameters.values.value_of(key)
         if wire is None:
             return

@@ -110,7 +110,7 @@ class TrexWorkspace(Workspace):
         self.openers = {"settings": files.open_file, "recording": self.recordings.open_file}
         files.used.connect(partial(frame.files.recent.add, self.key, "settings"))
         self.recordings.used.connect(partial(frame.files.recent.add, self.key, "recording"))
-        settings.parameter_wanted.connect(self._show_parameter)
+        settings.parameter_requested.connect(self._show_parameter)
         bar.apply_requested.connect(settings.review)
         controller.demo_board.rejected.connect(self.notifier.error)
         for changed in (
@@ -144,8 +144,8 @@ class TrexWorkspace(Workspace):
         from trex_gui.devices.trex.views.pages.motors.page import MotorsPage  # noqa: PLC0415 - later
 
         page = MotorsPage(self._device, self._controller.group, parent)
-        page.parameter_wanted.connect(self._show_parameter)
-        page.plot_wanted.connect(partial(self.show_page, "currents"))
+        page.parameter_requested.connect(self._show_parameter)
+        page.plot_requested.connect(partial(self.show_page, "currents"))
         return page
 
     def _create_currents_page(self, parent: QWidget) -> QWidget:

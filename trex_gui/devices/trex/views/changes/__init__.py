@@ -1,1 +1,1 @@
-"""Changes of settings before they are made: review, load, compare, convert, several boards."""
+"""Dialogs that preview changes of settings: review, load, compare, convert."""

@@ -1,4 +1,4 @@
-"""One settings file for several boards on a line."""
+"""Dialog that writes a settings file to several boards on a line."""
 
 from dataclasses import replace
 
@@ -16,13 +16,13 @@ from trex_gui.ui.widgets import builders as ui
 
 _LEFT_OUT = {BoardStep.FAILED, BoardStep.SKIPPED}
 _CHECKED = Qt.CheckState.Checked
-_LINES = 6  # boards that are visible at once
+_LINES = 6  # visible boards
 
 
 class ApplyToSeveral(QObject):
-    """Shows the changes of a file for each board, then writes it to the checked boards.
+    """Previews the changes of a file for each board, and writes it to the checked boards.
 
-    Closing the dialog ends the work after the present board. The window reports the outcome.
+    Closing the dialog ends the work after the current board. The window then reports the outcome.
     """
 
     def __init__(self, boards: BoardList, device: Device, parent: QWidget) -> None:
@@ -60,7 +60,7 @@ class ApplyToSeveral(QObject):
         self.dialog.rejected.connect(self.work.cancel)
 
     def open_file(self, document: SettingsDocument) -> None:
-        """Read every board on the line, and show the changes of a file for each."""
+        """Read every board on the line and show the changes of a file."""
         if self.work.is_running:
             self.dialog.show_in_front()
             return
@@ -69,17 +69,17 @@ class ApplyToSeveral(QObject):
         if document.settings is None:
             self._trouble = tr("This file cannot be used: it has errors. Nothing was changed.")
         else:
-            self.work.review(document.settings, [one.number for one in self._boards.boards])
+            self.work.review(document.settings, [board.number for board in self._boards.boards])
         self._fill()
         self.dialog.open_anew()
 
-    def _chosen(self) -> list[int]:
+    def _selected(self) -> list[int]:
         plans = enumerate(self.work.plans[: self._table.rowCount()])
         return [plan.number for row, plan in plans if self._item(row).checkState() is _CHECKED]
 
     @Slot()
     def _fill(self) -> None:
-        names = {one.number: one.name for one in self._boards.boards}
+        names = {board.number: board.name for board in self._boards.boards}
         plans = self.work.plans
         with QSignalBlocker(self._table):
             self._table.setRowCount(len(plans))
@@ -98,7 +98,7 @@ class ApplyToSeveral(QObject):
         return item
 
     def _set_checkable(self, item: QTableWidgetItem, plan: BoardPlan) -> None:
-        """Let the user select a board to write to. A cleared box stays cleared."""
+        """Show a checked box for a board with changes. A box that the user cleared stays."""
         checkable, role = Qt.ItemFlag.ItemIsUserCheckable, Qt.ItemDataRole.CheckStateRole
         if plan.step is not BoardStep.REVIEWED or not plan.to_write:
             item.setFlags(item.flags() & ~checkable)
@@ -108,7 +108,7 @@ class ApplyToSeveral(QObject):
             item.setData(role, _CHECKED)
 
     def _describe(self, _ticked_of: TickedOf) -> Changes:
-        running, chosen = self.work.is_running, self._chosen()
+        running, selected = self.work.is_running, self._selected()
         self._end.setEnabled(running)
         is_driven = self._device.motors.armed or self._device.may_move
         plans, row = self.work.plans, self._table.currentRow()
@@ -116,7 +116,7 @@ class ApplyToSeveral(QObject):
             row = next((i for i, plan in enumerate(plans) if plan.to_write), -1)
         plan = plans[row] if row >= 0 else None
         rows = None if plan is None else plan.changes
-        text = tr("&Write to %n board(s)", "", len(chosen))
+        text = tr("&Write to %n board(s)", "", len(selected))
         return Changes(
             tr("Apply {0} to several boards").format(self._name),
             caption=tr(
@@ -127,24 +127,24 @@ class ApplyToSeveral(QObject):
             rows=rows and replace(rows, rows=tuple(r for r in rows.rows if not r.is_missing)),
             sides=(tr("Board {0}").format(plan.number) if plan is not None else "", tr("File")),
             with_ticks=False,
-            # No buttons for proposals: the file is written as it is. The user can edit it.
-            remarks=[replace(one, change={}) for one in plan.findings] if plan is not None else [],
+            # Without proposals, since the file is written unchanged.
+            remarks=[replace(each, change={}) for each in plan.findings] if plan else [],
             trouble=self._trouble,
-            action=text if chosen else tr("&Write to boards"),
-            can_act=bool(chosen) and not running and self._device.is_writable and not is_driven,
+            action=text if selected else tr("&Write to boards"),
+            can_act=bool(selected) and not running and self._device.is_writable and not is_driven,
             close=tr("Close"),
         )
 
     def _on_write_clicked(self, _rows: Rows) -> None:
         self._trouble = ""
-        self.dialog.question.prompt_before(lambda: self.work.write(self._chosen()), self._doubts)
+        self.dialog.question.prompt_before(lambda: self.work.write(self._selected()), self._doubts)
 
     def _doubts(self) -> list[str]:
-        """Return the doubtful values of the selected boards, as texts for the user."""
+        """Return texts of values whose limits are unconfirmed, for the selected boards."""
         if not self.dialog.action.isEnabled():
             return []
-        chosen = self._chosen()
-        plans = [plan for plan in self.work.plans if plan.number in chosen]
+        selected = self._selected()
+        plans = [plan for plan in self.work.plans if plan.number in selected]
         return list(dict.fromkeys(doubt for plan in plans for doubt in plan.doubts))
 
     @Slot()
@@ -158,7 +158,7 @@ class ApplyToSeveral(QObject):
             self.dialog.fit()
 
     def _report(self, steps: list[BoardStep], written: int) -> None:
-        """Report written and omitted boards in the dialog, or in the window if it is closed."""
+        """Report written and omitted boards in the dialog, or in the window after closing."""
         left_out = [plan for plan in self.work.plans if plan.step in _LEFT_OUT]
         texts = []
         if self.work.was_stopped:
@@ -170,15 +170,15 @@ class ApplyToSeveral(QObject):
                 text = tr("Board {0}: {1}").format(plan.number, _texts(plan)[1])
                 texts.append(text if text.endswith(".") else f"{text}.")
             notifier = self._device.notifier
-            say = notifier.error if BoardStep.FAILED in steps else notifier.info
-            say.emit(" ".join(texts))
+            signal = notifier.error if BoardStep.FAILED in steps else notifier.info
+            signal.emit(" ".join(texts))
         elif left_out:
             texts.append(tr("%n board(s) left out; the reason is beside each.", "", len(left_out)))
         self._trouble = " ".join(texts)
 
 
 def _texts(plan: BoardPlan) -> tuple[str, str]:
-    """Return texts for the number of changes and for the progress of a board."""
+    """Return texts for the number of changes and the progress of a board."""
     changes = ""
     if plan.changes is not None:
         changes = tr("%n setting(s)", "", plan.to_write) if plan.to_write else tr("none")

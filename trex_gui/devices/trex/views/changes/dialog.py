@@ -1,4 +1,4 @@
-"""Dialog that shows changes of settings before they are made."""
+"""Dialog that previews changes of settings."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -27,43 +27,44 @@ _WIDTH = 760  # pixels
 _MARGIN = 24  # pixels
 _AROUND_BUTTONS = 12  # pixels that are amber while motors are armed
 Rows = tuple[ComparisonRow, ...]
-TickedOf = Callable[[Comparison], Rows]
-"""Returns the rows of a comparison whose check boxes are not cleared."""
+TickedOf = Callable[[Comparison], Rows]  # returns the checked rows of a comparison
 
 
 class Names(NamedTuple):
+    """Object names."""
+
     dialog: str
-    prefix: str  # of the object names in the dialog
+    prefix: str  # prefix of other names in the dialog
     action: str
     close: str
 
 
 @dataclass(frozen=True, slots=True)
 class Changes:
-    """Content of the dialog at one time."""
+    """Content of the dialog."""
 
-    heading: str  # what will happen, or has happened
+    heading: str  # planned action or its result
     has_failed: bool = False
     caption: str = ""
     rows: Comparison | None = None  # `None`: no table
     sides: tuple[str, str] = ("", "")  # names of the settings before and after
-    with_ticks: bool = True  # rows can be left out
+    with_ticks: bool = True  # True if rows have check boxes
     outcomes: Mapping[str, str] = field(default_factory=dict)  # by key, see `ComparisonTable`
-    summary: str = ""  # in place of the counts
+    summary: str = ""  # replaces the counts
     remarks: Sequence[Remark] = ()
-    can_accept: bool = False  # proposals of the remarks can be accepted
-    trouble: str = ""  # why it cannot be done, or what went wrong
+    can_accept: bool = False  # True if proposals in the remarks can be accepted
+    trouble: str = ""  # obstacle or error
     action: str = ""  # verb and count on the primary button; empty hides the button
     can_act: bool = False
-    close: str = ""  # text of the closing button, by default `Cancel`
-    closes_first: bool = False  # the closing button is the default button
+    close: str = ""  # text of the closing button, `Cancel` by default
+    closes_first: bool = False  # True if the closing button is the default button
 
 
 class Question(InlinePrompt):
     def prompt_before(
         self, write: Callable[[], object], doubts: Callable[[], Sequence[str]]
     ) -> None:
-        """Call `write`, but prompt first if `doubts` returns names of values."""
+        """Call `write`, after a prompt if `doubts` returns names of values."""
         named = doubts()
         if not named:
             write()
@@ -77,10 +78,10 @@ class Question(InlinePrompt):
 
 
 class ChangesDialog(ReusedDialog):
-    """Shows settings before and after, with a row for each change. Its height fits the rows.
+    """Table of changes with a primary button. Not modal, with its own stop button.
 
-    Not modal, with a stop button of its own. Its owner describes the content when it opens, and
-    again whenever a row is checked or cleared or one of `follows` is emitted.
+    The owner describes the content when the dialog opens, when a row is checked or cleared, and
+    when a signal in `follows` is emitted.
     """
 
     def __init__(
@@ -94,10 +95,10 @@ class ChangesDialog(ReusedDialog):
         follows: Sequence[SignalInstance] = (),
         above: QWidget | None = None,
     ) -> None:
-        """Create the dialog for the `parent` window. `describe` returns `None` to close the dialog.
+        """Create the dialog for the `parent` window.
 
-        `act` gets the checked rows when the primary button is pressed. `above` is put above the
-        rows.
+        `describe` returns `None` to close the dialog. `act` is called with the checked rows when
+        the primary button is pressed. `above`: widget above the rows.
         """
         super().__init__(parent)
         prefix = names.prefix
@@ -113,12 +114,12 @@ class ChangesDialog(ReusedDialog):
         self._caption = label(self, f"{prefix}Caption", wrap=True, size="caption")
         self._trouble = named(Note(0, self), f"{prefix}Trouble")
         if above is not None:
-            above.setParent(self)  # before the rows in the Tab order
+            above.setParent(self)  # the Tab order follows the order of the children
         self.rows = ComparisonView(self)
         self.findings = FindingsList(prefix, self.rows, self, is_wide=True)
         self._findings_area = ScrollBox(self.findings, self)
         set_look(self._findings_area, "inset")
-        policy = QSizePolicy.Policy  # no stretch, with which Qt would ignore the size hints
+        policy = QSizePolicy.Policy  # with stretch factors, Qt would ignore the size hints
         self.rows.setSizePolicy(policy.Preferred, policy.Expanding)
         self._findings_area.setSizePolicy(policy.Preferred, policy.Maximum)
         self.question = named(Question(self), f"{prefix}Question")
@@ -170,13 +171,13 @@ class ChangesDialog(ReusedDialog):
         return self.rows.table.ticked
 
     def open_anew(self) -> None:
-        """Show the changes with every row checked."""
+        """Open the dialog with every row checked."""
         self.rows.show_nothing()
         self.refresh()
         self.show_in_front()
 
     def show_trouble(self, text: str) -> None:
-        """Show why an action failed, until something changes."""
+        """Show the error of an action until the next refresh."""
         self._trouble.show_note(text, alarming=True)
 
     @Slot()
@@ -186,7 +187,6 @@ class ChangesDialog(ReusedDialog):
 
     @Slot()
     def refresh(self) -> None:
-        """Describe and show the changes again."""
         if self._is_rendering:
             return
         self._is_rendering = True
@@ -219,7 +219,7 @@ class ChangesDialog(ReusedDialog):
         self._findings_area.setVisible(bool(changes.remarks))
         self.action.setText(changes.action or self.action.text())
         if not changes.action and not self.action.isHidden():
-            self._close.setFocus()  # else the focus would go to `Details`
+            self._close.setFocus()  # otherwise the focus would move to `Details`
         self.action.setVisible(bool(changes.action))
         self.action.setEnabled(changes.can_act)
         is_primary = bool(changes.action) and changes.can_act and not changes.closes_first
@@ -237,7 +237,7 @@ class ChangesDialog(ReusedDialog):
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         middle = self.geometry().center()
-        for _ in range(2):  # the first pass gives the rows their width
+        for _ in range(2):  # the first pass sets the width of the rows
             self.resize(self.width(), 1)
             self.fit()
         place = self.geometry()
@@ -245,7 +245,7 @@ class ChangesDialog(ReusedDialog):
         self._move_to(place)
 
     def fit(self) -> None:
-        """Grow to the height of the content. Never shrinks."""
+        """Grow to the height of the content. Never shrink."""
         self._findings_area.updateGeometry()
         self._all.activate()
         place = self.geometry()

@@ -22,7 +22,7 @@ from trex_gui.devices.trex.views.changes.dialog import Changes, ChangesDialog, N
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets.builders import button, combo_box, label, no_mnemonic, row
 
-_NAMED = 3  # settings listed by name; the rest is only counted
+_NAMED = 3  # settings that a text names before it counts the rest
 
 GetSettings = Callable[[], Settings | None]
 Report = Callable[[str], object]
@@ -40,10 +40,11 @@ def load_dialog(
 ) -> ChangesDialog:
     """Create the dialog that loads a document as edits.
 
-    `on_staged` gets a message once changes are edits, `on_ended` if the board is gone. `side` is
-    the heading of the document's values, by default `File`. `edit` edits the file instead.
+    `on_staged` and `on_ended` are called with a message: the changes have become edits, or the
+    board is gone. `side`: heading of the document's values, `File` by default. `edit` opens the
+    file in the editor instead.
     """
-    # Read now: the document may be edited or deleted while the dialog is open.
+    # Read at once: the document may be edited or deleted while the dialog is open.
     name, settings, findings = document.name, document.settings, document.findings
     draft = device.draft
 
@@ -59,13 +60,14 @@ def load_dialog(
         board = state.signature
         conversion = convert(settings, board.model, board.firmware)
         is_converted = settings.product != board.model or conversion.alters
-        # Settings that only the board's firmware has do not count as missing.
-        given = conversion.settings if is_converted else replace(settings, firmware=None)
+        # Without a firmware, settings of a newer firmware do not count as missing.
+        loaded = conversion.settings if is_converted else replace(settings, firmware=None)
         try:
-            found = diff_against_draft(draft, given)
+            comparison = diff_against_draft(draft, loaded)
         except BadRequest as error:
             return Changes(heading, remarks=findings, trouble=error_sentence(error))
-        rows = replace(found, rows=tuple(row for row in found.rows if not row.is_missing))
+        present = tuple(row for row in comparison.rows if not row.is_missing)
+        rows = replace(comparison, rows=present)
         source = f"{settings.product.name} {settings.firmware or ''}".rstrip()
         caption = tr("For a {0}; the board is a {1}. Checked changes become edits.")
         altered = _altered(conversion) if is_converted else ()
@@ -75,7 +77,7 @@ def load_dialog(
             caption=caption.format(source, board),
             rows=rows,
             sides=(tr("Board, as shown"), side or tr("File")),
-            remarks=(*findings, *altered, *_missing(found)),
+            remarks=(*findings, *altered, *_missing(comparison)),
             action=tr("&Load %n change(s)", "", count),
             can_act=count > 0 and device.is_writable,
         )
@@ -86,7 +88,7 @@ def load_dialog(
         except BadRequest as error:
             dialog.show_trouble(error_sentence(error))
             return
-        count = min(len(rows), draft.pending)  # some may have undone an edit
+        count = min(len(rows), draft.pending)  # a row may have reverted an edit
         text = tr("{0}: %n change(s) pending: review them to write them.", "", count)
         nothing = tr("{0}: {1}").format(name, tr("Nothing to write."))
         on_staged(text.format(name) if count else nothing)
@@ -110,7 +112,7 @@ def load_dialog(
 
 
 def _missing(comparison: Comparison) -> Iterator[str]:
-    """Yield a sentence that names the settings missing in the file, if any."""
+    """Yield a sentence about settings that are missing in the file, if any."""
     if missing := [row.name for row in comparison.rows if row.is_missing]:
         names = ", ".join(missing[:_NAMED])
         if len(missing) > _NAMED:
@@ -119,7 +121,7 @@ def _missing(comparison: Comparison) -> Iterator[str]:
 
 
 def _altered(conversion: Conversion) -> Iterator[str]:
-    """Yield the counts of a conversion, then each setting that it changes or leaves out."""
+    """Yield the summary of a conversion, then each changed or omitted setting."""
     yield conversion.summary()
     yield from (str(row) for row in conversion.rows if row.fate is not Fate.CARRIED_OVER)
 
@@ -132,17 +134,18 @@ def show_comparison(
     parent: QWidget,
     *,
     on_copied: Report,
-    renewed_by: SignalInstance | None = None,
+    other_changed: SignalInstance | None = None,
 ) -> None:
-    """Compare a document with the result of `other`. Repeat it when `renewed_by` is emitted.
+    """Open a dialog that compares a document with other settings.
 
-    Values of the other side can be copied as edits. `on_copied` then gets a message.
+    `other_changed` is emitted when `other` returns new settings. Their values can be copied as
+    edits, and `on_copied` is then called with a message.
     """
     theirs: Settings | None = None
 
     def describe(ticked_of: TickedOf) -> Changes | None:
         nonlocal theirs
-        theirs = other() or theirs  # keep the settings of a board that is gone
+        theirs = other() or theirs  # the last settings of a board that is gone
         mine, trouble = document.settings, ""
         heading = tr("{0} and {1}").format(document.name, other_name)
         if mine is None or theirs is None:
@@ -181,7 +184,7 @@ def show_comparison(
         names=Names("compareDialog", "compare", "takeValuesButton", "closeCompareButton"),
         describe=describe,
         act=copy,
-        follows=(document.changed,) if renewed_by is None else (document.changed, renewed_by),
+        follows=(document.changed, *([] if other_changed is None else [other_changed])),
     )
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     dialog.open_anew()
@@ -193,14 +196,14 @@ def show_conversion(
     parent: QWidget,
     on_converted: Callable[[SettingsDocument], object],
 ) -> None:
-    """Show a document converted for another board. `on_converted` gets the new document."""
+    """Open a dialog that converts a document for another board."""
     boards = [(m, firmware) for m in device_table().models for firmware in m.firmware[::-1]]
     text = tr("{0}, firmware {1}")
     items = [(text.format(board.name, firmware), (board, firmware)) for board, firmware in boards]
     above = QWidget(parent)
     choice = combo_box(above, "convertBoard", "", items=items)
     row(label(above, text=tr("Convert &for:"), buddy=choice), choice, 1, into=above, margins=0)
-    # Default choice: the connected board, else the other model.
+    # Preselect the connected board, or else the other model.
     before, state = document.settings, device.state if device.is_connected else None
     own = None if before is None else (before.product, before.specs.firmware)
     models = [model for model in device_table().models if own is None or model != own[0]]
@@ -220,31 +223,31 @@ def show_conversion(
             "stays as it is."
         )
         heading, action = tr("Convert {0}").format(document.name), tr("&Convert")
-        found, settings = conversion(), document.settings
-        if found is None or settings is None:
+        converted, settings = conversion(), document.settings
+        if converted is None or settings is None:
             return Changes(heading, action=action)
-        altered = (row for row in found.rows if row.fate is not Fate.CARRIED_OVER)
+        altered = (row for row in converted.rows if row.fate is not Fate.CARRIED_OVER)
         return Changes(
             heading,
             caption=caption.format(document.name),
-            rows=found.compared_with(settings),
-            sides=(tr("In the file"), tr("For a {0}").format(found.board)),
+            rows=converted.compared_with(settings),
+            sides=(tr("In the file"), tr("For a {0}").format(converted.board)),
             with_ticks=False,
             outcomes={row.key: row.reason for row in altered},
-            summary=found.summary(),
+            summary=converted.summary(),
             action=action,
             can_act=True,
         )
 
-    def convert_it(_rows: Rows) -> None:
-        found = conversion()
-        if found is None:
+    def on_convert_clicked(_rows: Rows) -> None:
+        converted = conversion()
+        if converted is None:
             return
         try:
-            text = amend(document.text, found.settings, document.name)
+            text = amend(document.text, converted.settings, document.name)
         except StudioError:  # the text cannot be edited in place
-            text = write_settings(found.settings)
-        name = f"{Path(document.name).stem}_{found.settings.product.key}.txt"
+            text = write_settings(converted.settings)
+        name = f"{Path(document.name).stem}_{converted.settings.product.key}.txt"
         on_converted(SettingsDocument(text, name))
         dialog.close()
 
@@ -253,7 +256,7 @@ def show_conversion(
         parent,
         names=Names("convertDialog", "convert", "convertButton", "cancelConvertButton"),
         describe=describe,
-        act=convert_it,
+        act=on_convert_clicked,
         follows=(document.changed,),
         above=above,
     )

@@ -1,4 +1,4 @@
-"""Review of the changes that Apply writes: preview, progress, and outcome of each value."""
+"""Review of the changes that Apply writes: preview, progress and outcome."""
 
 from collections.abc import Iterable, Iterator
 from enum import Enum, auto
@@ -35,7 +35,7 @@ class _Phase(Enum):
 
 
 class Review(QObject):
-    """Follows the edits until they are written, then shows the outcome of each value."""
+    """Shows the edits until they are written, then the outcome of each value."""
 
     def __init__(
         self, device: Device, linter: BoardLinter, boards: BoardList, parent: QWidget
@@ -47,14 +47,14 @@ class Review(QObject):
         self._boards = boards
         self._cycle = PowerCycle(device, self)
         self._phase = _Phase.REVIEW
-        self._problem = self._detail = ""  # what went wrong, and what it means
-        self._title = ""  # of reviewed defaults, else empty
+        self._problem = self._detail = ""  # error, and its consequences
+        self._title = ""  # title of reviewed defaults, empty for other edits
         self._serial_only = False
         self._defaults: Rows = ()
         self._writing = Comparison(())  # changes of the current or last write
         self._outcomes: dict[str, str] = {}
         self._findings: tuple[LintFinding, ...] = ()
-        self._unstaged = self._staged = -1  # undo index before and after edits that closing reverts
+        self._unstaged = self._staged = -1  # undo index before and after staging defaults
 
         draft_changes = device.draft.pending_changed, device.draft.loaded
         self.dialog = ChangesDialog(
@@ -68,7 +68,7 @@ class Review(QObject):
         self._progress = progress_bar(self.dialog, "reviewProgress", tr("Progress of writing"))
         self._progress.setTextVisible(True)
         self._power = PowerCyclePanel(self._cycle, self.dialog)
-        tip = tr("Every parameter, by the board's own command, at its next start")
+        tip = tr("Resets every parameter with the board's own command, at its next start")
         title = tr("&Let the board reset itself…")
         self._reset = button(self.dialog, "boardResetButton", title, tip=tip, default=False)
         self._reset.clicked.connect(self._on_reset_clicked)
@@ -86,13 +86,13 @@ class Review(QObject):
 
     @Slot()
     def review(self) -> None:
-        """Show the changes that Apply would write, or the progress while it writes."""
+        """Show the changes that Apply will write, or the progress of writing."""
         if self._staged != self._undo.index():
             self._title = ""
         self._open()
 
     def review_defaults(self, *, serial_only: bool) -> None:
-        """Review the defaults, or only the serial ones, as edits that closing undoes."""
+        """Stage all or serial defaults and review them. Closing the review undoes them."""
         draft, shown = self._device.draft, self._device.draft.shown
         if self._phase is not _Phase.WRITING and shown is not None:
             self._revert()
@@ -112,7 +112,7 @@ class Review(QObject):
             self.dialog.show_in_front()
         else:
             if self._phase is _Phase.DONE:
-                self.dialog.hide()  # else Enter would press Close, which has the focus
+                self.dialog.hide()  # otherwise Enter would press Close, which has the focus
             self._problem = ""
             self._cycle.end()
             self._enter(_Phase.REVIEW)
@@ -132,12 +132,11 @@ class Review(QObject):
 
     @property
     def _can_write(self) -> bool:
-        """Return whether the board accepts settings now and will store them."""
         return self._device.is_writable and not self._device.draft.reset_pending
 
     @property
     def _is_cancellable(self) -> bool:
-        """Return whether a write was requested, but nothing is written yet."""
+        """True if a write was requested, but nothing is written yet."""
         return self._phase is _Phase.WRITING and self._device.writer.is_saving_snapshot
 
     def _on_write_clicked(self, rows: Rows) -> None:
@@ -145,7 +144,7 @@ class Review(QObject):
             self.dialog.question.prompt_before(partial(self._write_rows, rows), self._doubts)
 
     def _doubts(self) -> list[str]:
-        """Return the checked values that the board may reject, as their limits are unconfirmed."""
+        """Return texts of checked values whose limits are unconfirmed."""
         if self._phase is not _Phase.REVIEW or not self._can_write:
             return []
         return self._device.parameters.values.doubtful(self.dialog.ticked)
@@ -153,9 +152,9 @@ class Review(QObject):
     def _write_rows(self, rows: Rows) -> None:
         written = {row.key for row in rows}
         left_out = {row.key for row in self._changes().rows} - written
-        if left_out and self._revert():  # defaults left out do not stay as edits
-            kept = (row for row in self._defaults if row.key not in left_out)
-            self._device.draft.stage((*kept, *rows), self._title)
+        if left_out and self._revert():  # omitted defaults must not stay as edits
+            remaining = (row for row in self._defaults if row.key not in left_out)
+            self._device.draft.stage((*remaining, *rows), self._title)
         self._problem = ""
         self._writing, self._outcomes = Comparison(rows), {}
         self._progress.setRange(0, len(rows))
@@ -169,20 +168,20 @@ class Review(QObject):
             "here. Its present settings are saved first (File, History). Unapplied changes "
             "are discarded; Undo restores them."
         )
-        taken = tr(
+        conflict = tr(
             "It gets device number {0}, which another board on this line has: both would reply at "
             "once, and neither could be read. Give that board another number first."
         )
         specs = self._device.parameters.values.specs
         number = specs[ParameterKey.DEVICE_NUMBER].default
         is_taken = number in self._boards.others
-        text = f"{taken.format(number)} {text}" if is_taken else text
+        text = f"{conflict.format(number)} {text}" if is_taken else text
         answer = Answer("boardResetSureButton", tr("Reset the &board"), self._reset_board)
 
-        def still() -> bool:
+        def is_valid() -> bool:
             return self._device.is_writable and is_taken == (number in self._boards.others)
 
-        self.dialog.question.prompt(text, answer, still=still)
+        self.dialog.question.prompt(text, answer, still=is_valid)
 
     def _reset_board(self) -> None:
         self.dialog.close()
@@ -190,7 +189,7 @@ class Review(QObject):
 
     @Slot(object)
     def _on_accepted(self, finding: LintFinding) -> None:
-        """Accept a proposal, and check its rows even if the user had cleared them."""
+        """Accept a proposal and check its rows, even if the user has cleared them."""
         is_newest = self._staged == self._undo.index()
         self._linter.accept(finding)
         if is_newest:
@@ -209,7 +208,7 @@ class Review(QObject):
         self._unstaged = self._staged = -1
 
     def _revert(self) -> bool:
-        """Undo the reviewed defaults if they are the newest edit. Return whether they were."""
+        """Undo staged defaults if they are the newest edit. Return whether they were."""
         is_newest = self._staged == self._undo.index()
         if is_newest:
             self._undo.setIndex(self._unstaged)
@@ -222,19 +221,19 @@ class Review(QObject):
             self._fail(self._problem or tr("The connection was lost."))
 
     @Slot(int, int, str)
-    def _on_progressed(self, done: int, total: int, what: str) -> None:
+    def _on_progressed(self, done: int, total: int, name: str) -> None:
         if self._phase is _Phase.WRITING and self._device.writer.running:
             self._progress.setRange(0, total)
             self._progress.setValue(done)
             text = tr("{0} of {1}: {2}")
-            self._progress.setFormat(text.format(min(done + 1, total), total, what))
+            self._progress.setFormat(text.format(min(done + 1, total), total, name))
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
         keys = [result.key for result in results]
         written = {row.key for row in self._writing.rows}
         if self._phase is not _Phase.WRITING or not written.issuperset(keys):
-            return  # the result of another request, such as a reset
+            return  # result of another request, such as a reset
         self._outcomes = dict(zip(keys, _outcomes(results), strict=True))
         errors = [result.error for result in results if result.error is not None]
         if errors:
@@ -292,13 +291,13 @@ class Review(QObject):
             )
         rows, stored = self._changes(), self._device.draft.stored
         if not rows.rows:
-            text, why = tr("Nothing to write."), self._obstacle()
-            return Changes(text, rows=rows, summary=" ", trouble=why, close=tr("Close"))
+            text, obstacle = tr("Nothing to write."), self._obstacle()
+            return Changes(text, rows=rows, summary=" ", trouble=obstacle, close=tr("Close"))
         ticked = ticked_of(rows)
         count = len(ticked)
         if stored is not None:
-            wanted = settings_after(stored, ((row.key, row.after) for row in ticked))
-            self._findings = self._linter.check(wanted)
+            settings = settings_after(stored, ((row.key, row.after) for row in ticked))
+            self._findings = self._linter.check(settings)
         text = tr("Write %n setting(s) to the board", "", count)
         return Changes(
             self._title or (text if count else tr("Nothing to write.")),
@@ -322,7 +321,7 @@ class Review(QObject):
         return tr("Writing. Leave the power on.")
 
     def _obstacle(self) -> str:
-        """Return the reason why nothing can be written, or an empty text."""
+        """Return the reason why nothing can be written. Empty without an obstacle."""
         if not self._device.is_connected:
             return tr("No board is responding. The edits are kept.")
         if self._device.draft.reset_pending:
@@ -349,7 +348,6 @@ class Review(QObject):
         return text.format(state.signature, number, settings.label)
 
     def _remarks(self, ticked: Rows) -> Iterator[str]:
-        """Yield remarks about the checked changes."""
         if keys := self._device.calibrations.out_of_reach:
             text = tr(
                 "These calibrations stay pending until the board uses their input source again: "
@@ -366,7 +364,7 @@ class Review(QObject):
 
 
 def _outcomes(results: Iterable[WriteResult]) -> Iterator[str]:
-    """Yield the reason of each failure, once per error. Empty for stored values."""
+    """Yield the text of each result. Empty for stored values."""
     occurred: StudioError | None = None
     for result in results:
         if result.error is None:

@@ -1,4 +1,4 @@
-"""Plot of a board's currents, for a page and a window. Importing it loads pyqtgraph."""
+"""Plot of a board's currents, in a page or window. Importing it loads pyqtgraph."""
 
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QCloseEvent, QKeySequence, QShortcut, QShowEvent
@@ -20,8 +20,6 @@ from trex_gui.ui.widgets.placement import fit_on_screen, restore_geometry, save_
 
 
 class CurrentsPanel(TracePanel):
-    """Shows the currents of a board. Updated only while visible."""
-
     def __init__(
         self, device: Device, parent: QWidget | None = None, *, key: str = "currents"
     ) -> None:
@@ -66,8 +64,7 @@ class CurrentsPanel(TracePanel):
         self._head.show_title(title)
         if name := self._device.board_name:  # the curves remain after a disconnection
             self.export.heading = f"{tr('Motor currents')}, {name}"
-        # The result of an export remains until the note changes.
-        if note != self._note_text:
+        if note != self._note_text:  # the result of an export remains until the note changes
             self._note_text = note
             self.set_note(note)
         self.plot.set_empty_text(empty)
@@ -84,7 +81,7 @@ class CurrentsPanel(TracePanel):
 
 
 class PlotWindow(QMainWindow):
-    """Window of the plot, for use beside another page. It has its own plot settings."""
+    """Plot of currents in a window of its own, with separate plot settings."""
 
     _KEY = "plot_window"
 

@@ -1,4 +1,4 @@
-"""Page of the errors that the board has reported, and of the connection quality."""
+"""Page of reported errors and the connection quality."""
 
 from collections.abc import Sequence
 from datetime import datetime, timedelta
@@ -22,7 +22,7 @@ class ErrorsPage(ProblemsPage):
     def __init__(self, device: Device, parent: QWidget) -> None:
         self._device = device
         super().__init__("errors", device.connection.traffic, parent)
-        tip = tr("Set every count to zero, and forget when errors were seen")
+        tip = tr("Set every count to zero, and clear the times of errors")
         title, reset = tr("Reset all co&unts"), device.board.errors.reset
         self._reset = ui.button(self, "resetCountsButton", title, tip=tip, on_click=reset)
         self.note_row.addWidget(self._reset)
@@ -72,7 +72,7 @@ class ErrorsPage(ProblemsPage):
             Reading(tr("Restarts seen"), str(board.restarts), returns.format(board.returns)),
             Reading(tr("Corrupted replies"), str(counters.corrupted)),
         )
-        return readings if is_open else [one.unknown() for one in readings]
+        return readings if is_open else [reading.unknown() for reading in readings]
 
     def _problem_of(self, entry: ErrorEntry) -> Problem:
         device, bit = self._device, entry.bit

@@ -1,4 +1,4 @@
-"""Channels of a settings file: its calibrations, in the same card as on the board's page."""
+"""Page for the calibrations in a settings file."""
 
 from functools import partial
 
@@ -20,7 +20,7 @@ from trex_gui.ui.widgets.labels import ElidedLabel
 
 
 class DocumentChannels(PlotPage):
-    """Five channels, and the calibration of the selected channel. The file may lack it."""
+    """Five channels, and the calibration of the selected channel, if the file has one."""
 
     def __init__(self, draft: SettingsDraft, linter: SettingsLinter, parent: QWidget) -> None:
         super().__init__(parent)

@@ -1,4 +1,4 @@
-"""Settings as a PDF file: tables with changes from the default in bold."""
+"""PDF file of settings: tables with changed values in bold."""
 
 from collections.abc import Iterable, Mapping
 from datetime import datetime
@@ -15,14 +15,14 @@ from trex_gui.devices.trex.settings.document import Settings
 
 
 def settings_pdf(settings: Settings, name: str, remarks: Iterable[str]) -> bytes:
-    """Return the settings as the content of a PDF file. `remarks` are below the tables."""
+    """Return the content of the PDF file. `remarks`: texts below the tables."""
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
     writer = QPdfWriter(buffer)
     writer.setPageSize(QPageSize(QPageSize.PageSizeId.A4))
     writer.setTitle(name)
     settings_document(settings, name, remarks).print_(writer)
-    del writer  # ends the file
+    del writer  # completes the file
     return bytes(buffer.data().data())
 
 
@@ -31,14 +31,14 @@ def settings_document(settings: Settings, name: str, remarks: Iterable[str] = ()
     font = document.defaultFont()
     font.setPointSizeF(8)
     document.setDefaultFont(font)
-    # Paper is white, whatever the colours of the theme.
+    # Paper is white in every theme.
     document.setDefaultStyleSheet("body { color: black }")
     document.setHtml(f"<body>{settings_html(settings, name, remarks)}</body>")
     return document
 
 
 def settings_html(settings: Settings, name: str, remarks: Iterable[str] = ()) -> str:
-    """Return plain tables that a `QTextDocument` can lay out."""
+    """Return HTML that a `QTextDocument` can lay out."""
     board = settings.product.name
     if settings.firmware is not None:
         board = tr("{0}, firmware {1}").format(board, settings.firmware)
@@ -77,17 +77,17 @@ def _parameters(settings: Settings) -> str:
             cells = (spec.name, spec.key, value, "" if wire is None else str(wire))
             is_changed = wire not in {None, spec.default}
             rows.append(_row((*cells, spec.text(spec.default)), bold=is_changed))
-            rows += _note_row(settings, spec.key, len(titles))
+            rows += _rows_of_note(settings, spec.key, len(titles))
     return _table(titles, rows)
 
 
 def _calibrations(settings: Settings) -> str:
     rows = []
-    for key, found in settings.calibration_items():
-        counts = [getattr(found, field) for field in CALIBRATION_FIELDS]
+    for key, calibration in settings.calibration_items():
+        counts = [getattr(calibration, field) for field in CALIBRATION_FIELDS]
         values = (f"{key.source.text(count)} ({count})" for count in counts)
         rows.append(_row((key.label, key, *values)))
-        rows += _note_row(settings, key, 6)
+        rows += _rows_of_note(settings, key, 6)
     titles = {
         tr("Channel"): 18,
         tr("Key"): 18,
@@ -99,8 +99,8 @@ def _calibrations(settings: Settings) -> str:
     return _table(titles, rows) if rows else f"<p>{escape(tr('None are given.'))}</p>"
 
 
-def _note_row(settings: Settings, key: str, columns: int) -> list[str]:
-    """Return the note on a setting as a row below it. Empty without a note."""
+def _rows_of_note(settings: Settings, key: str, columns: int) -> list[str]:
+    """Return a row with the note on a setting. Empty without a note."""
     note = settings.notes.get(key, "")
     text = escape(tr("Note: {0}").format(note)).replace("\n", "<br>")
     return [f'<tr><td colspan="{columns}"><i>{text}</i></td></tr>'] if note else []
@@ -112,7 +112,7 @@ def _row(cells: Iterable[str], *, bold: bool = False) -> str:
 
 
 def _table(titles: Mapping[str, int], rows: Iterable[str]) -> str:
-    """Return a table with its titles on each page. `titles`: column title → width in per cent."""
+    """Return a table with titles on each page. `titles`: title → width in per cent."""
     head = "".join(
         f'<th align="left" width="{width}%">{escape(title)}</th>' for title, width in titles.items()
     )

@@ -1,4 +1,4 @@
-"""Text of a settings file with line numbers, as Save writes it or to be corrected."""
+"""Page with the text of a settings file."""
 
 import re
 from bisect import bisect_right
@@ -22,7 +22,7 @@ from trex_gui.ui.widgets.painted import Painter
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _MARGIN = 6
-EDITOR_BREAK = re.compile("\r\n|[\n\r\u2029\ufdd0\ufdd1]")  # in Qt's editor; YAML has two more
+EDITOR_BREAK = re.compile("\r\n|[\n\r\u2029\ufdd0\ufdd1]")  # line ends of Qt, not those of YAML
 
 
 def with_line_ends(lines: Sequence[str], before: str) -> str:
@@ -46,10 +46,10 @@ def _common_start(one: list[str], other: list[str]) -> int:
 
 
 class TextPage(QWidget):
-    """Text of the document. It can be edited here while it has errors."""
+    """Text of the document, which can be edited while it has errors."""
 
     checked = Signal()  # the text was read again
-    repaired = Signal(object)  # a line for each repair; empty: nothing could be repaired
+    repaired = Signal(object)  # tuple with a text for each repair, empty without repairs
 
     def __init__(self, document: SettingsDocument, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -85,12 +85,12 @@ class TextPage(QWidget):
         self._on_changed()
 
     def show_line(self, line: int) -> None:
-        """Go to a line, counted as in findings."""
+        """Show a line. `line`: line number in YAML, as in findings."""
         self.editor.show_line(self._editor_lines([line])[line])
         self.editor.setFocus()
 
     def _editor_lines(self, lines: Iterable[int]) -> dict[int, int]:
-        """Return a dict: line number in YAML → line number in the editor."""
+        """Return line numbers in the editor by line numbers in YAML."""
         text = self._document.text
         starts = [0, *(found.end() for found in LINE_END.finditer(text))]
         breaks = [found.end() for found in EDITOR_BREAK.finditer(text)]
@@ -108,12 +108,12 @@ class TextPage(QWidget):
         try:
             text, repairs = repair_values(document.text.encode("utf-8"), document.name)
         except SettingsError:
-            repairs = ()  # not valid YAML; the findings say where
+            repairs = ()  # invalid YAML; the findings show its lines
         if repairs:
             cursor = QTextCursor(self.editor.document())  # undoable, unlike `setPlainText`
             cursor.select(QTextCursor.SelectionType.Document)
             cursor.insertText(text.removeprefix(BYTE_ORDER_MARK))
-            self._shown = text  # with line ends that the editor does not know
+            self._shown = text  # has line ends that the editor would change
             document.set_text(text)
         self._check_again()
         self.repaired.emit(repairs)
@@ -168,7 +168,7 @@ class TextPage(QWidget):
 
 
 class NumberedText(QPlainTextEdit):
-    """Plain text with line numbers, and signs beside marked lines. Lines count from 1."""
+    """Plain text with line numbers from 1, and signs beside marked lines."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -188,7 +188,7 @@ class NumberedText(QPlainTextEdit):
 
     @property
     def lines(self) -> list[str]:
-        """The lines as typed. `toPlainText` would replace no-break spaces."""
+        """Lines of the text. `toPlainText` would replace no-break spaces."""
         return self.document().toRawText().split("\u2029")
 
     def mark(self, lines: Mapping[int, str]) -> None:
@@ -210,8 +210,8 @@ class NumberedText(QPlainTextEdit):
         self.setExtraSelections([highlight])
 
     def paint_numbers(self, painter: QPainter, visible: QRect) -> None:
-        """Draw the numbers of the visible lines, right-aligned, with signs on the left."""
-        painter.fillRect(visible, theme().color("window"))  # the role is that of outlines
+        """Paint the visible line numbers, with signs on the left."""
+        painter.fillRect(visible, theme().color("window"))
         height = self.fontMetrics().height()
         block = self.firstVisibleBlock()
         place = self.blockBoundingGeometry(block).translated(self.contentOffset())
@@ -226,8 +226,8 @@ class NumberedText(QPlainTextEdit):
             painter.drawText(box, Qt.AlignmentFlag.AlignRight, str(number))
             if is_marked:
                 sign = self._marked[number]
-                where = QRect(_MARGIN, round(place.top()), height, height)
-                icon(sign, "danger" if sign == "error" else "warning").paint(painter, where)
+                box = QRect(_MARGIN, round(place.top()), height, height)
+                icon(sign, "danger" if sign == "error" else "warning").paint(painter, box)
             top = place.bottom()
             block = block.next()
             place = self.blockBoundingRect(block).translated(0, top)

@@ -1,4 +1,4 @@
-"""A window for one settings file. It works with and without a board."""
+"""Window for one settings file, with or without a board."""
 
 from functools import partial
 from pathlib import Path
@@ -37,13 +37,13 @@ _TOOL_BAR = ("new", "open", "save", SEPARATOR, "undo", "redo", SEPARATOR, "send"
 
 
 class SettingsEditor(QMainWindow):
-    """Window with the pages of one document. The window deletes the document."""
+    """Window with the pages of one document, which the window owns."""
 
-    send_requested = Signal()  # the user wants to load the settings into the board
+    send_requested = Signal()  # the user requests to load the settings into the board
     new_requested = Signal()
     open_requested = Signal()
-    converted = Signal(object)  # a `SettingsDocument` for another board
-    saved = Signal(object)  # the `Path` of the file
+    converted = Signal(object)  # `SettingsDocument` for another board
+    saved = Signal(object)  # `Path` of the file
     closed = Signal()
 
     def __init__(
@@ -137,12 +137,12 @@ class SettingsEditor(QMainWindow):
                 bar.addSeparator()
                 continue
             action = self._actions[key]
-            action.setIconText(action.text().replace("&", "").rstrip("…"))  # width stays constant
+            action.setIconText(action.text().replace("&", "").rstrip("…"))
             bar.addAction(action)
         self.addToolBar(bar)
 
     def save(self) -> bool:
-        """Start saving the file. Return whether saving has started."""
+        """Start to save the file. Return whether saving has started."""
         path = self.document.path
         return self._prompt_and_save() if path is None else self.save_to(path, ask=True)
 
@@ -207,7 +207,7 @@ class SettingsEditor(QMainWindow):
         )
 
     def compare_with_board(self) -> None:
-        """Compare with the settings of the board as shown, edits included."""
+        """Compare with the settings of the board, including edits."""
         draft = self._device.draft
         self._compare(lambda: draft.shown, tr("Board, as shown"), draft.pending_changed)
 
@@ -218,11 +218,11 @@ class SettingsEditor(QMainWindow):
             self._compare(lambda: factory, tr("Factory defaults"))
 
     def _compare(
-        self, other: GetSettings, name: str, renewed_by: SignalInstance | None = None
+        self, other: GetSettings, name: str, changed: SignalInstance | None = None
     ) -> None:
         news = self._banner.show_news
         show_comparison(
-            self._device, self.document, other, name, self, on_copied=news, renewed_by=renewed_by
+            self._device, self.document, other, name, self, on_copied=news, other_changed=changed
         )
 
     def convert(self) -> None:
@@ -276,7 +276,7 @@ class SettingsEditor(QMainWindow):
         self._banner.show_news(" ".join(parts))
 
     def answer(self) -> SaveAnswer:
-        """Ask what to do with unsaved changes, before the window is closed."""
+        """Ask the user to save or discard unsaved changes."""
         if self.document.modified:
             self.activateWindow()
         return self.saver.answer()

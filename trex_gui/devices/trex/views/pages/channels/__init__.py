@@ -1,1 +1,1 @@
-"""The page on which channels are calibrated."""
+"""Page for calibrating channels."""

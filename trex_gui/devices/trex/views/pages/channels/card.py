@@ -27,11 +27,11 @@ _SOURCES = (InputSource.RC, InputSource.ANALOG)
 
 
 class ChannelCard(Card):
-    """Shows one calibration with the options of its channel. Edits go to the draft."""
+    """One calibration and the options of its channel. Edits go to the draft."""
 
-    source_chosen = Signal(object)  # the user opened the tab of an `InputSource`
-    released = Signal()  # the held handle of the curve was released
-    rejected = Signal(str)  # why an edit was rejected, for the user
+    source_chosen = Signal(object)  # `InputSource` of the tab that the user opened
+    released = Signal()  # the user released a handle of the curve
+    rejected = Signal(str)  # reason why an edit was rejected, for the user
 
     def __init__(self, draft: SettingsDraft, parent: QWidget) -> None:
         super().__init__("", parent)
@@ -55,7 +55,7 @@ class ChannelCard(Card):
         self.note = named(Note(1, self), "calibrationNote")
         self._fields = CalibrationFields(self)
         self.options = ChannelOptions(draft.parameters, self)
-        self._why = NoteField(draft.notes, "channelNoteEdit", self, lines=1)
+        self._note_field = NoteField(draft.notes, "channelNoteEdit", self, lines=1)
         self.sources.currentChanged.connect(lambda at: self.source_chosen.emit(_SOURCES[at]))
         self._fields.edited.connect(self._on_edited)
         self._fields.rejected.connect(self.rejected)
@@ -63,16 +63,16 @@ class ChannelCard(Card):
     def lay_out(
         self, beside: QWidget, above: Sequence[QWidget], live: QWidget, *buttons: QWidget
     ) -> None:
-        """Add the page's widgets beside the title, above the curve and around the note."""
+        """Place the page's widgets beside the title, above the curve and around the note."""
         first, last = buttons
         title = row(self._title, (beside, 1), self.sources, spacing=12)
         legend = row((live, 1), *self._keys, spacing=16)
-        below = row(first, (self._why, 1), last, spacing=8)
+        below = row(first, (self._note_field, 1), last, spacing=8)
         parts = column(title, *above, legend, spacing=4), self.note, self._fields, self.options
         self._inside = column(*parts, below, into=self, spacing=6)
-        for each in (*above, self._fields, self.options, first, self._why, last):
-            each.raise_()
-        tab_order(self)  # follows the order of the children
+        for each in (*above, self._fields, self.options, first, self._note_field, last):
+            each.raise_()  # the tab order follows the stacking order
+        tab_order(self)
 
     def add_plot(self) -> None:
         """Add the curve. This imports pyqtgraph."""
@@ -94,7 +94,7 @@ class ChannelCard(Card):
         *,
         editable: bool,
     ) -> None:
-        """Show a calibration, and the curves of its channel before and after the edits."""
+        """Show a calibration and the curves before and after the edits."""
         channel, name = key.channel, tr(CHANNEL_NAMES[key.channel])
         self._key, self._before, self._editable = key, before, editable
         self._title.setText(f"{channel}  {name}")
@@ -102,7 +102,7 @@ class ChannelCard(Card):
         with QSignalBlocker(self.sources):
             self.sources.setCurrentIndex(_SOURCES.index(key.source))
         self._fields.show_calibration(key.source, shown, editable=editable)
-        self._why.show_note_on(key, tr("the calibration of {0}").format(key.label))
+        self._note_field.show_note_on(key, tr("the calibration of {0}").format(key.label))
         self._show_keys(before != after)
         if self.plot is not None:
             self.plot.show_channel(channel, key.source, before, after, editable=editable)
@@ -113,7 +113,6 @@ class ChannelCard(Card):
 
     @Slot(object)
     def _on_previewed(self, calibration: Calibration) -> None:
-        """Show the values while a handle is held."""
         self._fields.show_calibration(self._key.source, calibration, editable=self._editable)
         self._show_keys(self.plot is not None and self.plot.curve != self._before)
 

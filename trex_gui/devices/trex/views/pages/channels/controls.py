@@ -1,4 +1,4 @@
-"""Controls of one channel: calibration fields, check boxes of its mask bits, input source."""
+"""Controls of one channel: calibration, options, and input source."""
 
 from dataclasses import replace
 from functools import partial
@@ -24,11 +24,11 @@ _SOURCE = ParameterKey.CHANNEL_INPUT_SOURCE
 
 
 class CalibrationFields(QWidget):
-    """Four fields in µs, V or counts. Arrow keys step by a count."""
+    """Four fields in µs, V or counts. Arrow keys change a value by one count."""
 
-    # A valid calibration, and its run of steps (one undo step), or `None` if a value was typed
+    # A valid `Calibration` and the key of its undo step. `None`: an undo step of its own
     edited = Signal(object, object)
-    rejected = Signal(str)  # why the text is invalid, for the user
+    rejected = Signal(str)  # reason why a value is invalid, for the user
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -74,15 +74,15 @@ class CalibrationFields(QWidget):
         calibration = self._calibration
         if calibration is None:
             return
-        wanted = replace(calibration, **{field: count})
-        if wrong := channel_text.wrong_order(wanted, self._source):
+        edited = replace(calibration, **{field: count})
+        if problem := channel_text.wrong_order(edited, self._source):
             self.show_calibration(self._source, calibration, editable=True)
-            self.rejected.emit(wrong)
+            self.rejected.emit(problem)
         elif self._editors[field].stepping:
-            self.edited.emit(wanted, self._run)
+            self.edited.emit(edited, self._run)
         else:
             self._on_run_ended()
-            self.edited.emit(wanted, None)
+            self.edited.emit(edited, None)
 
     @Slot()
     def _on_run_ended(self) -> None:
@@ -90,11 +90,11 @@ class CalibrationFields(QWidget):
 
 
 def _fit(editor: CountEditor) -> None:
-    """Let an editor be as narrow as a usual value. Qt reserves space for the widest value."""
+    """Fit the minimum width to a usual value: Qt reserves space for the widest value."""
     editor.setMinimumWidth(editor.fontMetrics().horizontalAdvance("0000 µs") + 44)
 
 
-CHANNEL_OPTIONS = {  # title and tool tip of each option
+CHANNEL_OPTIONS = {  # title and tool tip by key
     ParameterKey.REVERSED_CHANNELS: (
         tr_noop("Re&versed"),
         tr_noop("The output changes its sign: forward and reverse are swapped"),
@@ -139,7 +139,7 @@ class ChannelOptions(QWidget):
     def show_channel(
         self, channel: int, source: InputSource, *, editable: bool, blocker: str = ""
     ) -> None:
-        """Show the bits that matter for an input source. `blocker`: why they cannot be edited."""
+        """Show the options for an input source. `blocker`: reason why they are disabled."""
         self._channel, self._editable = channel, editable and not blocker
         self._blocker = blocker
         self._boxes[ParameterKey.REQUIRED_CHANNELS].setVisible(source is InputSource.RC)
@@ -157,7 +157,7 @@ class ChannelOptions(QWidget):
         )
 
     def _bit(self, key: str, channel: int, *, stored: bool = False) -> bool:
-        """Return a channel's bit of a mask. False when the mask was not read."""
+        """Return a channel's bit of a mask. False if the mask is unknown."""
         if not self._parameters.values.can_edit(key):
             return False
         read = self._parameters.values.stored.get if stored else self._parameters.values.value_of
@@ -175,7 +175,7 @@ class ChannelOptions(QWidget):
 
     @Slot()
     def _refresh(self) -> None:
-        """Show the bits as they would be after Apply, edited bits in bold."""
+        """Show the options as they will be after Apply, with edited options in bold."""
         for key, box in self._boxes.items():
             with QSignalBlocker(box):
                 box.setChecked(self._bit(key, self._channel))
@@ -183,15 +183,15 @@ class ChannelOptions(QWidget):
             box.setToolTip(ui.plain(self._blocker or tr(CHANNEL_OPTIONS[key][1])))
             ui.set_bold(box, self._is_edited(key, self._channel))
 
-    def _set(self, key: str, channel: int, wanted: bool) -> None:
+    def _set(self, key: str, channel: int, on: bool) -> None:
         if self._parameters.values.can_edit(key):
             bit = 1 << (channel - 1)
             wire = self._parameters.values.value_of(key) or 0
-            self._parameters.edit(key, wire | bit if wanted else wire & ~bit)
+            self._parameters.edit(key, wire | bit if on else wire & ~bit)
 
 
 class OtherSource(QWidget):
-    """Explains how to make the board read the other input source, and edits the setting."""
+    """Instructions and buttons for switching to the other input source."""
 
     power_cycle_requested = Signal()
 
@@ -215,7 +215,7 @@ class OtherSource(QWidget):
         self._cycle.clicked.connect(self.power_cycle_requested)
 
     def show_source(self, source: InputSource, mode: Mode, known: Known | None) -> None:
-        """Describe a source that the board does not read in this mode. `known`: age of values."""
+        """Describe the inactive input source. `known`: age of its values."""
         parameters = self._device.parameters
         self._source = source
         name, wire = tr(channel_text.SOURCE_NAMES[source]), int(source is InputSource.ANALOG)

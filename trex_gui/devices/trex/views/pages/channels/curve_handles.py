@@ -1,4 +1,4 @@
-"""Handles over a channel's curve, their names, and the threshold of a switch channel."""
+"""Handles and switch threshold over the curve of a channel."""
 
 from dataclasses import dataclass
 
@@ -18,25 +18,25 @@ from trex_gui.ui.plotting.axes import spread
 from trex_gui.ui.theme.theme import theme
 
 GRIP = 6.0  # half the width of a grip in pixels
-_REACH = 9.0  # pixels beside a handle where the mouse still grabs it
+_REACH = 9.0  # pixels from a handle within which the mouse grabs it
 _MAIN = (Handle.MINIMUM, Handle.NEUTRAL, Handle.MAXIMUM)
 _EDGES = (Handle.DEADBAND_LOW, Handle.DEADBAND_HIGH)
 
 
 @dataclass(frozen=True, slots=True)
 class Threshold:
-    """Threshold of a switch in pixels. `above`: the switch is on to the right of it."""
+    """Threshold of a switch channel."""
 
-    x: float
-    above: bool
+    x: float  # pixels
+    above: bool  # True if the switch is on to the right of the threshold
     text: str
 
 
 class HandleLayer(QGraphicsObject):
-    """Three handles with grips at the top, and the deadband's two with grips at the bottom."""
+    """Three handles with grips at the top, and two deadband handles with grips at the bottom."""
 
-    dragged = Signal(float)  # x in pixels to which the held handle is dragged
-    released = Signal()  # the held handle was released, moved or not
+    dragged = Signal(float)  # new x of the held handle in pixels
+    released = Signal()  # the held handle was released, even if it was not moved
 
     def __init__(self, font: QFont) -> None:
         super().__init__()
@@ -47,13 +47,13 @@ class HandleLayer(QGraphicsObject):
         }
         self.set_font(font)
         self._frame = QRectF()
-        self._places: dict[Handle, float] = {}  # pixels
+        self._places: dict[Handle, float] = {}  # x in pixels
         self._threshold: Threshold | None = None
         self._editable = True
         self._active: Handle | None = None
-        self._grabbed_at = 0.0  # pixels from the handle
-        self.held: Handle | None = None  # the handle that the mouse drags
-        self.message = ""  # why the held handle cannot move further
+        self._grabbed_at = 0.0  # distance of the mouse from the held handle in pixels
+        self.held: Handle | None = None  # handle that the mouse drags
+        self.message = ""  # reason why the held handle cannot move further
         self.setZValue(50)
         self.setAcceptHoverEvents(True)
         self.setAcceptedMouseButtons(Qt.MouseButton.LeftButton)
@@ -64,8 +64,8 @@ class HandleLayer(QGraphicsObject):
         self._metrics = QFontMetricsF(font)
         self._width = self._metrics.horizontalAdvance
 
-    def room_above(self) -> int:
-        """Return the height of names and grips above the plot, in pixels."""
+    def height_above(self) -> int:
+        """Return the height of names and grips above the plot in pixels."""
         return round(self._metrics.height() + GRIP + 5)
 
     def arrange(
@@ -76,7 +76,7 @@ class HandleLayer(QGraphicsObject):
         self.update()
 
     def set_editable(self, editable: bool) -> None:
-        """Draw grips. If not editable, release the held handle and draw lines only."""
+        """Show grips if editable. Otherwise release the held handle and show lines only."""
         if not editable:
             self.release()
         self._editable = editable
@@ -86,14 +86,14 @@ class HandleLayer(QGraphicsObject):
         self.message = message
         self.update()
 
-    def _handle_at(self, where: QPointF) -> Handle | None:
-        """Return the handle under the mouse. In the lower half, deadband handles come first."""
+    def _handle_at(self, point: QPointF) -> Handle | None:
+        """Return the handle under the mouse. Deadband handles win in the lower half."""
         if not self._editable or not self._places:
             return None
-        lower = where.y() > self._frame.center().y()
+        lower = point.y() > self._frame.center().y()
         for group in (_EDGES, _MAIN) if lower else (_MAIN, _EDGES):
-            nearest = min(group, key=lambda handle: abs(self._places[handle] - where.x()))
-            if abs(self._places[nearest] - where.x()) <= _REACH:
+            nearest = min(group, key=lambda handle: abs(self._places[handle] - point.x()))
+            if abs(self._places[nearest] - point.x()) <= _REACH:
                 return nearest
         return None
 
@@ -134,13 +134,13 @@ class HandleLayer(QGraphicsObject):
             self.released.emit()
 
     def boundingRect(self) -> QRectF:
-        return self._frame.adjusted(-80, -self.room_above() - 2, 80, 2)
+        return self._frame.adjusted(-80, -self.height_above() - 2, 80, 2)
 
     def paint(
         self,
         painter: QPainter,
-        option: QStyleOptionGraphicsItem,  # noqa: ARG002 - it is drawn whole
-        widget: QWidget | None = None,  # noqa: ARG002
+        option: QStyleOptionGraphicsItem,  # noqa: ARG002 - Qt's
+        widget: QWidget | None = None,  # noqa: ARG002 - Qt's
     ) -> None:
         if not self._places:
             return
@@ -163,14 +163,14 @@ class HandleLayer(QGraphicsObject):
         active = handle is self._active
         color = theme().color("pointer" if active else "neutral" if handle.is_deadband else "mark")
         style = Qt.PenStyle.SolidLine if active else Qt.PenStyle.DotLine
-        if active or not handle.is_deadband:  # the band itself shows its ends
+        if active or not handle.is_deadband:  # the deadband shows its own ends
             self._paint_line(painter, x, QPen(color, 2 if active else 1, style))
         if not self._editable:
             return
         tip, base = frame.top() + GRIP * 0.9, frame.top() - GRIP * 0.7
         if handle.is_deadband:
             tip, base = frame.bottom() - GRIP * 1.6, frame.bottom() - 1
-        # The two handles of the deadband may touch, so each has one half of the grip.
+        # The two deadband handles may coincide, so each has half a grip.
         left = x if handle is Handle.DEADBAND_HIGH else x - GRIP
         right = x if handle is Handle.DEADBAND_LOW else x + GRIP
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)

@@ -1,4 +1,4 @@
-"""A channel's curve with handles. Importing it loads pyqtgraph."""
+"""Curve of a channel with handles. Importing it loads pyqtgraph."""
 
 from dataclasses import replace
 
@@ -25,17 +25,17 @@ _OUTPUT_REACH = FULL_SCALE + 14.0
 _DOT = 5.0
 _WIDEST_X_LABEL = "5000 µs"
 _MIN_CURVE_LINES = 4
-_ROOM = {InputSource.RC: 125, InputSource.ANALOG: 0}  # spare counts beyond a handle, to drag it
+_DRAG_MARGIN = {InputSource.RC: 125, InputSource.ANALOG: 0}  # counts beyond the outer handles
 
 
 class CurvePlot(Painted):
-    """Output of a channel for each input. The stored curve is dashed, below the edited curve."""
+    """Output of a channel against its input. The stored curve is dashed."""
 
     spoken_role = QAccessible.Role.Chart
 
-    previewed = Signal(object)  # the calibration if the held handle were released now
-    released = Signal()  # the held handle was released, moved or not
-    edited = Signal(object)  # the calibration after a moved handle was released; one edit
+    previewed = Signal(object)  # `Calibration` at the position of the held handle
+    released = Signal()  # the held handle was released, even if it was not moved
+    edited = Signal(object)  # `Calibration` after a moved handle was released
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -52,7 +52,7 @@ class CurvePlot(Painted):
 
         self._canvas = PlotCanvas(self.accessibleName(), self)
         self._canvas.viewport.setObjectName("curveViewport")
-        self._canvas.viewport.setAutoFillBackground(False)  # the plot may be in a card
+        self._canvas.viewport.setAutoFillBackground(False)  # a card has its own background
         self._deadband = self._canvas.add_band("deadband")
         self._stored_line = self._canvas.add_curve("muted", 1, Qt.PenStyle.DashLine)
         self._line = self._canvas.add_curve("pointer", 2)
@@ -81,7 +81,7 @@ class CurvePlot(Painted):
         *,
         editable: bool,
     ) -> None:
-        """Show a channel. `stored`: curve on the board, `shown`: curve after Apply."""
+        """Show the curve on the board (`stored`) and the curve after Apply (`shown`)."""
         if (channel, source) != (self._channel, self._source):
             self._cancel_drag()
             self._raw = None
@@ -106,7 +106,7 @@ class CurvePlot(Painted):
 
     @property
     def curve(self) -> ChannelCurve | None:
-        """The preview while a handle is held, else the curve after Apply."""
+        """Preview while a handle is held, otherwise the curve after Apply."""
         return self._preview or self._shown
 
     @property
@@ -115,7 +115,7 @@ class CurvePlot(Painted):
         return None if raw is None or curve is None else (raw, curve.output(raw))
 
     def x_of(self, count: float) -> float:
-        """Return the position of a raw count, in pixels from the left."""
+        """Return the x of a raw count in pixels."""
         return self._canvas.x_of(count)
 
     def sizeHint(self) -> QSize:
@@ -126,8 +126,8 @@ class CurvePlot(Painted):
         for curve in filter(None, (self._stored, self._shown)):
             calibration = curve.calibration
             counts += [calibration.minimum, calibration.neutral, calibration.maximum]
-        room = _ROOM[self._source]
-        reach = (end for count in counts for end in (count - room, count + room))
+        margin = _DRAG_MARGIN[self._source]
+        reach = (end for count in counts for end in (count - margin, count + margin))
         self.axis = widened(USUAL_AXIS[self._source], reach)
         self._show_axis()
 
@@ -176,7 +176,7 @@ class CurvePlot(Painted):
     @Slot()
     def _on_theme_changed(self) -> None:
         self.handles.set_font(self._canvas.small_font())
-        metrics, above = self._canvas.fontMetrics(), self.handles.room_above()
+        metrics, above = self._canvas.fontMetrics(), self.handles.height_above()
         side = metrics.horizontalAdvance(_WIDEST_X_LABEL) // 2 + 4
         texts = tr("Output"), f"{MINUS}{FULL_SCALE}"
         left = max(texts, key=QFontMetrics(self._canvas.small_font()).horizontalAdvance)
@@ -198,7 +198,7 @@ class CurvePlot(Painted):
         count, beyond = within_input(shown.calibration, handle, count, self._source)
         calibration, why = moved(shown.calibration, handle, count)
         self._preview = replace(shown, calibration=calibration)
-        # Extend the axis to the handle, so that the handle stays at the mouse.
+        # Extend the axis to the handle, so that the handle follows the mouse.
         low, high = self.axis
         reached = handle.count(calibration)
         if not low <= reached <= high:

@@ -1,4 +1,4 @@
-"""Page of the channels: five live strips, and the calibration of the selected channel."""
+"""Page of the channels: live strips, and the calibration of the selected channel."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -32,7 +32,7 @@ from trex_gui.ui.widgets.labels import PAGE_MARGINS, ElidedLabel, LiveLabel, Pag
 
 
 class ChannelsPage(PlotPage):
-    learn_requested = Signal(object)  # the channels, 1 to 5, to learn from the user's movements
+    learn_requested = Signal(object)  # channels (1 to 5) to calibrate from stick movements
     test_requested = Signal()
     power_cycle_requested = Signal()
 
@@ -40,9 +40,9 @@ class ChannelsPage(PlotPage):
         super().__init__(parent)
         self.setObjectName("channelsPage")
         self._device = device
-        self.source = InputSource.RC  # the input source whose calibrations are shown
-        self._followed: InputSource | None = None
-        self._control: bool | None = None  # `board.serial_controls` as shown in the texts
+        self.source = InputSource.RC  # input source of the shown calibrations
+        self._followed: InputSource | None = None  # last active source that was shown
+        self._control: bool | None = None  # `board.serial_controls` in the shown texts
         self._failures: dict[int, tuple[Calibration | None, str]] = {}
         self._rejection = ""
 
@@ -78,7 +78,7 @@ class ChannelsPage(PlotPage):
         self._strips.chosen.connect(self._refresh)
         learn_all.clicked.connect(lambda: self.learn_requested.emit(CHANNELS))
         self._learn.clicked.connect(lambda: self.learn_requested.emit((self.channel,)))
-        # `concern` covers the shown calibration, these findings cover the options.
+        # Findings about options only: the note shows a `concern` about the calibration.
         self._findings.follow(
             linter, lambda found: not CHANNEL_OPTIONS.keys().isdisjoint(found.keys)
         )
@@ -100,12 +100,12 @@ class ChannelsPage(PlotPage):
 
     @property
     def channel(self) -> int:
-        """The selected channel, 1 to 5."""
+        """Selected channel, 1 to 5."""
         return self._strips.channel
 
     @property
     def _is_active(self) -> bool:
-        """True if the board reads the input source that is shown."""
+        """True if the board reads the shown input source."""
         return self.source is self._device.calibrations.source
 
     @property
@@ -126,12 +126,12 @@ class ChannelsPage(PlotPage):
         state = self._device.state
         if state is not None and state.source is not self._followed:
             self.source = self._followed = state.source
-        self._strips.renew()
+        self._strips.redraw()
         self._show_channel()
 
     @Slot()
     def _refresh(self) -> None:
-        """Show the channel, and clear the message about a rejected value."""
+        """Show the channel and clear the message about a rejected value."""
         self._rejection = ""
         self._show_channel()
 
@@ -156,7 +156,7 @@ class ChannelsPage(PlotPage):
 
     @Slot()
     def _show_texts(self) -> None:
-        """Show how the inputs are read, and the function of the selected channel."""
+        """Show the state of the inputs and the function of the selected channel."""
         device, channel, state = self._device, self.channel, self._device.state
         self._control = device.board.serial_controls
         self._head.show_state(self._state_text())
@@ -236,7 +236,7 @@ class ChannelsPage(PlotPage):
         self._card.note.show_note(problem or hint, alarming=bool(problem))
 
     def _problem_text(self) -> str:
-        """Return why a value was rejected or not stored, or a concern. Empty without a problem."""
+        """Return a rejection, a write failure or a concern. Empty without a problem."""
         if self._rejection or not self._is_active:
             return self._rejection
         if failure := self._failure(self.channel):
@@ -274,7 +274,7 @@ class ChannelsPage(PlotPage):
 
     @property
     def _raw(self) -> int | None:
-        """Raw count of the selected channel, if the board measures it now."""
+        """Raw count of the selected channel, if its source is active."""
         return self._device.telemetry.raw_of(self.channel) if self._is_active else None
 
     # --- Edits --------------------------------------------------------------------------
@@ -297,7 +297,6 @@ class ChannelsPage(PlotPage):
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
-        """Record why the board did not store a calibration."""
         for result in results:
             if (channel := result.channel) is None:
                 continue
@@ -312,7 +311,6 @@ class ChangeMenu(QMenu):
     """Actions on the calibration of one channel. Each edit is one undo step."""
 
     def __init__(self, device: Device, discard: Callable[[], object], parent: QWidget) -> None:
-        """Create the menu. `discard` discards the edits of the channel."""
         super().__init__(parent)
         self._device = device
         self._channel = 1
@@ -337,12 +335,12 @@ class ChangeMenu(QMenu):
 
     @staticmethod
     def _add(menu: QMenu, name: str, text: str, handler: Trigger, icon: str = "") -> QAction:
-        made = action(menu, name, text, icon=icon, on_trigger=handler)
-        menu.addAction(made)
-        return made
+        added = action(menu, name, text, icon=icon, on_trigger=handler)
+        menu.addAction(added)
+        return added
 
     def show_channel(self, channel: int, *, editable: bool, edited: bool) -> None:
-        """Set the channel to act on."""
+        """Set the channel on which the actions work."""
         self._channel = channel
         for change in self.actions():
             change.setEnabled(editable)
@@ -352,13 +350,13 @@ class ChangeMenu(QMenu):
 
     def _copy_to(self, channels: Sequence[int]) -> None:
         calibrations = self._device.calibrations
-        wanted = calibrations.shown(self._channel)
-        if wanted is None or wanted.problem():
+        calibration = calibrations.shown(self._channel)
+        if calibration is None or calibration.problem():
             return
         text = tr("Copy of the calibration of channel {0}").format(self._channel)
         with self._device.draft.one_edit(text):
             for channel in set(channels) - {self._channel}:
-                calibrations.edit(channel, wanted)
+                calibrations.edit(channel, calibration)
 
     @Slot()
     def _reset(self) -> None:

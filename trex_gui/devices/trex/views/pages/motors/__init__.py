@@ -1,1 +1,1 @@
-"""The page to drive by hand."""
+"""Page for driving by hand."""

@@ -1,4 +1,4 @@
-"""Currents of the last ten seconds. Importing it loads pyqtgraph."""
+"""Plot of the currents of the last ten seconds. Importing it loads pyqtgraph."""
 
 import numpy as np
 from PySide6.QtCore import Qt
@@ -11,13 +11,11 @@ from trex_gui.ui.plotting.axes import ValueAxis
 from trex_gui.ui.plotting.canvas import PlotCanvas
 
 _SECONDS, _BINS = 10.0, 200
-_STEP = 0.1  # seconds of new samples between two redraws
+_STEP = 0.1  # seconds of new samples between redraws
 _SERIES = {1: Series.CURRENT1, 2: Series.CURRENT2}
 
 
 class CurrentStrip(PlotCanvas):
-    """Shows the currents of both motors up to the newest sample, with their limits."""
-
     def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(tr("Motor currents"), parent)
         self.setObjectName("currentStrip")

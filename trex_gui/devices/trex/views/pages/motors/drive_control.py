@@ -1,4 +1,4 @@
-"""Controls of one motor: slider, entry box, zero and brake buttons, and the board's report."""
+"""Controls of one motor: slider, entry box, buttons, current and report."""
 
 from PySide6.QtCore import QEvent, QRect, QRectF, QSignalBlocker, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QKeyEvent, QPainter, QPen, QWheelEvent
@@ -14,7 +14,7 @@ from trex_gui.ui.widgets.bar import WARNING_SIGN, LimitState, limit_state
 from trex_gui.ui.widgets.labels import ElidedLabel, LiveLabel
 from trex_gui.ui.widgets.sliders import PressSlider
 
-_GROOVE, _HANDLE = 14, 36  # widths in pixels; the style sheet has the handle's, too
+_GROOVE, _HANDLE = 14, 36  # widths in pixels; the style sheet has the same width of the handle
 _MOVING_KEYS = {
     *(Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down),
     *(Qt.Key.Key_PageUp, Qt.Key.Key_PageDown),
@@ -25,9 +25,10 @@ _DISCARDS = {  # events that discard a half-typed number
 
 
 class SpeedSlider(PressSlider):
-    """Vertical slider, from `lowest` to 127. Keys that move it also hold it.
+    """Vertical slider from `lowest` to 127. A key that moves the slider also holds it.
 
-    The End key and the wheel do nothing: no motor jumps to full speed or follows scrolling.
+    The End key and the wheel have no effect: a motor must not jump to full speed or follow
+    scrolling.
     """
 
     def __init__(self, lowest: int, parent: QWidget | None = None, color: str = "bar") -> None:
@@ -35,7 +36,7 @@ class SpeedSlider(PressSlider):
         self.setOrientation(Qt.Orientation.Vertical)
         set_look(self, color)
         self._color = color
-        self.ceiling = 0  # greatest speed in both directions, 1-127
+        self.ceiling = 0  # highest speed in both directions, 1-127
         self.setPageStep(16)
 
     def limited(self, speed: int) -> int:
@@ -50,12 +51,12 @@ class SpeedSlider(PressSlider):
                 return
             case key if key in _MOVING_KEYS:
                 if event.isAutoRepeat() and not self.held:
-                    return  # the hold has ended; the key has to be pressed again
+                    return  # after a hold has ended, the key must be pressed again
                 self.grab_handle()
         super().keyPressEvent(event)
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
-        """End the hold when any key is released. With Num Lock, an arrow may become a digit."""
+        """End the hold when any key is released: Num Lock may turn an arrow into a digit."""
         super().keyReleaseEvent(event)
         if not event.isAutoRepeat() and not self.isSliderDown():
             self.release()
@@ -64,7 +65,7 @@ class SpeedSlider(PressSlider):
         event.ignore()
 
     def _beside(self) -> int:
-        """Return the space on each side of the handle, in pixels. The scale is on the left."""
+        """Return the space on each side of the handle in pixels. The scale is on the left."""
         return self.fontMetrics().horizontalAdvance(f"{signed_text(FULL_SCALE)} ")
 
     def sizeHint(self) -> QSize:
@@ -78,10 +79,10 @@ class SpeedSlider(PressSlider):
         option.rect = self.rect().adjusted(self._beside(), 0, -self._beside(), 0)
 
     def _y_of(self, value: int, handle: QRect) -> int:
-        """Return the y position of the handle's middle at a value."""
-        room = self.height() - handle.height()
+        """Return the y of the handle's middle at a value."""
+        travel = self.height() - handle.height()
         return handle.height() // 2 + QStyle.sliderPositionFromValue(
-            self.minimum(), self.maximum(), value, room, upsideDown=True
+            self.minimum(), self.maximum(), value, travel, upsideDown=True
         )
 
     def paint_groove(self, painter: QPainter, handle: QRect) -> None:
@@ -116,13 +117,13 @@ class SpeedSlider(PressSlider):
 
 
 class SpeedEntry(QSpinBox):
-    """Reports a speed on Enter and on steps.
+    """Entry box that applies a typed number on Enter only.
 
     Qt's own box also accepts a half-typed number when it loses the focus or is hidden: a motor
-    would start because the user opened another page. Here the setpoint is shown again.
+    would start because the user opened another page. This box then shows the setpoint again.
     """
 
-    chosen = Signal(int)  # the speed that the user entered or stepped to
+    chosen = Signal(int)  # speed that the user entered or stepped to
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -139,15 +140,15 @@ class SpeedEntry(QSpinBox):
         if (lowest, highest) != (self.minimum(), self.maximum()):
             with QSignalBlocker(self):
                 self.setRange(lowest, highest)
-            self.put(self._setpoint)
+            self.set_speed(self._setpoint)
 
     def show_setpoint(self, speed: int) -> None:
-        """Show the setpoint, now or when a half-typed number is discarded."""
+        """Show the setpoint, or after a half-typed number is discarded."""
         self._setpoint = speed
         if not self._is_typed:
-            self.put(speed)
+            self.set_speed(speed)
 
-    def put(self, speed: int) -> None:
+    def set_speed(self, speed: int) -> None:
         self._setpoint = speed
         if speed != self.value() or self._is_typed:  # Qt repaints even an unchanged value
             self._is_typed = False
@@ -161,14 +162,14 @@ class SpeedEntry(QSpinBox):
         if is_accepted and self._is_typed:  # Qt emits nothing for an unchanged number
             self._on_value_changed(self.value())
         elif is_entered:
-            self.put(self._setpoint)
+            self.set_speed(self._setpoint)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.ignore()
 
     def event(self, event: QEvent) -> bool:
         if event.type() in _DISCARDS:
-            self.put(self._setpoint)
+            self.set_speed(self._setpoint)
         return super().event(event)
 
     @Slot()
@@ -183,10 +184,10 @@ class SpeedEntry(QSpinBox):
 
 
 class DriveControl(ui.Card):
-    """Slider and entry box of a motor's speed, and its current with the limit."""
+    """Slider and entry box for the speed of a motor, and its current with the limit."""
 
-    speed_wanted = Signal(int)  # the speed that the user chose, from 0 or -127 to 127
-    brake_wanted = Signal()
+    speed_requested = Signal(int)  # speed from 0 or -127 to 127
+    brake_requested = Signal()
 
     def __init__(
         self, title: str, name: str, *, two_way: bool = True, parent: QWidget | None = None
@@ -199,7 +200,6 @@ class DriveControl(ui.Card):
 
         self._title = ui.label(self, f"{name}Title", size="heading")
         set_text_color(self._title, color)
-        # The slider's signals report whether the user holds it
         self.slider = ui.named(SpeedSlider(lowest, self, color), f"{name}Slider")
         self._entry = ui.named(SpeedEntry(self), f"{name}Entry")
         self._entry.setRange(lowest, FULL_SCALE)
@@ -218,7 +218,7 @@ class DriveControl(ui.Card):
             set_style_property(label, "textSize", "caption")
         tip = tr("Speed 0: the motor is not driven and coasts")
         self._zero = ui.button(self, f"{name}Zero", "0", tip=tip)
-        self.brake = ui.button(self, f"{name}Brake", tr("Brake"), on_click=self.brake_wanted)
+        self.brake = ui.button(self, f"{name}Brake", tr("Brake"), on_click=self.brake_requested)
         self.brake.setVisible(two_way)
         for button in (self._zero, self.brake):
             set_look(button, "compact")
@@ -230,7 +230,7 @@ class DriveControl(ui.Card):
         ui.column(*parts, into=self, margins=0, spacing=2)
 
         self.slider.valueChanged.connect(self._on_slider_changed)
-        self._zero.clicked.connect(lambda: self.speed_wanted.emit(0))
+        self._zero.clicked.connect(lambda: self.speed_requested.emit(0))
         self._entry.chosen.connect(self._on_entry_chosen)
         self.set_title(title)
 
@@ -248,7 +248,7 @@ class DriveControl(ui.Card):
             widget.setEnabled(usable)
 
     def set_ceiling(self, ceiling: int) -> None:
-        """Limit the speed in both directions, 1-127."""
+        """Limit the speed in both directions. `ceiling`: 1-127."""
         if ceiling == self.slider.ceiling:
             return
         self.slider.ceiling = ceiling
@@ -260,7 +260,7 @@ class DriveControl(ui.Card):
     def show_current(
         self, amps: float | None, limit: float | None, report: str, *, alarming: bool
     ) -> None:
-        """Show a current with its limit, in A, and a report of the board."""
+        """Show a current and its limit in A, and a report of the board."""
         state = limit_state(amps, limit)
         sign = "" if state is LimitState.BELOW else f"{WARNING_SIGN} "
         self._current.setText("–" if amps is None else f"{sign}{Number(amps):.2f} A")
@@ -275,20 +275,20 @@ class DriveControl(ui.Card):
         self._setpoint.show_text(text)
 
     def release(self) -> None:
-        """End a drag, so that the slider can be set."""
+        """End a drag, so that the program can move the slider."""
         self.slider.release()
         self.slider.setSliderDown(False)
 
     @Slot(int)
     def _on_slider_changed(self, position: int) -> None:
         speed = self.slider.limited(position)
-        self._entry.put(speed)
+        self._entry.set_speed(speed)
         self._on_entry_chosen(speed)
 
     @Slot(int)
     def _on_entry_chosen(self, speed: int) -> None:
         self._move_slider(speed)
-        self.speed_wanted.emit(speed)
+        self.speed_requested.emit(speed)
 
     def _move_slider(self, speed: int) -> None:
         with QSignalBlocker(self.slider):

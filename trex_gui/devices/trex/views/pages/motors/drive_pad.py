@@ -1,4 +1,4 @@
-"""Pad for driving: up is forward, sideways turns, release returns to the centre."""
+"""Pad for driving with the mouse or a finger."""
 
 import math
 
@@ -24,18 +24,18 @@ from trex_gui.ui.widgets.behaviour import PressMonitor
 from trex_gui.ui.widgets.circuit import write
 from trex_gui.ui.widgets.painted import Painter
 
-_STRAIGHT = 0.06  # share of the travel within which a direction counts as zero
-_KNOB = 13  # least radius, in pixels
+_STRAIGHT = 0.06  # share of the travel that counts as zero
+_KNOB = 13  # smallest radius in pixels
 _MARGIN = 4  # pixels around the field
-_ROBOT = 0.42  # its height as a share of the field
+_ROBOT = 0.42  # height of the robot as a share of the field
 
 
 class DrivePad(RobotView):
-    """Steers while it is `held` with a mouse button or a finger. Keys belong to `KeyDriver`."""
+    """Steers while a mouse button or a finger holds it. `KeyDriver` handles the keys."""
 
     spoken_role = QAccessible.Role.Canvas
 
-    steered = Signal(float, float)  # forward and turn, -1 to 1 each; forward and right are positive
+    steered = Signal(float, float)  # forward and turn to the right, each -1 to 1
     released = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -68,15 +68,15 @@ class DrivePad(RobotView):
         """Move the knob to match these speeds, unless the pad is held."""
         if not self.held:
             full = 2 * max(self._ceiling, abs(left), abs(right))
-            self._put((left + right) / full, (left - right) / full)
+            self._move_knob((left + right) / full, (left - right) / full)
 
     @Slot()
     def release(self) -> None:
-        """Return to the centre. The user has to press again."""
+        """Return the knob to the centre until the user presses again."""
         if self.held:
             self.held = False
             self._watch.end()
-            self._put(0.0, 0.0)
+            self._move_knob(0.0, 0.0)
             self.released.emit()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
@@ -124,7 +124,7 @@ class DrivePad(RobotView):
 
     def _follow(self, place: QPointF) -> None:
         if self.held:
-            self._put(*self._setpoint_at(place))
+            self._move_knob(*self._setpoint_at(place))
             self.steered.emit(self._forward, self._turn)
 
     def _field(self) -> QRectF:
@@ -133,7 +133,7 @@ class DrivePad(RobotView):
         return QRectF(middle.x() - side / 2, middle.y() - side / 2, side, side)
 
     def _border(self) -> int:
-        """Return the space around the field for a word, in pixels."""
+        """Return the space around the field for a line of text, in pixels."""
         return _MARGIN + QFontMetrics(self._small_font()).height()
 
     def robot_place(self) -> QRectF:
@@ -151,10 +151,10 @@ class DrivePad(RobotView):
         turn = _straightened((place.x() - field.center().x()) / half)
         return forward, turn if self._can_turn else 0.0
 
-    def _put(self, forward: float, turn: float) -> None:
-        way = forward, turn if self._can_turn else 0.0
-        if way != (self._forward, self._turn):
-            self._forward, self._turn = way
+    def _move_knob(self, forward: float, turn: float) -> None:
+        position = forward, turn if self._can_turn else 0.0
+        if position != (self._forward, self._turn):
+            self._forward, self._turn = position
             self.update()
 
     def spoken_state(self) -> str:
@@ -219,6 +219,6 @@ class DrivePad(RobotView):
 
 
 def _straightened(share: float) -> float:
-    """Limit to -1 to 1, with a dead zone around the middle."""
+    """Limit a share to -1 to 1, with a dead zone around zero."""
     share = max(-1.0, min(1.0, share))
     return 0.0 if abs(share) < _STRAIGHT else share

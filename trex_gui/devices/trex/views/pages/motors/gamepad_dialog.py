@@ -1,4 +1,4 @@
-"""Set-up of a gamepad: assignment of its axes and buttons, and its live state."""
+"""Set-up of a gamepad: assignment of axes and buttons, and live state."""
 
 from functools import partial
 
@@ -21,7 +21,7 @@ from trex_gui.ui.widgets.labels import LiveLabel, Note
 from trex_gui.ui.widgets.leds import Lamp
 
 _LAMPS_A_ROW = 6
-_AXES = "first", "second"  # keys of rows; the other rows are buttons
+_AXES = "first", "second"  # keys of the rows for axes; the other rows are for buttons
 
 
 def _axis_names(pad: Pad | None) -> list[str]:
@@ -33,7 +33,7 @@ def _button_names(pad: Pad | None) -> list[str]:
 
 
 class PadView(QWidget):
-    """The position of each axis of one gamepad, and a lamp for each button."""
+    """Positions of the axes of a gamepad, and a lamp for each button."""
 
     def __init__(self, pad: Pad | None, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -65,12 +65,12 @@ class PadView(QWidget):
 class PartRow(QWidget):
     """List of axes or buttons. An axis can be inverted."""
 
-    chosen = Signal()  # the user selected an axis, its direction, or a button
+    chosen = Signal()  # the user selected an axis, a direction, or a button
 
     def __init__(self, name: str, parent: QWidget, *, is_axis: bool) -> None:
         super().__init__(parent)
         self._combo = ui.combo_box(self, f"gamepad{name}Combo", "", on_activate=self.chosen)
-        self.label = ui.label(parent, buddy=self._combo)  # the use of the axis or button
+        self.label = ui.label(parent, buddy=self._combo)
         self._combo.setSizeAdjustPolicy(self._combo.SizeAdjustPolicy.AdjustToContents)
         name = f"gamepad{name}Invert"
         self._invert = ui.check_box(self, name, tr("Invert"), on_toggle=self.chosen)
@@ -85,7 +85,7 @@ class PartRow(QWidget):
         self._invert.setAccessibleName(tr("{0}: inverted").format(use))
 
     def set_parts(self, names: list[str], none: str = "") -> None:
-        """List axes or buttons by their names. `none`: text of the entry for no selection."""
+        """List the names of axes or buttons. `none`: text of the entry for no selection."""
         items = [*([(none, None)] if none else []), *((name, at) for at, name in enumerate(names))]
         shown = [self._combo.itemText(row) for row in range(self._combo.count())]
         if shown != [text for text, _ in items]:
@@ -111,7 +111,7 @@ class PartRow(QWidget):
 
 
 class GamepadDialog(ReusedDialog):
-    """Applies changes at once. Its owner prevents driving with the gamepad while it is open."""
+    """Dialog that applies changes at once. The owner blocks driving while it is open."""
 
     def __init__(self, gamepad: Gamepad, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -187,7 +187,7 @@ class GamepadDialog(ReusedDialog):
     @Slot()
     def _on_edited(self) -> None:
         hold, stop = self._rows["hold"].number, self._rows["stop"].number
-        if hold is not None and hold == stop:  # one button has one use: the newly selected use
+        if hold is not None and hold == stop:  # a button has one use, the newly selected use
             hold, stop = (None, stop) if stop != self._gamepad.profile.stop else (hold, None)
         profile = GamepadProfile(
             style=Style(self._style.currentData()),

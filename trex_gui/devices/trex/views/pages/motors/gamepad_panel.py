@@ -15,7 +15,7 @@ from trex_gui.ui.widgets.labels import Note
 
 
 class GamepadPanel(QWidget):
-    """Lets a gamepad drive only while this panel is visible."""
+    """Panel of the gamepad, which can drive only while the panel is visible."""
 
     def __init__(
         self, device: Device, parent: QWidget | None = None, *, source: SdlPads | None = None
@@ -58,17 +58,17 @@ class GamepadPanel(QWidget):
         gamepad.changed.connect(self._on_gamepad_changed)
         app = QGuiApplication.instance()
         if isinstance(app, QGuiApplication):
-            app.focusWindowChanged.connect(self._attend)
-            app.applicationStateChanged.connect(self._attend)
+            app.focusWindowChanged.connect(self._update_blocker)
+            app.applicationStateChanged.connect(self._update_blocker)
         self._on_gamepad_changed()
 
     @Slot()
     def _on_set_up_clicked(self) -> None:
         if self._dialog is None:
             self._dialog = GamepadDialog(self.gamepad, self)
-            self._dialog.finished.connect(self._attend)
+            self._dialog.finished.connect(self._update_blocker)
         self._dialog.show_in_front()
-        self._attend()
+        self._update_blocker()
 
     @Slot()
     def _on_gamepad_changed(self) -> None:
@@ -88,20 +88,20 @@ class GamepadPanel(QWidget):
             widget.setVisible(gamepad.on)
         self._state.show_note(gamepad.text, alarming=bool(gamepad.failure or gamepad.gone))
         self._state.setAccessibleName(gamepad.text or title_of(tr("&Gamepad")))
-        self._attend()
+        self._update_blocker()
 
     def event(self, event: QEvent) -> bool:
         handled = super().event(event)
         if event.type() in {QEvent.Type.Show, QEvent.Type.Hide}:
-            self._attend()
+            self._update_blocker()
         return handled
 
     @Slot()
-    def _attend(self) -> None:
-        """Let the gamepad drive only while its effect is visible."""
+    def _update_blocker(self) -> None:
         self.gamepad.set_unattended(self._blocker())
 
     def _blocker(self) -> str:
+        """Return the reason why the gamepad cannot drive. Empty if it can."""
         if self._dialog is not None and self._dialog.isVisible():
             return tr("The gamepad is being set up and cannot drive.")
         if not self.isVisible():

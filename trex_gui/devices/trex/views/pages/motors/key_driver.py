@@ -28,13 +28,13 @@ _HEADINGS: dict[int, Heading] = {
     Qt.Key.Key_Right: Heading.RIGHT,
     Qt.Key.Key_D: Heading.RIGHT,
 }
-_NEEDS_KEYS = (  # widgets that keep arrows and letters for themselves
+_NEEDS_KEYS = (  # widgets that use arrow keys and letters themselves
     *(QLineEdit, QAbstractSpinBox, QTextEdit, QPlainTextEdit),
     *(QAbstractItemView, QComboBox),
 )
 _MODIFIERS = Qt.KeyboardModifier
 _OTHER_KEYS = _MODIFIERS.ControlModifier | _MODIFIERS.AltModifier | _MODIFIERS.MetaModifier
-_CHANGING_KEYS: set[int] = {  # they change the names under which other keys are released
+_CHANGING_KEYS: set[int] = {  # keys that change the names of other keys
     *(Qt.Key.Key_Shift, Qt.Key.Key_Control, Qt.Key.Key_Alt, Qt.Key.Key_Meta, Qt.Key.Key_AltGr),
     *(Qt.Key.Key_CapsLock, Qt.Key.Key_NumLock, Qt.Key.Key_ScrollLock, Qt.Key.Key_Mode_switch),
     *(Qt.Key.Key_Super_L, Qt.Key.Key_Super_R, Qt.Key.Key_Hyper_L, Qt.Key.Key_Hyper_R),
@@ -43,18 +43,18 @@ _REPEAT_MS = 20  # X11 delivers the press of a repeated key within this time aft
 
 
 class KeyDriver(QObject):
-    """Receives the keys of the page's window before any widget does.
+    """Event filter that receives the keys of the page's window before its widgets.
 
-    While `enabled`, keys drive wherever the focus is, except in fields, tables and lists: a robot
-    must not depend on which slider or tab was clicked last. In the pad, arrow keys always drive.
+    While `enabled`, keys drive wherever the focus is, except in fields, tables and lists: driving
+    must not depend on the slider or tab that was clicked last. In the pad, arrow keys always drive.
 
     A key is identified by its place on the keyboard. Its name may change between press and
-    release, after a switch of the layout or with Num Lock. All keys count as released when an
-    unknown key is released, and when a key like Shift changes.
+    release, by a switch of the layout or by Num Lock. All keys count as released when an unknown
+    key is released, or when a key like Shift changes.
 
-    On X11 a held key repeats as a release and a press with the same timestamp. Qt often handles the
-    release before it has received the press, and then does not mark them as repeats. Without a
-    short wait for the press, the motors would brake now and then while a key is held.
+    On X11, a held key repeats as a release and a press with the same timestamp. Qt often handles
+    the release before it has received the press, and then marks neither of them as a repeat.
+    Without a short wait for the press, the motors would brake occasionally while a key is held.
     """
 
     def __init__(self, drive: MomentaryDrive, motors: Motors, page: QWidget, pad: QWidget) -> None:
@@ -64,11 +64,11 @@ class KeyDriver(QObject):
         self._page = page
         self._pad = pad
         self.enabled = False
-        self._keys: dict[int, Heading] = {}  # pressed keys, by their place
+        self._keys: dict[int, Heading] = {}  # headings of pressed keys by place
         self._modifiers = Qt.KeyboardModifier.NoModifier
         self._watch = PressMonitor(page)
         self.repeats_apart = QGuiApplication.platformName() == "xcb"
-        self._released = 0, 0  # place and time of the last release, perhaps a repeat
+        self._released = 0, 0  # place and time of the last release, which may be a repeat
         self._repeat = new_timer(self, _REPEAT_MS, self._on_key_released, single_shot=True)
 
         self._watch.lost.connect(self.release)
@@ -187,7 +187,7 @@ class KeyDriver(QObject):
 
 
 def _place(event: QKeyEvent) -> int:
-    """Return the place of a key, or its name where the system does not report places."""
+    """Return the place of a key, or its name if the system reports no place."""
     place = event.nativeScanCode()
     return -place if place else event.key()
 

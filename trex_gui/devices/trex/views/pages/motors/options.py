@@ -1,4 +1,4 @@
-"""Driving options: ceiling, ramp, brake strength, lock, spring return, and other controls."""
+"""Driving options and other controls than pad and sliders."""
 
 from collections.abc import Callable
 from functools import partial
@@ -22,23 +22,23 @@ _SPACING = 6  # pixels
 
 
 class _StrengthEntry(SpeedEntry):
-    """Entry of a number that also shows its share of full scale. Enter applies a typed number."""
+    """Entry of a number from `lowest` to 127 that also shows the percentage."""
 
     def __init__(self, lowest: int, apply: Callable[[int], object], parent: QWidget) -> None:
         super().__init__(parent)
         self.setRange(lowest, FULL_SCALE)
-        self.put(FULL_SCALE)
+        self.set_speed(FULL_SCALE)
         self.setMinimumWidth(self.sizeHint().width())
         self.chosen.connect(apply)
 
-    def put(self, speed: int) -> None:
+    def set_speed(self, speed: int) -> None:
         with QSignalBlocker(self):  # a new suffix rewrites the text
             self.setSuffix(f" ({100 * speed / FULL_SCALE:.0f} %)")
-        super().put(speed)
+        super().set_speed(speed)
 
 
 class SpeedCeiling(QWidget):
-    """Speed ceiling of the board, with a note on why it is low at first."""
+    """Speed ceiling of the board, with a hint while its default is low."""
 
     def __init__(self, motors: Motors, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -70,7 +70,7 @@ class SpeedCeiling(QWidget):
 
 
 class DriveWith(ui.Card):
-    """Card of other controls than pad and sliders. Their on/off states are not stored."""
+    """Other controls than pad and sliders. Their states are not stored."""
 
     def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(tr("Drive with"), parent)
@@ -96,7 +96,7 @@ class DriveWith(ui.Card):
 
     @Slot()
     def _show_link(self) -> None:
-        """Allow linking only at equal speeds. It must not start a motor or speed it up."""
+        """Allow linking only at equal speeds: linking must not start or accelerate a motor."""
         motors = self._motors
         can_link = motors.linked or motors.can_link
         self._link.setChecked(motors.linked)
@@ -107,7 +107,7 @@ class DriveWith(ui.Card):
 
 
 class Options(ui.Card):
-    """Options that are rarely changed. All except the ramp are stored."""
+    """Rarely changed options, stored except for the ramp."""
 
     def __init__(self, motors: Motors, parent: QWidget | None = None) -> None:
         super().__init__(title_of(tr("E&xtra options")), parent)
@@ -125,7 +125,7 @@ class Options(ui.Card):
         at_once = ui.named(QRadioButton(tr("Se&t at once"), self), "setButton", tip=tip)
         (accelerate if motors.accelerate else at_once).setChecked(True)
         tip = tr(
-            "How hard Brake and letting go of pad, keys and held sliders brake; Stop always "
+            "Strength of Brake, and of releasing the pad, a key or a held slider; Stop always "
             "brakes fully"
         )
         title = tr("&Brake strength")
@@ -144,8 +144,8 @@ class Options(ui.Card):
         lock.setRange(0, round(LONGEST))
         lock.setSuffix(tr(" s"))
         lock.setSpecialValueText(tr("none (0 s)"))
-        lock.setMinimumWidth(lock.sizeHint().width())  # the same width with any text
-        # Off by default: the motors may have to keep running while another page is open.
+        lock.setMinimumWidth(lock.sizeHint().width())
+        # Off by default: motors may need to run while another page is open.
         text = tr("Stop when you lea&ve this page")
         tip = tr(
             "Stop both motors and the auxiliary when another page is shown or the window is "
@@ -172,7 +172,7 @@ class Options(ui.Card):
         self._on_options_changed()
 
     def _create_stored(self, name: str, text: str, tip: str, key: str) -> QCheckBox:
-        """Create a check box whose state is stored. It is cleared by default."""
+        """Create a check box whose state is stored. The default is off."""
         checked, store = self._store.flag(key, default=False), partial(self._store.set, key)
         return ui.check_box(self, name, text, tip=tip, checked=checked, on_toggle=store)
 

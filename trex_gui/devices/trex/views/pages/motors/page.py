@@ -1,4 +1,4 @@
-"""Page to drive both motors and the auxiliary by hand."""
+"""Page for driving both motors and the auxiliary by hand."""
 
 from functools import partial
 from html import escape
@@ -44,16 +44,16 @@ from trex_gui.ui.widgets.bar import NO_VALUE, WARNING_SIGN
 from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.labels import PAGE_MARGINS, LinkLabel, PageHead
 
-_UNLIMITED = 16_777_215  # maximum height of unlimited widgets, QWIDGETSIZE_MAX in C++
+_UNLIMITED = 16_777_215  # QWIDGETSIZE_MAX in C++
 _ANYWHERE = Qt.AlignmentFlag(0)
 _GAP = 8  # pixels between cards
 
 
 class MotorsPage(QWidget):
-    """Page to drive the motors once they are armed. Leaving it releases every control."""
+    """Page for driving armed motors. Leaving the page releases every control."""
 
-    parameter_wanted = Signal(str)  # the key of a parameter that the user wants to see or change
-    plot_wanted = Signal()
+    parameter_requested = Signal(str)  # key of the parameter to show
+    plot_requested = Signal()
 
     def __init__(self, device: Device, group: BoardGroup, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -65,7 +65,7 @@ class MotorsPage(QWidget):
         self._key_drive = MomentaryDrive(device.motors, "keyboard")
         self._holder = ""
         self._dragged: int | None = None
-        self._is_held_still, self._held_in = False, QSize()
+        self._is_frozen, self._frozen_area = False, QSize()
         self._clear_holder = new_timer(self, 0, self._on_event_over, single_shot=True)
 
         self._head = PageHead("", self)
@@ -85,12 +85,12 @@ class MotorsPage(QWidget):
         title = f"{tr('Motor currents')}, 10 s"
         currents = ui.named(ui.Card("", side), "currentsCard", accessible=title)
         self._strip = CurrentStrip(device, currents)
-        plot = ui.button(currents, "openPlot", tr("&Open plot"), on_click=self.plot_wanted)
+        plot = ui.button(currents, "openPlot", tr("&Open plot"), on_click=self.plot_requested)
         set_look(plot, "link")
         self._options = Options(device.motors, side)
         self._options.hide()
         self._drive_with = DriveWith(device, side)
-        stored = ui.Card(tr("What the board does with them"), self)
+        stored = ui.Card(tr("How the board applies commands"), self)
         self._stored = LinkLabel("motorsStored", stored)
         self._stored.setAlignment(Qt.AlignmentFlag.AlignTop)
         ceiling = SpeedCeiling(device.motors, stored)
@@ -113,8 +113,8 @@ class MotorsPage(QWidget):
         self._place_side()
 
         for number, control in self._controls.items():
-            control.speed_wanted.connect(partial(self._on_speed_wanted, number))
-            control.brake_wanted.connect(partial(self._on_brake_wanted, number))
+            control.speed_requested.connect(partial(self._on_speed_requested, number))
+            control.brake_requested.connect(partial(self._on_brake_requested, number))
             control.slider.grabbed.connect(partial(self._on_grabbed, number))
             control.slider.released.connect(partial(self._on_released, number))
         self._pad.steered.connect(self._on_pad_steered)
@@ -122,11 +122,11 @@ class MotorsPage(QWidget):
         self._drive_with.keys.toggled.connect(self._keys.set_enabled)
         self._drive_with.more.toggled.connect(self._options.setVisible)
         self._drive_with.more.toggled.connect(currents.setHidden)
-        self._stored.linkActivated.connect(self.parameter_wanted)
+        self._stored.linkActivated.connect(self.parameter_requested)
         motors = self._motors
         motors.holder_changed.connect(self._on_holder_changed)
         motors.setpoints_changed.connect(self._show_setpoints)
-        motors.arming_changed.connect(self._hold_still)
+        motors.arming_changed.connect(self._update_freeze)
         for signal in (motors.arming_changed, motors.options_changed, device.link_changed):
             signal.connect(self._show_options)
         motors.stop_requested.connect(self._on_stop_requested)
@@ -141,24 +141,23 @@ class MotorsPage(QWidget):
     # --- Layout -------------------------------------------------------------------------
 
     def minimumSizeHint(self) -> QSize:
-        """Return the minimum size, with the currents below the motors."""
+        """Return the minimum size with the side cards below the motors."""
         hint = super().minimumSizeHint()
         return QSize(self._drive_box.minimumSizeHint().width() + 32, hint.height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         self._place_side()
-        if self._is_held_still and self._room() != self._held_in:
-            self._set_still(still=False)  # until the next frame
+        if self._is_frozen and self._scroll_area_size() != self._frozen_area:
+            self._set_frozen(frozen=False)  # until the next frame
 
-    def _room(self) -> QSize:
-        """Return the size of the area in which the page scrolls. Only the window changes it."""
+    def _scroll_area_size(self) -> QSize:
         viewport = self.parentWidget()
         area = viewport.parentWidget() if viewport is not None else None
         return self.size() if area is None else area.size()
 
     def _place_side(self) -> None:
-        """Place the side cards beside the motors, or below them if space is missing."""
+        """Place the side cards beside the motors, or below them in a narrow window."""
         cards = self._options, self._drive_with
         beside = max(card.minimumSizeHint().width() for card in cards)
         wide = self.width() >= self.minimumSizeHint().width() + _GAP + beside
@@ -166,39 +165,39 @@ class MotorsPage(QWidget):
         if not self._body.count() or direction is not self._beside.direction():
             self._beside.setDirection(direction)
             self._side.setMinimumWidth(beside if wide else 0)
-            place = Qt.AlignmentFlag.AlignTop if self._is_held_still else _ANYWHERE
+            place = Qt.AlignmentFlag.AlignTop if self._is_frozen else _ANYWHERE
             self._body.addWidget(self._drive_box, 0, 0, 1, 1 if wide else 2, place)
             self._body.addWidget(self._side, *((0, 1, 1, 1) if wide else (1, 0, 1, 2)))
 
     @Slot()
-    def _hold_still(self) -> None:
-        """Move no control while the motors are armed, even if other widgets need more space."""
-        still = self._motors.armed and self.isVisible()
-        is_shrinking = self.height() > max(self._room().height(), self.minimumSizeHint().height())
-        if still is not self._is_held_still and not (still and is_shrinking):
-            self._set_still(still=still)
+    def _update_freeze(self) -> None:
+        """Freeze the layout while the motors are armed, so that no control moves."""
+        frozen, area = self._motors.armed and self.isVisible(), self._scroll_area_size()
+        is_shrinking = self.height() > max(area.height(), self.minimumSizeHint().height())
+        if frozen is not self._is_frozen and not (frozen and is_shrinking):
+            self._set_frozen(frozen=frozen)
 
-    def _set_still(self, *, still: bool) -> None:
+    def _set_frozen(self, *, frozen: bool) -> None:
         box = self._drive_box
-        self._is_held_still, self._held_in = still, self._room()
+        self._is_frozen, self._frozen_area = frozen, self._scroll_area_size()
         if (layout := self.layout()) is not None:
-            layout.activate()  # the page may have been shown or resized only now
+            layout.activate()  # after a show or resize event, the layout is pending
         height = box.height()
-        box.setMinimumHeight(height if still else 0)
-        box.setMaximumHeight(height if still else _UNLIMITED)
-        self._body.setAlignment(box, Qt.AlignmentFlag.AlignTop if still else _ANYWHERE)
+        box.setMinimumHeight(height if frozen else 0)
+        box.setMaximumHeight(height if frozen else _UNLIMITED)
+        self._body.setAlignment(box, Qt.AlignmentFlag.AlignTop if frozen else _ANYWHERE)
 
     # --- User actions -------------------------------------------------------------------
 
-    def _on_speed_wanted(self, number: int, speed: int) -> None:
+    def _on_speed_requested(self, number: int, speed: int) -> None:
         holder = _name(number) if self._motors.holder == _name(number) else ""
         if number == AUXILIARY:
             self._motors.set_auxiliary(speed, holder)
         else:
             self._motors.set_speed(number, speed, holder)
-        self._show_setpoints()  # a rejected speed must not stay on the slider
+        self._show_setpoints()  # the slider must not show a rejected speed
 
-    def _on_brake_wanted(self, number: int) -> None:
+    def _on_brake_requested(self, number: int) -> None:
         self._motors.set_brake(number, self._motors.release_brake)
 
     def _on_grabbed(self, number: int) -> None:
@@ -235,7 +234,7 @@ class MotorsPage(QWidget):
 
     @Slot()
     def _show_stored(self) -> None:
-        """Show the stored settings. Without a connection they are grey and have no links."""
+        """Show the stored settings, with links if the board is connected."""
         device, is_connected = self._device, self._device.is_connected
         facts = _stored_facts(device)
         self._stored.setText(_table(facts, linked=is_connected))
@@ -243,15 +242,15 @@ class MotorsPage(QWidget):
         self._stored.setAccessibleName("" if facts else NO_VALUE)
         warning = timeout_warning(device)
         self._stored.setToolTip("" if warning is None else ui.plain(warning.text))
-        said = [f"{title}: {', '.join(texts)}" for title, texts in facts.items()]
-        said += [] if warning is None else [warning.text]
-        self._stored.setAccessibleDescription(". ".join(said))
+        sentences = [f"{title}: {', '.join(texts)}" for title, texts in facts.items()]
+        sentences += [] if warning is None else [warning.text]
+        self._stored.setAccessibleDescription(". ".join(sentences))
 
     @Slot()
     def _on_holder_changed(self) -> None:
-        """Remember a held control until the event that ends the hold is over.
+        """Save the holder until the event that releases it is over.
 
-        When a page is hidden, its controls lose the focus first, and are released by that.
+        The controls of a page lose the focus, and so their hold, before the page is hidden.
         """
         own = {self._pad_drive.name, self._key_drive.name, *map(_name, self._controls)}
         if self._motors.holder in own:
@@ -270,7 +269,7 @@ class MotorsPage(QWidget):
         group = focused.parentWidget() if focused is not None else None
         is_driving = focused is self._pad or isinstance(group, DriveControl)
         if not motors.armed and is_driving:
-            focus_stop(self)  # else Qt focuses a link, where arrow keys open other pages
+            focus_stop(self)  # otherwise Qt focuses a link, and arrow keys open other pages
         self._pad.setEnabled(motors.armed)
         self._pad.set_can_turn(self._pad_drive.can_turn)
         brake = tr("Brake with {0}").format(share_text(motors.release_brake))
@@ -304,9 +303,9 @@ class MotorsPage(QWidget):
         self._pad.show_setpoints(*speeds)
 
     def _setpoint_of(self, number: int, inputs: DriveInputs) -> tuple[int, str]:
-        """Return the speed setpoint of a motor, and its text."""
+        """Return the speed of a motor's setpoint and its text."""
         telemetry, setpoint = self._device.telemetry, setpoint_of(self._device, number, inputs)
-        if self._group.wheels and number != AUXILIARY and inputs.armed:  # the setpoint of a side
+        if self._group.wheels and number != AUXILIARY and inputs.armed:  # `number` is a side
             drive = self._motors.drive(number)
             return drive.signed if drive else 0, setpoint_text(drive)
         match setpoint.source:
@@ -325,7 +324,7 @@ class MotorsPage(QWidget):
     @Slot()
     @only_when_visible
     def _on_frame_due(self) -> None:
-        self._hold_still()
+        self._update_freeze()
         self._show_setpoints()
         self._strip.follow()
 
@@ -364,7 +363,7 @@ class MotorsPage(QWidget):
         self._show_options()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Stop the motors if a control is held, a slider is pressed, or the option is on."""
+        """Stop the motors if a control is held or a slider is dragged, or by option."""
         is_dragged = self._dragged is not None and self._motors.armed
         self._dragged = None
         if self._holder or is_dragged:
@@ -372,7 +371,7 @@ class MotorsPage(QWidget):
         elif self._options.stop_on_leaving.isChecked() and self._motors.armed:
             self._motors.stop(tr("The Motors page was left."))
         super().hideEvent(event)
-        self._hold_still()
+        self._update_freeze()
 
     def changeEvent(self, event: QEvent) -> None:
         if event.type() == QEvent.Type.ActivationChange and self.isActiveWindow():
@@ -381,7 +380,7 @@ class MotorsPage(QWidget):
 
     @Slot()
     def _on_event_over(self) -> None:
-        """Clear the released control. An inactive window keeps its slider: it may be minimised."""
+        """Clear the released control. In an inactive window, a slider may still be held."""
         sliders = [control.slider for control in self._controls.values()]
         if self.isActiveWindow() and not any(slider.held for slider in sliders):
             self._dragged = None
@@ -403,7 +402,7 @@ _SILENCE = {
 
 
 def _stored_facts(device: Device) -> _Facts:
-    """Return the stored settings as a dict: title → text of a value → its parameter."""
+    """Return the stored settings: title → text of a value → key of its parameter."""
     values, motors = device.parameters.values, (1,) if device.board.is_joint else (1, 2)
 
     def both(name: str) -> dict[str, str]:
@@ -428,7 +427,7 @@ def _stored_facts(device: Device) -> _Facts:
 
 
 def _table(facts: _Facts, *, linked: bool) -> str:
-    """Return the titles above their values. If `linked`, values link to their parameters."""
+    """Return HTML with titles above values, which link to their parameters if `linked`."""
 
     def link(text: str, key: str) -> str:
         color = theme().color("warning" if WARNING_SIGN in text else "link").name()

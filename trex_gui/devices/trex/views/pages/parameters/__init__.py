@@ -1,1 +1,1 @@
-"""The page of all parameters."""
+"""Page of all parameters."""

@@ -1,4 +1,4 @@
-"""Card of the selected parameter: its value, effect, limits and details."""
+"""Card of the selected parameter: value, effect, limits and details."""
 
 from html import escape
 
@@ -25,7 +25,7 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import ElidedLabel, LinkLabel, Muted
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
-_WIDTH = 33  # minimum, in average characters
+_WIDTH = 33  # minimum width in average characters
 _BOTH_MOTORS = "parameters/both_motors"
 
 
@@ -38,7 +38,7 @@ class ParameterCard(ui.Card):
         self._model, self._view, self._can_edit = draft.parameters, view, True
         self._facts = facts = ui.named(QWidget(self), "parameterFacts")
         box, policy = ScrollBox(facts, self), QSizePolicy.Policy
-        box.setSizePolicy(policy.Preferred, policy.Maximum)  # the rest follows directly below
+        box.setSizePolicy(policy.Preferred, policy.Maximum)  # no gap above the buttons
         self._heading = ui.label(facts, "parameterTitle", wrap=True, size="heading")
         self._value = ui.label(facts, "parameterValue", wrap=True, bold=True)
         self._picture = ParameterPicture(facts)
@@ -60,7 +60,7 @@ class ParameterCard(ui.Card):
         self._note = NoteField(draft.notes, "noteEdit", facts)
         note = ui.label(facts, text=tr("Note"), size="caption")
         self._findings = FindingsList("parameter", self._value, facts)
-        tip = tr("Make each change to one motor to the other, too, in one step")
+        tip = tr("Apply each change of one motor to both motors, in one step")
         text, both = tr("&Both motors as one"), Preferences().flag(_BOTH_MOTORS, default=False)
         self._both = ui.check_box(self, "bothMotors", text, tip=tip, checked=both)
         self._model.both_motors = both
@@ -81,28 +81,28 @@ class ParameterCard(ui.Card):
         self._findings.follow(linter, self._concerns)
         self._both.toggled.connect(self._on_both_toggled)
         self._fold.toggled.connect(self.show_current)
-        view.wire_wanted.connect(self._on_wire_wanted)
+        view.wire_value_requested.connect(self._on_wire_value_requested)
         self._model.dataChanged.connect(self.show_current)
         units().changed.connect(self.show_current)
         follow_theme(self, "card", fit)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Put the buttons one below the other if they do not fit side by side."""
+        """Stack the buttons vertically if they do not fit side by side."""
         super().resizeEvent(event)
-        needed = sum(each.sizeHint().width() + self._tools.spacing() for each in self._buttons)
-        fits = needed <= self.contentsRect().width()
+        width = sum(each.sizeHint().width() + self._tools.spacing() for each in self._buttons)
+        fits = width <= self.contentsRect().width()
         direction = QBoxLayout.Direction
         self._tools.setDirection(direction.LeftToRight if fits else direction.TopToBottom)
 
     def _wire_row(self, parent: QWidget) -> QWidget:
-        """Create the field for wire values beyond a limit that is only inferred."""
-        made = ui.named(QWidget(parent), "parameterWire")
-        text = tr("No document confirms this limit. The board decides about other values.")
-        note = ui.label(made, "wireNote", text, wrap=True)
-        self._wire_value = ui.spin_box(made, "wireField", tr("Wire value"), 0, HIGHEST_WIRE)
-        accept = ui.button(made, "tryWireButton", tr("&Try this value"), on_click=self._on_try)
-        ui.column(note, self._wire_value, accept, into=made, margins=0)
-        return made
+        """Create the field for wire values beyond an inferred limit."""
+        wire = ui.named(QWidget(parent), "parameterWire")
+        text = tr("No document confirms this limit. The board may accept other values.")
+        note = ui.label(wire, "wireNote", text, wrap=True)
+        self._wire_value = ui.spin_box(wire, "wireField", tr("Wire value"), 0, HIGHEST_WIRE)
+        accept = ui.button(wire, "tryWireButton", tr("&Try this value"), on_click=self._on_try)
+        ui.column(note, self._wire_value, accept, into=wire, margins=0)
+        return wire
 
     def _concerns(self, finding: LintFinding) -> bool:
         key = self._view.current_key
@@ -120,7 +120,7 @@ class ParameterCard(ui.Card):
         self._picture.show_parameter(key, values)
         for each in (self._facts, self._both):
             each.setVisible(bool(key))
-        for each in (self._help, self._details):  # empty labels need a name
+        for each in (self._help, self._details):  # empty labels need an accessible name
             each.setAccessibleName("" if key else self.accessibleName())
         if not key:
             return
@@ -150,7 +150,7 @@ class ParameterCard(ui.Card):
         Preferences().set(_BOTH_MOTORS, both)
 
     @Slot()
-    def _on_wire_wanted(self) -> None:
+    def _on_wire_value_requested(self) -> None:
         self._fold.setChecked(True)
         self._wire_value.setValue(self._model.values.value_of(self._view.current_key) or 0)
         self._wire_value.setFocus()
@@ -166,7 +166,7 @@ class ParameterCard(ui.Card):
 
 
 def _details(text: ParameterText, key: str) -> str:
-    """Return names, evidence and the address of the guide as rich text."""
+    """Return keys, evidence and a link to the guide as rich text."""
     address, title = map(escape, text.guide(key))
     names = "<br>".join(f"<code>{each}</code>" for each in text.keys_of(key))
     link = f'<a href="{address}" style="color:{theme().color("link").name()}">{title}</a>'
@@ -174,15 +174,15 @@ def _details(text: ParameterText, key: str) -> str:
 
 
 def _push_button(action: QAction, parent: QWidget) -> QPushButton:
-    """Create a button that triggers an action and shows its short text and state."""
-    made = ui.button(parent, f"{action.objectName()}Button", on_click=action.trigger)
+    """Create a button that triggers an action, with its icon text and state."""
+    button = ui.button(parent, f"{action.objectName()}Button", on_click=action.trigger)
 
     def update() -> None:
-        made.setText(action.iconText())
-        made.setToolTip(ui.plain(action.text().replace("&", "")))
-        made.setEnabled(action.isEnabled())
-        made.setVisible(action.isVisible())
+        button.setText(action.iconText())
+        button.setToolTip(ui.plain(action.text().replace("&", "")))
+        button.setEnabled(action.isEnabled())
+        button.setVisible(action.isVisible())
 
     action.changed.connect(update)
     update()
-    return made
+    return button

@@ -1,4 +1,4 @@
-"""Delegate and editors of the parameter table. They accept and return wire values."""
+"""Delegate and editors of the parameter table. Editors hold wire values."""
 
 import re
 from bisect import bisect_left, bisect_right
@@ -49,14 +49,14 @@ from trex_gui.ui.widgets.builders import ComboBox, check_box, combo_box, plain, 
 
 _TOLERANCE = 1.01
 _ICON = 16
-_SIGNS = {"warning": "warning", "edited": "dirty", "power": "icon"}  # with their colours
+_SIGNS = {"warning": "warning", "edited": "dirty", "power": "icon"}  # colour by icon
 _UNTOUCHED = "untouched"
 _STEPS = QAbstractSpinBox.StepEnabledFlag
 _BOTH_WAYS = _STEPS.StepUpEnabled | _STEPS.StepDownEnabled
 
 
 class NumberEditor(UnitSpinBox):
-    """Steps through wire values. Shows and accepts them in any unit of the parameter."""
+    """Number field that shows and accepts a wire value in any unit of the parameter."""
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -85,7 +85,7 @@ class NumberEditor(UnitSpinBox):
 
 
 class AccelerationEditor(NumberEditor):
-    """Also accepts the time to full speed. Speed steps need their unit, as `25 per 100 ms`."""
+    """Accepts the time to full speed, or speed steps with their unit: `25 per 100 ms`."""
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(spec, parent)
@@ -96,14 +96,14 @@ class AccelerationEditor(NumberEditor):
         return super()._physical_wire(f"{text} s" if BARE.fullmatch(text) else text)
 
     def stepBy(self, steps: int) -> None:
-        """Step through the times, unless wire values are shown. No ramp is the shortest time."""
+        """Step through the times, unless wire values are shown. 0 (no ramp) is the shortest."""
         if self.own_first:
             super().stepBy(steps)
             return
-        most = self.maximum()
-        place = (most + 1 - self.value() if self.value() else 0) + steps
-        place = min(max(place, 0), most)
-        self.setValue(most + 1 - place if place else 0)
+        highest = self.maximum()
+        place = (highest + 1 - self.value() if self.value() else 0) + steps
+        place = min(max(place, 0), highest)
+        self.setValue(highest + 1 - place if place else 0)
         self.selectAll()
 
     def stepEnabled(self) -> QAbstractSpinBox.StepEnabledFlag:  # noqa: N802 # of Qt
@@ -111,9 +111,9 @@ class AccelerationEditor(NumberEditor):
 
 
 class FrequencyEditor(UnitSpinBox):
-    """Steps through the available PWM frequencies. A typed number selects the nearest frequency.
+    """Steps through the PWM frequencies. A typed number selects the nearest frequency.
 
-    Its value is a `frequency_code`. An unavailable code stays until the user selects a frequency.
+    The value is a `frequency_code`. An unavailable code remains until the user selects a frequency.
     """
 
     def __init__(self, codes: Sequence[int], parent: QWidget | None = None) -> None:
@@ -129,20 +129,20 @@ class FrequencyEditor(UnitSpinBox):
     def parse(self, text: str) -> int:
         if text.strip() == frequency_text(self.value()):
             return self.value()
-        wanted = quantity(re.sub("[kK]$", "kHz", text.strip()), "Hz") or 0
-        if not self._hertz[0] / _TOLERANCE <= wanted <= self._hertz[-1] * _TOLERANCE:
+        hertz = quantity(re.sub("[kK]$", "kHz", text.strip()), "Hz") or 0
+        if not self._hertz[0] / _TOLERANCE <= hertz <= self._hertz[-1] * _TOLERANCE:
             message = tr("The PWM frequency is {0}, not {1}.")
             raise BadRequest(message.format(frequency_range(self._codes), text.strip()))
-        nearest = min(range(len(self._codes)), key=lambda at: abs(self._hertz[at] - wanted))
+        nearest = min(range(len(self._codes)), key=lambda at: abs(self._hertz[at] - hertz))
         return self._codes[nearest]
 
     def stepBy(self, steps: int) -> None:
         try:
-            now = device_table().pwm.frequency(*frequency_wires(self.value()))
+            hertz = device_table().pwm.frequency(*frequency_wires(self.value()))
         except BadRequest:
-            now = 0
-        faster, slower = bisect_right(self._hertz, now) - 1, bisect_left(self._hertz, now)
-        place = (faster if steps > 0 else slower) + steps
+            hertz = 0
+        below, above = bisect_right(self._hertz, hertz) - 1, bisect_left(self._hertz, hertz)
+        place = (below if steps > 0 else above) + steps
         self.setValue(self._codes[min(max(place, 0), len(self._codes) - 1)])
         self.selectAll()
 
@@ -151,9 +151,9 @@ class FrequencyEditor(UnitSpinBox):
 
 
 class ChoiceEditor(ComboBox):
-    """Drop-down list of named values. An unknown value stays until the user selects another."""
+    """Drop-down list of named values. An unknown value remains until the user selects a value."""
 
-    valueChanged = Signal(int)  # the user has selected a value, perhaps the value shown before
+    valueChanged = Signal(int)  # wire value that the user selected, even if it is unchanged
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -172,7 +172,7 @@ class ChoiceEditor(ComboBox):
 
 
 class ChannelsEditor(QWidget):
-    valueChanged = Signal(int)  # the user has clicked a box
+    valueChanged = Signal(int)  # wire value after the user clicked a box
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -202,7 +202,7 @@ class ChannelsEditor(QWidget):
 
 
 class LineSettingsEditor(QWidget):
-    valueChanged = Signal(int)  # the user has selected a setting, perhaps the setting shown before
+    valueChanged = Signal(int)  # wire value after the user selected a setting, even if unchanged
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -248,7 +248,7 @@ class LineSettingsEditor(QWidget):
         return self.settings().to_wire() if self._unknown is None else self._unknown
 
     def setValue(self, wire: int) -> None:
-        """Show a wire value. If its baud rate is unknown, it stays until a field is changed."""
+        """Show a wire value. An invalid value remains until the user changes a field."""
         try:
             self.set_settings(LineSettings.from_wire(wire))
         except BadRequest:
@@ -281,10 +281,10 @@ def editor_for(spec: ParameterSpec, parent: QWidget | None = None) -> Editor:
 
 
 class ParameterDelegate(UnitDelegate):
-    """Paints and edits the rows of a `ParameterModel`.
+    """Painter and editors of a `ParameterModel`.
 
-    Without a value, the editor shows the default. The value is set only when the user types or
-    selects something, or presses Enter.
+    Without a value, an editor shows the default, which becomes the value only if the user edits it
+    or presses Enter.
     """
 
     def __init__(
@@ -316,7 +316,7 @@ class ParameterDelegate(UnitDelegate):
         return editor
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Let Enter accept the shown value."""
+        """Accept the shown value on Enter."""
         is_press = event.type() == QEvent.Type.KeyPress
         if is_press and isinstance(event, QKeyEvent) and event.key() in ENTER:
             watched.setProperty(_UNTOUCHED, False)
@@ -324,12 +324,12 @@ class ParameterDelegate(UnitDelegate):
 
     def setEditorData(self, editor: QWidget, index: Index) -> None:
         if isinstance(editor, UnitSpinBox) and editor.lineEdit().isModified():
-            return  # the row has changed while the user is typing
+            return  # the user is typing
         wire, untouched = index.data(Qt.ItemDataRole.EditRole), editor.property(_UNTOUCHED)
         if wire is None:
             wire = self._model.default_number(str(index.data(ParameterRole.KEY)))
         cast("Editor", editor).setValue(wire)
-        editor.setProperty(_UNTOUCHED, untouched)  # not changed by the user
+        editor.setProperty(_UNTOUCHED, untouched)  # `setValue` is no edit by the user
 
     def setModelData(self, editor: QWidget, model: QAbstractItemModel, index: Index) -> None:
         if not editor.property(_UNTOUCHED):
@@ -340,7 +340,7 @@ class ParameterDelegate(UnitDelegate):
     def updateEditorGeometry(
         self, editor: QWidget, option: QStyleOptionViewItem, index: Index
     ) -> None:
-        """Give an editor the size that it needs. It may cover neighbouring cells."""
+        """Extend an editor to its size hint, even over neighbouring cells."""
         super().updateEditorGeometry(editor, option, index)
         place = editor.geometry()
         middle = place.center().y()
@@ -367,7 +367,7 @@ class ParameterDelegate(UnitDelegate):
         return super().sizeHint(option, index) + QSize(_ICON + 2, 0)
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
-        """Paint the current row, and a sign before a value."""
+        """Paint the background of the current row, and a sign before a value."""
         cell, is_value = QRect(option.rect), index.column() != ParameterColumn.NAME
         if index.data(ParameterRole.GROUP) is not None:
             painter.setPen(theme().color("hairline"))
@@ -399,7 +399,7 @@ class ParameterDelegate(UnitDelegate):
 
 
 def _write(option: QStyleOptionViewItem, color: str, *, bold: bool = False) -> None:
-    """Write a text in a theme colour. Disabled text keeps its own colour."""
+    """Set the theme colour of a text, except of disabled text."""
     palette = QPalette(option.palette)
     for group in (QPalette.ColorGroup.Active, QPalette.ColorGroup.Inactive):
         palette.setColor(group, QPalette.ColorRole.Text, theme().color(color))

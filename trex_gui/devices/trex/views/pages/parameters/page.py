@@ -1,4 +1,4 @@
-"""Parameters of a board or of a file: filters, table, and card of the selected parameter."""
+"""Parameters of a board or file: filters, table, and card of the selection."""
 
 from PySide6.QtCore import QModelIndex, Qt, Signal, Slot
 from PySide6.QtWidgets import QTabBar, QVBoxLayout, QWidget
@@ -23,8 +23,6 @@ _CLEAR = 20  # pixels for the frame of the search field
 
 
 class ParameterTable(QWidget):
-    """Parameters of a board or of a file. Has no access to a board."""
-
     power_cycle_requested = Signal()
 
     def __init__(
@@ -34,11 +32,11 @@ class ParameterTable(QWidget):
         parent: QWidget | None = None,
         head: QWidget | None = None,
     ) -> None:
-        """`head` is shown beside the filters."""
+        """`head`: widget beside the filters."""
         super().__init__(parent)
         self._model = draft.parameters
-        self._place = ""  # key of the cell that the user has selected
-        self._is_elsewhere = False  # the table has selected another, visible cell
+        self._user_key = ""  # key of the cell that the user has selected
+        self._is_elsewhere = False  # True if that cell is hidden and another cell is selected
 
         title = tr("Search parameters")
         self._words = search_field(self, "parameterSearch", title, title)
@@ -88,7 +86,7 @@ class ParameterTable(QWidget):
         self._choice.setCurrentIndex(ParameterChoice.ALL)
 
     def set_rows_enabled(self, enabled: bool) -> None:
-        """Enable edits. Disabled rows can still be searched."""
+        """Enable or disable edits. Disabled rows can still be searched."""
         self._view.setEnabled(enabled)
         self._card.set_can_edit(enabled)
 
@@ -103,19 +101,19 @@ class ParameterTable(QWidget):
     def _on_current_changed(self, current: QModelIndex) -> None:
         if current.isValid():
             self._is_elsewhere = False
-            self._place = self._view.current_key
+            self._user_key = self._view.current_key
             above = range(current.row() - 1, -1, -1)
             visible = next((each for each in above if not self._view.isRowHidden(each)), 0)
             if not self._model.rows[visible].keys:
-                self._view.scrollTo(self._model.index(visible, 0))  # no key reaches a heading
+                self._view.scrollTo(self._model.index(visible, 0))  # keys cannot select a heading
             if current.row() > 1:
                 self._view.scrollTo(current)
-        self._view.viewport().update()  # the whole row is marked
+        self._view.viewport().update()  # `ParameterDelegate.paint` marks the whole row
         self._card.show_current()
 
     @Slot()
     def _update_rows(self) -> None:
-        """Show the rows that match, and the number of parameters of each kind."""
+        """Show the matching rows, and the number of parameters in each tab."""
         keys = frozenset(key for finding in self._linter.findings for key in finding.keys)
         words = self._words.text().casefold().split()
         shown = ParameterChoice(self._choice.currentIndex())
@@ -131,15 +129,15 @@ class ParameterTable(QWidget):
             part.setEnabled(self._model.count > 0)
 
     def _on_rows_changed(self) -> None:
-        """Select the user's cell while it is visible, else the best match."""
-        current, wanted = self._view.currentIndex(), self._model.index_of(self._place)
+        """Select the user's cell if it is visible, otherwise the best match."""
+        current, selected = self._view.currentIndex(), self._model.index_of(self._user_key)
         if self._is_elsewhere or self._view.is_hidden(current):
-            if not self._view.is_hidden(wanted):
-                self._view.setCurrentIndex(wanted)
+            if not self._view.is_hidden(selected):
+                self._view.setCurrentIndex(selected)
             elif self._view.is_hidden(current):
-                place = self._place
+                key = self._user_key
                 self._view.setCurrentIndex(self._view.filter.best_match(self._model))
-                self._is_elsewhere, self._place = bool(place), place or self._view.current_key
+                self._is_elsewhere, self._user_key = bool(key), key or self._view.current_key
         self._no_match.setVisible(self._model.count > 0 and not self._view.filter.rows(self._model))
         self._card.show_current()
 
@@ -168,7 +166,7 @@ class ParametersPage(QWidget):
     @Slot()
     def _on_changed(self) -> None:
         connected = self._device.is_connected
-        # Edits reach the board only with Apply, so a silent board need not interrupt typing.
+        # Only Apply writes edits to the board, so a silent board must not interrupt typing.
         is_silent = self._device.link is ConnectionState.NOT_RESPONDING
         can_edit = (connected or is_silent) and not self._device.writer.is_rejected
         self.table.set_rows_enabled(can_edit)

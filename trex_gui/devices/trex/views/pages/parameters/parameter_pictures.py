@@ -1,4 +1,4 @@
-"""Small drawings of the effect of a parameter at its present value, if the effect is known."""
+"""Small drawings of the effects of parameters."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -21,7 +21,7 @@ from trex_gui.devices.trex.protocol.parameters import (
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets.painted import Painted, Painter
 
-Points = tuple[tuple[float, float], ...]  # from 0 to 1, rightwards and upwards
+Points = tuple[tuple[float, float], ...]  # x and y from 0 to 1, y upwards
 
 _LINES = 7  # height in lines of text
 _MARGIN = 10  # pixels
@@ -34,30 +34,28 @@ _COLOURS = {"motor1": "motor1", "motor2": "motor2", "aux": "auxiliary"}
 @dataclass(frozen=True, slots=True)
 class Stroke:
     points: Points
-    color: str = ""  # of the theme; empty: the colour of the parameter
+    color: str = ""  # theme colour; empty: colour of the parameter
     style: Qt.PenStyle = _SOLID
 
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """A drawing, and a sentence with the same content."""
-
-    text: str
+    text: str  # description for screen readers
     caption: str
     lines: tuple[Stroke, ...]
-    area: tuple[float, float, float] | None = None  # left, right and height
+    area: tuple[float, float, float] | None = None  # left, right and height of a filled area
     place: tuple[float, float] = (0.5, 0.85)  # bottom centre of the caption
 
 
 def picture_of(key: str, values: ParameterValues) -> Picture | None:
-    """Return the drawing of a parameter. `None` if its effect or value is unknown."""
+    """Return the drawing of a parameter. `None` if effect or value is unknown."""
     kind = key.partition("_")[2] if motor_name(key) else key
     wire, draw = values.value_of(key), _PICTURES.get(kind)
     return None if draw is None or wire is None else draw(values.specs[key], wire, values)
 
 
 def _window(seconds: float, *steps: float) -> float:
-    """Return the first of `steps` that leaves space beside `seconds`, else the last."""
+    """Return the first step that exceeds `seconds` by 20 %, or else the last step."""
     return next((step for step in steps if step >= 1.2 * seconds), steps[-1])
 
 
@@ -74,16 +72,16 @@ def _ramp(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
 def _reversal(spec: ParameterSpec, wire: int, values: ParameterValues) -> Picture:
     seconds, value = wire * spec.scale / 1000, spec.text(wire)
     window = _window(2 * seconds, 0.2, 0.6, 3)
-    begin, end = 0.2, 0.2 + 0.8 * seconds / window
-    output: Points = (0, 0.8), (begin, 0.8), (begin, 0.4), (end, 0.4)
+    start, end = 0.2, 0.2 + 0.8 * seconds / window
+    output: Points = (0, 0.8), (start, 0.8), (start, 0.4), (end, 0.4)
     rate = values.value_of(spec.key.replace(MotorParameter.BRAKE_DURATION, "acceleration"))
     if rate is not None:
         ramp = 0.8 * FULL_SPEED_S / rate / window if rate else 0
-        reached = min(1, (1 - end) / ramp) if ramp else 1  # share of the ramp, at the right edge
+        reached = min(1, (1 - end) / ramp) if ramp else 1  # share of the ramp at the right edge
         output += (end + ramp * reached, 0.4 - 0.4 * reached), (1, 0.4 - 0.4 * reached)
     text = tr("Reversal by an accelerate command: {0}, then the ramp.").format(value)
     lines = Stroke(((0, 0.4), (1, 0.4)), "outline", _DOTTED), Stroke(output)
-    return Picture(text, value, lines, (begin, end, 0.8))
+    return Picture(text, value, lines, (start, end, 0.8))
 
 
 def _limit(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
@@ -105,17 +103,20 @@ def _limit(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
 def _stop(
     spec: ParameterSpec, wire: int, values: ParameterValues, after: float | None = None
 ) -> Picture:
-    """Draw signals that end, and motors that stop `after` seconds (`None`: the value)."""
-    value, begin = spec.text(wire), 0.3
+    """Draw signals that end, and motors that stop later.
+
+    `after`: delay in seconds. `None`: the value of the parameter.
+    """
+    value, start = spec.text(wire), 0.3
     seconds = wire * spec.scale if after is None else after
-    end = begin + 0.55 * seconds / _window(seconds, 0.5, 1.5, 5, 15)
+    end = start + 0.55 * seconds / _window(seconds, 0.5, 1.5, 5, 15)
     is_known = after is not None or bool(values.value_of(ParameterKey.UART_ERROR_SHUTDOWN))
     motors = Stroke(((end, 0.8), (end, 0.2), (1, 0.2)), "", _SOLID if is_known else _DASHED)
     text = tr("{0}: the motors stop.") if is_known else tr("{0}: the motors may not stop.")
     if not wire:
         text, motors = tr("{0}: the motors keep running."), Stroke(((end, 0.8), (1, 0.8)))
     signals = (Stroke(((x / 20, 0), (x / 20, 0.12)), "muted") for x in range(1, 6))
-    edge = Stroke(((begin, 0), (begin, 0.8)), "danger", _DOTTED)
+    edge = Stroke(((start, 0), (start, 0.8)), "danger", _DOTTED)
     lines = *signals, edge, Stroke(((0, 0.8), (end, 0.8))), motors
     return Picture(text.format(value), value, lines)
 
@@ -139,7 +140,7 @@ _PICTURES: dict[str, Callable[[ParameterSpec, int, ParameterValues], Picture]] =
 
 
 class ParameterPicture(Painted):
-    """Drawing of one parameter. Hidden if the parameter has no drawing."""
+    """Drawing of one parameter, hidden if there is none."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -1,4 +1,4 @@
-"""Table of parameters, for the mouse or for keys alone."""
+"""Table of parameters, for mouse and keyboard."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -27,7 +27,7 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ENTER, only_when_visible
 
 _PRESS = ENTER | {Qt.Key.Key_Space, Qt.Key.Key_Select}
-_LEAST = 20  # minimum width of the names, in characters
+_LEAST = 20  # minimum width of the names in characters
 
 
 class ParameterChoice(IntEnum):
@@ -39,14 +39,12 @@ class ParameterChoice(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class ParameterFilter:
-    """Conditions that a visible row meets."""
-
     words: tuple[str, ...] = ()  # lower case, searched in name, key and description
     shown: ParameterChoice = ParameterChoice.ALL
-    found: frozenset[str] = frozenset()  # keys that a finding of the linter is about
+    found: frozenset[str] = frozenset()  # keys with a finding of the linter
 
     def rows(self, model: ParameterModel) -> list[int]:
-        """Return the visible rows, with their headings."""
+        """Return the numbers of the visible rows and their headings."""
         rows: list[int] = []
         heading: list[int] = []
         for number, row in enumerate(model.rows):
@@ -58,7 +56,7 @@ class ParameterFilter:
         return rows
 
     def best_match(self, model: ParameterModel) -> QModelIndex:
-        """Return the first visible value with all words in its name, else the first value."""
+        """Return the first visible value with all words in its name, or else the first value."""
         keys = [keys[0] for row in self.rows(model) if (keys := model.rows[row].keys)]
         names = ((key, model.text.title(key).casefold()) for key in keys)
         named = (key for key, name in names if all(word in name for word in self.words))
@@ -80,14 +78,14 @@ class ParameterFilter:
 
 
 class ParameterView(QTableView):
-    """Table whose cells are values. Selecting the name of a row selects its first value."""
+    """Table of values. Selecting a name selects the first value in its row."""
 
-    wire_wanted = Signal()  # the user wants to try a wire value of the current parameter
+    wire_value_requested = Signal()  # the user requests the field for wire values
 
     def __init__(self, model: ParameterModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.filter = ParameterFilter()
-        self._visible: list[int] = []  # rows
+        self._visible: list[int] = []  # row numbers
         self._model = model
         ui.flat_table(self, "parametersView", tr("Parameters"))
         self.setModel(model)
@@ -118,22 +116,22 @@ class ParameterView(QTableView):
     @Slot()
     @only_when_visible
     def _fit_columns(self) -> None:
-        """Fit the names to their text, as far as both motors' values leave space."""
-        room, index, width = self.viewport().width(), self._model.index, self.sizeHintForIndex
+        """Fit the column of names to its texts. The values of both motors have priority."""
+        total, index, width = self.viewport().width(), self._model.index, self.sizeHintForIndex
         names, values = [0], [0]
         for number, row in enumerate(self._model.rows):
             names += [width(index(number, ParameterColumn.NAME)).width()] if row.keys else []
             both = range(1, 3 if len(row.keys) > 1 else 0)
             values += [width(index(number, column)).width() for column in both]
         least = _LEAST * self.fontMetrics().averageCharWidth()
-        name = max(min(max(names), room - 2 * max(values)), least)
+        name = max(min(max(names), total - 2 * max(values)), least)
         self.setColumnWidth(ParameterColumn.NAME, name)
         for motor in (ParameterColumn.MOTOR1, ParameterColumn.MOTOR2):
-            self.setColumnWidth(motor, (room - name) // 2)
+            self.setColumnWidth(motor, (total - name) // 2)
 
     @Slot()
     def _span_rows(self) -> None:
-        """Span headings and values of the whole board over several columns."""
+        """Span headings, and values that are common to both motors, over several columns."""
         self._visible = list(range(len(self._model.rows)))
         self.clearSpans()
         for number, row in enumerate(self._model.rows):
@@ -141,16 +139,16 @@ class ParameterView(QTableView):
                 self.setSpan(number, len(row.keys), 1, len(ParameterColumn) - len(row.keys))
         self._fit_columns()
 
-    def show_rows(self, wanted: ParameterFilter) -> bool:
-        """Show the rows that match. Return whether the visible rows changed."""
-        self.filter, before = wanted, self._visible
-        self._visible = wanted.rows(self._model)
+    def show_rows(self, rows: ParameterFilter) -> bool:
+        """Show the matching rows. Return whether the visible rows changed."""
+        self.filter, before = rows, self._visible
+        self._visible = rows.rows(self._model)
         for row in range(len(self._model.rows)):
             self.setRowHidden(row, row not in self._visible)
         return self._visible != before or self.is_hidden(self.currentIndex())
 
     def is_hidden(self, index: QModelIndex) -> bool:
-        """Return whether a cell is not visible, or does not exist."""
+        """True if a cell is hidden or invalid."""
         return not index.isValid() or index.row() not in self._visible
 
     def has_finding(self, key: str) -> bool:
@@ -158,7 +156,7 @@ class ParameterView(QTableView):
 
     @property
     def current_key(self) -> str:
-        """Parameter of the current cell. Empty without a current cell."""
+        """Key of the current parameter. Empty without a current cell."""
         return str(self.currentIndex().data(ParameterRole.KEY) or "")
 
     def indexAt(self, pos: QPoint) -> QModelIndex:  # noqa: N802 # of Qt
@@ -179,7 +177,7 @@ class ParameterView(QTableView):
     def mousePressEvent(self, event: QMouseEvent) -> None:
         super().mousePressEvent(event)
         if self.indexAt(event.position().toPoint()).data(ParameterRole.KEY) is None:
-            self.setCurrentIndex(QModelIndex())  # else keys would edit the cell clicked before
+            self.setCurrentIndex(QModelIndex())  # otherwise keys would edit the previous cell
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         is_editing = self.state() is QAbstractItemView.State.EditingState
@@ -191,8 +189,8 @@ class ParameterView(QTableView):
     def _set_up_menu(self) -> None:
         model, copy = self._model, QKeySequence.StandardKey.Copy
         self._edit = self._action("editParameter", self._start_edit, tr("Edit"))
-        text = tr("Try another &wire value…")
-        self._try = self._action("tryParameter", lambda _key: self.wire_wanted.emit(), text)
+        text, request = tr("Try another &wire value…"), self.wire_value_requested.emit
+        self._try = self._action("tryParameter", lambda _key: request(), text)
         keys, leave_out = "Ctrl+Backspace", title_of(tr("Leave out of the fi&le"))
         self._reset = self._action("resetParameter", model.reset, icon="default", shortcut=keys)
         text = tr("Und&o edit")
@@ -213,23 +211,23 @@ class ParameterView(QTableView):
 
     @property
     def tools(self) -> tuple[QAction, ...]:
-        """Actions that also have a button beside the table."""
+        """Actions that also have buttons beside the table."""
         return self._reset, self._restore
 
     def _action(
         self,
         name: str,
-        act: Callable[[str], None],
+        handler: Callable[[str], None],
         text: str = "",
         *,
         icon: str = "",
         shortcut: QKeySequence.StandardKey | str = "",
     ) -> QAction:
-        """Create an action that calls `act` with the current parameter."""
+        """Create an action that calls `handler` with the current parameter."""
 
         def on_trigger() -> None:
             if self.current_key:
-                act(self.current_key)
+                handler(self.current_key)
 
         context = Qt.ShortcutContext.WidgetShortcut
         return ui.action(
@@ -237,7 +235,7 @@ class ParameterView(QTableView):
         )
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """Open the menu of the cell under the mouse, or of the current cell with the menu key."""
+        """Open the menu of the clicked cell. The menu key opens it for the current cell."""
         index, place = self.indexAt(event.pos()), event.pos()
         if event.reason() is QContextMenuEvent.Reason.Keyboard:
             index = self.currentIndex()
@@ -252,7 +250,7 @@ class ParameterView(QTableView):
             self.update_actions()
 
     def update_actions(self) -> None:
-        """Describe the effect of each action. Disable or hide actions without an effect."""
+        """Update the texts of the actions, and disable or hide actions without an effect."""
         model, key = self._model, self.current_key
         for each in self.tools:
             each.setVisible(bool(key))
@@ -282,6 +280,6 @@ class ParameterView(QTableView):
 
 
 def _value_at(index: QModelIndex) -> QModelIndex:
-    """Return the first value of a name's row. Other cells are returned unchanged."""
+    """Return the first value in the row of a name, or `index` itself for other cells."""
     is_name = index.column() == ParameterColumn.NAME and index.data(ParameterRole.KEY) is not None
     return index.siblingAtColumn(ParameterColumn.MOTOR1) if is_name else index
