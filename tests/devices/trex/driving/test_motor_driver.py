@@ -44,14 +44,14 @@ class MotorsHarness:
 
     def put(self, *setpoints: SetMotor | SetAuxiliary) -> None:
         for setpoint in setpoints:
-            self.motors.take(setpoint, self.now)
+            self.motors.handle_request(setpoint, self.now)
 
     def stop(self) -> None:
-        self.motors.take(Stop(1), self.now)
+        self.motors.handle_request(Stop(1), self.now)
         stop_together([run for run in [self.driver.due_stop()] if run])
 
     def arm(self) -> None:
-        self.motors.take(Arm(), self.now)
+        self.motors.handle_request(Arm(), self.now)
 
     def drive(self, speed: int) -> None:
         self.put(SetMotor(1, Drive.at(speed)))
@@ -173,7 +173,7 @@ def motors() -> MotorOutput:
 
 def passes_setpoints(motors: MotorOutput, now: float) -> bool:
     motors.setpoints.clear()
-    motors.take(SETPOINT, now)
+    motors.handle_request(SETPOINT, now)
     return bool(motors.setpoints)
 
 
@@ -207,7 +207,7 @@ def test_only_a_confirmed_stop_ends_motion(
 def test_every_stop_disarms_and_drops_setpoints(
     motors: MotorOutput, arming: Arming, event: OutputEvent
 ) -> None:
-    motors.take(SETPOINT, 0.0)
+    motors.handle_request(SETPOINT, 0.0)
     motors.arming = arming
     motors.handle(event, 1.0)
     assert not motors.is_armed
@@ -217,12 +217,12 @@ def test_every_stop_disarms_and_drops_setpoints(
 
 def test_unreachable_board_cannot_be_armed(motors: MotorOutput) -> None:
     motors.handle(OutputEvent.NOT_RESPONDING, 0.0)
-    motors.take(Arm(), 1.0)
+    motors.handle_request(Arm(), 1.0)
     assert not motors.is_armed
     assert not passes_setpoints(motors, 1.0)
     motors.handle(OutputEvent.BOARD_READ, 2.0)
     assert not passes_setpoints(motors, 2.0)
-    motors.take(Arm(), 3.0)
+    motors.handle_request(Arm(), 3.0)
     assert passes_setpoints(motors, 3.0)
 
 
@@ -234,27 +234,27 @@ def has_timed_out(motors: MotorOutput, now: float) -> bool:
 
 
 def test_late_heartbeat_does_not_hide_timeout(motors: MotorOutput) -> None:
-    motors.take(Arm(), 10.0)
+    motors.handle_request(Arm(), 10.0)
     now = 10.0 + HEARTBEAT + 0.5
-    motors.take(Heartbeat(now), now)  # the window goes on before the line has looked
-    motors.take(SETPOINT, now)  # and so does a slider that is dragged
+    motors.handle_request(Heartbeat(now), now)  # the window goes on before the line has looked
+    motors.handle_request(SETPOINT, now)  # and so does a slider that is dragged
     assert has_timed_out(motors, now)
 
 
 def test_timestamped_heartbeats_prevent_false_timeout(motors: MotorOutput) -> None:
-    motors.take(Arm(), 10.0)
+    motors.handle_request(Arm(), 10.0)
     now = 10.0 + 3 * HEARTBEAT
     for number in range(1, 12):
-        motors.take(Heartbeat(10.0 + number * HEARTBEAT / 4), now)
-        motors.take(Heartbeat(), now)
+        motors.handle_request(Heartbeat(10.0 + number * HEARTBEAT / 4), now)
+        motors.handle_request(Heartbeat(), now)
     assert not has_timed_out(motors, now)
 
 
 def test_arming_again_clears_heartbeat_timeout(motors: MotorOutput) -> None:
-    motors.take(Arm(), 10.0)
+    motors.handle_request(Arm(), 10.0)
     now = 10.0 + 2 * HEARTBEAT
     assert has_timed_out(motors, now)
-    motors.take(Arm(), now)
+    motors.handle_request(Arm(), now)
     assert not has_timed_out(motors, now)
 
 
@@ -264,7 +264,7 @@ def test_arming_again_clears_heartbeat_timeout(motors: MotorOutput) -> None:
 def test_unanswered_stop_is_repeated_only_if_driven(motors: MotorOutput) -> None:
     motors.record_stop(1.0, (), confirmed=False, final=False)
     assert motors.seconds_to_stop_retry(1.0) == math.inf
-    motors.take(SETPOINT, 2.0)
+    motors.handle_request(SETPOINT, 2.0)
     motors.pop_setpoints(2.0)
     motors.record_stop(3.0, (), confirmed=False, final=False)
     assert motors.seconds_to_stop_retry(3.0) < math.inf

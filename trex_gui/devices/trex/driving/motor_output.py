@@ -164,7 +164,7 @@ class MotorOutput:
 
     # --- Requests -----------------------------------------------------------------------
 
-    def take(self, request: MotorRequest, now: float) -> None:
+    def handle_request(self, request: MotorRequest, now: float) -> None:
         """Handle a request. Drop setpoints while `arming` forbids them."""
         match request:
             case Stop():

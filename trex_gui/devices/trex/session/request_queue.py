@@ -38,7 +38,7 @@ class BoardQueue:
         """
         match request:
             case Stop():
-                self.output.take(request, self._clock())
+                self.output.handle_request(request, self._clock())
                 self._reject_motor_commands()
             case SetReconnectCandidates(settings=settings):
                 self._liveness.expect(settings)
@@ -47,7 +47,7 @@ class BoardQueue:
             case _ if isinstance(request, Job):
                 self.jobs.append(request)
             case _ if isinstance(request, Heartbeat) or not is_closing:
-                self.output.take(request, self._clock())
+                self.output.handle_request(request, self._clock())
 
     def _reject_motor_commands(self) -> None:
         for job in list(self.jobs):
