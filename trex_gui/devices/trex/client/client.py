@@ -71,8 +71,6 @@ class Counters:
 
 @dataclass(slots=True)
 class _Wire:
-    """State of a line that several boards share."""
-
     free_at: float  # time when all sent bytes have left the port
     is_unanswered: bool = False  # True if the reply to the last request is missing
     unanswered: int = 0  # missing replies since the last reply that was matched to its request
@@ -98,7 +96,6 @@ class TrexClient:
         self._stop_sequence: tuple[ConnectionSettings, bool, str, StopSequence] | None = None
 
     def to_board(self, settings: ConnectionSettings) -> "TrexClient":
-        """Return the client of another board on the same line."""
         return TrexClient(self.transport, settings, echo=self.echo, wire=self._wire)
 
     def request(self, command: Command[ReplyT_co]) -> ReplyT_co:
@@ -127,9 +124,7 @@ class TrexClient:
         return reply
 
     def send_packet(self, packet: Packet | Malformed) -> Reply[object]:
-        """Send bytes that a user typed, and return the reply.
-
-        If the bytes are no packet, the reply is all received bytes, and its value is `None`.
+        """Send typed bytes and return the reply, or all received bytes if they are no packet.
 
         Raises:
             NoReply, BadReply: as for `request`.
@@ -200,7 +195,6 @@ class TrexClient:
         self.counters.unsolicited += len(late)
 
     def send(self, command: Command[None]) -> None:
-        """Send a command without a reply. Discard its echo."""
         packet = self.settings.framing.encode(command)
         self.drain()
         self.counters.requests += 1
@@ -212,7 +206,7 @@ class TrexClient:
     def detect_echo(self, before: Callable[[], None] | None = None) -> bool:
         """Detect with null commands if sent bytes come back. Set and return `echo`.
 
-        `before` is called before each null command, so that a stop can be sent first.
+        `before` is called before each null command.
 
         Raises:
             BadReply: unsolicited bytes arrive without end, so the device is no TReX.
@@ -244,10 +238,7 @@ class TrexClient:
         return late.removesuffix(self._null) if self.echo and self.keepalive_while_waiting else late
 
     def _reject_late_reply(self, reply: bytes) -> None:
-        """Raise `BadReply` if more bytes follow: then `reply` belongs to an earlier request.
-
-        An adapter or the system may deliver several delayed replies together.
-        """
+        """Raise `BadReply` if more bytes follow: `reply` belongs to an earlier request."""
         more = self.transport.read(1, self.transport.latency)
         if more:
             more += self.transport.read(
@@ -265,10 +256,7 @@ class TrexClient:
         return self.transport.read(len(packet), seconds)
 
     def stop_sequence(self, board: str) -> StopSequence:
-        """Return the sequence with which the guardian stops the motors.
-
-        `board`: name of the board in messages.
-        """
+        """Return the packets for the guardian. `board`: name of the board in messages."""
         known = self._stop_sequence
         if known is None or known[:3] != (self.settings, self.echo, board):
             framing, line = self.settings.framing, self.settings.line

@@ -58,8 +58,6 @@ _DISAGREEMENTS = 3  # consecutive differing readings after which a value counts 
 
 @dataclass(frozen=True, slots=True)
 class DeviceState:
-    """Stored settings and mode of a board when they were last read."""
-
     signature: Signature
     mode: Mode
     serial_controls: bool
@@ -84,15 +82,10 @@ class DeviceState:
 
     @property
     def source(self) -> InputSource:
-        """Active input source, to which `calibrations` belong."""
         return self.mode.source
 
     def active_parameters(self, connection: ConnectionSettings | None) -> dict[str, int]:
-        """Return known active wire values of parameters that need a power cycle.
-
-        The UART settings follow from the connection, the input source from the mode. Stored values
-        may differ until the next power cycle.
-        """
+        """Return known active wire values of parameters that need a power cycle."""
         active: dict[str, int] = {}
         if connection is not None:
             active[ParameterKey.UART_SETTINGS] = connection.line.to_wire()
@@ -118,8 +111,7 @@ def other_board(
 ) -> Signature | None:
     """Return the signature of the replying board if signature or device number differ.
 
-    Queries twice, because a corrupted reply can look like another model or number. A `number` of
-    `None` is not compared.
+    Queries twice, because a corrupted reply can look like another model or number.
 
     Raises:
         NoReply, BadReply: as for `query`.
@@ -135,9 +127,8 @@ def other_board(
 def board_at(client: TrexClient, number: int, *, attempts: int = 1) -> Signature | None:
     """Return the signature of the board with a device number. `None` without a reply.
 
-    The board must also report this number: a reply to another master does not count. No values and
-    no latched bits change. Reserved numbers are not queried. `client.counters` are not changed,
-    since a number without a board is no fault of the line.
+    The board must also report this number: a reply to another master does not count. Reserved
+    numbers are not queried. A missing reply is not counted as a fault of the line.
 
     Raises:
         BadReply: a reply is unreadable, from several boards or a line that corrupts bytes.
@@ -220,9 +211,9 @@ def agreed(
 ) -> ReplyT_co:
     """Read a stored value until two consecutive readings are equal. With a CRC, read it once.
 
-    Without a CRC, corruption is undetected, and one corrupted byte can damage two replies: it turns
-    the request into a request with a longer reply, whose rest is taken for the next reply. So a
-    different query separates two readings. `earlier` is the first reading.
+    One corrupted byte can damage two replies: it turns the request into a request with a longer
+    reply, whose rest is taken for the next reply. So a different query separates two readings.
+    `earlier`: the first reading.
 
     Raises:
         BadReply: three consecutive readings differ from the previous reading.
@@ -255,8 +246,8 @@ def read_everything(
 ) -> DeviceState:
     """Read signature, mode, parameters and the calibrations of the active input source.
 
-    Without a CRC everything is read in two passes, since interference often lasts longer than one
-    transaction. If the board falls silent, reading is retried once from the start.
+    Without a CRC, everything is read in two passes, since interference often lasts longer than one
+    transaction. After a missing reply, reading is retried once.
 
     Raises:
         NoReply: the board does not reply.

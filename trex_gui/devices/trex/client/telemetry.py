@@ -81,16 +81,12 @@ class LatchedStatus(Sample):
 
     @property
     def has_line_error(self) -> bool:
-        """True if the line has corrupted bytes. A timeout does not count.
-
-        An announced error without a known kind counts: reading its kind failed.
-        """
-        is_unread = Status.UART_ERROR in self.status and not self.uart
+        """True if the line has corrupted bytes. A timeout does not count."""
+        is_unread = Status.UART_ERROR in self.status and not self.uart  # reading its kind failed
         return is_unread or bool(self.uart & ~UartError.TIMEOUT)
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names of the bits, in English."""
         return (*bit_names(self.status), *bit_names(self.uart))
 
     def stops_motors(self, *, on_error: bool = False) -> bool:
@@ -114,8 +110,6 @@ SampleT = TypeVar("SampleT", bound=Sample)
 
 @dataclass(slots=True)
 class Newest:
-    """Newest sample of each polled value."""
-
     samples: dict[type[Sample], Any] = field(default_factory=dict)
 
     def __copy__(self) -> Self:

@@ -136,7 +136,6 @@ def write_all(
 
 
 def after_writing(state: DeviceState, results: Sequence[WriteResult]) -> DeviceState:
-    """Return `state` updated with the values that were read back."""
     parameters, calibrations = dict(state.parameters), dict(state.calibrations)
     learned = set(channels_in(state.calibrated))
     for result in results:
@@ -153,8 +152,6 @@ def after_writing(state: DeviceState, results: Sequence[WriteResult]) -> DeviceS
 
 
 class _Route(Enum):
-    """Order in which serial settings are written. See `write_all` for the reasons."""
-
     POLYNOMIAL_FIRST = auto()
     LINE_FIRST = auto()
     VIA_DEFAULT = auto()
@@ -273,7 +270,6 @@ class _Work:
             return False
 
     def _restore_all_but_unknown(self, before: DeviceState) -> StudioError | None:
-        """Restore changed settings except `unknown`. Return the error of a failure."""
         after = after_writing(before, [result for result in self.results if result.error is None])
         wanted: dict[str, int | Calibration] = {**after.parameters}
         for channel, calibration in after.calibrations.items():
@@ -311,7 +307,6 @@ class _Work:
     def _restore(
         self, wanted: Mapping[str, int | Calibration]
     ) -> tuple[StudioError | None, list[str]]:
-        """Write values that differ from `wanted`. Return the last error and the failed keys."""
         last: StudioError | None = None
         keys: list[str] = []
         for key, value in wanted.items():
@@ -340,7 +335,6 @@ class _Work:
         return self.specs[key].name
 
     def store_serial(self, serial: list[tuple[str, int]]) -> None:
-        """Store line settings and polynomial in the order that `write_all` describes."""
         self._check_cancelled()
         route = _Route.POLYNOMIAL_FIRST
         if self.fatal_error is None and len(dict(serial)) == 2:

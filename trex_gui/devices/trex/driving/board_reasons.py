@@ -73,12 +73,8 @@ def board_reasons(now: BoardInputs) -> tuple[Reason, ...]:
 
 
 def held_by_safe_start(now: BoardInputs) -> tuple[Reason, ...]:
-    """Return the reasons why safe-start may hold the motors, with channels in control.
-
-    Safe-start certainly holds the motors while a required signal is missing, and (inferred) while
-    channel 5 requests an override that is not granted.
-    """
-    certain = {DriveBlocker.CHANNEL_SILENT, DriveBlocker.OVERRIDE_AT_START}
+    """Return the reasons why safe-start may hold the motors, with channels in control."""
+    certain = {DriveBlocker.CHANNEL_SILENT, DriveBlocker.OVERRIDE_AT_START}  # second: inferred
     if not now.is_held and not any(reason.blocker in certain for reason in now.safe_start):
         return ()
     return now.safe_start or (Reason(DriveBlocker.SAFE_START),)
@@ -98,8 +94,7 @@ def safe_start_reasons(
     neutral, and channel 5 does not override. Ref: TReX Jr User's Guide 4.e. The distance from
     neutral and the threshold of channel 5 are inferred.
 
-    `curves`: known stored curves by channel. `raw`: counts of channels 1-5. `required`: the mask
-    Required Channels.
+    `curves`: stored curves by channel. `raw`: counts of channels 1-5. `required`: channel mask.
     """
     counts = dict(zip(CHANNELS, raw, strict=True))
     reasons = [

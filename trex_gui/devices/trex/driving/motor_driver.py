@@ -107,7 +107,6 @@ class MotorDriver:
         stops: Sequence[Stop] = (),
         end: Callable[[bool], None] = lambda _: None,
     ) -> StopRun:
-        """Return a stop with `_CAREFUL_ROUNDS` if it is careful, or final on a bad line."""
         self.output.retry.clear()
         self.output.refresh.clear()  # a late reply must not let a refresh drive the motors
         is_careful = is_careful or (is_final and not self._is_quiet())
@@ -162,7 +161,7 @@ class MotorDriver:
         return self._stop(_ATTEMPTS, is_final=True, is_careful=careful)
 
     def takeover_stop(self) -> StopRun:
-        """Return the stop after the guardian has used the line. See `LineQuality.is_shared`."""
+        """Return the stop after the guardian has used the line."""
         self._is_quiet()
         self.output.quality.is_shared = False
         return self.final_stop()
@@ -265,24 +264,19 @@ class MotorDriver:
         )
 
     def seconds_to_drive(self) -> float:
-        """Return the seconds until motor packets are due."""
         self._is_quiet()
         return self.output.seconds_to_drive(self._now(), self._interval)
 
     @property
     def _interval(self) -> float:
-        """Seconds between motor packets, which occupy at most half of the line's time."""
         return max(DRIVE_INTERVAL, 2 * self.client.settings.line.seconds(_LONGEST_DRIVE))
 
     def avoids_risky_polls(self) -> bool:
-        """True if queries must be avoided that one damaged bit turns into a motor command."""
+        """True if a damaged query could become a motor command that drives a motor."""
         return (self.output.may_move or self.output.is_armed) and not self._is_quiet()
 
     def _refresh(self, *, is_waiting: bool = False) -> None:
-        """Send every setpoint again. Omit speeds if the board may have stopped its motors.
-
-        `is_waiting`: a reply is still awaited, so no status can be read.
-        """
+        """Refresh every setpoint. `is_waiting`: a reply is awaited, so no status can be read."""
         refresh = self.output.refresh
         self.output.record_refresh()
         for command in refresh.idle_commands():
@@ -304,10 +298,7 @@ class MotorDriver:
         refresh.record_sent(self._now())
 
     def refresh_while_waiting(self, waited: float) -> float:
-        """Refresh due setpoints once only the adapter can delay a reply.
-
-        `waited`: seconds since the request was sent. Return the seconds to the next call.
-        """
+        """Refresh due setpoints while a reply is late. Return the seconds to the next call."""
         reply = self.client.settings.line.seconds(LONGEST_REPLY) + BOARD_DELAY - waited
         seconds = max(reply, self.output.refresh_due(self._interval) - self._now())
         if self.client.echo:

@@ -145,7 +145,6 @@ class MotorOutput:
         return self.motion is not Motion.STOPPED
 
     def handle(self, event: OutputEvent, now: float) -> None:
-        """Apply the transition tables to an event and perform their actions."""
         self.arming, actions = _ARMING.get((self.arming, event), (self.arming, ()))
         self.motion, more = _MOTION.get((self.motion, event), (self.motion, ()))
         for action in (*actions, *more):
@@ -180,10 +179,7 @@ class MotorOutput:
                     self.setpoints.put(request)
 
     def _record_heartbeat(self, at: float) -> None:
-        """Record a heartbeat before the timeout.
-
-        After the computer was suspended, a late heartbeat must not hide the timeout.
-        """
+        # After the computer was suspended, a late heartbeat must not hide the timeout.
         if at - self._heartbeat_at <= self._timeouts.heartbeat:
             self._heartbeat_at = max(self._heartbeat_at, at)
 
@@ -209,7 +205,6 @@ class MotorOutput:
         return max(due, self._sent_at + interval) - now
 
     def refresh_due(self, interval: float) -> float:
-        """Return the time of the next refresh, on the line's clock."""
         due = math.inf
         if self.arming is not Arming.UNREACHABLE:
             due = self.refresh.due(interval, armed=self.is_armed)
@@ -223,7 +218,7 @@ class MotorOutput:
             self.report(CommandsRepeated())
 
     def pop_setpoints(self, now: float) -> list[Setpoint]:
-        """Return queued setpoints, or else due retries. Record them as sent."""
+        """Return queued setpoints, or else due retries, and record them as sent."""
         self._sent_at = now
         if setpoints := self.setpoints.pop():
             self.retry.start(setpoints, now)
@@ -244,13 +239,11 @@ class MotorOutput:
     # --- Stops and their outcomes -------------------------------------------------------
 
     def pop_stops(self) -> list[Stop]:
-        """Return all stops without an outcome, and clear the queue."""
         stops = self._noisy_stops + self.stops
         self._noisy_stops, self.stops = [], []
         return stops
 
     def put_back(self, stops: Sequence[Stop]) -> None:
-        """Requeue stops before newer stops."""
         self.stops[:0] = stops
 
     def record_stop(
@@ -258,8 +251,8 @@ class MotorOutput:
     ) -> None:
         """Record the result of a stop, after which all setpoints are idle.
 
-        `statuses`: statuses with latched bits since its first packet. `confirmed`: True if enough
-        clean statuses followed. `final`: True if the stop does not wait for a quiet line.
+        `confirmed`: True if enough clean statuses followed. `final`: True if the stop does not
+        wait for a quiet line.
         """
         self._sent_at = self._stopped_at = now
         was_driven = self.may_move

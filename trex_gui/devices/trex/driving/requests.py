@@ -37,7 +37,7 @@ class SetAuxiliary:
 class Stop:
     """Stop all motors before anything else is sent. Its `Outcome` is the confirmation.
 
-    Until the next `Arm`, setpoints are dropped and other motor commands are rejected.
+    Setpoints are dropped until the next `Arm`.
     """
 
     id: int
@@ -47,8 +47,8 @@ class Stop:
 class Arm:
     """Arm the motors until the next `Stop`. This request has no outcome.
 
-    Meanwhile, polls prevent the board's serial timeout. Without a `Heartbeat` or a setpoint for
-    `Timeouts.heartbeat` seconds, the motors are stopped and `MotorsStopped` is reported.
+    Without a `Heartbeat` or a setpoint for `Timeouts.heartbeat` seconds, the motors are stopped
+    and `MotorsStopped` is reported.
     """
 
     selection: int = 0  # `Connected.selection` of the intended board; ignored by other boards
@@ -91,14 +91,13 @@ def setpoints_in(request: SetpointRequest) -> Sequence[Setpoint]:
 
 
 def is_idle(setpoint: Setpoint) -> bool:
-    """True if a setpoint brings its motor to rest."""
     if isinstance(setpoint, SetAuxiliary):
         return not setpoint.speed
     return setpoint.drive.is_brake or not setpoint.drive.signed
 
 
 def packets(setpoints: Sequence[Setpoint]) -> list[Command[None]]:
-    """Return the commands for these setpoints. A setpoint of each motor makes one packet."""
+    """Return the fewest commands for these setpoints."""
     motors = [setpoint for setpoint in setpoints if isinstance(setpoint, SetMotor)]
     commands: list[Command[None]] = []
     if len(motors) == 2 and motors[0].accelerate == motors[1].accelerate:

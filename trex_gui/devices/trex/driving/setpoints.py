@@ -52,13 +52,11 @@ class SetpointSlots:
         return bool(self._by_motor)
 
     def pop(self) -> list[Setpoint]:
-        """Return the queued setpoints in motor order, and clear the queue."""
         setpoints = [self._by_motor[motor] for motor in sorted(self._by_motor)]
         self.clear()
         return setpoints
 
     def put_back(self, setpoints: Sequence[Setpoint]) -> None:
-        """Requeue setpoints. Newer setpoints of a motor take precedence."""
         self.put(*setpoints, *self.pop())
 
 
@@ -81,7 +79,6 @@ class SetpointRetry:
         self._schedule(slots.pop(), now)
 
     def pop_due(self, now: float) -> list[Setpoint]:
-        """Return the unconfirmed setpoints, and schedule the next retry."""
         setpoints = self._unconfirmed
         self._repeated += 1
         self._schedule(setpoints, now)
@@ -101,10 +98,9 @@ class SetpointRetry:
         self._sent_since_status = True
 
     def record_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
-        """Confirm the setpoints, or schedule a retry at once after an error.
+        """Confirm the setpoints, or retry at once after an error.
 
-        Motors that the board has stopped are not restarted. `stops_on_error`: the board stops its
-        motors on a UART error.
+        Motors that the board has stopped are not restarted.
         """
         if not self._unconfirmed:
             return
@@ -169,7 +165,6 @@ class LineQuality:
         return self.is_quiet_for(QUIET)
 
     def is_quiet_for(self, replies: int) -> bool:
-        """True with a CRC, or after this number of undamaged replies."""
         if self._has_crc or self._damaged_at is None:
             return True
         return self.answers - self._damaged_at >= replies
@@ -243,7 +238,7 @@ class SetpointRefresh:
 
         A packet for both motors is one bit away from a packet for the auxiliary motor, so each
         motor gets its own packet. The auxiliary motor gets a packet only if damage may have started
-        it. Otherwise damage to its speed would be more dangerous than no packet.
+        it, since damage to its speed is dangerous.
         """
         motors = (self._setpoints.get(motor, SetMotor(motor, Drive.brake())) for motor in (1, 2))
         idle = [setpoint for setpoint in motors if is_idle(setpoint)]
@@ -268,12 +263,10 @@ class SetpointRefresh:
         return [setpoint for setpoint in self._setpoints.values() if not is_idle(setpoint)]
 
     def _record_auxiliary_risk(self) -> None:
-        """Record that damage to a packet may have started the auxiliary motor."""
         self._auxiliary_at_risk = True
         self._answers_since = None
 
     def _watch_auxiliary(self) -> None:
-        """Clear the risk after `QUIET` undamaged replies."""
         if self._answers_since is None:
             self._answers_since = self._quality.answers
         if self._quality.answers - self._answers_since >= QUIET:

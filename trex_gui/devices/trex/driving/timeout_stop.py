@@ -45,7 +45,6 @@ class TimeoutTrial:
 
 
 def timeout_stop(parameters: Mapping[str, int], trial: TimeoutTrial | None = None) -> TimeoutStop:
-    """Return the expected effect for stored wire values."""
     if not parameters.get(_TIMEOUT):
         return TimeoutStop.OFF
     shutdown = bool(parameters.get(_SHUTDOWN, 0) & 1)  # a mask on the twin, bit 0 for the line

@@ -26,7 +26,6 @@ class Wheel:
     is_reversed: bool = False  # True if the motor runs backward to move the robot forward
 
     def turned(self, drive: Drive | None) -> Drive | None:
-        """Return the setpoint of the motor for a setpoint of its side."""
         if drive is None or drive.is_brake or not self.is_reversed:
             return drive
         return Drive.at(-drive.signed)

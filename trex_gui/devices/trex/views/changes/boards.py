@@ -98,7 +98,7 @@ class ApplyToSeveral(QObject):
         return item
 
     def _set_checkable(self, item: QTableWidgetItem, plan: BoardPlan) -> None:
-        """Show a checked box for a board with changes. A box that the user cleared stays."""
+        """Show a check box for a board with changes, checked at first."""
         checkable, role = Qt.ItemFlag.ItemIsUserCheckable, Qt.ItemDataRole.CheckStateRole
         if plan.step is not BoardStep.REVIEWED or not plan.to_write:
             item.setFlags(item.flags() & ~checkable)
@@ -140,7 +140,6 @@ class ApplyToSeveral(QObject):
         self.dialog.question.prompt_before(lambda: self.work.write(self._selected()), self._doubts)
 
     def _doubts(self) -> list[str]:
-        """Return texts of values whose limits are unconfirmed, for the selected boards."""
         if not self.dialog.action.isEnabled():
             return []
         selected = self._selected()
@@ -158,7 +157,6 @@ class ApplyToSeveral(QObject):
             self.dialog.fit()
 
     def _report(self, steps: list[BoardStep], written: int) -> None:
-        """Report written and omitted boards in the dialog, or in the window after closing."""
         left_out = [plan for plan in self.work.plans if plan.step in _LEFT_OUT]
         texts = []
         if self.work.was_stopped:
@@ -178,7 +176,6 @@ class ApplyToSeveral(QObject):
 
 
 def _texts(plan: BoardPlan) -> tuple[str, str]:
-    """Return texts for the number of changes and the progress of a board."""
     changes = ""
     if plan.changes is not None:
         changes = tr("%n setting(s)", "", plan.to_write) if plan.to_write else tr("none")

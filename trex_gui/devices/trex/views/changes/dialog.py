@@ -41,8 +41,6 @@ class Names(NamedTuple):
 
 @dataclass(frozen=True, slots=True)
 class Changes:
-    """Content of the dialog."""
-
     heading: str  # planned action or its result
     has_failed: bool = False
     caption: str = ""
@@ -78,11 +76,7 @@ class Question(InlinePrompt):
 
 
 class ChangesDialog(ReusedDialog):
-    """Table of changes with a primary button. Not modal, with its own stop button.
-
-    The owner describes the content when the dialog opens, when a row is checked or cleared, and
-    when a signal in `follows` is emitted.
-    """
+    """Table of changes with a primary button. Not modal, with its own stop button."""
 
     def __init__(
         self,
@@ -95,10 +89,11 @@ class ChangesDialog(ReusedDialog):
         follows: Sequence[SignalInstance] = (),
         above: QWidget | None = None,
     ) -> None:
-        """Create the dialog for the `parent` window.
+        """`describe` returns the content, or `None` to close the dialog.
 
-        `describe` returns `None` to close the dialog. `act` is called with the checked rows when
-        the primary button is pressed. `above`: widget above the rows.
+        It is called when the dialog opens, when a row is checked or cleared, and when a signal in
+        `follows` is emitted. The primary button calls `act` with the checked rows. `above`: widget
+        above the rows.
         """
         super().__init__(parent)
         prefix = names.prefix
@@ -171,7 +166,6 @@ class ChangesDialog(ReusedDialog):
         return self.rows.table.ticked
 
     def open_anew(self) -> None:
-        """Open the dialog with every row checked."""
         self.rows.show_nothing()
         self.refresh()
         self.show_in_front()
@@ -245,7 +239,6 @@ class ChangesDialog(ReusedDialog):
         self._move_to(place)
 
     def fit(self) -> None:
-        """Grow to the height of the content. Never shrink."""
         self._findings_area.updateGeometry()
         self._all.activate()
         place = self.geometry()

@@ -112,7 +112,6 @@ def load_dialog(
 
 
 def _missing(comparison: Comparison) -> Iterator[str]:
-    """Yield a sentence about settings that are missing in the file, if any."""
     if missing := [row.name for row in comparison.rows if row.is_missing]:
         names = ", ".join(missing[:_NAMED])
         if len(missing) > _NAMED:
@@ -196,7 +195,6 @@ def show_conversion(
     parent: QWidget,
     on_converted: Callable[[SettingsDocument], object],
 ) -> None:
-    """Open a dialog that converts a document for another board."""
     boards = [(m, firmware) for m in device_table().models for firmware in m.firmware[::-1]]
     text = tr("{0}, firmware {1}")
     items = [(text.format(board.name, firmware), (board, firmware)) for board, firmware in boards]

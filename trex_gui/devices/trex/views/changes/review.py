@@ -35,8 +35,6 @@ class _Phase(Enum):
 
 
 class Review(QObject):
-    """Shows the edits until they are written, then the outcome of each value."""
-
     def __init__(
         self, device: Device, linter: BoardLinter, boards: BoardList, parent: QWidget
     ) -> None:
@@ -86,7 +84,6 @@ class Review(QObject):
 
     @Slot()
     def review(self) -> None:
-        """Show the changes that Apply will write, or the progress of writing."""
         if self._staged != self._undo.index():
             self._title = ""
         self._open()
@@ -136,7 +133,6 @@ class Review(QObject):
 
     @property
     def _is_cancellable(self) -> bool:
-        """True if a write was requested, but nothing is written yet."""
         return self._phase is _Phase.WRITING and self._device.writer.is_saving_snapshot
 
     def _on_write_clicked(self, rows: Rows) -> None:
@@ -144,7 +140,6 @@ class Review(QObject):
             self.dialog.question.prompt_before(partial(self._write_rows, rows), self._doubts)
 
     def _doubts(self) -> list[str]:
-        """Return texts of checked values whose limits are unconfirmed."""
         if self._phase is not _Phase.REVIEW or not self._can_write:
             return []
         return self._device.parameters.values.doubtful(self.dialog.ticked)
@@ -321,7 +316,6 @@ class Review(QObject):
         return tr("Writing. Leave the power on.")
 
     def _obstacle(self) -> str:
-        """Return the reason why nothing can be written. Empty without an obstacle."""
         if not self._device.is_connected:
             return tr("No board is responding. The edits are kept.")
         if self._device.draft.reset_pending:
@@ -364,7 +358,6 @@ class Review(QObject):
 
 
 def _outcomes(results: Iterable[WriteResult]) -> Iterator[str]:
-    """Yield the text of each result. Empty for stored values."""
     occurred: StudioError | None = None
     for result in results:
         if result.error is None:

@@ -81,8 +81,6 @@ class CurrentsPanel(TracePanel):
 
 
 class PlotWindow(QMainWindow):
-    """Plot of currents in a window of its own, with separate plot settings."""
-
     _KEY = "plot_window"
 
     def __init__(self, device: Device) -> None:

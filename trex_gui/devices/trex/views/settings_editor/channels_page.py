@@ -20,8 +20,6 @@ from trex_gui.ui.widgets.labels import ElidedLabel
 
 
 class DocumentChannels(PlotPage):
-    """Five channels, and the calibration of the selected channel, if the file has one."""
-
     def __init__(self, draft: SettingsDraft, linter: SettingsLinter, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("editorChannelsPage")

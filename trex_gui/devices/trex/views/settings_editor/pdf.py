@@ -38,7 +38,6 @@ def settings_document(settings: Settings, name: str, remarks: Iterable[str] = ()
 
 
 def settings_html(settings: Settings, name: str, remarks: Iterable[str] = ()) -> str:
-    """Return HTML that a `QTextDocument` can lay out."""
     board = settings.product.name
     if settings.firmware is not None:
         board = tr("{0}, firmware {1}").format(board, settings.firmware)
@@ -100,7 +99,6 @@ def _calibrations(settings: Settings) -> str:
 
 
 def _rows_of_note(settings: Settings, key: str, columns: int) -> list[str]:
-    """Return a row with the note on a setting. Empty without a note."""
     note = settings.notes.get(key, "")
     text = escape(tr("Note: {0}").format(note)).replace("\n", "<br>")
     return [f'<tr><td colspan="{columns}"><i>{text}</i></td></tr>'] if note else []
@@ -112,7 +110,6 @@ def _row(cells: Iterable[str], *, bold: bool = False) -> str:
 
 
 def _table(titles: Mapping[str, int], rows: Iterable[str]) -> str:
-    """Return a table with titles on each page. `titles`: title → width in per cent."""
     head = "".join(
         f'<th align="left" width="{width}%">{escape(title)}</th>' for title, width in titles.items()
     )

@@ -46,8 +46,6 @@ def _common_start(one: list[str], other: list[str]) -> int:
 
 
 class TextPage(QWidget):
-    """Text of the document, which can be edited while it has errors."""
-
     checked = Signal()  # the text was read again
     repaired = Signal(object)  # tuple with a text for each repair, empty without repairs
 
@@ -168,8 +166,6 @@ class TextPage(QWidget):
 
 
 class NumberedText(QPlainTextEdit):
-    """Plain text with line numbers from 1, and signs beside marked lines."""
-
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._marked: dict[int, str] = {}
@@ -192,7 +188,6 @@ class NumberedText(QPlainTextEdit):
         return self.document().toRawText().split("\u2029")
 
     def mark(self, lines: Mapping[int, str]) -> None:
-        """Show signs, such as `error`, beside lines."""
         self._marked = dict(lines)
         self._numbers.update()
 
@@ -210,7 +205,6 @@ class NumberedText(QPlainTextEdit):
         self.setExtraSelections([highlight])
 
     def paint_numbers(self, painter: QPainter, visible: QRect) -> None:
-        """Paint the visible line numbers, with signs on the left."""
         painter.fillRect(visible, theme().color("window"))
         height = self.fontMetrics().height()
         block = self.firstVisibleBlock()

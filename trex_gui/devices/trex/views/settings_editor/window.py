@@ -37,8 +37,6 @@ _TOOL_BAR = ("new", "open", "save", SEPARATOR, "undo", "redo", SEPARATOR, "send"
 
 
 class SettingsEditor(QMainWindow):
-    """Window with the pages of one document, which the window owns."""
-
     send_requested = Signal()  # the user requests to load the settings into the board
     new_requested = Signal()
     open_requested = Signal()
@@ -207,7 +205,6 @@ class SettingsEditor(QMainWindow):
         )
 
     def compare_with_board(self) -> None:
-        """Compare with the settings of the board, including edits."""
         draft = self._device.draft
         self._compare(lambda: draft.shown, tr("Board, as shown"), draft.pending_changed)
 

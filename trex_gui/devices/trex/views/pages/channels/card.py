@@ -27,8 +27,6 @@ _SOURCES = (InputSource.RC, InputSource.ANALOG)
 
 
 class ChannelCard(Card):
-    """One calibration and the options of its channel. Edits go to the draft."""
-
     source_chosen = Signal(object)  # `InputSource` of the tab that the user opened
     released = Signal()  # the user released a handle of the curve
     rejected = Signal(str)  # reason why an edit was rejected, for the user
@@ -94,7 +92,6 @@ class ChannelCard(Card):
         *,
         editable: bool,
     ) -> None:
-        """Show a calibration and the curves before and after the edits."""
         channel, name = key.channel, tr(CHANNEL_NAMES[key.channel])
         self._key, self._before, self._editable = key, before, editable
         self._title.setText(f"{channel}  {name}")

@@ -59,7 +59,6 @@ class CalibrationFields(QWidget):
     def show_calibration(
         self, source: InputSource, calibration: Calibration | None, *, editable: bool
     ) -> None:
-        """Show a calibration. `None`: unknown."""
         self._source = source
         self._calibration = calibration
         for field, editor in self._editors.items():
@@ -146,7 +145,6 @@ class ChannelOptions(QWidget):
         self._refresh()
 
     def curve(self, channel: int, calibration: Calibration | None) -> ChannelCurve | None:
-        """Return the curve of a calibration after Apply."""
         if calibration is None:
             return None
         return ChannelCurve(
@@ -191,8 +189,6 @@ class ChannelOptions(QWidget):
 
 
 class OtherSource(QWidget):
-    """Instructions and buttons for switching to the other input source."""
-
     power_cycle_requested = Signal()
 
     def __init__(self, device: Device, parent: QWidget | None = None) -> None:

@@ -25,16 +25,12 @@ _EDGES = (Handle.DEADBAND_LOW, Handle.DEADBAND_HIGH)
 
 @dataclass(frozen=True, slots=True)
 class Threshold:
-    """Threshold of a switch channel."""
-
     x: float  # pixels
     above: bool  # True if the switch is on to the right of the threshold
     text: str
 
 
 class HandleLayer(QGraphicsObject):
-    """Three handles with grips at the top, and two deadband handles with grips at the bottom."""
-
     dragged = Signal(float)  # new x of the held handle in pixels
     released = Signal()  # the held handle was released, even if it was not moved
 

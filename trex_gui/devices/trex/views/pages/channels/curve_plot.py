@@ -106,7 +106,6 @@ class CurvePlot(Painted):
 
     @property
     def curve(self) -> ChannelCurve | None:
-        """Preview while a handle is held, otherwise the curve after Apply."""
         return self._preview or self._shown
 
     @property
@@ -115,7 +114,6 @@ class CurvePlot(Painted):
         return None if raw is None or curve is None else (raw, curve.output(raw))
 
     def x_of(self, count: float) -> float:
-        """Return the x of a raw count in pixels."""
         return self._canvas.x_of(count)
 
     def sizeHint(self) -> QSize:

@@ -100,12 +100,10 @@ class ChannelsPage(PlotPage):
 
     @property
     def channel(self) -> int:
-        """Selected channel, 1 to 5."""
         return self._strips.channel
 
     @property
     def _is_active(self) -> bool:
-        """True if the board reads the shown input source."""
         return self.source is self._device.calibrations.source
 
     @property
@@ -131,7 +129,6 @@ class ChannelsPage(PlotPage):
 
     @Slot()
     def _refresh(self) -> None:
-        """Show the channel and clear the message about a rejected value."""
         self._rejection = ""
         self._show_channel()
 
@@ -156,7 +153,6 @@ class ChannelsPage(PlotPage):
 
     @Slot()
     def _show_texts(self) -> None:
-        """Show the state of the inputs and the function of the selected channel."""
         device, channel, state = self._device, self.channel, self._device.state
         self._control = device.board.serial_controls
         self._head.show_state(self._state_text())
@@ -274,7 +270,6 @@ class ChannelsPage(PlotPage):
 
     @property
     def _raw(self) -> int | None:
-        """Raw count of the selected channel, if its source is active."""
         return self._device.telemetry.raw_of(self.channel) if self._is_active else None
 
     # --- Edits --------------------------------------------------------------------------
@@ -340,7 +335,6 @@ class ChangeMenu(QMenu):
         return added
 
     def show_channel(self, channel: int, *, editable: bool, edited: bool) -> None:
-        """Set the channel on which the actions work."""
         self._channel = channel
         for change in self.actions():
             change.setEnabled(editable)

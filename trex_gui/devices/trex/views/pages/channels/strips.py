@@ -44,10 +44,7 @@ _RIGHT = Qt.AlignmentFlag.AlignRight
 
 
 class ChannelStrip(QAbstractButton, Spoken):
-    """Selectable strip of a channel. Time runs to the right, counts run upwards.
-
-    Qt stores the points, so that a frame only adds new samples, in about 0.05 ms.
-    """
+    """Selectable strip of a channel. Time runs to the right, counts run upwards."""
 
     spoken_role = QAccessible.Role.RadioButton
 
@@ -72,18 +69,15 @@ class ChannelStrip(QAbstractButton, Spoken):
         theme().changed.connect(self.update)
 
     def set_curve(self, source: InputSource, curve: ChannelCurve | None) -> None:
-        """Set the curve from input to output, and mark its calibration."""
         self._curve = curve
         self.set_scale(source, curve.calibration if curve else None)
 
     def set_scale(self, source: InputSource, calibration: Calibration | None) -> None:
-        """Mark a calibration, and extend the scale to it."""
         self._calibration = calibration
         self._axis = input_axis(source, calibration)
         self.update()
 
     def show_value(self, source: InputSource, raw: int | None) -> None:
-        """Show the value of an input and its output."""
         output = "" if raw is None or self._curve is None else signed_text(self._curve.output(raw))
         value = "" if raw is None else units().ordered(source.text(raw), str(raw))[0]
         self.show_texts(value or tr("no signal"), output, live_text(source, raw, self._curve))
@@ -224,7 +218,7 @@ class ChannelStrips(QWidget):
     chosen = Signal()  # the user selected another channel
 
     def __init__(self, device: Device | None, parent: QWidget) -> None:
-        """`device`: source of live values. `None`: no live values, for a settings file."""
+        """`device`: source of live values, `None` for a settings file."""
         super().__init__(parent)
         named(self, "channelStrips", accessible=tr("Channels"))
         self._device = device

@@ -33,7 +33,6 @@ class CurrentStrip(PlotCanvas):
         return span[1] if span is not None else 0.0
 
     def follow(self) -> None:
-        """Redraw if there are enough new samples."""
         if abs(self._newest() - self._end) >= _STEP:
             self.draw()
 

@@ -79,7 +79,6 @@ class SpeedSlider(PressSlider):
         option.rect = self.rect().adjusted(self._beside(), 0, -self._beside(), 0)
 
     def _y_of(self, value: int, handle: QRect) -> int:
-        """Return the y of the handle's middle at a value."""
         travel = self.height() - handle.height()
         return handle.height() // 2 + QStyle.sliderPositionFromValue(
             self.minimum(), self.maximum(), value, travel, upsideDown=True
@@ -184,8 +183,6 @@ class SpeedEntry(QSpinBox):
 
 
 class DriveControl(ui.Card):
-    """Slider and entry box for the speed of a motor, and its current with the limit."""
-
     speed_requested = Signal(int)  # speed from 0 or -127 to 127
     brake_requested = Signal()
 
@@ -248,7 +245,6 @@ class DriveControl(ui.Card):
             widget.setEnabled(usable)
 
     def set_ceiling(self, ceiling: int) -> None:
-        """Limit the speed in both directions. `ceiling`: 1-127."""
         if ceiling == self.slider.ceiling:
             return
         self.slider.ceiling = ceiling
@@ -260,7 +256,6 @@ class DriveControl(ui.Card):
     def show_current(
         self, amps: float | None, limit: float | None, report: str, *, alarming: bool
     ) -> None:
-        """Show a current and its limit in A, and a report of the board."""
         state = limit_state(amps, limit)
         sign = "" if state is LimitState.BELOW else f"{WARNING_SIGN} "
         self._current.setText("–" if amps is None else f"{sign}{Number(amps):.2f} A")

@@ -72,7 +72,6 @@ class DrivePad(RobotView):
 
     @Slot()
     def release(self) -> None:
-        """Return the knob to the centre until the user presses again."""
         if self.held:
             self.held = False
             self._watch.end()
@@ -133,7 +132,6 @@ class DrivePad(RobotView):
         return QRectF(middle.x() - side / 2, middle.y() - side / 2, side, side)
 
     def _border(self) -> int:
-        """Return the space around the field for a line of text, in pixels."""
         return _MARGIN + QFontMetrics(self._small_font()).height()
 
     def robot_place(self) -> QRectF:
@@ -219,6 +217,5 @@ class DrivePad(RobotView):
 
 
 def _straightened(share: float) -> float:
-    """Limit a share to -1 to 1, with a dead zone around zero."""
     share = max(-1.0, min(1.0, share))
     return 0.0 if abs(share) < _STRAIGHT else share

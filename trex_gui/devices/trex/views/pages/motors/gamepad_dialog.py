@@ -33,8 +33,6 @@ def _button_names(pad: Pad | None) -> list[str]:
 
 
 class PadView(QWidget):
-    """Positions of the axes of a gamepad, and a lamp for each button."""
-
     def __init__(self, pad: Pad | None, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.pad = pad
@@ -63,8 +61,6 @@ class PadView(QWidget):
 
 
 class PartRow(QWidget):
-    """List of axes or buttons. An axis can be inverted."""
-
     chosen = Signal()  # the user selected an axis, a direction, or a button
 
     def __init__(self, name: str, parent: QWidget, *, is_axis: bool) -> None:

@@ -101,7 +101,6 @@ class GamepadPanel(QWidget):
         self.gamepad.set_unattended(self._blocker())
 
     def _blocker(self) -> str:
-        """Return the reason why the gamepad cannot drive. Empty if it can."""
         if self._dialog is not None and self._dialog.isVisible():
             return tr("The gamepad is being set up and cannot drive.")
         if not self.isVisible():

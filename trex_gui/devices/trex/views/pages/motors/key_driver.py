@@ -45,12 +45,11 @@ _REPEAT_MS = 20  # X11 delivers the press of a repeated key within this time aft
 class KeyDriver(QObject):
     """Event filter that receives the keys of the page's window before its widgets.
 
-    While `enabled`, keys drive wherever the focus is, except in fields, tables and lists: driving
-    must not depend on the slider or tab that was clicked last. In the pad, arrow keys always drive.
+    While `enabled`, keys drive wherever the focus is, except in fields, tables and lists. In the
+    pad, arrow keys always drive.
 
-    A key is identified by its place on the keyboard. Its name may change between press and
-    release, by a switch of the layout or by Num Lock. All keys count as released when an unknown
-    key is released, or when a key like Shift changes.
+    A key is identified by its place on the keyboard: the layout or Num Lock may change its name
+    between press and release. The release of an unknown key, or a key like Shift, releases all.
 
     On X11, a held key repeats as a release and a press with the same timestamp. Qt often handles
     the release before it has received the press, and then marks neither of them as a repeat.

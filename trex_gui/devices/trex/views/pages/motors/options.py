@@ -22,8 +22,6 @@ _SPACING = 6  # pixels
 
 
 class _StrengthEntry(SpeedEntry):
-    """Entry of a number from `lowest` to 127 that also shows the percentage."""
-
     def __init__(self, lowest: int, apply: Callable[[int], object], parent: QWidget) -> None:
         super().__init__(parent)
         self.setRange(lowest, FULL_SCALE)
@@ -172,7 +170,6 @@ class Options(ui.Card):
         self._on_options_changed()
 
     def _create_stored(self, name: str, text: str, tip: str, key: str) -> QCheckBox:
-        """Create a check box whose state is stored. The default is off."""
         checked, store = self._store.flag(key, default=False), partial(self._store.set, key)
         return ui.check_box(self, name, text, tip=tip, checked=checked, on_toggle=store)
 

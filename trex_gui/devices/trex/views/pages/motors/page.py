@@ -141,7 +141,6 @@ class MotorsPage(QWidget):
     # --- Layout -------------------------------------------------------------------------
 
     def minimumSizeHint(self) -> QSize:
-        """Return the minimum size with the side cards below the motors."""
         hint = super().minimumSizeHint()
         return QSize(self._drive_box.minimumSizeHint().width() + 32, hint.height())
 
@@ -157,7 +156,6 @@ class MotorsPage(QWidget):
         return self.size() if area is None else area.size()
 
     def _place_side(self) -> None:
-        """Place the side cards beside the motors, or below them in a narrow window."""
         cards = self._options, self._drive_with
         beside = max(card.minimumSizeHint().width() for card in cards)
         wide = self.width() >= self.minimumSizeHint().width() + _GAP + beside
@@ -234,7 +232,6 @@ class MotorsPage(QWidget):
 
     @Slot()
     def _show_stored(self) -> None:
-        """Show the stored settings, with links if the board is connected."""
         device, is_connected = self._device, self._device.is_connected
         facts = _stored_facts(device)
         self._stored.setText(_table(facts, linked=is_connected))
@@ -248,10 +245,7 @@ class MotorsPage(QWidget):
 
     @Slot()
     def _on_holder_changed(self) -> None:
-        """Save the holder until the event that releases it is over.
-
-        The controls of a page lose the focus, and so their hold, before the page is hidden.
-        """
+        """Save the holder: controls lose their hold before `hideEvent`, which needs it."""
         own = {self._pad_drive.name, self._key_drive.name, *map(_name, self._controls)}
         if self._motors.holder in own:
             self._holder = self._motors.holder
@@ -303,7 +297,6 @@ class MotorsPage(QWidget):
         self._pad.show_setpoints(*speeds)
 
     def _setpoint_of(self, number: int, inputs: DriveInputs) -> tuple[int, str]:
-        """Return the speed of a motor's setpoint and its text."""
         telemetry, setpoint = self._device.telemetry, setpoint_of(self._device, number, inputs)
         if self._group.wheels and number != AUXILIARY and inputs.armed:  # `number` is a side
             drive = self._motors.drive(number)
@@ -380,7 +373,6 @@ class MotorsPage(QWidget):
 
     @Slot()
     def _on_event_over(self) -> None:
-        """Clear the released control. In an inactive window, a slider may still be held."""
         sliders = [control.slider for control in self._controls.values()]
         if self.isActiveWindow() and not any(slider.held for slider in sliders):
             self._dragged = None

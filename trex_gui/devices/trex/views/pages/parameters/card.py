@@ -87,7 +87,6 @@ class ParameterCard(ui.Card):
         follow_theme(self, "card", fit)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Stack the buttons vertically if they do not fit side by side."""
         super().resizeEvent(event)
         width = sum(each.sizeHint().width() + self._tools.spacing() for each in self._buttons)
         fits = width <= self.contentsRect().width()
@@ -166,7 +165,6 @@ class ParameterCard(ui.Card):
 
 
 def _details(text: ParameterText, key: str) -> str:
-    """Return keys, evidence and a link to the guide as rich text."""
     address, title = map(escape, text.guide(key))
     names = "<br>".join(f"<code>{each}</code>" for each in text.keys_of(key))
     link = f'<a href="{address}" style="color:{theme().color("link").name()}">{title}</a>'
@@ -174,7 +172,6 @@ def _details(text: ParameterText, key: str) -> str:
 
 
 def _push_button(action: QAction, parent: QWidget) -> QPushButton:
-    """Create a button that triggers an action, with its icon text and state."""
     button = ui.button(parent, f"{action.objectName()}Button", on_click=action.trigger)
 
     def update() -> None:

@@ -111,10 +111,7 @@ class AccelerationEditor(NumberEditor):
 
 
 class FrequencyEditor(UnitSpinBox):
-    """Steps through the PWM frequencies. A typed number selects the nearest frequency.
-
-    The value is a `frequency_code`. An unavailable code remains until the user selects a frequency.
-    """
+    """Editor of a `frequency_code` that selects the nearest PWM frequency."""
 
     def __init__(self, codes: Sequence[int], parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -151,7 +148,7 @@ class FrequencyEditor(UnitSpinBox):
 
 
 class ChoiceEditor(ComboBox):
-    """Drop-down list of named values. An unknown value remains until the user selects a value."""
+    """Drop-down list of named values, with an added item for an unknown value."""
 
     valueChanged = Signal(int)  # wire value that the user selected, even if it is unchanged
 
@@ -281,10 +278,9 @@ def editor_for(spec: ParameterSpec, parent: QWidget | None = None) -> Editor:
 
 
 class ParameterDelegate(UnitDelegate):
-    """Painter and editors of a `ParameterModel`.
+    """Delegate of a `ParameterModel`.
 
-    Without a value, an editor shows the default, which becomes the value only if the user edits it
-    or presses Enter.
+    An editor of a missing value shows the default, which Enter or an edit makes the value.
     """
 
     def __init__(
@@ -316,7 +312,6 @@ class ParameterDelegate(UnitDelegate):
         return editor
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Accept the shown value on Enter."""
         is_press = event.type() == QEvent.Type.KeyPress
         if is_press and isinstance(event, QKeyEvent) and event.key() in ENTER:
             watched.setProperty(_UNTOUCHED, False)
@@ -340,7 +335,6 @@ class ParameterDelegate(UnitDelegate):
     def updateEditorGeometry(
         self, editor: QWidget, option: QStyleOptionViewItem, index: Index
     ) -> None:
-        """Extend an editor to its size hint, even over neighbouring cells."""
         super().updateEditorGeometry(editor, option, index)
         place = editor.geometry()
         middle = place.center().y()
@@ -367,7 +361,6 @@ class ParameterDelegate(UnitDelegate):
         return super().sizeHint(option, index) + QSize(_ICON + 2, 0)
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
-        """Paint the background of the current row, and a sign before a value."""
         cell, is_value = QRect(option.rect), index.column() != ParameterColumn.NAME
         if index.data(ParameterRole.GROUP) is not None:
             painter.setPen(theme().color("hairline"))
@@ -389,7 +382,6 @@ class ParameterDelegate(UnitDelegate):
             painter.drawRect(cell.adjusted(1, 1, -1, -1))
 
     def _sign(self, index: Index) -> str:
-        """Return the sign of the most important state of a value. Empty for none."""
         key = str(index.data(ParameterRole.KEY))
         if index.data(ParameterRole.PROBLEM) or self._has_finding(key):
             return "warning"

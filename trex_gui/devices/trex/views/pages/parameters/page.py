@@ -32,7 +32,6 @@ class ParameterTable(QWidget):
         parent: QWidget | None = None,
         head: QWidget | None = None,
     ) -> None:
-        """`head`: widget beside the filters."""
         super().__init__(parent)
         self._model = draft.parameters
         self._user_key = ""  # key of the cell that the user has selected
@@ -113,7 +112,6 @@ class ParameterTable(QWidget):
 
     @Slot()
     def _update_rows(self) -> None:
-        """Show the matching rows, and the number of parameters in each tab."""
         keys = frozenset(key for finding in self._linter.findings for key in finding.keys)
         words = self._words.text().casefold().split()
         shown = ParameterChoice(self._choice.currentIndex())
@@ -129,7 +127,6 @@ class ParameterTable(QWidget):
             part.setEnabled(self._model.count > 0)
 
     def _on_rows_changed(self) -> None:
-        """Select the user's cell if it is visible, otherwise the best match."""
         current, selected = self._view.currentIndex(), self._model.index_of(self._user_key)
         if self._is_elsewhere or self._view.is_hidden(current):
             if not self._view.is_hidden(selected):

@@ -55,7 +55,7 @@ def picture_of(key: str, values: ParameterValues) -> Picture | None:
 
 
 def _window(seconds: float, *steps: float) -> float:
-    """Return the first step that exceeds `seconds` by 20 %, or else the last step."""
+    """Return the first step at least 20 % above `seconds`, or else the last step."""
     return next((step for step in steps if step >= 1.2 * seconds), steps[-1])
 
 
@@ -103,10 +103,7 @@ def _limit(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
 def _stop(
     spec: ParameterSpec, wire: int, values: ParameterValues, after: float | None = None
 ) -> Picture:
-    """Draw signals that end, and motors that stop later.
-
-    `after`: delay in seconds. `None`: the value of the parameter.
-    """
+    """Draw a loss of signal. Motors stop `after` seconds, by default the parameter's value."""
     value, start = spec.text(wire), 0.3
     seconds = wire * spec.scale if after is None else after
     end = start + 0.55 * seconds / _window(seconds, 0.5, 1.5, 5, 15)
@@ -140,8 +137,6 @@ _PICTURES: dict[str, Callable[[ParameterSpec, int, ParameterValues], Picture]] =
 
 
 class ParameterPicture(Painted):
-    """Drawing of one parameter, hidden if there is none."""
-
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("parameterPicture")

@@ -44,7 +44,6 @@ class ParameterFilter:
     found: frozenset[str] = frozenset()  # keys with a finding of the linter
 
     def rows(self, model: ParameterModel) -> list[int]:
-        """Return the numbers of the visible rows and their headings."""
         rows: list[int] = []
         heading: list[int] = []
         for number, row in enumerate(model.rows):
@@ -131,7 +130,7 @@ class ParameterView(QTableView):
 
     @Slot()
     def _span_rows(self) -> None:
-        """Span headings, and values that are common to both motors, over several columns."""
+        """Span headings and values of the whole board over several columns."""
         self._visible = list(range(len(self._model.rows)))
         self.clearSpans()
         for number, row in enumerate(self._model.rows):
@@ -148,7 +147,6 @@ class ParameterView(QTableView):
         return self._visible != before or self.is_hidden(self.currentIndex())
 
     def is_hidden(self, index: QModelIndex) -> bool:
-        """True if a cell is hidden or invalid."""
         return not index.isValid() or index.row() not in self._visible
 
     def has_finding(self, key: str) -> bool:
@@ -156,7 +154,6 @@ class ParameterView(QTableView):
 
     @property
     def current_key(self) -> str:
-        """Key of the current parameter. Empty without a current cell."""
         return str(self.currentIndex().data(ParameterRole.KEY) or "")
 
     def indexAt(self, pos: QPoint) -> QModelIndex:  # noqa: N802 # of Qt
@@ -211,7 +208,6 @@ class ParameterView(QTableView):
 
     @property
     def tools(self) -> tuple[QAction, ...]:
-        """Actions that also have buttons beside the table."""
         return self._reset, self._restore
 
     def _action(
@@ -223,8 +219,6 @@ class ParameterView(QTableView):
         icon: str = "",
         shortcut: QKeySequence.StandardKey | str = "",
     ) -> QAction:
-        """Create an action that calls `handler` with the current parameter."""
-
         def on_trigger() -> None:
             if self.current_key:
                 handler(self.current_key)
@@ -235,7 +229,6 @@ class ParameterView(QTableView):
         )
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        """Open the menu of the clicked cell. The menu key opens it for the current cell."""
         index, place = self.indexAt(event.pos()), event.pos()
         if event.reason() is QContextMenuEvent.Reason.Keyboard:
             index = self.currentIndex()
@@ -250,7 +243,7 @@ class ParameterView(QTableView):
             self.update_actions()
 
     def update_actions(self) -> None:
-        """Update the texts of the actions, and disable or hide actions without an effect."""
+        """Update texts and states of the actions for the current parameter."""
         model, key = self._model, self.current_key
         for each in self.tools:
             each.setVisible(bool(key))
@@ -270,7 +263,6 @@ class ParameterView(QTableView):
         self._copy.setEnabled(bool(lines))
 
     def _lines(self, key: str) -> list[str]:
-        """Return the value as lines of a settings file."""
         wires = {each: self._model.values.value_of(each) for each in self._model.text.keys_of(key)}
         return [f"{each}: {wire}" for each, wire in wires.items() if wire is not None]
 
