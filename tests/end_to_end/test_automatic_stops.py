@@ -1,4 +1,4 @@
-"""The window reports automatic stops, and as confirmed only what the board confirmed."""
+"""The window reports automatic stops and their confirmation by the board."""
 
 from collections.abc import Iterator
 
@@ -19,7 +19,7 @@ NOT_ARMED = "Not armed: no motor is driven."
 
 
 def stopped(reason: str) -> str:
-    """Return what the banner says once the stop is confirmed."""
+    """Return the banner text of a confirmed stop."""
     return f"{reason}, so the motors were stopped."
 
 
@@ -30,7 +30,6 @@ def causes(window: WindowDriver, qtbot: QtBot, qapp: QApplication) -> Iterator[C
 
 
 def drive(window: WindowDriver, simulator: SimulatedDevice | None = None) -> None:
-    """Let a motor run."""
     window.wait(
         lambda: window.device.link is ConnectionState.CONNECTED and window.motors.is_available
     )
@@ -124,7 +123,7 @@ def test_stop_stays_unconfirmed_when_board_is_unplugged(
     window = connected_window
     drive(window, quick_simulator)
     quick_simulator.do("line unplug")
-    causes.lock_the_screen()  # before the window has seen that the cable is gone, or after
+    causes.lock_the_screen()  # before or after the window detects the pulled cable
     window.wait(lambda: window.device.link is ConnectionState.DISCONNECTED and causes.reports)
     window.wait(lambda: not causes.reports[-1].endswith("is not confirmed yet."))
     assert not [text for text in causes.reports if "were stopped" in text]

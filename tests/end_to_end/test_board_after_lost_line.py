@@ -1,4 +1,4 @@
-"""Motors left running by a lost connection, and another board connected afterwards."""
+"""Connecting another board after a lost connection left motors running."""
 
 from PySide6.QtWidgets import QLabel
 
@@ -23,7 +23,7 @@ def lose(window: WindowDriver, board: SimulatedDevice) -> None:
 def test_pages_warn_of_motors_behind_a_lost_line(
     window: WindowDriver, start_simulator: StartSimulator
 ) -> None:
-    """The timeout of both boards needs UART-Error Shutdown, which is written with it."""
+    """The timeout of both boards needs UART-Error Shutdown, so both are written."""
     grave = "Motor 1 may still be turning."
     for timeout, remedy, goes_on in (
         (0.0, "Cut the power.", True),

@@ -1,4 +1,4 @@
-"""Several boards on one line: the list beside the pages, another number, one file for all."""
+"""Several boards on one line: their list, a new number, one file for all."""
 
 from pathlib import Path
 
@@ -19,7 +19,7 @@ from trex_gui.ui.devices.ports import Port
 
 
 def connect(window: WindowDriver, url: str, number: int) -> None:
-    """Connect to one board of several, as *Find* does that has found it."""
+    """Connect to one board of several, like *Find*."""
     port: Port = window.program.ports.add_typed(url)
     settings = ConnectionSettings(url, device_number=number)
     window.program.device_manager.connect_with(port, settings)
@@ -31,7 +31,7 @@ def rows(window: WindowDriver) -> list[list[str]]:
     return [shown.item(row).text().splitlines() for row in range(shown.count())]
 
 
-def choose(window: WindowDriver, row: int) -> None:
+def select(window: WindowDriver, row: int) -> None:
     """Click a board in the list."""
     shown = window.find(QListWidget, "boardList")
     place = shown.visualItemRect(shown.item(row)).center()
@@ -52,7 +52,7 @@ def test_boards_on_one_line(
     connect(window, boards.url, 7)
     assert not window.has("boardPanel")
 
-    # They are found while everything else goes on.
+    # The boards are found in the background.
     window.trigger("boards")
     window.wait(lambda: window.has("boardsProgress"))
     window.wait(lambda: not window.has("boardsProgress"))
@@ -63,13 +63,13 @@ def test_boards_on_one_line(
     ]
     check_keyboard(window.window)
 
-    # Choosing one stops the one that is driven, and switches every page.
+    # A selection stops the driven board, and switches every page.
     window.motors.arm()
     window.motors.set_speed(1, 30)
     window.wait(lambda: boards.show("@7")["motors"][0]["target_speed"])
     assert rows(window)[1][1] == "selected, armed"
     assert not window.is_enabled("scanBoardsButton")
-    choose(window, 2)
+    select(window, 2)
     window.wait(lambda: rows(window)[2][1] == "selected")
     assert is_stopped(boards, "@7")
     assert rows(window)[1][1] == "responding"
@@ -82,7 +82,7 @@ def test_boards_on_one_line(
     window.press_escape()
     window.wait(lambda: is_stopped(boards, "@9"))
 
-    # A reset would give it a number that is taken.
+    # A reset would set a number that another board has.
     window.trigger("defaults")
     review = window.dialog("reviewDialog")
     review.click("boardResetButton")
@@ -90,13 +90,13 @@ def test_boards_on_one_line(
     review.click("questionCancel")
     review.click("reviewCloseButton")
 
-    # The keyboard does the same.
+    # The keyboard also selects.
     shown = window.find(QListWidget, "boardList")
     shown.setCurrentRow(1)
     QTest.keyClick(shown, Qt.Key.Key_Return)
     window.wait(lambda: rows(window)[1][1] == "selected")
 
-    # A number that is taken cannot be written; a free one can.
+    # Only a free number can be written.
     window.trigger("number")
     dialog = window.dialog("numberDialog")
     check_keyboard(dialog.root)
@@ -109,7 +109,7 @@ def test_boards_on_one_line(
     window.wait(lambda: [row[0] for row in rows(window)][-1] == "12 · TReX 1.2")
     assert boards.show("@7")["parameters"]["device_number"] == 12
 
-    # One file for all of them: each keeps its number, and what does not fit is left out.
+    # One file for all boards: each keeps its number, and unsuitable settings are omitted.
     path = tmp_path / "fleet.txt"
     save(path, "product: TReX\ndevice_number: 55\nserial_timeout: 7\nrequired_channels: 3\n")
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_a, **_k: (str(path), ""))
@@ -136,7 +136,7 @@ def test_boards_on_one_line(
         if (item := table.item(row, 0)) is not None:
             item.setCheckState(Qt.CheckState.Unchecked)
     assert fleet.button("writeBoardsButton").text() == "&Write to boards"
-    # Closing the dialog ends the work after the present board, and the window says so.
+    # Closing the dialog ends the work after the current board, which the window reports.
     window.trigger("to_boards")
     window.wait(lambda: fleet.is_enabled("writeBoardsButton"))
     window.device.applied.connect(fleet.root.close, Qt.ConnectionType.SingleShotConnection)
@@ -154,7 +154,7 @@ def test_boards_on_one_line(
         for shown in (boards.show(name)["parameters"],)
     ]
     assert stored == [(3, 7), (12, 7), (9, 0)]
-    # The dialog may cover the window: its red button stops the motors as well.
+    # The dialog may cover the window, so it has a stop button of its own.
     window.wait(lambda: window.motors.can_arm)
     window.motors.arm()
     window.motors.set_speed(1, 30)
@@ -166,7 +166,7 @@ def test_boards_on_one_line(
     QTest.mouseRelease(fleet.button("boardsStopButton"), Qt.MouseButton.LeftButton)
     fleet.click("closeBoardsButton")
 
-    # Closing hides the list, and the next connection is to the board that was shown last.
+    # Closing hides the list. The next connection is to the board that was shown last.
     window.disconnect()
     assert not window.has("boardPanel")
 
@@ -188,7 +188,7 @@ def test_what_drives_one_board_drives_no_other(
         return bool(boards.show(board)["motors"][0]["direction"] == "forward")
 
     def switch(row: int) -> None:
-        """Choose a board with the keyboard, while the mouse holds something."""
+        """Select a board with the keyboard while the mouse holds a control."""
         shown = window.find(QListWidget, "boardList")
         shown.setCurrentRow(row)
         QTest.keyClick(shown, Qt.Key.Key_Return)
@@ -203,7 +203,7 @@ def test_what_drives_one_board_drives_no_other(
         again = QKeyEvent(QKeyEvent.Type.KeyPress, Qt.Key.Key_Up, no_modifier, "", True)
         QApplication.sendEvent(page.pad, again)
 
-    # Whatever is held stays held: the board that is armed next does not follow it.
+    # A held control stays held: a board that is armed next does not follow the control.
     gestures: tuple[tuple[Gesture, Gesture, Gesture], ...] = (
         (lambda: page.hold_pad(0.8, 0), lambda: page.move_pad(0.9, 0), page.release_pad),
         (
@@ -233,14 +233,14 @@ def test_what_drives_one_board_drives_no_other(
     page.arm()
     page.motors.set_speed(1, 30)
     page.wait(lambda: moves("@7"))
-    choose(window, 1)
+    select(window, 1)
     window.press_escape()
     window.wait(lambda: rows(window)[1][1] == "selected")
     page.let_nothing_happen(0.5)
     assert is_stopped(boards, "@7")
     assert not moves("@9")
 
-    # After a lost line the board that was driven last is found and stopped.
+    # After a lost line, the last driven board is found and stopped.
     page.arm()
     page.motors.set_speed(1, 30)
     page.wait(lambda: moves("@9"))
@@ -253,7 +253,7 @@ def test_what_drives_one_board_drives_no_other(
     assert is_stopped(boards, "@9")
     assert not page.device.driving.lost_board
 
-    # With the other one the warning stays until the first is selected, and stopped.
+    # With the other board, the warning stays until the first board is selected and stopped.
     page.arm()
     page.motors.set_speed(1, 30)
     page.wait(lambda: moves("@9"))
@@ -263,7 +263,7 @@ def test_what_drives_one_board_drives_no_other(
     connect(window, boards.url, 7)
     assert not moves("@9")
     assert "reached the TReX 1.2, device 9" in page.device.driving.lost_board
-    choose(window, 1)
+    select(window, 1)
     window.wait(lambda: rows(window)[1][1] == "selected" and not page.device.may_move)
     assert is_stopped(boards, "@9")
     assert not page.device.driving.lost_board

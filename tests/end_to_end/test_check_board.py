@@ -1,4 +1,4 @@
-"""A board whose serial settings are lost is brought back by its jumpers."""
+"""Recovery of a board with lost serial settings by its jumpers."""
 
 from functools import partial
 

@@ -23,10 +23,10 @@ WARNING = "The stop is not confirmed. If a motor still turns, cut its power."
 
 
 class UnconfirmedStopWindow(WindowDriver):
-    """The window of a board that runs a motor and no longer replies.
+    """Window of a board that runs a motor and no longer replies.
 
     Attributes:
-        simulator: the board; it still obeys.
+        simulator: the board, which still executes commands.
     """
 
     def __init__(self, window: WindowDriver, simulator: VirtualSimulator) -> None:
@@ -52,7 +52,7 @@ class UnconfirmedStopWindow(WindowDriver):
 
     @property
     def prompt(self) -> str:
-        """The text of the prompt; empty while none is shown."""
+        """Text of the prompt. Empty without a prompt."""
         return self.window.question.text
 
 

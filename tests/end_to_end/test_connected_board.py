@@ -1,4 +1,4 @@
-"""A board in the window: connection, pages, settings, motors, and what is typed meanwhile."""
+"""A board in the window: connection, pages, settings, motors, and typed text."""
 
 from functools import partial
 
@@ -18,7 +18,7 @@ from trex_gui.ui.runtime import now
 
 @pytest.fixture
 def connected(window: WindowDriver, simulator: SimulatedDevice) -> WindowDriver:
-    """The window, connected to a board whose bytes take their time."""
+    """Window connected to a board with realistic byte times."""
     window.connect(simulator.url)
     return window
 
@@ -153,7 +153,7 @@ def editor(page: ParametersPage) -> QSpinBox:
     return found
 
 
-def begin_to_type(page: ParametersPage, text: str) -> None:
+def type_partly(page: ParametersPage, text: str) -> None:
     page.view.setCurrentIndex(page.index_of(KEY))
     QTest.keyClick(page.view, Qt.Key.Key_F2)
     editor(page).selectAll()
@@ -166,7 +166,7 @@ def test_typed_text_survives_a_silent_board(
     window, device = connected_window, connected_window.device
     page = ParametersPage(window)
     page.view.setFocus()
-    begin_to_type(page, "1.5")
+    type_partly(page, "1.5")
     for command, link in (
         ("line mute on", ConnectionState.NOT_RESPONDING),
         ("line mute off", ConnectionState.CONNECTED),
@@ -180,7 +180,7 @@ def test_typed_text_survives_a_silent_board(
     QTest.keyClick(editor(page), Qt.Key.Key_Return)
     window.wait(lambda: device.parameters.values.value_of(KEY) == 15)
     page.wait_for_no_editor(KEY)
-    begin_to_type(page, "2")
+    type_partly(page, "2")
     quick_simulator.do("line unplug")
     window.wait(lambda: device.link is ConnectionState.DISCONNECTED)
     assert device.parameters.values.value_of(KEY) == 20

@@ -1,4 +1,4 @@
-"""Texts and controls can be seen in every theme, also disabled, without a tick or a colour."""
+"""Texts and controls are visible in every theme, even if disabled or unchecked."""
 
 from math import inf
 from pathlib import Path
@@ -46,7 +46,7 @@ each_scheme = pytest.mark.parametrize(
 def check(driver: WindowDriver, window: QWidget, case: str = "") -> None:
     wanted = theme().color("window_text")
     driver.wait(lambda: window.palette().windowText().color() == wanted)
-    driver.wait_for_files()  # and until the window has settled
+    driver.wait_for_files()  # the window also settles
     assert weak_texts(window) == {}, f"{window.objectName()} {case}"
 
 
@@ -108,9 +108,9 @@ KINDS = (
 
 
 def outline_contrast(picture: QImage, left: QPoint, *inside: QPoint) -> float:
-    """Return the contrast of a left edge to the window, and to points inside: the worst of them.
+    """Return the worst contrast of a left edge to the window and to points inside.
 
-    The edge is the best of three pixels, because of antialiasing.
+    Because of antialiasing, the best of three pixels counts as the edge.
     """
     edge = [picture.pixelColor(left + QPoint(x, 0)) for x in range(3)]
     beside = [theme().color("window"), *map(picture.pixelColor, inside)]
@@ -119,7 +119,7 @@ def outline_contrast(picture: QImage, left: QPoint, *inside: QPoint) -> float:
 
 def contrast_of(control: QWidget) -> float:
     picture = control.grab().toImage()
-    if picture.isNull():  # it is in a message without room
+    if picture.isNull():  # the message has no space for the widget
         return inf
     if isinstance(control, QCheckBox | QRadioButton):
         option = QStyleOptionButton()
@@ -141,7 +141,7 @@ def contrast_of(control: QWidget) -> float:
 
 
 def contrast_of_box_in(view: QAbstractItemView) -> float:
-    """Return the contrast of an unticked box in a cell."""
+    """Return the contrast of a cleared check box in a cell."""
     option = QStyleOptionButton()
     option.initFrom(view)
     option.rect = QRect(0, 0, 14, 14)
@@ -155,9 +155,9 @@ def contrast_of_box_in(view: QAbstractItemView) -> float:
 
 
 def controls_of(window: QWidget) -> list[QWidget]:
-    """Return what can be used: unticked boxes, and editors and buttons with a frame.
+    """Return cleared check boxes, and editors and buttons with a frame.
 
-    What is in the bar at the top is in a frame of it.
+    The bar at the top frames its own controls.
     """
     frames = ((each, each.parentWidget()) for each in window.findChildren(QWidget))
     return [

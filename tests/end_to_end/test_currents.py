@@ -16,7 +16,7 @@ from trex_gui.ui.plotting.panel import TracePanel
 
 
 class CurrentsPage(WindowDriver):
-    """The window on its Currents page, connected to a board."""
+    """Currents page of a window with a connected board."""
 
     def __init__(self, window: WindowDriver) -> None:
         super().__init__(window.program, window.qtbot)
@@ -80,5 +80,5 @@ def test_plot_in_its_own_window_is_drawn_beside_another_page(
     page.trigger("plot")
     (again,) = (each for each in QApplication.topLevelWidgets() if isinstance(each, PlotWindow))
     assert again.panel.plot.span.length == 30
-    page.window.close()  # closes it, too
+    page.window.close()  # also closes the plot
     page.wait(lambda: not Shiboken.isValid(again))

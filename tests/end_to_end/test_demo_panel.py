@@ -1,4 +1,4 @@
-"""The Demo TReX is operated on its panel, and the program shows it."""
+"""Operation of the Demo TReX on its panel."""
 
 import pytest
 from PySide6.QtCore import Qt
@@ -17,8 +17,6 @@ from trex_gui.ui.widgets.sliders import StickSlider
 
 
 class DemoPanel(WidgetDriver):
-    """The panel of the Demo TReX."""
-
     def __init__(self, window: WindowDriver) -> None:
         super().__init__(window.find(QDockWidget, "demoPanel"), window.qtbot)
         self._window = window
@@ -52,7 +50,7 @@ class DemoPanel(WidgetDriver):
 
 @pytest.fixture
 def panel(window: WindowDriver) -> DemoPanel:
-    """The panel, with the Demo TReX connected."""
+    """Panel of the connected Demo TReX."""
     window.connect_to_demo()
     window.wait(lambda: trex(window.program).controller.demo_board.snapshot is not None)
     panel = DemoPanel(window)

@@ -1,4 +1,4 @@
-"""A simulated board is driven with mouse, keys, a finger and a gamepad of SDL."""
+"""Driving a simulated board with mouse, keys, finger and an SDL gamepad."""
 
 import pytest
 from PySide6.QtCore import QEvent, QPoint, Qt
@@ -39,7 +39,7 @@ def armed(page: MotorsPage) -> MotorsPage:
 
 @pytest.fixture
 def keys(armed: MotorsPage) -> MotorsPage:
-    """The armed page, driven by keys."""
+    """Armed page that is driven by keys."""
     armed.click("driveWithKeys")
     return armed
 
@@ -115,7 +115,7 @@ def test_half_typed_number_is_discarded_and_changes_no_speed(armed: MotorsPage) 
     armed.motors.set_speed(1, 90)
     armed.wait_for_targets(("forward", 90), None)
     armed.type_into("ceilingEntry", "5", enter=False)
-    armed.motors.set_speed(2, 20)  # other changes meanwhile leave the typed text alone
+    armed.motors.set_speed(2, 20)  # other changes do not affect the typed text
     armed.wait_for_targets(("forward", 90), ("forward", 20))
     assert entry.text().startswith("5")
     QTest.keyClicks(entry, "0\r")
@@ -294,7 +294,7 @@ def test_held_control_needs_new_press_after_stop(keys: MotorsPage) -> None:
 # --- The pad ----------------------------------------------------------------------------
 
 
-@pytest.mark.qt_log_ignore("This plugin does not support", extend=True)  # said by offscreen
+@pytest.mark.qt_log_ignore("This plugin does not support", extend=True)  # offscreen
 def test_pad_drives_while_held(armed: MotorsPage) -> None:
     armed.motors.set_ceiling(LOW)
     armed.hold_pad(1, 0)
@@ -391,7 +391,7 @@ def test_key_is_held_despite_repeats_and_drives_nowhere_else(
     def send(kind: QEvent.Type, key: Qt.Key, scan_code: int) -> None:
         QApplication.sendEvent(window, QKeyEvent(kind, key, none, scan_code, 0, 0))
 
-    place = 25  # of a key whose name changes with the layout
+    place = 25  # place of a key whose name changes with the layout
     send(QEvent.Type.KeyPress, Qt.Key.Key_W, place)
     send(QEvent.Type.KeyPress, Qt.Key.Key_D, 40)
     keys.wait_for_targets(*CURVE)
@@ -451,7 +451,7 @@ def test_keys_are_released_when_they_cannot_be_tracked(keys: MotorsPage) -> None
     keys.motors.set_ceiling(LOW)
     keys.press_key(Qt.Key.Key_W)
     keys.wait_for_targets(FORWARD, FORWARD)
-    keys.find(QSpinBox, "motor1Entry").setFocus()  # where keys are needed
+    keys.find(QSpinBox, "motor1Entry").setFocus()  # this field uses the keys
     keys.wait_for_brake("number field")
     keys.release_key(Qt.Key.Key_W)
 
@@ -476,7 +476,7 @@ def test_keys_are_released_when_they_cannot_be_tracked(keys: MotorsPage) -> None
         keys.wait_for_brake("another window")
         keys.release_key(Qt.Key.Key_W)
 
-    keys.click("driveWithKeys")  # off: the pad follows keys with the focus only
+    keys.click("driveWithKeys")  # off: the pad only follows keys with the focus
     keys.pad.setFocus()
     keys.press_key(Qt.Key.Key_Up)
     keys.wait_for_targets(FORWARD, FORWARD)
@@ -484,7 +484,7 @@ def test_keys_are_released_when_they_cannot_be_tracked(keys: MotorsPage) -> None
     keys.wait_for_brake("focus lost")
 
 
-HOLD, STOP = 9, 1  # of SDL's virtual gamepads: left shoulder, B
+HOLD, STOP = 9, 1  # buttons of SDL's virtual gamepads: left shoulder, B
 
 
 def test_gamepad_drives_and_its_stop_button_works_on_other_pages(
@@ -518,6 +518,6 @@ def test_gamepad_drives_and_its_stop_button_works_on_other_pages(
         page.wait(lambda: is_stopped(quick_simulator))
         assert not page.is_armed(), name
         pad.press(STOP, down=False)
-        page.let_nothing_happen(0.1)  # the button goes up
+        page.let_nothing_happen(0.1)  # the button is released
         assert not page.is_armed(), name
     panel.gamepad.switch_off()

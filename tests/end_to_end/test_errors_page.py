@@ -1,4 +1,4 @@
-"""What is active and what happened: the pages of errors and of the log."""
+"""Active and past errors on the pages of errors and of the log."""
 
 from pathlib import Path
 
@@ -18,7 +18,7 @@ def test_errors_are_shown_until_they_are_cleared_and_reset(
     page = window.open_page("errorsPage")
 
     def title(bit: str) -> str:
-        """Return the title of a card; empty if there is none."""
+        """Return the title of a card. Empty without a card."""
         labels = [one for one in page.find_all(QLabel) if one.objectName() == f"{bit}Title"]
         return labels[0].text() if labels else ""
 

@@ -1,6 +1,6 @@
-"""Motors stop whatever happens to the window; the board shows whether they did.
+"""Motors stop for every failure of the window, as the board shows.
 
-The simulated board and the window are processes of their own.
+The simulated board and the window run in separate processes.
 """
 
 import os
@@ -46,7 +46,7 @@ POLLS = 20
 
 
 def is_driven(simulator: SimulatedDevice) -> bool:
-    """Whether every motor runs as it was told."""
+    """Return whether every motor runs at its setpoint."""
     shown = simulator.show()
     speeds = [
         motor["speed"] * {"forward": 1, "reverse": -1, "brake": 0}[motor["direction"]]
@@ -56,7 +56,7 @@ def is_driven(simulator: SimulatedDevice) -> bool:
 
 
 def wait_until(happened: Callable[[], bool], cause: str = "") -> None:
-    """Poll a condition in real time; fail when it does not come true."""
+    """Poll a condition in real time. Fail after a timeout."""
     end = time.monotonic() + LONG_TIMEOUT
     while not happened():
         assert time.monotonic() < end, f"{cause}: it never happened"
@@ -64,10 +64,9 @@ def wait_until(happened: Callable[[], bool], cause: str = "") -> None:
 
 
 class DrivingProcess:
-    """The program in a process of its own.
+    """The program in a separate process.
 
-    It is patient with itself, so that nothing but the cause stops its motors, unless its patience
-    is to be the `usual` one.
+    Its timeouts are long, so that only the tested cause stops the motors. `usual`: defaults.
     """
 
     def __init__(
@@ -98,14 +97,13 @@ class DrivingProcess:
         )
 
     def drive(self) -> None:
-        """Let every motor run."""
         self.provoke("drive")
         self.hear("driving")
         wait_until(lambda: is_driven(self.simulator))
         self.wait_for_reply()
 
     def wait_for_reply(self) -> None:
-        """Wait until the event loop of the window has gone on."""
+        """Wait until the event loop of the window has responded."""
         self.provoke("only_watch")
         self.hear("watching")
 
@@ -121,12 +119,12 @@ class DrivingProcess:
         self.process.stdin.flush()
 
     def hang(self, cause: str = "hang") -> None:
-        """Let it hang, and wait until it does."""
+        """Make the window hang, and wait until it hangs."""
         self.provoke(cause)
         self.hear("hanging")
 
     def errors(self) -> str:
-        """Return what it wrote to the console, once it has ended."""
+        """Return the console output after the process has ended."""
         return self.process.communicate(timeout=LONG_TIMEOUT)[1]
 
     def end(self) -> None:
@@ -153,17 +151,16 @@ def start(quick_simulator: SimulatedDevice, tmp_path: Path) -> Iterator[StartWin
 
 
 def status_of(process: "subprocess.Popen[str]") -> str:
-    """What Linux tells of a process."""
+    """Return the status of a process in Linux."""
     return Path(f"/proc/{process.pid}/status").read_text()
 
 
 def wait_until_stopped(simulator: SimulatedDevice, cause: str) -> None:
-    """Wait for the motors to stop."""
     wait_until(lambda: is_stopped(simulator), cause)
 
 
 def assert_stays_stopped(window: DrivingProcess, cause: str) -> None:
-    """Fail if a motor runs after the window has gone on and its line has polled the board."""
+    """Fail if a motor runs after the window has processed events and polled the board."""
     window.wait_for_reply()
     polled = packets(window.simulator) + POLLS
     wait_until(lambda: packets(window.simulator) >= polled, cause)
@@ -171,7 +168,7 @@ def assert_stays_stopped(window: DrivingProcess, cause: str) -> None:
 
 
 def packets(simulator: SimulatedDevice) -> int:
-    """Return how many packets the board has received."""
+    """Return the number of packets that the board has received."""
     received: int = simulator.show()["counters"]["packets"]
     return received
 
@@ -230,13 +227,13 @@ def test_motors_stop_while_window_hangs(
     window = start(extra_time="usual")
     window.drive()
     window.hang(cause)
-    wait_until_stopped(quick_simulator, cause)  # before it goes on: it hangs for longer
+    wait_until_stopped(quick_simulator, cause)  # while the window still hangs
 
 
 # --- From outside -----------------------------------------------------------------------
 
 
-@pytest.mark.slow  # for SIGTERM, the next test shows it
+@pytest.mark.slow  # the next test covers SIGTERM
 @pytest.mark.parametrize("name", ["SIGTERM", *ENDING[5:]])
 def test_ending_signal_stops_motors_and_exits_with_0(
     name: str, start: StartWindow, quick_simulator: SimulatedDevice
@@ -295,7 +292,7 @@ def test_sigterm_while_recording_ends_program_cleanly(
 def test_sigterm_stops_motors_of_hung_window_and_ends_it(
     start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
-    window = start()  # patient: it is not for want of a pulse
+    window = start()  # long timeouts: no heartbeat timeout stops the motors
     window.drive()
     window.hang()
     window.process.send_signal(signal.SIGTERM)
@@ -310,7 +307,7 @@ def test_sigterm_stops_motors_of_hung_window_and_ends_it(
 def test_exit_in_event_handler_stops_motors_and_exits_with_1(
     cause: str, start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
-    """PySide ends the interpreter at once, and Qt aborts while the line still runs."""
+    """PySide exits the interpreter at once, and Qt aborts while the line still runs."""
     window = start()
     window.drive()
     window.provoke(cause)
@@ -330,7 +327,7 @@ _DEATHS = [
 def test_guardian_stops_motors_of_a_killed_window(
     number: signal.Signals, start: StartWindow, quick_simulator: SimulatedDevice
 ) -> None:
-    """The serial timeout of the board is off, as it comes from the factory."""
+    """The serial timeout of the board is off by default."""
     window = start()
     window.drive()
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 0
@@ -376,7 +373,7 @@ def test_guardian_stops_motors_while_the_process_is_suspended(
 
 
 def assert_guardian_confirms(window: DrivingProcess, why: str) -> None:
-    """The guardian, which holds the other end of the pipe, has ended and said what it did."""
+    """Wait until the guardian ends, and check its report."""
     _, errors = window.process.communicate(timeout=LONG_TIMEOUT)
     said = f"{why} while motors could move. The stop was sent and is confirmed."
     assert said in errors
@@ -388,7 +385,7 @@ def assert_guardian_confirms(window: DrivingProcess, why: str) -> None:
 
 @pytest.fixture
 def bus() -> Iterator[tuple[str, QDBusConnection]]:
-    """A message bus of the test's own: its address, and a connection to it."""
+    """Start a private message bus. Return its address and a connection."""
     with message_bus() as both:
         yield both
 

@@ -1,7 +1,7 @@
-"""Every page and dialog in a longer, accented language, and its buttons with the keyboard.
+"""Every page and dialog in a longer, accented language, and its buttons by keyboard.
 
-What is not translated, what is cut or too large for the screen, and which button with the focus is
-not pressed by Enter and Space.
+Finds untranslated and cut texts, windows that are too large for the screen, and focused buttons
+that Enter or Space does not press.
 """
 
 from collections.abc import Callable, Iterator
@@ -71,13 +71,13 @@ FOCUSED = {
     "reportDialog": "reportSave",
     "reviewDialog": "writeButton",
     "setupDialog": "setupNextButton",
-    # The safe one.
+    # The safe button.
     "benchDialog": "benchStopButton",
     "compareDialog": "closeCompareButton",
     "gamepadDialog": "gamepadCloseButton",
     "powerCycleDialog": "powerCycleCloseButton",
     "preferencesDialog": "preferencesClose",
-    # What has to be typed, selected or read first.
+    # Text to type, select or read first.
     "helpDialog": "helpText",
     "historyDialog": "snapshotSearch",
     "newSettingsDialog": "beginningsList",
@@ -86,7 +86,7 @@ FOCUSED = {
     "robotsDialog": "robotsTable",
     "groupDialog": "joinBoards",
     "applyToBoardsDialog": "closeBoardsButton",  # nothing can be written in this test
-    # The first control: the primary button is disabled at the board of this test.
+    # The first control, since the primary button is disabled with this board.
     "checkDialog": "checkNextButton",
 }
 """What has the focus in each dialog when it opens."""
@@ -98,12 +98,12 @@ def name_of(widget: QWidget | None) -> str:
 
 
 class Walk:
-    """Presses each button once with either key; only red ones act.
+    """Presses each button once with either key. Only stop buttons act.
 
     Attributes:
-        pressed: the buttons, also of windows that were closed since.
-        deaf: buttons that a key does not press, or that do not stop, with their window.
-        focused: what has the focus in a dialog when it opens, by the name of the dialog.
+        pressed: all pressed buttons, even in closed windows.
+        deaf: buttons that a key does not press, or that do not stop, by window.
+        focused: name of the focused widget in a new dialog, by name of the dialog.
     """
 
     def __init__(self, stopped: SignalInstance) -> None:
@@ -151,14 +151,14 @@ class Walk:
 
 
 class Findings:
-    """What was found so far, each once."""
+    """Findings without duplicates."""
 
     def __init__(self) -> None:
         self.untranslated: dict[str, str] = {}
         self.cut: set[str] = set()
 
     def look(self, window: QWidget) -> None:
-        for _ in range(3):  # a layout may ask for another one
+        for _ in range(3):  # a layout may request another layout
             QCoreApplication.processEvents()
         for where, text in shown_texts(window):
             if rest := untranslated(text):
@@ -178,7 +178,7 @@ class Findings:
 def pseudo_window(
     request: pytest.FixtureRequest, qapp: QApplication, monkeypatch: pytest.MonkeyPatch
 ) -> Iterator[WindowDriver]:
-    """The window in the language of these tests, at a font size and on a screen."""
+    """Window in the pseudo-language at a font size on a screen."""
     percent, screen = request.param
     available = QRect(QPoint(), QSize(*screen))
     monkeypatch.setattr(QScreen, "availableGeometry", lambda _: available)
@@ -187,7 +187,7 @@ def pseudo_window(
     QSettings().setValue("window/font_size", percent)
     translator = PseudoTranslator()
     qapp.installTranslator(translator)
-    use_translations(partial(QCoreApplication.translate, CONTEXT))  # forgets English texts
+    use_translations(partial(QCoreApplication.translate, CONTEXT))  # clears cached English texts
     window: WindowDriver = request.getfixturevalue("window")
     assert theme().font_size == percent
     yield window

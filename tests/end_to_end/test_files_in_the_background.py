@@ -1,4 +1,4 @@
-"""Files are opened outside the window's thread, and only ordinary ones."""
+"""Only regular files are opened, and outside the window's thread."""
 
 import os
 import shutil
@@ -45,13 +45,13 @@ def test_pipe_dropped_or_named_at_the_start_is_rejected(
 def test_files_are_opened_while_the_window_goes_on(
     window: WindowDriver, recording: Path, tmp_path: Path
 ) -> None:
-    """In virtual time a thread has not begun before the test lets time pass."""
+    """In virtual time, a thread starts when the test advances the time."""
     other, text = recording.with_name("b.trexrec"), tmp_path / "a.txt"
     shutil.copy(recording, other)
     text.write_text("product: TReX\nserial_timeout: 5\n", encoding="utf-8")
     workspace = trex(window.program).workspace
     recordings, files = workspace.recordings, workspace.files
-    for path in (recording, recording, other):  # a second time: ignored
+    for path in (recording, recording, other):  # the second attempt is ignored
         recordings.open_file(path)
     files.open_file(text)
     files.open_file(text)

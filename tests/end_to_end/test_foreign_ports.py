@@ -1,4 +1,4 @@
-"""Ports that are remote, noisy, pulled while in use, or lead to no TReX."""
+"""Ports that are remote, noisy, unplugged in use, or without a TReX."""
 
 import argparse
 
@@ -128,14 +128,14 @@ def test_window_reconnects_to_the_same_adapter_only(
     window.wait(lambda: any("Connected again to /dev/ttyUSB1." in m for m in logged))
     device.parameters.discard_edits()
 
-    # So quickly that the list of ports does not change:
+    # Too quickly for a change of the port list:
     board.do("line unplug")
     window.wait(lambda: device.link is ConnectionState.DISCONNECTED)
     board.do("line plug")
     window.wait(lambda: device.link is ConnectionState.CONNECTED)
     window.wait(lambda: "Connected again to /dev/ttyUSB1. No motor was started." in logged)
 
-    # It is listed, and does not work: one attempt, and the next when it was away.
+    # A listed port that does not work gets one attempt, and the next after it was unplugged.
     board.do("line unplug")
     window.wait_for_text("bannerText", "There is no port /dev/ttyUSB1.")
     listed.clear()
@@ -172,7 +172,7 @@ def test_noisy_line_is_named_and_crc_is_set_up(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     device = window.device
-    window.program.complete()  # the size of each page counts
+    window.program.complete()  # the sizes of all pages matter
     window.connect(quick_simulator.url)
     assert window.text("qualityLabel") == ""
 

@@ -1,4 +1,4 @@
-"""Two boards driven as one robot in the window: joined, driven, stopped, one of them lost."""
+"""Two boards driven as one robot: joined, driven, stopped, one board lost."""
 
 import pytest
 
@@ -12,7 +12,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 
 @pytest.fixture
 def boards(window: WindowDriver, start_simulator: StartSimulator) -> VirtualSimulator:
-    """Boards 7 and 9 on one line, found and joined: 7 turns the left wheels, 9 the right ones."""
+    """Boards 7 (left wheels) and 9 (right wheels), found and joined on one line."""
     started = start_simulator("--unpaced", "--device", "7", "--device", "9:trexjr")
     assert isinstance(started, VirtualSimulator)
     connect(window, started.url, 7)

@@ -1,4 +1,4 @@
-"""A program whose writing blocks exits cleanly; one that is killed leaves no half of a file."""
+"""Blocked writing delays no exit, and a killed program leaves no partial file."""
 
 import os
 import random
@@ -32,7 +32,7 @@ from trex_gui.ui.plotting.history import SampleHistory
 from trex_gui.ui.plotting.traces import Traces
 
 build, kept, path = composition.build, [], Path(sys.argv[2])
-os.fsync = lambda handle: threading.Event().wait()  # a disk that does not answer
+os.fsync = lambda handle: threading.Event().wait()  # a disk that does not respond
 
 def table(program):
     from trex_gui.ui.plotting.panel import TracePanel
@@ -51,10 +51,10 @@ def transcript(program):
 
 def built(*_):
     program = build()
-    def begin():
+    def run():
         globals()[sys.argv[1]](program)
         QTimer.singleShot(300, program.window.close)
-    QTimer.singleShot(300, begin)
+    QTimer.singleShot(300, run)
     return program
 
 composition.build = built

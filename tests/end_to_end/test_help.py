@@ -1,4 +1,4 @@
-"""F1 opens the help on what is in front, and messages lead to theirs."""
+"""F1 opens help for the page or dialog in front, and messages link to their help."""
 
 import re
 from pathlib import Path
@@ -27,7 +27,7 @@ def topic_shown(window: WindowDriver) -> str:
 
 
 def press_f1(window: WindowDriver, widget: QWidget) -> str:
-    """Press F1 in a window; return the topic that the help then shows, and close it."""
+    """Press F1 in a window. Return the shown topic, and close the help."""
     widget.activateWindow()
     window.wait(widget.window().isActiveWindow)
     QTest.keyClick(widget.window().windowHandle(), Qt.Key.Key_F1)
@@ -99,7 +99,7 @@ def test_message_with_a_code_offers_its_help(connected_window: WindowDriver) -> 
 
 
 def check_log(window: WindowDriver, key: str, code: ErrorCode | RobotErrorCode, topic: str) -> None:
-    """Log two messages; the one with a code is explained."""
+    """Log two messages, and check that the message with a code is explained."""
     log = window.program.workspaces[key].log
     window.program.workspaces[key].show_page("log")
     text = window.find(QPlainTextEdit, f"{key}Log")
@@ -138,13 +138,13 @@ def test_help_without_a_board(window: WindowDriver, monkeypatch: pytest.MonkeyPa
 
     window.trigger("help")
     window.wait(window.help.isVisible)
-    assert window.help.windowHandle().transientParent() is None  # Windows would keep it above
+    assert window.help.windowHandle().transientParent() is None  # else in front on Windows
     window.window.close()
     assert not window.help.isVisible(), "it ends with the window"
 
 
 def test_keys_page_lists_every_shortcut(window: WindowDriver) -> None:
-    window.program.workspaces  # noqa: B018 - makes the menus of both devices
+    window.program.workspaces  # noqa: B018 - creates the menus of both devices
     (page,) = (page for page in pages() if page.name == "window.md")
     written, count = page.text, 0
     for menu in window.window.menuBar().findChildren(QMenu):

@@ -1,4 +1,4 @@
-"""The history of a board and notes on its settings: kept, compared, restored."""
+"""History and notes of a board's settings: saved, compared, restored."""
 
 from datetime import timedelta
 from pathlib import Path
@@ -24,7 +24,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 
 
 def open_history(window: WindowDriver) -> HistoryDialog:
-    window.trigger("history")  # which makes the dialog at first
+    window.trigger("history")  # creates the dialog
     dialog = HistoryDialog(window)
     dialog.open()
     return dialog

@@ -1,6 +1,6 @@
-"""A user learns channels of a simulated board, or calibrates them by pointing.
+"""Calibration of a simulated board's channels, by learning or by dragging.
 
-`test_learning_dialog.py` and `test_calibration_page.py` of the views have the details.
+See `test_learning_dialog.py` and `test_calibration_page.py` of the views for details.
 """
 
 from collections.abc import Callable
@@ -32,7 +32,7 @@ def learning(connected_window: WindowDriver, quick_simulator: SimulatedDevice) -
 
 
 def start_in(learning: LearningDialog, mode: str) -> None:
-    """Move the mode jumper, switch the board off and on, and wait until it is read."""
+    """Set the mode jumper, power-cycle the board, and wait until the mode is read."""
     device, simulator = learning.device, learning.simulator
     simulator.do(f"jumper mode {mode}")
     simulator.do("power cycle")
@@ -58,7 +58,7 @@ def test_all_channels_are_learned_and_tested(
     check_keyboard(learning.dialog)
     learning.dialog.activateWindow()
     learning.wait(lambda: learning.button("learnNextButton").hasFocus())
-    for _ in range(2):  # Next is disabled then, and Cancel does not get the focus
+    for _ in range(2):  # Next becomes disabled, and Cancel does not get the focus
         QTest.keyClick(learning.dialog.windowHandle(), Qt.Key.Key_Return)
     learning.wait_for_head("forward or right first")
     check_keyboard(learning.dialog)
@@ -73,7 +73,7 @@ def test_all_channels_are_learned_and_tested(
     learning.click("learnNextButton")
     assert not learning.dialog.isVisible()
     connected_window.click("writeButton")
-    # The test follows by itself.
+    # The test starts automatically.
     learning.wait_for_head("Push every stick")
     check_keyboard(learning.dialog)
     assert not connected_window.find(QDialog, "reviewDialog").isVisible(), "its result is read"
@@ -94,7 +94,7 @@ def test_all_channels_are_learned_and_tested(
 def test_safe_start_ends_at_the_learned_rest_positions(
     connected_window: WindowDriver, learning: LearningDialog
 ) -> None:
-    """With its factory defaults the board would never release the motors with these sticks."""
+    """With default calibrations, safe-start would never end with these sticks."""
     show = learning.simulator.show
     learning.use({1: Stick(rest=1600), 2: Stick(rest=1420), 3: Stick(rest=1100, low=1100)})
     start_in(learning, "rc")
@@ -115,7 +115,7 @@ def test_safe_start_ends_at_the_learned_rest_positions(
     learning.wait(lambda: show()["safe_start"] is False)
     assert show()["aux"]["speed"] == 0
 
-    # A throttle whose trim goes down is no command for full speed.
+    # A lowered throttle trim is no command for full speed.
     for beyond, most in ((60, 10), (100, 25)):
         learning.simulator.do(f"channel 3 {1100 - beyond}us")
         learning.hold()

@@ -1,4 +1,4 @@
-"""What a board lost and what was not applied is offered again, kept or discarded."""
+"""Lost settings and unapplied edits are offered again."""
 
 from pathlib import Path
 
@@ -27,7 +27,7 @@ def reconnect(window: WindowDriver, url: str) -> None:
 def test_settings_that_a_board_lost_are_shown_and_restored(
     window: WindowDriver, quick_simulator: SimulatedDevice, start_simulator: StartSimulator
 ) -> None:
-    lost = start_simulator()  # the same board after it lost its settings, to all appearance
+    lost = start_simulator()  # looks like the same board with lost settings
     window.connect(quick_simulator.url)
     assert not asked(window), "nothing was applied yet"
     window.apply(serial_timeout=15, motor1_acceleration=3)
@@ -79,7 +79,7 @@ def saved() -> dict[str, int]:
 
 @pytest.fixture
 def crashed() -> None:
-    """A run of the program that died with two edits."""
+    """Crash the program with two edits."""
     edits = Settings(TREX, "1.2", {"serial_timeout": 15, "motor1_acceleration": 3})
     EditFiles().save(BOARD, edits)
 

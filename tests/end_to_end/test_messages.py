@@ -1,4 +1,4 @@
-"""What appears by itself moves no control and takes no keys that are being typed."""
+"""Automatic messages move no control and receive no typed keys."""
 
 from PySide6.QtCore import QPoint
 from PySide6.QtTest import QTest
@@ -31,7 +31,7 @@ _LONG = "Something went wrong, and it takes a while to say what. " * 4
 
 
 def places(root: QWidget) -> dict[QWidget, tuple[QPoint, QPoint]]:
-    """Return the corners of the controls that a window shows."""
+    """Return the corners of the visible controls in a window."""
     return {
         each: (each.mapTo(root, QPoint()), each.mapTo(root, each.rect().bottomRight()))
         for each in root.findChildren(QWidget)

@@ -1,4 +1,4 @@
-"""Preferences, languages and recent files, in the whole window."""
+"""Preferences, languages and recent files in the window."""
 
 from pathlib import Path
 
@@ -27,7 +27,7 @@ def test_windows_fit_a_small_screen_in_large_fonts(
     for kind, stop in (("trex", "stopButton"), ("aracna", "aracnaStopButton")):
         dialog.select("fontSizeBox", 150)
         window.connect_to_demo(kind)
-        window.program.complete()  # each page counts
+        window.program.complete()  # the sizes of all pages matter
         if kind == "trex":
             window.device.parameters.edit("serial_timeout", 15)
             window.motors.arm()
@@ -35,7 +35,7 @@ def test_windows_fit_a_small_screen_in_large_fonts(
             dialog.select("fontSizeBox", percent)
             window.wait_for_files()
             for widget in (window.window, dialog.root):
-                # At 175 % the panel of the simulated device has to be closed for it.
+                # At 175 %, the panel of the simulated device must be closed.
                 least = widget.minimumSizeHint().width() if percent < 175 else 0
                 case = f"{kind}, {percent} %: {widget.objectName()} needs {least}"
                 assert least <= SMALL.width() - FRAME.width(), case
@@ -62,7 +62,7 @@ def recent(window: WindowDriver) -> list[QAction]:
     return [action for action in menu.actions() if action.toolTip().startswith("/")]
 
 
-def choose_recent(window: WindowDriver, name: str) -> None:
+def open_recent(window: WindowDriver, name: str) -> None:
     next(action for action in recent(window) if name in action.text()).trigger()
     window.wait_for_files()
 
@@ -82,8 +82,8 @@ def test_recent_files_open_again(window: WindowDriver, tmp_path: Path) -> None:
     for opened in (*workspace.files.editors, *workspace.recordings.windows):
         opened.close()
 
-    choose_recent(window, "robot.txt")
-    choose_recent(window, "run.trexrec")
+    open_recent(window, "robot.txt")
+    open_recent(window, "run.trexrec")
     (editor,), (playback,) = workspace.files.editors, workspace.recordings.windows
     assert editor.document.path == settings
     assert playback.player.path == recording
@@ -91,17 +91,17 @@ def test_recent_files_open_again(window: WindowDriver, tmp_path: Path) -> None:
     playback.close()
 
     settings.unlink()
-    choose_recent(window, "robot.txt")
+    open_recent(window, "robot.txt")
     assert "no longer there" in window.text("bannerText")
     assert [action.toolTip() for action in recent(window)] == [str(recording)]
 
     poses = tmp_path / "walk & turn.ppr"
     poses.write_text("low = [1, 2, 3, 4, 5, 6, 7, 8]\n")
     window.window.files.recent.add("aracna", "poses", poses)
-    choose_recent(window, "walk && turn")
+    open_recent(window, "walk && turn")
     window.wait_for_text("bannerText", "walk & turn.ppr was opened.")
 
     window.connect_to_demo("aracna")
-    choose_recent(window, "run.trexrec")
+    open_recent(window, "run.trexrec")
     assert "disconnect, then open it again" in window.text("bannerText")
     assert not window.window.help_dialog

@@ -1,7 +1,7 @@
-"""Journeys through the pages with real threads, a real port and a board in its own process.
+"""Main tasks with real threads, a real port and a board in a separate process.
 
-The page objects are those of the tests in virtual time, which show the details. What goes wrong
-with real ports is in `tests/fault_matrix` and in the soak.
+Tests in virtual time with the same page objects cover the details. `tests/fault_matrix` and the
+soak test cover faults of real ports.
 """
 
 import sys

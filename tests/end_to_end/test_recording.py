@@ -1,4 +1,4 @@
-"""A session is recorded, shown as being recorded, and opened again without the board."""
+"""A session is recorded, and its recording is opened without the board."""
 
 from pathlib import Path
 
@@ -109,7 +109,7 @@ def test_run_motor_starts_a_recording_and_a_stop_is_kept_and_opened(
     window.trigger("record_with_run")
     window.trigger("run")
     window.wait(lambda: recorder.recording)
-    window.trigger("record")  # ends it; motors still run
+    window.trigger("record")  # ends the recording; motors still run
     window.wait(lambda: recorder.can_record)
     assert motors.armed
     window.trigger("record_with_run")
@@ -125,11 +125,11 @@ def test_run_motor_starts_a_recording_and_a_stop_is_kept_and_opened(
     assert log.startswith("The seconds around “Stop” were kept.")
     assert "were kept" not in window.text("bannerText"), "it might cover a warning"
 
-    def choose(*arguments: object) -> tuple[str, str]:
+    def select(*arguments: object) -> tuple[str, str]:
         (kept,) = Path(str(arguments[2])).iterdir()
         return str(kept), ""
 
-    monkeypatch.setattr(QFileDialog, "getOpenFileName", choose)
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", select)
     window.trigger("open_kept")
     window.wait_for_files()
     (opened,) = recordings.windows

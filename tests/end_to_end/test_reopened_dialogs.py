@@ -1,4 +1,4 @@
-"""A dialog that is opened again is as it was the first time: Enter and the focus, too."""
+"""A reopened dialog looks new, even for Enter and the focus."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -14,7 +14,7 @@ from trex_gui.ui.widgets.behaviour import ReusedDialog
 
 
 def openers(window: WindowDriver) -> dict[str, Callable[[], object]]:
-    """Return what opens each dialog of the window, by its name."""
+    """Return the functions that open the dialogs, by dialog name."""
     return {
         "benchDialog": lambda: window.trigger("bench"),
         "findDialog": lambda: window.click("findButton"),
@@ -28,7 +28,7 @@ def openers(window: WindowDriver) -> dict[str, Callable[[], object]]:
 
 
 def enter_and_focus(dialog: QDialog) -> tuple[list[str], str]:
-    """Return the buttons that Enter presses, and the widget with the focus."""
+    """Return the buttons that Enter presses, and the focused widget."""
     defaults = [each.objectName() for each in dialog.findChildren(QPushButton) if each.isDefault()]
     focused = dialog.focusWidget()
     return defaults, focused.objectName() if focused is not None else ""
@@ -65,7 +65,7 @@ def test_line_settings_are_used_once_they_are_accepted(window: WindowDriver) -> 
     controller = trex(window.program).controller
     for accepted in (False, True):
         window.trigger("line")
-        window.trigger("line")  # brings it to the front
+        window.trigger("line")  # brings the dialog to the front
         (root,) = (
             each for each in window.find_all(QDialog) if each.objectName() == "lineSettingsDialog"
         )
@@ -94,7 +94,7 @@ def test_line_settings_are_used_once_they_are_accepted(window: WindowDriver) -> 
     assert controller.settings.reserved == {0, 30}
     assert controller.settings.device_number == 7
 
-    # The dialog follows what is stored meanwhile.
+    # The dialog shows newly stored values.
     window.trigger("line")
     found = replace(controller.settings, device_number=9, polynomial=0x85)
     controller.set_settings(found)

@@ -1,4 +1,4 @@
-"""The report for support: from the menu to the file, and offered after an error or a crash."""
+"""Report for support, from the menu and after an error or a crash."""
 
 import os
 import subprocess
@@ -77,7 +77,7 @@ ROOT = Path(__file__).parents[2]
 
 
 def read(dialog: WidgetDriver, name: str) -> str:
-    """Return a file of the report, as it is shown."""
+    """Return the shown text of a file in the report."""
     files = dialog.find(QListWidget, "reportFiles")
     dialog.wait(lambda: files.count() > 0)
     names = [files.item(row).text().split()[0] for row in range(files.count())]
@@ -176,7 +176,7 @@ def test_error_at_the_start_is_in_the_log() -> None:
 
 @pytest.mark.realtime
 def test_crash_is_reported_at_the_next_start(tmp_path: Path) -> None:
-    """The program that starts has file dialogs of Qt, and soon its plots."""
+    """The new process uses Qt file dialogs and loads its plots early."""
 
     def banner_of(what: str) -> str:
         command = [sys.executable, "-c", _SCRIPT, what]

@@ -1,4 +1,4 @@
-"""Settings are reviewed before they are written and followed until they are active."""
+"""Review of settings before they are written, and until they are active."""
 
 from pathlib import Path
 
@@ -46,7 +46,7 @@ def edit(window: WindowDriver, **values: int) -> None:
 
 
 def found(window: WindowDriver) -> tuple[LintFinding, ...]:
-    """Return what the check says about the settings as edited."""
+    """Return the findings about the edited settings."""
     return window.find_only(BoardLinter).findings
 
 
@@ -110,7 +110,7 @@ def test_review_reports_stored_and_failed_settings(
     assert not review.has("powerCyclePanel"), "the timeout is active at once"
 
     edit(window, serial_timeout=14)
-    review.open()  # it was not closed
+    review.open()  # it is still open
     focused: object = review.root.focusWidget()  # `None` is possible, against Qt's stubs
     QTest.keyClick(focused if isinstance(focused, QWidget) else review.root, Qt.Key.Key_Return)
     review.wait(lambda: stored(simulator, "serial_timeout") == 14 and not device.writer.running)
@@ -301,7 +301,7 @@ def test_pending_reset_blocks_writing_until_power_cycle(
     window.trigger("defaults")
     review.click("boardResetButton")
     assert review.button("questionCancel").hasFocus()
-    QTest.mouseClick(review.button("boardResetSureButton"), LEFT)  # it appears under the pointer
+    QTest.mouseClick(review.button("boardResetSureButton"), LEFT)  # it is under the pointer
     assert review.has("boardResetSureButton")
     assert not device.draft.reset_pending
     review.click("boardResetSureButton")
@@ -332,7 +332,7 @@ def test_pending_reset_blocks_writing_until_power_cycle(
     review.close()
 
 
-# --- What does not fit together --------------------------------------------------------
+# --- Conflicting settings --------------------------------------------------------
 
 
 def test_arming_warns_about_the_serial_timeout(connected_window: WindowDriver) -> None:
@@ -381,12 +381,12 @@ def test_review_offers_findings_and_writes_what_is_accepted(
     review.click("reviewAccept1")
     assert review.values()["motor2_acceleration"] == ("no ramp", "1.3 s to full speed")
     review.toggle("Motor 2 Current Limit")
-    review.wait(lambda: shows(ignored))  # what waits is not checked
+    review.wait(lambda: shows(ignored))  # pending power-cycle values are not checked
     review.toggle("Motor 2 Current Limit")
     review.toggle("Motor 2 Acceleration")
     review.wait(lambda: shows(gain2, ramp2, ignored))
     review.click("reviewAccept1")
-    review.wait(lambda: shows(gain2, ignored))  # its edit is to be written again
+    review.wait(lambda: shows(gain2, ignored))  # the edit will be written again
 
     review.click("writeButton")
     review.wait_for_text("reviewHead", "written and verified")

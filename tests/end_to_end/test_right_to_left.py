@@ -1,4 +1,4 @@
-"""In a right-to-left language left and right of robots, values and axes stay where they are."""
+"""A right-to-left language does not mirror robots, values and axes."""
 
 from collections.abc import Callable, Iterator
 
@@ -34,7 +34,7 @@ def test_window_mirrors_no_painted_widget_slider_or_number(window: WindowDriver)
     assert window.root.layoutDirection() is Direction.RightToLeft
     for workspace in window.program.workspaces.values():
         workspace.create_pages()
-    window.connect_to_demo()  # whose panel has sliders
+    window.connect_to_demo()  # the panel of the demo board has sliders
     kinds = Painted, LiveLabel, QSlider, QAbstractSpinBox
     widgets = [widget for widget in window.find_all(QWidget) if isinstance(widget, kinds)]
     assert len(widgets) > 50

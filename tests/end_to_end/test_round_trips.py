@@ -1,4 +1,4 @@
-"""A settings file that is written to a board and read back is the same, byte for byte."""
+"""A settings file written to a board and read back is identical."""
 
 import re
 from collections.abc import Callable
@@ -25,7 +25,7 @@ _OPTIONS = re.compile(r"off and on, reach it with (.*)")
 
 
 class CommandLineBoard:
-    """A simulated board that `trexcmd` reads and writes, with the options that reach it."""
+    """Simulated board, and the `trexcmd` options that connect to it."""
 
     def __init__(self, simulator: SimulatedDevice, runtime: VirtualRuntime, folder: Path) -> None:
         self._simulator = simulator
@@ -57,10 +57,10 @@ class CommandLineBoard:
         return path.read_bytes()
 
     def write(self, data: bytes) -> None:
-        """Write a settings file to the board, and switch it off and on.
+        """Write a settings file to the board and power-cycle the board.
 
-        Write it again if it changes the input source: the board takes calibrations only of the
-        active source.
+        Repeat this if the input source changes: the board only accepts calibrations of the active
+        source.
         """
         path = self._folder / "written.txt"
         path.write_bytes(data)
@@ -91,7 +91,7 @@ def start_board(
 
 
 def other_settings(model: str, firmware: str, *, analog: bool, line: LineSettings) -> Settings:
-    """Return settings that all differ from the factory defaults."""
+    """Return settings that differ from all factory defaults."""
     specs = parameters_of(model, firmware).readable
     values = {
         spec.key: max(spec.valid) if spec.default != max(spec.valid) else min(spec.valid)
@@ -111,7 +111,7 @@ def other_settings(model: str, firmware: str, *, analog: bool, line: LineSetting
 
 
 def round_trip(board: CommandLineBoard, data: bytes) -> bytes:
-    """Write a file and read it back; repeat with the result on a reset board. Return the result."""
+    """Write a file and read it back, then repeat this on a reset board. Return the result."""
     board.write(data)
     first = board.save()
     board.factory_reset()

@@ -1,4 +1,4 @@
-"""A board whose line settings are unknown is found."""
+"""Scan for a board with unknown line settings."""
 
 import sys
 
@@ -32,7 +32,7 @@ def dialog(no_ports: None, window: WindowDriver) -> FindBoardDialog:
 
 
 def store(simulator: SimulatedDevice, line: LineSettings) -> None:
-    """Store line settings in a board and switch it off and on."""
+    """Store line settings in a board and power-cycle the board."""
     simulator.do(f"eeprom uart_settings {line.to_wire()}", "power cycle")
 
 

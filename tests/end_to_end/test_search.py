@@ -1,4 +1,4 @@
-"""Search everything: what is typed, the hits below it, and what they do."""
+"""*Search everything*: typed words, hits, and their actions."""
 
 import pytest
 from PySide6.QtCore import Qt
@@ -19,7 +19,7 @@ class SearchDriver(WindowDriver):
         self.hits = hits
 
     def type(self, words: str) -> None:
-        self.window.activateWindow()  # offscreen, a list that was closed stays in front
+        self.window.activateWindow()  # offscreen, a closed list stays in front
         self.wait(self.window.isActiveWindow)
         self.trigger("search")
         QTest.keyClicks(self.hits, words)

@@ -1,4 +1,4 @@
-"""Settings files are opened and saved, with a board connected and with none."""
+"""Opening and saving of settings files, with and without a board."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -334,7 +334,7 @@ def test_closing_the_program_asks_about_unsaved_files(
 
 
 def test_apply_and_undo_shortcuts_work_only_in_main_window(window: WindowDriver) -> None:
-    """Undo there does not undo here; Esc stops the motors everywhere."""
+    """Undo only affects its own window. Esc stops the motors in every window."""
     for key, context in (
         ("apply", Qt.ShortcutContext.WindowShortcut),
         ("undo", Qt.ShortcutContext.WindowShortcut),

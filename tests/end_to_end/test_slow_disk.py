@@ -1,4 +1,4 @@
-"""The window goes on while a disk takes seconds, and nothing is lost."""
+"""The window stays responsive with a slow disk, and no data is lost."""
 
 import errno
 import os
@@ -41,7 +41,7 @@ def stored(simulator: VirtualSimulator) -> int:
 
 @pytest.fixture
 def review(connected_window: WindowDriver, disk: SlowDisk) -> ReviewDialog:
-    """The review, which was told to write one setting and saves the snapshot."""
+    """Review that writes one setting and is saving the snapshot."""
     del disk
     review = ReviewDialog(connected_window)
     connected_window.device.parameters.edit("serial_timeout", 15)
@@ -115,7 +115,7 @@ ROVER = "product: TReX\nserial_timeout: 5\n"
 
 @pytest.fixture
 def editor(window: WindowDriver, tmp_path: Path, disk: SlowDisk) -> Iterator[SettingsEditorWindow]:
-    """The window of a settings file, with an edit."""
+    """Window of a settings file with an edit."""
     del disk
     path = tmp_path / "rover.txt"
     path.write_text(ROVER, encoding="utf-8")
@@ -125,7 +125,7 @@ def editor(window: WindowDriver, tmp_path: Path, disk: SlowDisk) -> Iterator[Set
     editor = files.editor()
     editor.edit("serial_timeout", 9)
     yield editor
-    files.files.close_all()  # without a question, also after a failure
+    files.files.close_all()  # without a prompt, even after a failure
 
 
 def text_of(editor: SettingsEditorWindow) -> str:
@@ -136,7 +136,7 @@ def text_of(editor: SettingsEditorWindow) -> str:
 
 def test_other_path_does_not_wait_for_a_save(editor: SettingsEditorWindow, tmp_path: Path) -> None:
     other = tmp_path / "other.txt"
-    editor.action("Save").trigger()  # looks at the file first, so it ends later
+    editor.action("Save").trigger()  # reads the file first, so it ends later
     editor.editor.save_to(other)
     editor.wait_for_files()
     assert "serial_timeout: 9" in other.read_text(encoding="utf-8")
@@ -209,7 +209,7 @@ def test_settings_of_the_board_are_saved_before_the_program_closes(
     assert disk.stalls == []
 
 
-# --- Everything else that is saved --------------------------------------------------------
+# --- Other files --------------------------------------------------------
 
 
 def test_window_saves_nothing_itself(
@@ -224,7 +224,7 @@ def test_window_saves_nothing_itself(
     }
     for name, save in saves.items():
         save(tmp_path / name)
-    window.device.parameters.edit("serial_timeout", 9)  # is kept for the next start
+    window.device.parameters.edit("serial_timeout", 9)  # saved for the next start
     window.wait(lambda: all((tmp_path / name).exists() for name in saves))
     window.wait(lambda: any((data_folder() / "edits").glob("*.txt")))
     recorder.stop()

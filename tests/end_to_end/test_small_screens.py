@@ -1,4 +1,4 @@
-"""Every window fits a small screen, and can be used and stopped there with the keyboard alone."""
+"""Every window fits a small screen and is usable by keyboard alone."""
 
 from collections.abc import Iterator
 from functools import partial
@@ -47,7 +47,7 @@ FRAME = QSize(16, 48)
 @pytest.fixture(
     params=[
         ("en", 1024, 600),
-        # In a still longer language: `test_every_window.py`.
+        # `test_every_window.py` uses a longer language.
         pytest.param(("de", 1366, 728), marks=pytest.mark.slow),
         pytest.param(("fr", 1366, 728), marks=pytest.mark.slow),
     ],
@@ -56,7 +56,7 @@ FRAME = QSize(16, 48)
 def screen(
     request: pytest.FixtureRequest, qapp: QApplication, monkeypatch: pytest.MonkeyPatch
 ) -> Iterator[QRect]:
-    """The part of the screen that windows may cover, from before the first window is made."""
+    """Available part of the screen, set before the first window is created."""
     language, width, height = request.param
     available = QRect(0, 0, width, height)
     monkeypatch.setattr(QScreen, "availableGeometry", lambda _: available)
@@ -65,9 +65,9 @@ def screen(
 
 
 def check_window(window: QWidget, screen: QRect, stop: QAbstractButton | None) -> None:
-    """Check size, stop button and keyboard of a window as it is shown."""
+    """Check size, stop button and keyboard of a visible window."""
     check_keyboard(window)
-    for _ in range(3):  # a layout may ask for another one
+    for _ in range(3):  # a layout may request another layout
         QCoreApplication.processEvents()
     assert not list(cut_texts(window))
     case = f"{window.objectName()}: {window.frameGeometry()}"
@@ -81,7 +81,7 @@ def check_window(window: QWidget, screen: QRect, stop: QAbstractButton | None) -
 
 
 def check_pages(window: WindowDriver, screen: QRect, stop: str, panel: str) -> None:
-    """Check the main window with each page, with the panel of the simulated device and without."""
+    """Check the main window with each page, with and without the simulator panel."""
     dock = window.find(QDockWidget, panel)
     for page in window.each_page():
         runtime().sleep(0.3)
@@ -142,7 +142,7 @@ def test_windows_of_trex_fit(screen: QRect, window: WindowDriver, tmp_path: Path
 
 
 def check_other_dialogs(window: WindowDriver, screen: QRect) -> None:
-    """Check all that were made by now."""
+    """Check all dialogs that exist."""
     GamepadDialog(window.find(GamepadPanel, "gamepadPanel").gamepad, window.window)
     LineSettingsDialog(trex(window.program).controller.settings, window.window)
     window.trigger("new")
@@ -172,17 +172,17 @@ HIGH = (960, 800)
 
 
 class AskingWindow(WindowDriver):
-    """The window, its question, and its red button.
+    """Window with a prompt and a stop button.
 
     Attributes:
-        may_store: while it is false, the board's line holds the third setting of a write.
+        may_store: False blocks the third setting of a write on the board's line.
     """
 
     def __init__(self, window: WindowDriver, simulator: VirtualSimulator) -> None:
         super().__init__(window.program, window.qtbot)
         self.simulator = simulator
         self.may_store = True
-        self.program.complete()  # each page counts
+        self.program.complete()  # the sizes of all pages matter
 
     @property
     def question(self) -> InlinePrompt:
@@ -201,7 +201,7 @@ class AskingWindow(WindowDriver):
         self.device.parameters.edit("serial_timeout", 15)
 
     def check_that_stop_is_in_sight(self, case: str) -> None:
-        """Check it with the window as low as `LOW`."""
+        """Check that the stop button is visible in a window of height `LOW`."""
         self.window.resize(*LOW)
         assert self.window.minimumSizeHint().height() <= 480, case
         assert self.window.height() == LOW[1], case
@@ -214,14 +214,14 @@ class AskingWindow(WindowDriver):
         with self.qtbot.waitSignal(self.motors.stop_requested):
             self.click("stopButton")
 
-    def begin_to_write(self) -> int:
-        """Begin to write a dozen settings, which ends when `may_store` is set."""
+    def start_writing(self) -> int:
+        """Start to write a dozen settings. Writing ends after `may_store` is set."""
         self.may_store = False
         seen: set[bytes] = set()
 
         def wait_before_the_third(data: bytes) -> None:
             if data[0] == SetParameter(0, 0).opcode:
-                seen.add(data)  # one that is sent again, since its answer was late, counts once
+                seen.add(data)  # a request that is repeated after a late reply counts once
             while len(seen) == 3 and not self.may_store:
                 runtime().sleep(0.01)
 
@@ -340,7 +340,7 @@ def disconnect_in_find_dialog(asking: AskingWindow) -> None:
 
 
 def test_disconnecting_during_write_asks_for_confirmation(asking: AskingWindow) -> None:
-    count = asking.begin_to_write()
+    count = asking.start_writing()
     ways: list[Gesture] = [
         lambda: asking.click("connectButton"),
         lambda: asking.trigger("disconnect"),
@@ -362,7 +362,7 @@ def test_disconnecting_during_write_asks_for_confirmation(asking: AskingWindow) 
 
 
 def test_writing_continues_while_prompt_is_open(asking: AskingWindow) -> None:
-    asking.begin_to_write()
+    asking.start_writing()
     asking.click("connectButton")
     asking.click("questionCancel")
     asking.may_store = True
@@ -370,18 +370,18 @@ def test_writing_continues_while_prompt_is_open(asking: AskingWindow) -> None:
     assert asking.device.draft.pending == 0
     assert asking.link() is ConnectionState.CONNECTED
 
-    asking.begin_to_write()
+    asking.start_writing()
     asking.click("connectButton")
     asking.may_store = True
     asking.wait(lambda: not asking.device.writer.running)
     asking.wait(lambda: not asking.has_question())
     assert asking.link() is ConnectionState.CONNECTED
 
-    asking.begin_to_write()
+    asking.start_writing()
     assert not asking.window.close()
     assert "Settings are still being written. Close anyway?" in asking.question.text
     assert asking.is_shown()
     asking.wait(lambda: asking.find(ConfirmButton, "closeYes").accepts_clicks)
-    asking.may_store = True  # closing waits for what is being stored
+    asking.may_store = True  # closing waits for the current write
     asking.click("closeYes")
     assert not asking.is_shown()

@@ -1,4 +1,4 @@
-"""What leads a newcomer to a first connection, and what returns at the next start."""
+"""First connection of a new user, and state that is restored at the next start."""
 
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, contextmanager
@@ -136,7 +136,7 @@ Start = Callable[[], AbstractContextManager[WindowDriver]]
 
 @pytest.fixture
 def start(qtbot: QtBot, qapp: QApplication) -> Start:
-    """Start the program; it ends as if it had crashed unless its window is closed."""
+    """Start the program. Unless its window is closed, it ends like a crash."""
     theme().install(qapp)
 
     @contextmanager

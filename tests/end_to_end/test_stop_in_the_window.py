@@ -1,4 +1,4 @@
-"""Everything in the windows that stops the motors of a simulated board."""
+"""All controls and keys in the windows that stop the motors."""
 
 from collections.abc import Callable
 from functools import partial
@@ -19,7 +19,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 
 
 class DrivingWindow(MotorsPage):
-    """The Motors page of a board that drives both kinds of motors, on a line with a baud rate."""
+    """Motors page of a board that drives all motors, on a line with a real baud rate."""
 
     def __init__(self, window: WindowDriver, simulator: SimulatedDevice) -> None:
         window.connect(simulator.url)
@@ -42,13 +42,13 @@ class DrivingWindow(MotorsPage):
         return (shown["motors"][0]["speed"], shown["aux"]["speed"]) == (60, 50)
 
     def repeat_escape(self) -> None:
-        """Let the system repeat Esc, which is held."""
+        """Simulate the key repeat of a held Esc."""
         self.activate()
         window, none = self.window.windowHandle(), Qt.KeyboardModifier.NoModifier
         QTest.simulateEvent(window, True, Qt.Key.Key_Escape, none, "", True)
 
     def expect_stop(self, cause: str) -> None:
-        """Check that the stop is on its way at once, and wait until the board has obeyed."""
+        """Check that the stop is sent at once, and wait until the board has stopped."""
         assert not self.is_armed(), cause
         self.wait(lambda: is_stopped(self.simulator))
         assert self.motors.drive(1) is None, cause
@@ -60,7 +60,7 @@ def driving(window: WindowDriver, simulator: SimulatedDevice) -> DrivingWindow:
     return DrivingWindow(window, simulator)
 
 
-# --- What stops -------------------------------------------------------------------------
+# --- Stop controls -------------------------------------------------------------------------
 
 
 def test_stop_button_stops_on_press_on_every_page(driving: DrivingWindow) -> None:
@@ -223,7 +223,7 @@ def test_stop_pressed_while_board_is_read_is_sent(
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
 
 
-# --- The lock, and what is said ---------------------------------------------------------
+# --- Lockout and messages ---------------------------------------------------------
 
 
 def test_disabled_serial_timeout_is_set_with_a_click(driving: DrivingWindow) -> None:

@@ -1,4 +1,4 @@
-"""The page of the transcript: everything that goes over the line."""
+"""Transcript page: all traffic on the line."""
 
 import re
 from pathlib import Path
@@ -19,7 +19,7 @@ from trex_gui.ui.widgets.labels import ElidedLabel, PageHead
 
 
 class TrafficDriver(WidgetDriver):
-    """The page of the transcript, open."""
+    """Open transcript page."""
 
     def __init__(self, window: WindowDriver) -> None:
         super().__init__(window.open_page("transcriptPage").root, window.qtbot)
@@ -37,35 +37,34 @@ class TrafficDriver(WidgetDriver):
         return self.view.model().rowCount()
 
     def shows(self, text: str) -> bool:
-        """Return whether a row says this."""
+        """Return whether a row shows a text."""
         return any(text in words for words in self.column(WORDS))
 
     def wait_for_row(self, text: str) -> None:
         self.wait(lambda: self.shows(text))
 
     def row_of_signature(self) -> int:
-        """Return where the signature was requested; where a reply was late, the last time."""
+        """Return the last row that requests the signature."""
         return max(row for row, sent in enumerate(self.column(SENT)) if sent == "81")
 
     def check(self, name: str, on: bool = True) -> None:
-        """Check or clear a box."""
         if self.find(QCheckBox, name).isChecked() is not on:
             self.click(name)
         assert self.find(QCheckBox, name).isChecked() is on
 
     def wait_for_traffic(self) -> None:
-        """Wait until 50 more transactions have taken place."""
+        """Wait for 50 more transactions."""
         before = self._traffic.everything.count
         self.wait(lambda: self._traffic.everything.count > before + 50)
 
     @property
     def summary(self) -> str:
-        """Return what the head of the place says about the page."""
+        """Return the state in the page head."""
         return self._window.find(PageHead, "diagnosticsHead").findChildren(ElidedLabel)[-1].text()
 
     @property
     def faults(self) -> int:
-        """Return how many the summary counts."""
+        """Return the number of faults in the summary."""
         found = re.search(r"(\d+) faults?", self.summary)
         return int(found[1]) if found else 0
 
@@ -161,7 +160,7 @@ def test_polling_is_shown_on_demand_and_log_can_be_paused(
     assert "polling hidden" in page.summary
 
     select_font_size(150)
-    window.window.resize(1100, 700)  # bytes leave room for what they mean
+    window.window.resize(1100, 700)  # wide enough for the meanings beside the bytes
     readable = 40 * page.view.fontMetrics().averageCharWidth()
     page.wait(lambda: page.view.columnWidth(WORDS) >= readable)
 
@@ -234,7 +233,7 @@ def test_typed_bytes_are_explained_and_sent(
     with window.qtbot.waitSignal(window.device.notifier.info) as info:
         page.type_into("transcriptBytes", "9F 07")
     assert info.args == ["Sent 9F 07; the reply is 00."]
-    page.wait(lambda: page.column(SENT)[-1] == "9F 07")  # one of the polls, which are hidden
+    page.wait(lambda: page.column(SENT)[-1] == "9F 07")  # a poll, which is normally hidden
 
     page.type_into("transcriptBytes", "AF 07 05 55 2A", enter=False)
     assert "set Serial Timeout to 0.5 s (5) (stored at once" in meaning()

@@ -1,4 +1,4 @@
-"""One transaction after the other, on a wire in virtual time."""
+"""Transactions on a wire in virtual time."""
 
 import contextlib
 
@@ -113,11 +113,11 @@ def test_delayed_reply_within_allowance_is_accepted() -> None:
     assert stage.client(settings).request(GetMode()) is Mode.SERIAL_RC
 
 
-# --- What must not be taken for a reply -------------------------------------------------
+# --- Late and unsolicited bytes -------------------------------------------------
 
 
 def silenced(stage: Stage, questions: int) -> TrexClient:
-    """A client that has asked so many questions in vain."""
+    """Return a client with a number of unanswered requests."""
     stage.transport.latency = REAL_TIME
     client = stage.client()
     stage.line.faults.mute = True
@@ -130,7 +130,7 @@ def silenced(stage: Stage, questions: int) -> TrexClient:
 
 def test_late_reply_before_next_request_is_discarded(stage: Stage) -> None:
     client = silenced(stage, 1)
-    stage.line.inject(b"\x05")  # the adapter held it back
+    stage.line.inject(b"\x05")  # delayed by the adapter
     stage.line.advance(0.1)
     assert client.request(GetParameter(0)) == 7
 
@@ -144,7 +144,7 @@ def test_late_reply_during_next_request_is_discarded(stage: Stage) -> None:
 
 def test_burst_of_late_replies_is_rejected(stage: Stage) -> None:
     client = silenced(stage, 3)
-    # An adapter that stood still gives all of it back while the next question waits.
+    # A stalled adapter delivers all replies while the next request waits.
     stage.line.timeline.at(
         stage.line.now + REAL_TIME + 0.0005, lambda: stage.line.inject(b"\x05\x05\x05")
     )
@@ -169,7 +169,7 @@ def test_motor_command_does_not_wait_for_late_reply(stage: Stage) -> None:
     assert stage.line.now == begun
 
 
-def test_reply_through_a_port_that_takes_long_to_write_is_in_time(stage: Stage) -> None:
+def test_reply_through_slow_port_is_in_time(stage: Stage) -> None:
     write = stage.transport.write
 
     def write_slowly(data: bytes) -> None:
@@ -330,10 +330,10 @@ def test_slowest_round_trip_ignores_timeouts(stage: Stage) -> None:
     assert client.counters.slowest == slow
 
 
-# --- The end of a line ------------------------------------------------------------------
+# --- Lost lines ------------------------------------------------------------------
 
 
-# --- Any noise --------------------------------------------------------------------------
+# --- Noise --------------------------------------------------------------------------
 
 QUESTIONS: list[Command[object]] = [
     GetSignature(),
@@ -367,7 +367,7 @@ def test_crc_rejects_replies_with_few_corrupted_bytes(
     number: int | None,
 ) -> None:
     quiet, settings = staged(detection=Detection.CRC7)
-    quiet.line.advance(0.1)  # until every channel has had its first pulse
+    quiet.line.advance(0.1)  # every channel receives its first pulse
     expected = [quiet.client(settings).request(question) for question in questions]
 
     stage, _ = staged(detection=Detection.CRC7, echo=echo)
@@ -382,7 +382,7 @@ def test_crc_rejects_replies_with_few_corrupted_bytes(
             answer = client.request(question)
         except (NoReply, BadReply):
             continue
-        # Seven bits tell of every one or two wrong bits; of more, of all but one in 128.
+        # CRC-7 detects one or two wrong bits, and all but one in 128 of other errors.
         assert answer == right or stage.line.faults.counters["corrupted"] - corrupted > 2
 
 

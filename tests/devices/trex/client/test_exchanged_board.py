@@ -1,4 +1,4 @@
-"""Nothing is written to another board than the one that was read."""
+"""Settings are only written to the board that was read."""
 
 from collections.abc import Callable
 
@@ -32,7 +32,7 @@ def _calibrate(board: Board) -> None:
 
 
 def known() -> tuple[Stage, TrexClient, DeviceState]:
-    """Return a board that has been read."""
+    """Return the state of the board."""
     stage, settings = staged()
     client = stage.client(settings)
     return stage, client, read_everything(client.request)
@@ -63,7 +63,7 @@ def _was_written(board: Board) -> bool:
     ],
     ids=["model", "firmware", "number", "another value", "value to be written", "calibration"],
 )
-def test_board_with_other_settings_is_not_written_to(
+def test_board_with_other_settings_is_not_written(
     board: Board, prepare: Prepare, code: ErrorCode
 ) -> None:
     stage, client, before = known()
@@ -80,7 +80,7 @@ def test_board_with_other_settings_is_not_written_to(
 @pytest.mark.parametrize(
     ("model", "number"), [("trexjr", 7), ("trex", 9)], ids=["another model", "another number"]
 )
-def test_board_that_replaces_a_silent_one_is_not_written_to(
+def test_board_that_replaces_silent_board_is_not_written(
     writes: int, model: str, number: int
 ) -> None:
     stage, client, before = known()
@@ -89,7 +89,7 @@ def test_board_that_replaces_a_silent_one_is_not_written_to(
     sent = 0
 
     def request(command: Command[ReplyT_co]) -> ReplyT_co:
-        """Lose the reply to one of the writes, and find another board then."""
+        """Lose the reply to a write, and exchange the board."""
         nonlocal sent
         sent += isinstance(command, SetParameter)
         if sent < writes or stage.transport.line is not stage.line:
@@ -108,8 +108,8 @@ def test_board_that_replaces_a_silent_one_is_not_written_to(
 
 
 @pytest.mark.parametrize("replies", [1, 5, 20, 36])
-def test_board_that_is_exchanged_while_it_is_compared_is_not_written_to(replies: int) -> None:
-    """What both boards stored would be read as that of one."""
+def test_board_exchanged_during_comparison_is_not_written(replies: int) -> None:
+    """Otherwise the values of two boards would count as those of one board."""
     stage, client, before = known()
     other = Board("trexjr")
     requests = 0
@@ -130,13 +130,13 @@ def test_board_that_replies_at_the_end_is_compared() -> None:
     stage, client, before = known()
     stored: list[WriteResult] = []
 
-    def note(result: WriteResult) -> None:
+    def record(result: WriteResult) -> None:
         stored.append(result)
         if len(stored) == len(WANTED):
             _exchange(stage, Board("trexjr"))
 
     with pytest.raises(OtherBoard) as caught:
-        write_all(client.request, SPECS, WANTED, before=before, stored=note)
+        write_all(client.request, SPECS, WANTED, before=before, stored=record)
     assert caught.value.code is ErrorCode.OTHER_BOARD_AFTER_WRITING
 
 
@@ -149,7 +149,7 @@ def test_corrupted_readings_are_not_taken_for_another_board(seed: int) -> None:
     assert {result.key for result in results} == dict(WANTED).keys()
 
 
-def test_board_that_cannot_be_compared_is_not_written_to() -> None:
+def test_board_that_cannot_be_compared_is_not_written() -> None:
     stage, client, before = known()
     stage.board.power_off()
     results = write_all(client.request, SPECS, WANTED, before=before)
@@ -157,15 +157,14 @@ def test_board_that_cannot_be_compared_is_not_written_to() -> None:
     assert not any(isinstance(one, SetParameter) for one in commands(stage.transport.sent))
 
 
-def test_changed_device_number_is_that_of_the_same_board() -> None:
+def test_changed_device_number_does_not_mean_other_board() -> None:
     _, client, before = known()
     wanted = [("device_number", 9), *WANTED]
     results = write_all(client.request, SPECS, wanted, before=before)
     assert all(result.error is None for result in results)
 
 
-def test_board_that_gets_no_write_is_not_compared_at_the_end() -> None:
-    """The message would be that settings may have been written to it."""
+def test_board_without_writes_is_not_compared_at_the_end() -> None:
     stage, client, before = known()
     _exchange(stage, Board("trexjr"))
     results = write_all(client.request, SPECS, WANTED, before=before, cancelled=lambda: True)

@@ -1,7 +1,7 @@
-"""Power cut and cable pulled at every byte of what is written: what the board is left with.
+"""Power cuts and pulled cables at every byte of a write.
 
-A first run without a disturbance finds the moments: after every byte on the wire, and several
-within each write to the EEPROM. Then the same is written again, once for each of them.
+An undisturbed run finds the moments: after every byte on the wire, and several within each write to
+the EEPROM. Then the write is repeated for each moment.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -71,7 +71,7 @@ def factory_value(name: str, specs: ParameterSet) -> int:
 
 @dataclass(frozen=True)
 class Case:
-    """What is stored, and what is to be."""
+    """Stored values, and values to write."""
 
     parameters: tuple[tuple[str, int], ...]
     calibrations: tuple[tuple[CalibrationKey, Calibration], ...] = ()
@@ -101,7 +101,7 @@ class Case:
         return eeprom
 
     def link(self, values: Values) -> ConnectionSettings:
-        """Return how to reach a board that stores these values and was switched on with them."""
+        """Return the connection settings of a board that has started with these values."""
         line = LineSettings.from_wire(values["uart_settings"])
         line = replace(line, baud=line.real_baud(self.firmware))
         number = values["device_number"] if self.expanded else None
@@ -113,7 +113,7 @@ def wire(baud: int, detection: Detection = Detection.NONE, stop_bits: int = 1) -
 
 
 def everything(firmware: str) -> tuple[tuple[str, int], ...]:
-    """Return another value for every parameter; those of the line are given by the case."""
+    """Return changes of every parameter. The case defines the line settings."""
     specs = parameters_of("trex", firmware).readable
     others = [
         (spec.key, max(spec.valid) if spec.default != max(spec.valid) else min(spec.valid))
@@ -193,12 +193,12 @@ every_case = pytest.mark.parametrize(
 )
 
 
-# --- Writing, and what comes between ----------------------------------------------------
+# --- Disturbed writes ----------------------------------------------------
 
 
 @dataclass
 class Attempt:
-    """A board, and one writing to it that something may disturb."""
+    """One write to a board that may be disturbed."""
 
     case: Case
     results: tuple[WriteResult, ...] = ()
@@ -230,7 +230,7 @@ class Attempt:
 
     @property
     def claimed(self) -> dict[str, int]:
-        """What the results say is stored."""
+        """Return the values that are stored according to the results."""
         values: dict[str, int] = {}
         for result in self.results:
             if isinstance(result.stored, int):
@@ -246,7 +246,7 @@ class Attempt:
 
 @cache
 def moments(name: str) -> tuple[float, ...]:
-    """Return when each byte has just passed, and moments within the writes to the EEPROM."""
+    """Return the times after each byte, and times within the writes to the EEPROM."""
     attempt = Attempt(CASES[name])
     line, memory = attempt.stage.line, attempt.board.memory
     found: list[float] = []
@@ -270,16 +270,16 @@ def moments(name: str) -> tuple[float, ...]:
 
 
 def some(found: tuple[float, ...]) -> tuple[float, ...]:
-    """Return all moments of a short writing, and a share of those of a long one."""
+    """Return all moments of a short write, and a sample for a long write."""
     return found[:: 1 + len(found) // 100]
 
 
 def answers(stage: Stage, settings: ConnectionSettings) -> bool:
-    """Whether the board answers at these settings."""
+    """Return whether the board replies at these settings."""
     stage.line.host = settings.line
     stage.line.advance(1.0)
     client = TrexClient(stage.transport, settings)
-    for _ in range(2):  # what a board at another rate has heard may stand before the first
+    for _ in range(2):  # the first request may follow bytes at another rate
         try:
             client.request(GetSignature())
         except (NoReply, BadReply):
@@ -289,7 +289,7 @@ def answers(stage: Stage, settings: ConnectionSettings) -> bool:
 
 
 def places(case: Case) -> Iterator[ConnectionSettings]:
-    """Yield where somebody looks for a board: as it was, as it was to be, as it came."""
+    """Yield line settings to try: the old, the new and the default settings."""
     numbers = {case.before["device_number"], case.after["device_number"], 7}
     links = [case.link(case.before), case.link(case.after), ConnectionSettings("virtual")]
     if case == POLYNOMIAL_ALONE:
@@ -303,14 +303,14 @@ _reached: set[object] = set()
 
 
 def require_reachable(attempt: Attempt) -> None:
-    """Look for the board as somebody would, once for each state that it was left in."""
+    """Find the board in each state that an interruption leaves."""
     case, stage, memory = attempt.case, attempt.stage, attempt.board.memory
     polynomial, number = memory.crc_polynomial, memory.active["device_number"]
     state = (case, memory.line_settings, polynomial, number)
     if state in _reached:
         return
     assert attempt.board.powered
-    if polynomial in {None, DEFAULT_POLYNOMIAL}:  # others need the full search
+    if polynomial in {None, DEFAULT_POLYNOMIAL}:  # others need a full scan
         stage.line.advance(1.0)
         (found,) = scan_port(
             ConnectionSettings("virtual"),
@@ -325,7 +325,7 @@ def require_reachable(attempt: Attempt) -> None:
 
 
 def require_order(attempt: Attempt, *, lost: int) -> None:
-    """Every value is the old or the new one; at most so many are the factory's instead."""
+    """Check that values are old or new, except for a limited number of defaults."""
     case, stored = attempt.case, attempt.stored
     before, after = case.before, case.after
     unexpected = {name for name in stored if stored[name] not in {before[name], after[name]}}
@@ -339,7 +339,7 @@ def require_order(attempt: Attempt, *, lost: int) -> None:
 
 
 def passes_the_factory_line(case: Case) -> bool:
-    """Whether CRC stays on while line and polynomial change."""
+    """Return whether CRC stays on while line and polynomial change."""
     lines = [LineSettings.from_wire(one["uart_settings"]) for one in (case.before, case.after)]
     changes = case.before["crc7_polynomial"] != case.after["crc7_polynomial"]
     return all(line.detection is CRC for line in lines) and lines[0] != lines[1] and changes
@@ -361,7 +361,7 @@ def test_power_cut_loses_only_values_being_written(name: str, first: int) -> Non
 
 @every_case
 def test_brief_power_cut_loses_only_values_being_written(name: str) -> None:
-    """The writing may still go on when the board is back."""
+    """Writing may continue after the board has returned."""
     for moment in some(moments(name)):
         attempt = Attempt(CASES[name])
         attempt.at(moment, attempt.board.power_off)
@@ -421,11 +421,11 @@ def test_port_loss_is_reported_for_all_remaining_settings(name: str) -> None:
         assert attempt.results[len(attempt.results) - len(failed) :] == tuple(failed)
 
 
-# --- Another board than before ----------------------------------------------------------
+# --- Changed boards ----------------------------------------------------------
 
 
 def test_changed_input_source_keeps_its_calibrations() -> None:
-    """What is stored for the next power-up may be other inputs than those that are read now."""
+    """The stored input source may differ from the active input source."""
     refused = 0
     for moment in some(moments("calibrations")):
         attempt = Attempt(CASES["calibrations"])
@@ -449,11 +449,11 @@ def test_write_ends_when_board_returns_in_rc_mode() -> None:
     require_order(attempt, lost=1)
 
 
-# --- Ended on purpose -------------------------------------------------------------------
+# --- Cancelled writes -------------------------------------------------------------------
 
 
 def ended_after(case: Case, count: int) -> tuple[Stage, tuple[WriteResult, ...]]:
-    """Write until so many settings were tried, then be asked to end."""
+    """Write, and cancel after a number of settings."""
     attempt = Attempt(case)
     stage, settings = attempt.stage, case.link(case.before)
     tried: list[int] = []
@@ -489,7 +489,7 @@ def test_line_settings_and_polynomial_stay_together(name: str) -> None:
     assert contents(stage.board.eeprom, case.specs) == case.after
 
 
-# --- By way of the factory's settings ---------------------------------------------------
+# --- Default settings in between ---------------------------------------------------
 
 
 def test_line_change_with_crc_goes_via_factory_settings() -> None:

@@ -1,4 +1,4 @@
-"""Everything that a board tells of itself."""
+"""Reading of everything that a board stores."""
 
 from collections.abc import Callable
 
@@ -40,8 +40,8 @@ def test_every_board_is_read_completely(model: str, firmware: str, mode: str) ->
 
 
 @pytest.mark.parametrize("reply", [b"", b"\xff"])
-def test_unknown_parameter_is_left_out_whatever_its_reply(stage: Stage, reply: bytes) -> None:
-    """A board that lacks a parameter of its firmware; the qik 2s12v10 replies FF."""
+def test_unknown_parameter_is_omitted_after_any_reply(stage: Stage, reply: bytes) -> None:
+    """A board may lack a parameter of its firmware. The qik 2s12v10 replies FF."""
     board = stage.board
     board.unknown_reply, board.memory.parameters = reply, parameters_of("trex", "1.1")
     state = read_everything(stage.client().request)
@@ -112,8 +112,8 @@ def test_one_reading_suffices_with_crc() -> None:
     assert client.counters.requests == 4 + len(state.specs.readable) + len(CHANNELS)
 
 
-def test_corrupted_reply_is_not_kept() -> None:
-    """The replies to the first requests are corrupted in turn, and a share of the others."""
+def test_corrupted_reply_is_read_again() -> None:
+    """Each of the first replies is corrupted once, and a share of later replies."""
     whole = Stage(Board())
     stored = read_everything(whole.client().request)
     count = len(commands(whole.transport.sent))
@@ -135,10 +135,10 @@ def test_corrupted_reply_is_not_kept() -> None:
 
 
 @pytest.mark.parametrize("read", [read_everything, lambda request: agreed(request, _GET_TIMEOUT)])
-def test_request_that_becomes_another_one_spoils_no_value(
+def test_request_corrupted_into_other_request_changes_no_value(
     stage: Stage, read: Callable[[Requester], DeviceState | int]
 ) -> None:
-    """9F 07 becomes 8F: both currents. The second one is taken for the next reply."""
+    """9F 07 becomes 8F (both currents), whose second byte is taken for the next reply."""
     stage.board.eeprom.write("serial_timeout", 5)
     client = stage.client()
     write = stage.transport.write
@@ -159,11 +159,11 @@ def test_request_that_becomes_another_one_spoils_no_value(
 def test_unreadable_parameter_does_not_block_remaining_ones(stage: Stage) -> None:
     client = stage.client()
 
-    def deaf_to_one(command: Command[ReplyT_co]) -> ReplyT_co:
+    def without_replies_to_one(command: Command[ReplyT_co]) -> ReplyT_co:
         stage.line.faults.mute = command == GetParameter(0x07)
         return client.request(command)
 
-    state = read_everything(deaf_to_one)
+    state = read_everything(without_replies_to_one)
     assert set(state.unread) == {"serial_timeout"}
     assert "No reply to 9F 07" in state.unread["serial_timeout"]
     assert "serial_timeout" not in state.parameters

@@ -1,4 +1,4 @@
-"""Writes count when they were written and verified."""
+"""Writing of settings, which are read back."""
 
 import re
 from collections.abc import Callable
@@ -117,7 +117,7 @@ def test_unanswered_factory_reset_fails(stage: Stage) -> None:
         write_parameter(stage.client().request, SPECS["factory_reset"], 0x7F)
 
 
-# --- Refusals ---------------------------------------------------------------------------
+# --- Rejections ---------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("mode", ["rc", "analog"])
@@ -167,7 +167,7 @@ def test_corrupted_result_code_does_not_fail_a_write(stage: Stage, codes: list[i
     assert write_parameter(request, TIMEOUT, 5) == 5
 
 
-# --- A bad line -------------------------------------------------------------------------
+# --- Corrupted bytes -------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("lost", [1, 3])
@@ -270,7 +270,7 @@ def test_other_input_source_is_named_in_the_language(qapp: QApplication) -> None
 
 
 def written_keys(sent: bytes | bytearray) -> list[str]:
-    """Return the keys of the parameters that were written, in order."""
+    """Return the keys of the written parameters in order."""
     numbers = [one.number for one in commands(sent) if isinstance(one, SetParameter)]
     specs = [SPECS.number(number) for number in numbers]
     return [spec.key for spec in specs if spec is not None]
@@ -417,11 +417,11 @@ def test_each_requested_setting_gets_one_result(
     assert all((result.stored is None) is (result.error is not None) for result in results)
 
 
-# --- Writes that a corrupted bit turns into others --------------------------------------
+# --- Stray writes --------------------------------------
 
 
 @pytest.mark.parametrize("bit", range(3))
-def test_other_parameter_that_was_hit_is_restored(stage: Stage, bit: int) -> None:
+def test_parameter_changed_by_stray_write_is_restored(stage: Stage, bit: int) -> None:
     before = read_everything(stage.client().request)
     hit = bytes([0xAF, TIMEOUT.number ^ 1 << bit])
     divert(stage, bytes([0xAF, TIMEOUT.number]), hit)
@@ -432,7 +432,7 @@ def test_other_parameter_that_was_hit_is_restored(stage: Stage, bit: int) -> Non
 
 
 @pytest.mark.parametrize("hit", [0xA1, 0xA2, 0xA4])
-def test_other_calibration_that_was_hit_is_restored(stage: Stage, hit: int) -> None:
+def test_calibration_changed_by_stray_write_is_restored(stage: Stage, hit: int) -> None:
     before = read_everything(stage.client().request)
     divert(stage, b"\xa0", bytes([hit]))
     (result,) = write_all(
@@ -443,7 +443,7 @@ def test_other_calibration_that_was_hit_is_restored(stage: Stage, hit: int) -> N
     assert after.calibrations == {**before.calibrations, 1: LEARNED}
 
 
-def test_setting_written_before_that_was_hit_is_restored(stage: Stage) -> None:
+def test_written_setting_changed_by_stray_write_is_restored(stage: Stage) -> None:
     before = read_everything(stage.client().request)
     first, second = SPECS["motor1_acceleration"], SPECS["motor2_acceleration"]
     divert(stage, bytes([0xAF, second.number]), bytes([0xAF, first.number]))
@@ -453,7 +453,7 @@ def test_setting_written_before_that_was_hit_is_restored(stage: Stage) -> None:
     assert stage.board.memory.stored() == {**before.parameters, **dict(wanted)}
 
 
-def test_setting_that_was_hit_and_cannot_be_restored_fails_the_write(stage: Stage) -> None:
+def test_failed_restore_after_stray_write_fails_the_write(stage: Stage) -> None:
     before = read_everything(stage.client().request)
     divert(stage, bytes([0xAF, TIMEOUT.number]), bytes([0xAF, 0x06]))
     client = stage.client()
@@ -470,10 +470,10 @@ def test_setting_that_was_hit_and_cannot_be_restored_fails_the_write(stage: Stag
 FIRST, SECOND = SPECS["motor1_acceleration"], SPECS["motor2_acceleration"]
 
 
-def write_two_and_hit_another(
+def write_two_and_corrupt_one(
     stage: Stage, before: DeviceState, *, ends: Callable[[], object]
 ) -> tuple[WriteResult, ...]:
-    """Let the first write hit another setting at first; call `ends` before the second one."""
+    """Turn the first write into a write of another setting. Call `ends` before the second."""
     divert(stage, bytes([0xAF, FIRST.number]), bytes([0xAF, TIMEOUT.number]))
     client = stage.client()
     has_ended = False
@@ -488,7 +488,7 @@ def write_two_and_hit_another(
     return write_all(request, SPECS, [(FIRST.key, 3), (SECOND.key, 9)], before=before)
 
 
-def test_setting_that_was_hit_is_restored_when_apply_is_cancelled(stage: Stage) -> None:
+def test_stray_write_is_restored_when_apply_is_cancelled(stage: Stage) -> None:
     before = read_everything(stage.client().request)
     divert(stage, bytes([0xAF, FIRST.number]), bytes([0xAF, TIMEOUT.number]))
     known: list[WriteResult] = []
@@ -505,35 +505,35 @@ def test_setting_that_was_hit_is_restored_when_apply_is_cancelled(stage: Stage) 
     assert stage.board.memory.stored() == {**before.parameters, FIRST.key: 3}
 
 
-def test_setting_that_was_hit_is_restored_when_the_board_was_silent(stage: Stage) -> None:
+def test_stray_write_is_restored_after_board_was_silent(stage: Stage) -> None:
     before = read_everything(stage.client().request)
     write, swallowed = stage.transport.write, 0
 
-    def be_silent() -> None:
+    def lose_replies() -> None:
         def swallow(data: bytes) -> None:
             nonlocal swallowed
             swallowed += 1
-            if swallowed > 1 + 3 * ATTEMPTS:  # the write, two comparisons, its reading
+            if swallowed > 1 + 3 * ATTEMPTS:  # the write, two comparisons, and its read-back
                 stage.transport.write = write  # type: ignore[method-assign]
                 write(data)
 
         stage.transport.write = swallow  # type: ignore[method-assign]
 
-    first, second = write_two_and_hit_another(stage, before, ends=be_silent)
+    first, second = write_two_and_corrupt_one(stage, before, ends=lose_replies)
     assert first == WriteResult(FIRST.key, 3)
     assert isinstance(second.error, NoReply)
     assert stage.board.memory.stored() == {**before.parameters, FIRST.key: 3}
 
 
-def test_setting_that_was_hit_is_reported_when_the_board_is_gone(stage: Stage) -> None:
+def test_stray_write_is_reported_when_board_is_gone(stage: Stage) -> None:
     before = read_everything(stage.client().request)
-    first, second = write_two_and_hit_another(stage, before, ends=stage.board.power_off)
+    first, second = write_two_and_corrupt_one(stage, before, ends=stage.board.power_off)
     assert "another setting may have been changed" in str(first.error)
     assert isinstance(second.error, NoReply)
 
 
-def test_nothing_is_restored_that_one_corrupted_write_cannot_have_changed(stage: Stage) -> None:
-    """Another board may be connected, whose settings are its own."""
+def test_too_many_differences_are_not_restored(stage: Stage) -> None:
+    """Another board may be connected, whose settings must not change."""
     before = read_everything(stage.client().request)
     others = {"motor1_acceleration": 3, "motor2_acceleration": 4}
 
@@ -548,7 +548,7 @@ def test_nothing_is_restored_that_one_corrupted_write_cannot_have_changed(stage:
     assert others.items() <= stage.board.memory.stored().items()
 
 
-def test_write_that_needs_no_repetition_reads_nothing_else(stage: Stage) -> None:
+def test_write_without_repeats_reads_nothing_else(stage: Stage) -> None:
     before = read_everything(stage.client().request)
     stage.transport.sent.clear()
     write_all(stage.client().request, SPECS, [(TIMEOUT.key, 1)], before=before)
@@ -562,7 +562,7 @@ def test_write_that_needs_no_repetition_reads_nothing_else(stage: Stage) -> None
 
 
 def divert(stage: Stage, head: bytes, hit: bytes, after: Callable[[], None] = lambda: None) -> None:
-    """Turn the first packet that begins with `head` into one that begins with `hit`."""
+    """Turn the first packet that starts with `head` into a packet that starts with `hit`."""
     write, pending = stage.transport.write, [head]
 
     def corrupt(data: bytes) -> None:

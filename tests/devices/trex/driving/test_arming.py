@@ -1,4 +1,4 @@
-"""After a stop nothing drives for a while, and nothing does while nobody is there."""
+"""Motor output is locked after a stop and without heartbeats."""
 
 from collections.abc import Callable
 
@@ -59,7 +59,7 @@ def test_armed_motors_stop_after_heartbeat_timeout(stage: Stage) -> None:
     stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80))).at(1.0, SetAuxiliary(30))
     before = seen_at(stage, 1.0 + HEARTBEAT - 0.05, lambda: stage.board.motors[0].speed)
     after = seen_at(stage, 1.0 + HEARTBEAT + 0.05, lambda: is_stopped(stage.board))
-    stage.script.at(2.5, Heartbeat()).at(2.5, SetMotor(1, Drive.at(80)))  # what was late
+    stage.script.at(2.5, Heartbeat()).at(2.5, SetMotor(1, Drive.at(80)))  # late requests
     reports = run_for(stage, 3.0)
     assert before == [80]
     assert after == [True]
@@ -78,13 +78,13 @@ def test_heartbeat_timeout_stops_motors_during_reload() -> None:
     assert outcomes(stage.reports)[1].error is None
 
 
-# --- Again and again --------------------------------------------------------------------
+# --- Repeated stops --------------------------------------------------------------------
 
 
 def test_stop_is_repeated_until_confirmed(stage: Stage) -> None:
-    """A line that spoils what it carries to the board, but not what it brings back."""
+    """The line corrupts requests, but not replies."""
     stage.script.at(1.0, SetMotor(1, Drive.at(80)))
-    for step in range(40):  # packets lose bytes, for two seconds
+    for step in range(40):  # packets lose bytes for two seconds
         stage.script.at(1.5 + step * 0.05, stage.fault(to_drop_sent=2))
     stage.script.at(3.6, Stop(2))
     run_for(stage, 8.0)
@@ -92,7 +92,7 @@ def test_stop_is_repeated_until_confirmed(stage: Stage) -> None:
     assert is_stopped(stage.board)
 
 
-# --- At most one transaction before it --------------------------------------------------
+# --- One transaction before a stop --------------------------------------------------
 
 
 @pytest.mark.parametrize("baud", [1200, 19200, 115200])
@@ -101,7 +101,7 @@ def test_stop_is_repeated_until_confirmed(stage: Stage) -> None:
 def test_stop_while_connecting_waits_for_one_transaction(
     baud: int, share: float, echo: bool
 ) -> None:
-    """The probes for an echo, signature, mode, parameters, calibrations: all of opening."""
+    """Covers all of opening: echo probes, signature, mode, parameters, calibrations."""
     opening = {1200: 3.0, 19200: 0.4, 115200: 0.2}[baud]
     stage, settings = staged(baud, echo=echo)
     longest = settings.line.seconds(16) + stage.transport.latency + 0.01
@@ -113,14 +113,14 @@ def test_stop_while_connecting_waits_for_one_transaction(
     assert outcomes(stage.reports)[1].error is None
 
 
-# --- Stops at the moment of something else --------------------------------------------
+# --- Stops during other events --------------------------------------------
 
 
 Step = Callable[[], Request | None]
 
 
 class Looks:
-    """An inbox that says what each look into it finds, from one second on."""
+    """Inbox with scripted contents for each read, from one second on."""
 
     def __init__(self, stage: Stage, *steps: Step) -> None:
         self._stage = stage
@@ -144,7 +144,7 @@ def nothing() -> None:
 
 
 def test_requested_motor_command_never_follows_stop(stage: Stage) -> None:
-    """Whichever look finds the stop: the one before the command goes out, or a later one."""
+    """The stop may arrive before the command is sent, or later."""
     for looks in range(4):
         stage = staged()[0]
         serve(
@@ -181,7 +181,7 @@ def test_stops_during_confirmation_get_outcome_on_port_loss(stage: Stage) -> Non
 
 @pytest.mark.parametrize("seconds", [0.02, 0.05, 7.0])
 def test_stop_while_board_returns_gets_its_outcome(stage: Stage, seconds: float) -> None:
-    """The board responds for so long after the stop; 7 s is the rest of the test."""
+    """The board responds for some time after the stop. 7 s last until the test ends."""
     stage.script.at(1.0, Arm()).at(1.1, SetMotor(1, Drive.at(80)))
     for step in range(1, 8):
         stage.script.at(1.1 + step / 5, Heartbeat())
@@ -196,7 +196,7 @@ def test_stop_while_board_returns_gets_its_outcome(stage: Stage, seconds: float)
 
 @pytest.mark.parametrize("number", [None, 7])
 def test_echo_of_our_own_requests_confirms_no_stop(stage: Stage, number: int | None) -> None:
-    """The wires to the board come off and touch each other: the host receives what it sends."""
+    """The wires to the board come off and touch: the host receives its own bytes."""
 
     def short_circuit() -> None:
         stage.line.echo = True

@@ -1,4 +1,4 @@
-"""Every reason that a board gives why its motors do not run, and what its LEDs show then."""
+"""Reasons why the motors of a board do not run, and its LED patterns."""
 
 import pytest
 
@@ -27,7 +27,7 @@ def waits_for(
     joint: bool = False,
     curve: ChannelCurve | None = None,
 ) -> tuple[str, ...]:
-    """Return what safe-start waits for with these counts, the other channels at rest."""
+    """Return the safe-start reasons for these counts, with other channels at neutral."""
     curve = curve or ChannelCurve(DEFAULT_CALIBRATION[source])
     raw = {**AT_REST[source], **counts}
     reasons = safe_start_reasons(
@@ -52,9 +52,7 @@ def test_channel_off_neutral_is_named_with_its_distance(channel: int) -> None:
 
 @pytest.mark.parametrize("parabolic", [False, True])
 @pytest.mark.parametrize("side", [1, -1])
-def test_distance_that_counts_as_near_is_the_greatest_that_does(
-    side: int, *, parabolic: bool
-) -> None:
+def test_largest_near_distance_is_named(side: int, *, parabolic: bool) -> None:
     curve = ChannelCurve(DEFAULT_CALIBRATION[InputSource.RC], parabolic=parabolic)
     near = max(d for d in range(1250) if abs(curve.output(3750 + side * d)) <= NEARLY_NEUTRAL)
     assert waits_for({2: 3750 + side * near}, curve=curve) == ()
@@ -86,7 +84,7 @@ HELD = safe_start_reasons(
 """Channel 1 has no signal and channel 2 is off neutral."""
 
 
-def test_all_reasons_are_given_with_those_that_stop_the_motors_first() -> None:
+def test_reasons_that_stop_motors_come_first() -> None:
     board = BoardInputs(
         mode=Mode.RC,
         by_serial=False,
@@ -121,7 +119,7 @@ def test_all_reasons_are_given_with_those_that_stop_the_motors_first() -> None:
         (BoardInputs(mode=Mode.ANALOG, by_serial=False), [DriveBlocker.ANALOG_CHANNELS]),
         (
             BoardInputs(mode=Mode.RC, by_serial=False, safe_start=HELD[1:]),
-            [DriveBlocker.RC_CHANNELS],  # it is driven
+            [DriveBlocker.RC_CHANNELS],  # motors are driven
         ),
         (
             BoardInputs(mode=Mode.RC, by_serial=False, safe_start=HELD[1:], is_held=True),

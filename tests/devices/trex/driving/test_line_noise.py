@@ -1,4 +1,4 @@
-"""On a line that damages bytes no motor goes on that was let go, or stopped."""
+"""Released and stopped motors stop on a line that damages bytes."""
 
 from functools import partial
 from itertools import product
@@ -45,7 +45,7 @@ BRAKES = [DriveMotor(1, Drive.brake()), DriveMotor(2, Drive.brake())]
 
 
 def swap(stage: Stage, wanted: str, instead: str, times: int = 1) -> None:
-    """Let a packet reach the board as another one, as often as that."""
+    """Replace a packet on its way to the board, a number of times."""
     write = stage.transport.write
     left = times
 
@@ -56,7 +56,7 @@ def swap(stage: Stage, wanted: str, instead: str, times: int = 1) -> None:
             data = bytes.fromhex(instead)
         write(data)
 
-    stage.transport.write = corrupt  # type: ignore[method-assign] # a knob
+    stage.transport.write = corrupt  # type: ignore[method-assign]
 
 
 def is_braked(stage: Stage) -> bool:
@@ -93,13 +93,13 @@ def test_request_corrupted_into_command_is_undone_at_once(stage: Stage) -> None:
     started: list[float] = []
     drive = stage.board.serial.drive
 
-    def note(
+    def record(
         number: int, direction: MotorDirection, speed: int, *, accelerate: bool = False
     ) -> None:
         started.append(stage.line.now)
         drive(number, direction, speed, accelerate=accelerate)
 
-    stage.board.serial.drive = note  # type: ignore[method-assign] # to see when
+    stage.board.serial.drive = record  # type: ignore[method-assign]
     stage.script.at(2.9, lambda: None)
     braked = seen_at(stage, 2.9, lambda: is_braked(stage))
     run_for(stage, 3.0)
@@ -122,11 +122,11 @@ def test_brake_is_repeated_until_line_is_quiet(stage: Stage) -> None:
     pulses(stage, 3.0, 8.5)
     marks = [0, 0, 0]
 
-    def note(number: int) -> None:
+    def record(number: int) -> None:
         marks[number] = len(stage.transport.sent)
 
     for number, moment in enumerate((8.6, 8.7, 8.8)):
-        stage.script.at(moment, partial(note, number))
+        stage.script.at(moment, partial(record, number))
     run_for(stage, 9.0)
     brake = DriveMotor(1, Drive.brake(127))
     sent = moving(stage.transport.sent[: marks[0]])
@@ -152,7 +152,7 @@ def test_damage_sends_nothing_to_board_that_was_not_driven(
 def test_damage_brakes_stopped_board_until_line_is_quiet(stage: Stage) -> None:
     """86 1F, which asks for the channels, arrives as C6 1F: motor 1 ahead."""
     stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50))).at(1.2, Stop(1))
-    stage.script.at(1.5, SetWatched(False))  # so that it is not quiet later
+    stage.script.at(1.5, SetWatched(False))  # polls end, so that the line stays noisy
     stage.script.at(5.0, lambda: swap(stage, "86 1F", "C6 1F"))
     braked = seen_at(stage, 5.1, lambda: is_braked(stage))
     moments = (10.5, 12.5)
@@ -255,13 +255,12 @@ def test_stop_is_confirmed_when_board_responds_again(stage: Stage) -> None:
     stage.script.at(1.5, stage.fault(mute=True)).at(1.5, Stop(1))
     mark = seen_at(stage, 1.5, lambda: len(stage.transport.sent))
 
-    def hear_again_when_given_up() -> None:
-        """Three questions later it would count as silent."""
+    def unmute_after_failure() -> None:
         if 1 in outcomes(stage.reports):
             stage.line.faults.mute = False
 
     for hundredths in range(150, 250):
-        stage.script.at(hundredths / 100, hear_again_when_given_up)
+        stage.script.at(hundredths / 100, unmute_after_failure)
     stage.script.at(2.5, SetMotor(1, Drive.at(60)))
     run_for(stage, 5.5)
     assert isinstance(outcomes(stage.reports)[1].error, NoReply)
@@ -271,7 +270,7 @@ def test_stop_is_confirmed_when_board_responds_again(stage: Stage) -> None:
     assert is_stopped(stage.board)
 
 
-# --- Wishes that stand ------------------------------------------------------------------
+# --- Lasting setpoints ------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -300,7 +299,7 @@ def test_motor_stopped_by_board_is_not_restarted(
 
 
 def test_written_error_shutdown_decides_about_retries(stage: Stage) -> None:
-    """The board that no longer stops its motors on errors gets a corrupted setpoint again."""
+    """A board that does not stop its motors on errors gets a corrupted setpoint again."""
     # UART-Error Shutdown is on from the factory
     stage.script.at(1.0, Write(1, (("uart_error_shutdown", 0),)))
     stage.script.at(1.5, lambda: swap(stage, "C2 32", "C2"))  # one packet loses its speed
@@ -317,13 +316,13 @@ def test_setpoint_repetition_ends_at_time_limit() -> None:
     stage = Stage(Board(eeprom=eeprom))
     stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50)))
 
-    def harm() -> None:
+    def damage() -> None:
         stage.board.serial.report(UartError.PARITY, shut_down=False)
 
     for step in range(350):
         if step % 10 == 0:
             pulses(stage, 1.01 + step * 0.02, 1.01 + step * 0.02)
-        stage.script.at(1.01 + step * 0.02, harm)
+        stage.script.at(1.01 + step * 0.02, damage)
     middle = seen_at(stage, 1.2 + LONGEST_REPEATING, lambda: len(stage.transport.sent))
     run_for(stage, 8.9)
     setpoint = DriveMotor(1, Drive.at(50))

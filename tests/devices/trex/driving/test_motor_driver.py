@@ -1,4 +1,4 @@
-"""What goes to the motors over one line; the session around it has tests of its own."""
+"""Motor output of one board, without a session."""
 
 import itertools
 import math
@@ -29,7 +29,7 @@ from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 
 class MotorsHarness:
-    """A `MotorDriver` connected to a simulated board, and what it reports."""
+    """`MotorDriver` connected to a simulated board, and its reports."""
 
     def __init__(self, stage: Stage) -> None:
         self.stage = stage
@@ -58,7 +58,7 @@ class MotorsHarness:
         self.advance(DRIVE_INTERVAL)
 
     def advance(self, seconds: float) -> None:
-        """Let time pass and send whenever that is due, as a session does."""
+        """Advance the time, and send due packets like a session."""
         end = self.now + seconds
         while (due := self.driver.seconds_to_drive()) < math.inf:
             if self.now + due > end:
@@ -236,8 +236,8 @@ def has_timed_out(motors: MotorOutput, now: float) -> bool:
 def test_late_heartbeat_does_not_hide_timeout(motors: MotorOutput) -> None:
     motors.handle_request(Arm(), 10.0)
     now = 10.0 + HEARTBEAT + 0.5
-    motors.handle_request(Heartbeat(now), now)  # the window goes on before the line has looked
-    motors.handle_request(SETPOINT, now)  # and so does a slider that is dragged
+    motors.handle_request(Heartbeat(now), now)  # a late heartbeat
+    motors.handle_request(SETPOINT, now)  # a late setpoint
     assert has_timed_out(motors, now)
 
 

@@ -1,4 +1,4 @@
-"""A board that restarts while it drives: its motors stand, and no reply says so."""
+"""Restarts of a board while its motors run, which no reply reports."""
 
 from functools import partial
 
@@ -13,7 +13,7 @@ from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.session.messages import Connected, NotResponding, ReadReason
 
-FREE, LOADED = 0.0, 3.0  # A beyond its own friction
+FREE, LOADED = 0.0, 3.0  # load in A beyond the friction
 CASES = [
     # seconds without power, moment, baud rate, load, model
     (0.0, 1.00, 19200, FREE, "trex"),
@@ -36,7 +36,7 @@ CASES = [
 def driving(
     seconds: float, baud: int = 19200, model: str = "trex", *, begin: float = 2.0, ramp: int = 0
 ) -> tuple[Stage, list[tuple[float, object]]]:
-    """Return a stage with a motor driven for so long, along a ramp, and its steps."""
+    """Return a stage whose motor is driven along a ramp, and the steps of its script."""
     stage, _ = staged(baud, model=model)
     stage.board.eeprom.write("motor1_acceleration", ramp)
     stage.board.power_cycle()
@@ -100,8 +100,8 @@ def test_current_that_comes_and_goes_is_no_restart() -> None:
     assert not among(run_for(stage, 4.9), MotorsStopped)
 
 
-def test_motor_that_draws_nothing_goes_on() -> None:
-    """Downhill no current flows, and nothing says how long that lasts."""
+def test_motor_without_current_keeps_running() -> None:
+    """Downhill, no current flows for an unknown time."""
     stage, steps = driving(3.0)
     force = stage.board.force_current
     steps += [(3.0, lambda: force(1, 0.0)), (3.6, lambda: force(1, None))]

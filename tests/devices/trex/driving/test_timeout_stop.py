@@ -1,4 +1,4 @@
-"""What is said of a serial timeout, under both hypotheses about UART-Error Shutdown."""
+"""Expected effect of the serial timeout, under both hypotheses about UART-Error Shutdown."""
 
 import pytest
 
@@ -21,7 +21,7 @@ SHOULD_STOP = "The board should stop 0.5 s after the last byte; if not, cut the 
 
 
 def keeps_turning(timeout: int, shutdown: int, *, needs_shutdown: bool) -> bool:
-    """Return whether motor 1 of a simulated board still turns after two silent seconds."""
+    """Return whether motor 1 still turns after two silent seconds."""
     eeprom = Eeprom()
     eeprom.write("serial_timeout", timeout)
     eeprom.write("uart_error_shutdown", shutdown)
@@ -43,7 +43,7 @@ def keeps_turning(timeout: int, shutdown: int, *, needs_shutdown: bool) -> bool:
         (5, 1, None, SHOULD_STOP),
     ],
 )
-def test_no_board_that_keeps_turning_goes_without_a_warning(
+def test_warning_is_shown_if_motors_keep_turning(
     timeout: int, shutdown: int, warning: str | None, remedy: str, *, needs_shutdown: bool
 ) -> None:
     stop = timeout_stop({"serial_timeout": timeout, "uart_error_shutdown": shutdown})
@@ -73,7 +73,7 @@ def test_proposed_settings_stop_the_motors_under_both_hypotheses() -> None:
         (False, True, (TimeoutStop.FAILED, TimeoutStop.FAILED)),
     ],
 )
-def test_trial_tells_as_much_as_follows_from_it(
+def test_trial_decides_expected_stop(
     known: tuple[TimeoutStop, TimeoutStop], *, stopped: bool, tried_with: bool
 ) -> None:
     trial = TimeoutTrial(stopped, tried_with)

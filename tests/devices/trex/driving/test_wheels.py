@@ -52,7 +52,7 @@ def test_reversed_motor_turns_the_other_way_and_brakes_alike() -> None:
     assert found == SetMotor(2, brake)
 
 
-def test_wheels_are_kept_as_text() -> None:
+def test_wheels_survive_packing() -> None:
     wheels = (*LEFT_AND_RIGHT, Wheel(127, 2, RIGHT, is_reversed=True))
     assert unpacked(packed(wheels)) == wheels
     assert unpacked("") == ()

@@ -300,7 +300,7 @@ def _read_pass(read: Requester, progress: Progress, number: int, passes: int) ->
         except (NoReply, BadReply) as error:
             if is_unsteady(error):
                 raise
-            # Raises if the board is gone. Otherwise the board rejects only this parameter.
+            # This raises if the board is gone. Otherwise the board rejects only this parameter.
             read(GetMode())
             unread[spec.key] = str(error)
     calibrations = {

@@ -74,7 +74,8 @@ def board_reasons(now: BoardInputs) -> tuple[Reason, ...]:
 
 def held_by_safe_start(now: BoardInputs) -> tuple[Reason, ...]:
     """Return the reasons why safe-start may hold the motors, with channels in control."""
-    certain = {DriveBlocker.CHANNEL_SILENT, DriveBlocker.OVERRIDE_AT_START}  # second: inferred
+    # That OVERRIDE_AT_START is certain is inferred.
+    certain = {DriveBlocker.CHANNEL_SILENT, DriveBlocker.OVERRIDE_AT_START}
     if not now.is_held and not any(reason.blocker in certain for reason in now.safe_start):
         return ()
     return now.safe_start or (Reason(DriveBlocker.SAFE_START),)

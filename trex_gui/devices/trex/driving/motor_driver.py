@@ -51,7 +51,7 @@ stronger confirmation.
 
 # Limits of a stop before the port is closed. The window waits for one second.
 _CLOSING_ATTEMPTS = 6
-_CAREFUL_CLOSING_ATTEMPTS = 16  # on a line that damages bytes
+_CAREFUL_CLOSING_ATTEMPTS = 16  # limit on a line that damages bytes
 _CLOSING_SECONDS = 0.5  # latest start of a round
 
 
@@ -168,7 +168,7 @@ class MotorDriver:
 
     def _end_stops(self, stops: Sequence[Stop], *, answered: bool) -> None:
         if not answered and self._is_closing():
-            self.output.put_back(stops)  # for `closing_stop`
+            self.output.put_back(stops)  # `closing_stop` serves them
         else:
             self.output.end_stops(stops, self._now(), answered=answered)
 

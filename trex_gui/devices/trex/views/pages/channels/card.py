@@ -69,7 +69,7 @@ class ChannelCard(Card):
         parts = column(title, *above, legend, spacing=4), self.note, self._fields, self.options
         self._inside = column(*parts, below, into=self, spacing=6)
         for each in (*above, self._fields, self.options, first, self._note_field, last):
-            each.raise_()  # the tab order follows the stacking order
+            each.raise_()  # `tab_order` follows the order of the children
         tab_order(self)
 
     def add_plot(self) -> None:

@@ -14,7 +14,7 @@ from trex_gui.ui.widgets.bar import WARNING_SIGN, LimitState, limit_state
 from trex_gui.ui.widgets.labels import ElidedLabel, LiveLabel
 from trex_gui.ui.widgets.sliders import PressSlider
 
-_GROOVE, _HANDLE = 14, 36  # widths in pixels; the style sheet has the same width of the handle
+_GROOVE, _HANDLE = 14, 36  # widths in pixels; the style sheet repeats the width of the handle
 _MOVING_KEYS = {
     *(Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down),
     *(Qt.Key.Key_PageUp, Qt.Key.Key_PageDown),
