@@ -66,7 +66,7 @@ def test_window_shows_stop_reason_and_can_arm_again(
     drive(window, quick_simulator)
 
 
-def test_same_error_again_disarms_motors_that_were_armed_meanwhile(
+def test_repeated_error_disarms_motors_again(
     connected_window: WindowDriver, causes: Causes, quick_simulator: SimulatedDevice
 ) -> None:
     window = connected_window

@@ -23,7 +23,7 @@ def connected(window: WindowDriver, simulator: SimulatedDevice) -> WindowDriver:
     return window
 
 
-def test_minimised_window_shows_nothing_new_until_it_is_restored(
+def test_minimised_window_updates_after_restore(
     connected: WindowDriver, simulator: SimulatedDevice
 ) -> None:
     window = connected

@@ -196,7 +196,7 @@ def test_leaving_page_with_held_control_stops_and_disarms(keys: MotorsPage) -> N
     assert Preferences().flag("motors/stop_on_leaving", default=False), "it is remembered"
 
 
-def test_focus_goes_from_run_to_stop_where_arrow_keys_change_nothing(page: MotorsPage) -> None:
+def test_focus_moves_from_arming_to_stop_button(page: MotorsPage) -> None:
     ceiling = page.motors.ceiling
     run = page.button("runButton")
     assert "nothing moves yet" in run.accessibleDescription()
@@ -224,7 +224,7 @@ def test_focus_goes_from_run_to_stop_where_arrow_keys_change_nothing(page: Motor
     assert "href" not in facts.text()
 
 
-def test_stop_moves_the_focus_from_a_driving_control_to_the_stop_button(armed: MotorsPage) -> None:
+def test_stop_moves_focus_to_stop_button(armed: MotorsPage) -> None:
     for kind, name in ((QSlider, "motor1Slider"), (QSpinBox, "motor2Entry")):
         armed.find(kind, name).setFocus()
         armed.motors.stop()
@@ -418,7 +418,7 @@ def test_key_is_held_despite_repeats_and_drives_nowhere_else(
     assert all(keys.target(motor)[0] == "brake" for motor in (1, 2))
 
 
-def test_repeat_that_arrives_as_release_and_press_keeps_the_speed(keys: MotorsPage) -> None:
+def test_key_repeat_as_release_and_press_does_not_brake(keys: MotorsPage) -> None:
     driver = keys.window.findChild(KeyDriver)
     assert driver is not None
     driver.repeats_apart = True  # as on X11

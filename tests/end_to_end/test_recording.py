@@ -99,7 +99,7 @@ def test_esc_in_file_dialog_stops_motors(connected_window: WindowDriver) -> None
     assert stops == ["stop"]
 
 
-def test_run_motor_starts_a_recording_and_a_stop_is_kept_and_opened(
+def test_arming_starts_recording_and_stop_saves_it(
     connected_window: WindowDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     window, motors = connected_window, connected_window.motors

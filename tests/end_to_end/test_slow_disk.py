@@ -81,7 +81,7 @@ def test_apply_is_cancelled_while_the_snapshot_is_saved(
 
 
 @pytest.mark.parametrize("fault", ["line mute on", "line unplug"])
-def test_board_that_goes_away_while_the_snapshot_is_saved_gets_nothing(
+def test_board_lost_during_snapshot_is_not_written(
     connected_window: WindowDriver,
     review: ReviewDialog,
     quick_simulator: VirtualSimulator,
@@ -98,7 +98,7 @@ def test_board_that_goes_away_while_the_snapshot_is_saved_gets_nothing(
     assert device.draft.pending == 1
 
 
-def test_settings_that_changed_while_the_snapshot_was_saved_are_not_written_over(
+def test_settings_changed_during_snapshot_are_not_overwritten(
     connected_window: WindowDriver, review: ReviewDialog, quick_simulator: VirtualSimulator
 ) -> None:
     quick_simulator.do("eeprom motor1_acceleration 9")

@@ -19,7 +19,7 @@ from trex_gui.ui.theme.theme import theme
 
 
 @pytest.mark.usefixtures("computer")
-def test_panel_with_each_wiring_is_shown_while_nothing_is_connected(window: WindowDriver) -> None:
+def test_panel_shows_each_wiring_without_connection(window: WindowDriver) -> None:
     status = window.open_page("boardPage")
     assert status.find(QWidget, "startPanel").isVisible()
     assert not status.find(QWidget, "boardView").isVisible()

@@ -269,6 +269,7 @@ class MotorDriver:
 
     @property
     def _interval(self) -> float:
+        # Motor packets occupy the line for at most half of the time.
         return max(DRIVE_INTERVAL, 2 * self.client.settings.line.seconds(_LONGEST_DRIVE))
 
     def avoids_risky_polls(self) -> bool:
