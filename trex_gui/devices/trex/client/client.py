@@ -65,7 +65,7 @@ class Counters:
     missing: int = 0  # missing or incomplete replies
     corrupted: int = 0  # corrupted replies
     unsolicited: int = 0  # bytes that belong to no reply, discarded
-    slowest: float = 0.0  # the longest successful round trip in seconds
+    slowest: float = 0.0  # longest successful round trip in seconds
     replies: int = 0  # complete replies
 
 

@@ -219,7 +219,7 @@ POLLED: Mapping[type[Sample], PolledValue] = {
     ),
     LatchedStatus: PolledValue(
         GetStatus(),
-        rate=10.0,  # latched bits are not missed between two polls
+        rate=10.0,  # polls miss no latched bits
         sample=None,
         kind=lambda *_: SampleKind(
             "status",

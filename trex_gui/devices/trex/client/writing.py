@@ -170,7 +170,7 @@ class _Work:
     results: list[WriteResult] = field(default_factory=list)
     fatal_error: StudioError | None = None  # error that ends writing
     doubtful: list[int] = field(default_factory=list)  # indexes of repeated or failed writes
-    repeated: int = 0  # repeats and failures, the most other settings that they can have changed
+    repeated: int = 0  # repeats and failures, each of which may have changed one other setting
     unknown: set[str] = field(default_factory=set)  # keys of failed writes
     has_sent: bool = False  # True if any write was sent
     _sent: int = 0  # packets of the current write

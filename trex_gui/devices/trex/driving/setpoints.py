@@ -57,7 +57,7 @@ class SetpointSlots:
         return setpoints
 
     def put_back(self, setpoints: Sequence[Setpoint]) -> None:
-        self.put(*setpoints, *self.pop())
+        self.put(*setpoints, *self.pop())  # queued setpoints are newer
 
 
 class SetpointRetry:
