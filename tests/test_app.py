@@ -157,7 +157,7 @@ def test_settings_file_is_opened_when_board_connects(
 ) -> None:
     path = tmp_path / "rover.txt"
     path.write_text("product: TReX\nserial_timeout: 5\n", encoding="utf-8")
-    window.program.open_named(path, connecting=True)
+    window.program.open_file(path, connecting=True)
     window.device.connect_to(ConnectionSettings(quick_simulator.url))
     window.wait(lambda: window.has("takeChangesButton"))
     window.click("takeChangesButton")

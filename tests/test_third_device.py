@@ -133,7 +133,7 @@ def test_third_device_needs_only_its_plugin(
     QTest.keyClick(window, Qt.Key.Key_Escape)
     qtbot.waitUntil(lambda: not controller.lamp.is_on)
 
-    program.open_named(tmp_path / "evening.lamp", connecting=False)
+    program.open_file(tmp_path / "evening.lamp", connecting=False)
     assert workspace.opened == [tmp_path / "evening.lamp"]
 
     program.connect_to_port(quick_simulator.url, "trex")

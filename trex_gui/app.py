@@ -102,7 +102,7 @@ def complete(
     """
     program.complete()
     program.create_plots()
-    collector.exempt_present()
+    collector.freeze()
     program.report_last_run(has_crashed=has_crashed)
 
 
@@ -121,7 +121,7 @@ def start(program: "Program", arguments: argparse.Namespace) -> None:
     if arguments.settings is not None:
         is_connecting = bool(arguments.demo or arguments.port) or arguments.tour is not None
         QTimer.singleShot(
-            0, lambda: program.open_named(arguments.settings, connecting=is_connecting)
+            0, lambda: program.open_file(arguments.settings, connecting=is_connecting)
         )
 
 
@@ -177,7 +177,7 @@ def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
     from trex_gui.supervisor import UNCONFIRMED_STOP, SafetySupervisor  # noqa: PLC0415
     from trex_gui.system.process_exit import skip_exit_handlers  # noqa: PLC0415
     from trex_gui.ui.theme.theme import theme  # noqa: PLC0415
-    from trex_gui.ui.translations import chosen_locale, install_translations  # noqa: PLC0415
+    from trex_gui.ui.translations import install_translations, selected_locale  # noqa: PLC0415
     from trex_gui.ui.workers.threads import GuiThreadCollector  # noqa: PLC0415
 
     # Not `platform.platform()`, which takes 50 ms. The report includes it.
@@ -195,7 +195,7 @@ def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
     theme().install(app)
     collector = GuiThreadCollector(app)
     collector.setObjectName("collector")
-    install_translations(app, chosen_locale())
+    install_translations(app, selected_locale())
     program = composition.build(Timeouts(extra=arguments.timeout))
     program.window.show()
     supervisor = SafetySupervisor(program, app, end_log=program_log.close)

@@ -35,7 +35,7 @@ def test_pipe_dropped_or_named_at_the_start_is_rejected(
         window.drop(path)
         reject(path)
         if suffix in {".txt", ".ppr"}:
-            window.program.open_named(path, connecting=False)
+            window.program.open_file(path, connecting=False)
             reject(path)
     os.mkfifo(recording.with_name("a.trexrec-wal"))
     window.drop(recording)

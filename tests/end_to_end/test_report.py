@@ -193,4 +193,4 @@ def test_crash_is_reported_at_the_next_start(tmp_path: Path) -> None:
         return done.stdout.strip()
 
     assert banner_of("crash") == ""
-    assert "did not end properly the last time" in banner_of("end")
+    assert "did not end properly last time" in banner_of("end")

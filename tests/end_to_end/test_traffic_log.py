@@ -14,7 +14,7 @@ from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.ui.theme.theme import select_font_size
 from trex_gui.ui.traffic.page import TrafficPage
-from trex_gui.ui.traffic.table import RECEIVED, SENT, WORDS, TrafficView
+from trex_gui.ui.traffic.table import MEANING, RECEIVED, SENT, TrafficView
 from trex_gui.ui.widgets.labels import ElidedLabel, PageHead
 
 
@@ -38,7 +38,7 @@ class TrafficDriver(WidgetDriver):
 
     def shows(self, text: str) -> bool:
         """Return whether a row shows a text."""
-        return any(text in words for words in self.column(WORDS))
+        return any(text in words for words in self.column(MEANING))
 
     def wait_for_row(self, text: str) -> None:
         self.wait(lambda: self.shows(text))
@@ -80,10 +80,10 @@ def test_traffic_is_listed_from_connect_to_disconnect(
     assert page.rows == 0
     window.connect(simulator.url)
     page.wait_for_row("get Device Number → 7")
-    assert "Opened" in page.column(WORDS)[0]
+    assert "Opened" in page.column(MEANING)[0]
     row = page.row_of_signature()
     assert page.column(RECEIVED)[row] == "54 52 65 58 31 2E 32"
-    assert page.column(WORDS)[row] == "get signature → TReX 1.2"
+    assert page.column(MEANING)[row] == "get signature → TReX 1.2"
     assert not page.shows("get currents"), "polling is hidden"
 
     window.apply(serial_timeout=15)
@@ -93,7 +93,7 @@ def test_traffic_is_listed_from_connect_to_disconnect(
     page.wait_for_row("Closed.")
     assert page.shows("get Device Number")
     window.connect(simulator.url)
-    page.wait(lambda: sum("Opened" in text for text in page.column(WORDS)) == 2)
+    page.wait(lambda: sum("Opened" in text for text in page.column(MEANING)) == 2)
     page.click("transcriptClearButton")
     assert not page.shows("get Device Number")
     assert not page.shows("Closed.")
@@ -124,7 +124,7 @@ def test_traffic_is_searched_and_filtered_by_faults(
     page.check("transcriptFaults")
     page.wait(lambda: page.rows > 0)
     for row in range(page.rows):
-        index = page.view.model().index(row, WORDS)
+        index = page.view.model().index(row, MEANING)
         assert str(index.data(Qt.ItemDataRole.AccessibleTextRole)).startswith("Fault: ")
 
 
@@ -162,7 +162,7 @@ def test_polling_is_shown_on_demand_and_log_can_be_paused(
     select_font_size(150)
     window.window.resize(1100, 700)  # wide enough for the meanings beside the bytes
     readable = 40 * page.view.fontMetrics().averageCharWidth()
-    page.wait(lambda: page.view.columnWidth(WORDS) >= readable)
+    page.wait(lambda: page.view.columnWidth(MEANING) >= readable)
 
 
 def test_rows_are_shown_in_detail_copied_and_saved(

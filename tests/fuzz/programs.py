@@ -141,7 +141,7 @@ def check_trex_gui(data: bytes, folder: Path) -> None:
         if arguments.port:
             program.connect_to_port(arguments.port, arguments.device)
         if arguments.settings is not None:
-            program.open_named(arguments.settings, connecting=bool(arguments.port))
+            program.open_file(arguments.settings, connecting=bool(arguments.port))
         computer.advance(3.0)
 
 
@@ -345,7 +345,7 @@ def check_opened_file(data: bytes, folder: Path) -> None:
             for device in (trex(program), aracna(program)):
                 device.workspace.recordings.open_file(path)
         else:
-            program.open_named(path, connecting=False)
+            program.open_file(path, connecting=False)
         computer.advance(2.0)
         for window in QApplication.topLevelWidgets():
             window.grab()

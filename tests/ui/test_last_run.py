@@ -58,7 +58,7 @@ def test_stop_by_guardian_is_reported_once(said: Said, result: str, text: str) -
 
 def test_crash_is_reported_with_the_stop_or_without(window: WindowDriver) -> None:
     window.program.report_last_run(has_crashed=True)
-    window.wait_for_text("bannerText", "did not end properly the last time")
+    window.wait_for_text("bannerText", "did not end properly last time")
     assert window.has("bannerReport")
     window.click("bannerDismiss")
 

@@ -14,7 +14,7 @@ from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.ui.diagnostics.place import LogPage
 from trex_gui.ui.help.messages import MessageHelp
-from trex_gui.ui.log import MOST_ENTRIES, MOST_EVENTS, EventLog, Log
+from trex_gui.ui.log import MAX_ENTRIES, MAX_EVENTS, EventLog, Log
 from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.widgets.view import copy_lines
 
@@ -87,9 +87,9 @@ def test_messages_of_other_places_are_logged_and_not_shown(qtbot: QtBot) -> None
 
 def test_log_is_bounded(qtbot: QtBot, clocks: Clocks) -> None:
     log = Log()
-    for number in range(MOST_ENTRIES + 3):
+    for number in range(MAX_ENTRIES + 3):
         log.add(f"{number} " + "long " * 1000)
-    assert len(log.entries) == MOST_ENTRIES
+    assert len(log.entries) == MAX_ENTRIES
     assert log.entries[0].text.startswith("3 ")
     assert len(log.entries[0].text) < 2100
 
@@ -141,9 +141,9 @@ def test_events_are_sorted_by_time_and_the_oldest_dropped(qtbot: QtBot) -> None:
     for time in (1.0, 3.0, 2.0):
         events.put(Event(time, EventKind.NOTE, str(time)))
     assert [event.time for event in events.all] == [1, 2, 3]
-    for number in range(4, MOST_EVENTS + 6):
+    for number in range(4, MAX_EVENTS + 6):
         events.put(Event(float(number), EventKind.NOTE, ""))
-    assert len(events.all) == MOST_EVENTS
+    assert len(events.all) == MAX_EVENTS
     assert events.all[0].time == 6
     events.clear()
     assert not events.all

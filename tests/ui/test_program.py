@@ -49,7 +49,7 @@ def _use(qtbot: QtBot, url: str, settings: Path) -> None:
     program = build()
     program.window.show()
     program.complete()
-    program.open_named(settings, connecting=False)
+    program.open_file(settings, connecting=False)
     program.window.show_help("safety.md")
     device = trex(program).device
     device.connect_to(ConnectionSettings(url))

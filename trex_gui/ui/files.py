@@ -1,4 +1,4 @@
-"""Reading and writing files outside the GUI thread, since a disk may be slow or hang."""
+"""File access outside the GUI thread, since a disk may be slow or hang."""
 
 import io
 from collections.abc import Callable
@@ -23,15 +23,13 @@ ResultT = TypeVar("ResultT")
 
 _CANCEL_TIMEOUT_MS = 500
 
-background: "set[_Job[Any]]" = set()
-"""Running jobs. The process must not exit normally before they have ended."""
+background: "set[_Job[Any]]" = set()  # running jobs; the process must not exit before they end
 
 
 def end_background(timeout_ms: int) -> bool:
-    """End all work in the background and return whether it ended in time.
+    """End all background jobs. Return whether they ended in time.
 
-    Files being saved have `timeout_ms` to finish before they are cancelled. Other work that
-    reports progress is cancelled at once.
+    Jobs that save files are cancelled after `timeout_ms`, other jobs at once.
     """
     jobs, end = tuple(background), now() + timeout_ms / 1000
     for job in jobs:
@@ -46,15 +44,11 @@ def end_background(timeout_ms: int) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Content:
-    """Content of a document to be saved. `record_saved` gets the path once it is saved."""
-
     text: str
-    record_saved: Callable[[Path], object]
+    record_saved: Callable[[Path], object]  # called with the path once the text is saved
 
 
 class _Job(FileWorker, Generic[ResultT]):
-    """Work that starts at once. Its result is passed on unless the owner is destroyed first."""
-
     def __init__(
         self,
         owner: QObject,
@@ -92,9 +86,9 @@ def in_background(
     then: Callable[[ResultT], object],
     failed: Callable[[StudioError], object],
 ) -> None:
-    """Run work on files in a thread of its own, then `then` or `failed` in the GUI thread.
+    """Run `work` in a new thread. Then call `then` or `failed` in the GUI thread.
 
-    Neither is called once the owner is destroyed. A disk that hangs blocks nothing else.
+    Calls neither function if the owner has been destroyed.
     """
     start_in_background(owner, lambda _progress: work(), then, failed)
 
@@ -102,7 +96,7 @@ def in_background(
 def save_in_background(
     owner: QObject, work: Callable[[], object], notifier: Notifier, saved: str
 ) -> None:
-    """Run work that writes a file, then report `saved` or the error."""
+    """Run `work`, which writes a file. Then report `saved` or the error."""
     in_background(owner, work, lambda _: notifier.info.emit(saved), notifier.report_error)
 
 
@@ -112,9 +106,9 @@ def start_in_background(
     then: Callable[[ResultT], object],
     failed: Callable[[StudioError], object],
 ) -> Callable[[], None]:
-    """Run work like `in_background`, with progress. Return a function that cancels it.
+    """Run `work` like `in_background`, with progress. Return a function that cancels it.
 
-    Cancelled work calls neither `then` nor `failed`.
+    After a cancellation, neither `then` nor `failed` is called.
     """
     return _Job(owner, work, then, failed).cancel
 
@@ -126,9 +120,9 @@ def write_in_background(
     notifier: Notifier,
     saved: Callable[[int], str],
 ) -> None:
-    """Write a text file with `write`, completely or not at all.
+    """Write a text file atomically. Then report `saved(rows)` or the error.
 
-    `write` returns the number of rows. Afterwards `saved(rows)` or the error is reported.
+    `write` returns the number of rows.
     """
     work = partial(write_text, path, write)
     report = notifier.info.emit
@@ -156,7 +150,7 @@ def save_picture(path: Path, image: QImage) -> None:
     """Save a picture in the format of its file extension.
 
     Raises:
-        SettingsError: the picture cannot be written; the old file is unchanged.
+        SettingsError: the picture cannot be written. The old file is unchanged.
     """
     kind, buffer = path.suffix.removeprefix("."), QBuffer()
     if not QImageWriter(buffer, kind.encode()).write(image):

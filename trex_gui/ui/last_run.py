@@ -1,4 +1,4 @@
-"""Message at the start about a crash, a guardian's stop, or boards left running."""
+"""Startup message about a crash, a guardian's stop, or boards left running."""
 
 from functools import partial
 
@@ -29,11 +29,11 @@ _STOPS = {
 def report_last_run(
     notifier: Notifier, errors: str = "", *, has_crashed: bool = False, until: str = ""
 ) -> None:
-    """Report boards left running and the guardian's stops, or else a crash.
+    """Report running boards and the guardian's stops, or else a crash.
 
-    Stops, also those during `trexcmd`, are reported once, and again while a board is left running.
-    Only events before `until` count, by default the moment when this program could first move
-    motors: later events are reported where they happen. `errors` say why boards still run.
+    Each stop is reported once, but again while a board is left running. Stops during `trexcmd`
+    count too. Events from `until` on are ignored. The default is the time when this program
+    could first move motors. `errors`: lines that say why boards are still running.
     """
     until = until or watching_since()
     store = Preferences()
@@ -42,7 +42,9 @@ def report_last_run(
     def report(found: tuple[int, list[tuple[str, StopResult]], DrivenBoards]) -> None:
         size, stops, boards = found
         stops = [stop for stop in stops if stop[0] < until]
-        boards = {file: one for file, one in boards.items() if one is None or one.since < until}
+        boards = {
+            file: board for file, board in boards.items() if board is None or board.since < until
+        }
         if store.integer(_SEEN, 0, 0, 2**31 - 1) != seen and not (boards or errors):
             return  # another call has reported these stops
         if size != seen and not boards:
@@ -54,15 +56,15 @@ def report_last_run(
         if has_crashed and not texts:
             texts.append(
                 tr(
-                    "TReX Studio did not end properly the last time. If it crashed, a report for "
-                    "support says where."
+                    "TReX Studio did not end properly last time. If it crashed, a report for "
+                    "support shows where."
                 )
             )
         notifier.resolved.emit(Remedy.STOP_THEM)
         if texts:
             is_problem = errors or any(found is StopResult.UNCONFIRMED for _, found in stops)
-            said = notifier.error if is_problem else notifier.info
-            (notifier.danger if boards else said).emit("\n".join(texts))
+            signal = notifier.error if is_problem else notifier.info
+            (notifier.danger if boards else signal).emit("\n".join(texts))
             notifier.remedies_offered.emit(
                 (Remedy.STOP_THEM,) * any(boards.values()) + (Remedy.REPORT,)
             )
@@ -71,7 +73,7 @@ def report_last_run(
 
 
 def stop_left_running(notifier: Notifier) -> None:
-    """Open the port of each board that was left running, which stops it, and report the result."""
+    """Stop boards left running by opening their ports. Report the result."""
 
     def stop() -> str:
         errors = []

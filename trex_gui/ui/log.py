@@ -1,4 +1,4 @@
-"""Event log of a device, and log of a workspace, which also has messages."""
+"""Event log of a device, and message log of a workspace."""
 
 import logging
 import time
@@ -15,10 +15,10 @@ from trex_gui.ui.runtime import now
 
 log = logging.getLogger(__name__)
 
-MOST_EVENTS = 10_000  # events kept; the oldest are dropped
-MOST_ENTRIES = 2000  # entries kept; the oldest are dropped
-_LONGEST = 2000  # characters of one entry
-_REPEATED = 1.0  # seconds without a second entry of the same text, as of an event and a message
+MAX_EVENTS = 10_000  # per event log
+MAX_ENTRIES = 2000  # per message log
+_MAX_LENGTH = 2000  # characters of one entry
+_REPEAT_TIME = 1.0  # seconds in which a repeated text is dropped
 _SIGN = "⚠"
 
 
@@ -27,15 +27,14 @@ class EventLog(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.all: list[Event] = []  # in the order of time
+        self.all: list[Event] = []  # in order of time
 
     def add(self, kind: EventKind, text: str, *, is_problem: bool = False) -> None:
-        """Record an event that happens now."""
         self.put(Event(now(), kind, text, is_problem))
 
     def put(self, event: Event) -> None:
         self.all.insert(bisect_right(self.all, event.time, key=attrgetter("time")), event)
-        del self.all[:-MOST_EVENTS]
+        del self.all[:-MAX_EVENTS]
         self.happened.emit(event)
 
     def clear(self) -> None:
@@ -47,30 +46,28 @@ class LogEntry:
     time: datetime  # local
     text: str  # one line, for the user
     is_problem: bool
-    line: str  # as it is shown and copied: time, sign of a problem, text
+    line: str  # displayed line: time, warning sign of a problem, text
 
 
 class Log(QObject):
-    """Newest entries, which outlast connections."""
-
     added = Signal(object)  # the new `LogEntry`
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.entries = deque[LogEntry](maxlen=MOST_ENTRIES)  # in the order of their arrival
+        self.entries = deque[LogEntry](maxlen=MAX_ENTRIES)  # in order of arrival
 
     def follow(self, events: EventLog) -> None:
         events.happened.connect(self._on_happened)
 
     def add(self, text: str, *, is_problem: bool = False, at: float | None = None) -> None:
-        """Log a message, now or at a time of the session's clock."""
+        """Add a message. `at`: time on the session's clock, by default now."""
         line = " ".join(text.split())
-        line = line if len(line) <= _LONGEST else f"{line[:_LONGEST]} …"
+        line = line if len(line) <= _MAX_LENGTH else f"{line[:_MAX_LENGTH]} …"
         age = 0.0 if at is None else now() - at
         moment = datetime.fromtimestamp(time.time() - age).astimezone()
         last = self.entries[-1] if self.entries else None
         if last is not None and last.text == line:
-            is_repeated = (moment - last.time).total_seconds() < _REPEATED
+            is_repeated = (moment - last.time).total_seconds() < _REPEAT_TIME
             if is_repeated and last.is_problem >= is_problem:
                 return
         sign = f"{_SIGN} " if is_problem else ""

@@ -1,4 +1,4 @@
-"""Messages to the user, from models and pages to the banner of their window."""
+"""Messages from models and pages to the banner of their window."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -12,39 +12,36 @@ from trex_gui.ui.translations import error_sentence
 
 
 class Remedy(Enum):
-    """An action that a button in a message offers."""
+    """Action of a button in a message."""
 
-    FIND = auto()  # look for a board whose line settings are unknown
-    RECONNECT = auto()  # connect again to the port that was used last
-    PLUG_IN = auto()
-    """Connect again to a missing port. The message ends as soon as the port appears."""
-    SET_UP_CRC = auto()  # let the board detect errors on the line
-    CHECK_BOARD = auto()  # show what to look at on a board that does not respond
-    STOP_THEM = auto()
-    """Stop the motors that another program has left running. The message stays until then."""
-    REPORT = auto()
-    """Show the report for support. The message is about the program and outlives connections."""
+    FIND = auto()  # scan for a board whose line settings are unknown
+    RECONNECT = auto()  # reconnect to the last port
+    PLUG_IN = auto()  # reconnect to a missing port; the message ends when the port appears
+    SET_UP_CRC = auto()  # enable error detection on the line
+    CHECK_BOARD = auto()  # show the checklist for a board that does not respond
+    STOP_THEM = auto()  # stop motors left running; the message stays until they are stopped
+    REPORT = auto()  # show the report for support; the message outlives connections
 
 
 @dataclass(frozen=True, slots=True)
 class CopyCommand:
-    """A button that copies a command for a shell."""
+    """Button that copies a shell command."""
 
     command: str
 
 
 @dataclass(frozen=True, slots=True)
 class ConnectWith:
-    """A button that connects to the same port with other settings."""
+    """Button that connects to the current port with other settings."""
 
     settings: PortSettings
 
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """A button that answers a question: its object name, its text, and what it does."""
+    """Button that answers a question."""
 
-    name: str
+    name: str  # object name
     text: str
     then: Callable[[], object]
 
@@ -56,7 +53,7 @@ Remedies = tuple[AnyRemedy, ...]
 def remedies_of(error: BaseException, *, may_be_found: bool = False) -> Remedies:
     """Return the buttons for an error that closed a line.
 
-    `may_be_found`: a scan may find a board at other settings.
+    `may_be_found`: a scan may find the board at other settings.
     """
     if isinstance(error, InternalError):
         return (Remedy.REPORT,)
@@ -68,33 +65,31 @@ def remedies_of(error: BaseException, *, may_be_found: bool = False) -> Remedies
 
 
 def never() -> bool:
-    """Return false. For a danger message that the next message may replace."""
+    """Return false. Default of `Notifier.warn`: the next message may replace the danger."""
     return False
 
 
 class Notifier(QObject):
-    """Carries messages to one window, which shows the newest."""
+    """Source of messages for one window, which shows the newest message."""
 
-    info = Signal(str)  # what was done, in sentences for the user
-    error = Signal(str)  # what failed, and why
-    danger = Signal(str)  # an immediate danger, and what to do about it
-    remedies_offered = Signal(object)  # the `Remedies` for the message that came just before
-    resolved = Signal(object)  # a `Remedy` that is no longer needed; ends messages that offer it
-    # Queued until the present event is handled, for messages that come with a report whose
-    # handling clears the banner.
+    info = Signal(str)  # message about a result
+    error = Signal(str)  # message about a failure and its cause
+    danger = Signal(str)  # message about an immediate danger and its cure
+    remedies_offered = Signal(object)  # the `Remedies` for the latest message
+    resolved = Signal(object)  # a `Remedy` that is obsolete; ends messages that offer it
+    # Emitted after the current event. Handling the event may clear the banner.
     delayed_info = Signal(str)
     delayed_error = Signal(str)
-    delayed_report = Signal(str, object)  # see `report`
+    delayed_report = Signal(str, object)  # arguments of `report`
     cleared = Signal()
-    shown_changed = Signal()  # `shown`
-    logged = Signal(str, bool)  # every message, and whether it is an error; see `log_also`
+    shown_changed = Signal()  # `shown` has changed
+    logged = Signal(str, bool)  # any message, and whether it is an error
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        # State of the banner: its message, how long a danger lasts, and whether it shows an error.
-        self.shown = ""
-        self.danger_lasts: Callable[[], bool] = never
-        self.shows_problem = False
+        self.shown = ""  # message in the banner
+        self.danger_lasts: Callable[[], bool] = never  # True while the danger must stay visible
+        self.shows_problem = False  # True while the banner shows an error or a danger
         self.delayed_info.connect(self.info, Qt.ConnectionType.QueuedConnection)
         self.delayed_error.connect(self.error, Qt.ConnectionType.QueuedConnection)
         self.delayed_report.connect(self.report, Qt.ConnectionType.QueuedConnection)
@@ -103,7 +98,7 @@ class Notifier(QObject):
         self.danger.connect(lambda text: self.logged.emit(text, True))
 
     def log_also(self, other: "Notifier") -> None:
-        """Log the messages of another notifier, too."""
+        """Forward another notifier's messages to `logged`."""
         other.logged.connect(self.logged)
 
     @Slot(str, object)
@@ -115,7 +110,7 @@ class Notifier(QObject):
         self.error.emit(error_sentence(error))
 
     def warn(self, text: str, remedies: Remedies = (), lasts: Callable[[], bool] = never) -> None:
-        """Emit a `danger` with buttons. No other message replaces it while it `lasts`."""
+        """Emit `danger` with buttons. While `lasts()`, no other message replaces it."""
         self.danger.emit(text)
         self.remedies_offered.emit(remedies)
         self.danger_lasts = lasts

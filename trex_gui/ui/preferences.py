@@ -1,4 +1,4 @@
-"""Typed access to the configuration of the program."""
+"""Typed access to the program's preferences."""
 
 import contextlib
 import logging
@@ -17,16 +17,15 @@ T = TypeVar("T")
 
 log = logging.getLogger(__name__)
 
-_LARGEST_FILE = 4 * 1024 * 1024  # bytes; a typical file has some 3000
-_ABANDONED_S = 600.0  # seconds after which a lock or a draft counts as abandoned
+_MAX_FILE_SIZE = 4 * 1024 * 1024  # bytes; a typical file has 3000
+_ABANDONED_S = 600.0  # age of an abandoned lock or temporary file
 
 
 class Preferences:
-    """Values by key. An unusable value is logged, and counts as missing.
+    """Values by key. An invalid value is logged and counts as missing.
 
-    The user may have edited the file, and Qt returns whatever it contains: another type, a list, a
-    number of any size. Only an ordinary file is opened, since a pipe would block. Otherwise
-    values last until the program ends.
+    A user may edit the file, so a value may have any type or size. Only a regular file is
+    opened, since a pipe would block. Without a regular file, values last until the program ends.
     """
 
     def __init__(self) -> None:
@@ -36,7 +35,7 @@ class Preferences:
         return self._read(key, default, _flag)
 
     def integer(self, key: str, default: int, lowest: int, highest: int) -> int:
-        """Return a number in a range. Any other number is unusable."""
+        """Return a number from `lowest` to `highest`. Other numbers are invalid."""
         return self._read(key, default, lambda found: _in_range(int(_text(found)), lowest, highest))
 
     def real(self, key: str, default: float, lowest: float, highest: float) -> float:
@@ -51,7 +50,6 @@ class Preferences:
         return Path(self._read(key, str(default), _path))
 
     def data(self, key: str) -> QByteArray:
-        """Return bytes, empty if there are none."""
         return self._read(key, QByteArray(), _data)
 
     def set(self, key: str, value: bool | float | str | QByteArray) -> None:
@@ -64,20 +62,22 @@ class Preferences:
         try:
             return convert(found)
         except (ValueError, OverflowError) as error:
-            log.warning("the setting %s is left out: %s", key, str(error)[:200])
+            log.warning("the setting %s is ignored: %s", key, str(error)[:200])
             return default
 
 
 def _open() -> QSettings:
     form = QSettings.defaultFormat()
     if form is QSettings.Format.NativeFormat and sys.platform in {"win32", "darwin"}:
-        return QSettings()  # Qt opens no file here
-    # Only an object that opens the file can name it. An unused name shows its folder.
-    beside = QSettings(form, QSettings.Scope.UserScope, "TReX Studio, no such file").fileName()
-    place, suffix = Path(beside).parent, Path(beside).suffix
+        return QSettings()  # Qt opens no file on these systems
+    # `QSettings` opens the file that it names. An unused name yields the folder only.
+    unused = Path(
+        QSettings(form, QSettings.Scope.UserScope, "TReX Studio, no such file").fileName()
+    )
+    folder, suffix = unused.parent, unused.suffix
     organization = QCoreApplication.organizationName()
-    path = place / organization / f"{QCoreApplication.applicationName()}{suffix}"
-    for each in (path, place / f"{organization}{suffix}", path.with_name(f"{path.name}.lock")):
+    path = folder / organization / f"{QCoreApplication.applicationName()}{suffix}"
+    for each in (path, folder / f"{organization}{suffix}", path.with_name(f"{path.name}.lock")):
         if problem := _problem(each):
             _report(each, problem)
             return QSettings(str(each / "unused"), QSettings.Format.IniFormat)
@@ -92,7 +92,7 @@ def _report(path: Path, problem: str) -> None:
 
 @cache
 def remove_litter(path: Path) -> None:
-    """Remove old locks and drafts that Qt left beside a file when programs were killed."""
+    """Remove old locks and temporary files of killed programs beside a file."""
     litter = re.compile(re.escape(path.name) + r"\.(lock(\.rmlock)+|[A-Za-z]{6})")
     with contextlib.suppress(OSError):
         for each in path.parent.iterdir():
@@ -101,14 +101,14 @@ def remove_litter(path: Path) -> None:
 
 
 def _problem(path: Path) -> str:
-    """Return the reason why Qt must not open a file. Empty if it may, or without a file."""
+    """Return the reason why Qt must not open a file, or an empty string."""
     try:
         found = path.stat()
     except OSError:
-        return ""  # no file, or Qt cannot open it either
+        return ""  # the file is missing, or Qt cannot open it either
     if not (stat.S_ISREG(found.st_mode) or stat.S_ISDIR(found.st_mode)):
         return "is not an ordinary file"
-    return "is too large" if found.st_size > _LARGEST_FILE else ""
+    return "is too large" if found.st_size > _MAX_FILE_SIZE else ""
 
 
 def _flag(found: object) -> bool:
@@ -124,19 +124,19 @@ def _text(found: object) -> str:
         return found
     if isinstance(found, int | float) and not isinstance(found, bool):
         return str(found)
-    raise ValueError(f"{found!r} is no text")
+    raise ValueError(f"{found!r} is not a text")
 
 
 def _path(found: object) -> str:
     if "\0" in (text := _text(found)):
-        raise ValueError(f"{found!r} is no path")
+        raise ValueError(f"{found!r} is not a path")
     return text
 
 
 def _data(found: object) -> QByteArray:
     if isinstance(found, QByteArray):
         return found
-    raise ValueError(f"{found!r} is not what was stored")
+    raise ValueError(f"{found!r} is not binary data")
 
 
 NumberT = TypeVar("NumberT", int, float)

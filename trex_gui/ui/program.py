@@ -1,4 +1,4 @@
-"""The program: models and window for every kind of device, built from plugins."""
+"""Main window and its models, built from device plugins."""
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
@@ -20,12 +20,10 @@ from trex_gui.ui.notifier import Notifier
 from trex_gui.ui.plotting.page import PlotPage
 from trex_gui.ui.workers.threads import have_orphans_ended
 
-_FILES_TIMEOUT_MS = 5000  # a slow disk takes seconds to save; reading is cancelled
+_FILES_TIMEOUT_MS = 5000  # time to finish saving on a slow disk
 
 
 class Program:
-    """Main window and its models. Nothing is connected at first."""
-
     def __init__(self, plugins: Sequence[DevicePlugin], timeouts: Timeouts | None = None) -> None:
         self.plugins = tuple(plugins)
         self.timeouts = timeouts or Timeouts()
@@ -38,7 +36,7 @@ class Program:
             for plugin in sorted(plugins, key=lambda plugin: plugin.key != last)
         }
         self.device_manager = manager = DeviceManager(makers, scanner)
-        # Connected before the window is: the window needs the workspace of the device.
+        # Connect before the window, which needs the workspace of the device.
         manager.changed.connect(self._use_current)
         manager.current_changed.connect(self._use_current)
         self._workspaces: dict[str, Workspace] = {}
@@ -49,8 +47,8 @@ class Program:
         self.auto_connect = AutoConnect(self.ports, manager, notifier, manager)
 
     def _create_controller(self, plugin: DevicePlugin) -> Controller:
-        make: Callable[..., Controller] = plugin.controller.load()
-        return make(plugin, self._notifier, self.ports, self._scanner, self.timeouts)
+        create: Callable[..., Controller] = plugin.controller.load()
+        return create(plugin, self._notifier, self.ports, self._scanner, self.timeouts)
 
     def _add_workspace(self, controller: Controller) -> Workspace:
         plugin = controller.plugin
@@ -60,51 +58,47 @@ class Program:
         return added
 
     def complete(self) -> None:
-        """Create the missing pages, from now on for each kind of device in use.
-
-        Call this once the window is painted.
-        """
+        """Create the missing pages. Call this once the window is painted."""
         self._is_complete = True
         self._use_current()
 
     def _use_current(self) -> None:
-        """Add the workspace of the kind of device in use."""
-        if not self._workspaces:  # the window is being created, and selects line settings
+        if not self._workspaces:  # the window is still being created
             return
         workspace = self.workspace(self.device_manager.current.plugin.key)
         if self._is_complete:
             workspace.create_pages()
 
     def create_plots(self) -> None:
-        """Create the missing plots, so that pages with plots open without delay."""
+        """Create the missing plots, so that their pages open without delay."""
         for workspace in self._workspaces.values():
             for page in workspace.findChildren(PlotPage):
-                page.need_plot()
+                page.ensure_plot()
 
     def workspace(self, device: str) -> Workspace:
-        """Return the workspace of a kind of device by its key."""
+        """Return the workspace for a plugin key. Creates a missing workspace."""
         found = self._workspaces.get(device)
         return found or self._add_workspace(self.device_manager.controller(device))
 
     @property
     def workspaces(self) -> Mapping[str, Workspace]:
-        """Workspace of each kind of device by its key. Creates missing workspaces."""
+        """Workspaces by plugin key. Creates missing workspaces."""
         return {plugin.key: self.workspace(plugin.key) for plugin in self.plugins}
 
     def connect_to_demo(self, device: str) -> None:
         self.device_manager.connect_to(self.ports.demo_of(device))
 
     def connect_to_port(self, url: str, device: str | None = None) -> None:
-        """Connect to a port. From now on it leads to the kind `device`, if given."""
+        """Connect to a port, and assign it to the plugin `device` if given."""
         port = self.ports.add_typed(url)
         if device is not None:
             port = self.ports.lead_to(port, device)
         self.device_manager.connect_to(port)
 
-    def open_named(self, path: Path, *, connecting: bool) -> None:
-        """Open a file of the command line, with the kind of device that it belongs to.
+    def open_file(self, path: Path, *, connecting: bool) -> None:
+        """Open a file of the command line in the workspace for its type.
 
-        A file that opens differently without a device waits while a connection is being opened.
+        While `connecting`, a file that needs the device waits for the connection.
         """
         key, kind = self._file_kind(path)
         is_current = key == self.device_manager.current.plugin.key
@@ -124,9 +118,9 @@ class Program:
         return next((found for found in kinds if suffix in found[1].suffixes), kinds[0])
 
     def report_last_run(self, *, has_crashed: bool = False) -> None:
-        """Report motors that may be turning, a stop by a guardian, or a crash of the last run.
+        """Report running motors, a guardian's stop, or a crash of the last run.
 
-        The check is repeated whenever messages are cleared, as by a connection being opened.
+        Checks again whenever messages are cleared, for example by a new connection.
         """
         report_last_run(self._notifier, has_crashed=has_crashed)
         self._notifier.cleared.connect(partial(report_last_run, self._notifier))
@@ -134,7 +128,7 @@ class Program:
     def shut_down(self) -> bool:
         """Stop the motors, close the line, then end recordings.
 
-        Return whether every thread has ended. Qt aborts if a running thread is destroyed.
+        Return whether all threads have ended. Qt aborts if a running thread is destroyed.
         """
         ends = [self.device_manager.shut_down()]
         ends += [workspace.shut_down() for workspace in self._workspaces.values()]
@@ -142,10 +136,10 @@ class Program:
         return all(ends) and have_orphans_ended()
 
     def close(self) -> bool:
-        """Shut down and destroy everything, for callers that run the event loop.
+        """Shut down and destroy everything. Needs a running event loop.
 
-        Return whether every thread has ended. If not, nothing is destroyed, and only `os._exit`
-        ends the process.
+        Return whether all threads have ended. Otherwise nothing is destroyed, and the process
+        must end with `os._exit`.
         """
         if not self.shut_down():
             return False
@@ -153,10 +147,10 @@ class Program:
         return True
 
     def destroy(self) -> None:
-        """Destroy the window and its models, once everything is shut down.
+        """Destroy the window and its models. Call `shut_down` before.
 
-        Otherwise Qt would crash: at its end the interpreter destroys objects in any order, while
-        their event handlers can no longer run.
+        Otherwise Qt crashes: the interpreter destroys the remaining objects in any order, after
+        it has disabled their event handlers.
         """
         for workspace in self._workspaces.values():
             workspace.prepare_to_close()

@@ -1,8 +1,7 @@
-"""Clock, timers, threads and ports that the program runs on.
+"""Clock, timers, threads and ports of the program.
 
-The default runtime is the computer's. Tests run in virtual time: they replace the runtime before
-they create a window. The process has one runtime, like Qt's application object, because timers
-sit deep in widgets that have no other use for a runtime.
+Tests replace the runtime before they create a window, and run in virtual time. The process has
+one runtime, because passing it down to every timer would clutter the widgets.
 """
 
 import threading
@@ -17,13 +16,12 @@ from trex_gui.core.transport.settings import PortSettings
 
 
 class Runtime:
-    """Runtime of the computer, in real time."""
+    """Runtime in real time."""
 
     def now(self) -> float:
         return time.monotonic()
 
     def sleep(self, seconds: float) -> None:
-        """Let other threads run for a while."""
         time.sleep(seconds)
 
     def condition(self) -> Condition:
@@ -36,7 +34,7 @@ class Runtime:
         QThread.start(thread, priority)
 
     def wait(self, thread: QThread, milliseconds: int) -> bool:
-        """Wait for a thread to end, for ever with -1. Return whether it has ended."""
+        """Wait for a thread to end. Return whether it has ended. -1 waits forever."""
         return QThread.wait(thread, QDeadlineTimer(milliseconds))
 
     def process(self, parent: QObject) -> QProcess:
@@ -62,7 +60,7 @@ def use_runtime(runtime: Runtime) -> Runtime:
 def new_timer(
     parent: QObject, milliseconds: int, then: Callable[[], object], *, single_shot: bool = False
 ) -> QTimer:
-    """Create a timer, not started yet. At 0 ms it fires after the current event."""
+    """Create a timer without starting it. At 0 ms it fires after the current event."""
     timer = _runtime.timer(parent)
     timer.setInterval(milliseconds)
     timer.setSingleShot(single_shot)

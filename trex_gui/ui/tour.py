@@ -1,4 +1,4 @@
-"""Screenshots of every page and dialog, light and dark, without a user."""
+"""Automatic screenshots of every page and dialog, light and dark."""
 
 import sys
 from collections.abc import Callable, Iterator, Sequence
@@ -15,21 +15,19 @@ from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.theme.theme import Scheme, theme
 from trex_gui.ui.widgets.leds import Leds
 
-_SIZE = QSize(1440, 800)  # space for a page and for the panel of the simulated device
+_SIZE = QSize(1440, 800)  # fits a page beside the panel of the simulated device
 _SETTLE_MS = 2500
 _STEP_MS = 200
 _STOP_MS = 100  # time to send the stop
-_TIMEOUT_MS = 30_000  # a computer may be busy, and a stop is confirmed on a quiet line only
+_TIMEOUT_MS = 30_000  # a busy computer is slow, and a stop is confirmed only on a quiet line
 
-Do = Callable[[], object]
-"""Step of the tour. A step that returns `False` could not be done yet and is tried again."""
+TourStep = Callable[[], object]  # part of the tour; repeated while it returns `False`
 
 
 class Tour(QObject):
-    """Connects to each simulated device, runs the steps of its plugin, writes PNG files."""
+    """Tour of each simulated device, with the steps of its plugin. Writes PNG files."""
 
-    # True if all pictures are written. False: a device did not connect, or a step failed.
-    finished = Signal(bool)
+    finished = Signal(bool)  # True: all pictures are written; False: a step failed
 
     def __init__(
         self,
@@ -45,7 +43,7 @@ class Tour(QObject):
         self._program = program
         self._folder = folder
         self._steps = self._create_steps()
-        self._waiting: tuple[Do, float] | None = None
+        self._pending: tuple[TourStep, float] | None = None  # step, and time of its first attempt
         self._timer = new_timer(self, _STEP_MS, self._step, single_shot=True)
 
     def start(self) -> None:
@@ -55,23 +53,23 @@ class Tour(QObject):
 
     def _step(self) -> None:
         try:
-            step, begun = self._waiting or (next(self._steps, None), now())
+            step, started = self._pending or (next(self._steps, None), now())
             is_done = step is None or step() is not False
         except Exception:
-            self._finish(has_all=False)
+            self._finish(is_complete=False)
             raise
-        if step is None or (not is_done and now() > begun + _TIMEOUT_MS / 1000):
-            self._finish(has_all=is_done)
+        if step is None or (not is_done and now() > started + _TIMEOUT_MS / 1000):
+            self._finish(is_complete=is_done)
             return
-        self._waiting = None if is_done else (step, begun)
+        self._pending = None if is_done else (step, started)
         self._timer.start()
 
-    def _finish(self, *, has_all: bool) -> None:
+    def _finish(self, *, is_complete: bool) -> None:
         self._program.device_manager.press_stop()
-        report = partial(self.finished.emit, has_all)
+        report = partial(self.finished.emit, is_complete)
         new_timer(self, _STOP_MS, report, single_shot=True).start()
 
-    def _create_steps(self) -> Iterator[Do]:
+    def _create_steps(self) -> Iterator[TourStep]:
         manager = self._program.device_manager
         for plugin in self._program.plugins:
             controller = manager.controller(plugin.key)
@@ -81,11 +79,11 @@ class Tour(QObject):
             yield from plugin.tour.load()(self, controller)
 
     @staticmethod
-    def wait(seconds: float = _SETTLE_MS / 1000) -> Iterator[Do]:
+    def wait(seconds: float = _SETTLE_MS / 1000) -> Iterator[TourStep]:
         yield from [lambda: None] * round(seconds * 1000 / _STEP_MS)
 
-    def look_at_pages(self, state: str = "") -> Iterator[Do]:
-        """Take pictures of all pages. `state` becomes part of the file names."""
+    def capture_pages(self, state: str = "") -> Iterator[TourStep]:
+        """Capture all pages. `state` becomes part of the file names."""
         window = self._program.window
         for scheme in self._schemes:
             yield partial(theme().set_scheme, scheme)
@@ -97,7 +95,7 @@ class Tour(QObject):
                 name = page.objectName().removesuffix("PageArea") if page else str(index)
                 yield partial(self.write, window, f"{name}{state}", scheme)
 
-    def look_at(self, dialog: str, name: str) -> Iterator[Do]:
+    def capture_dialog(self, dialog: str, name: str) -> Iterator[TourStep]:
         widget = self._program.window.findChild(QWidget, dialog)
         for scheme in self._schemes:
             yield partial(theme().set_scheme, scheme)
@@ -124,7 +122,7 @@ class Tour(QObject):
 
     def write(self, widget: QWidget, name: str, scheme: Scheme) -> None:
         for leds in widget.findChildren(Leds):
-            leds.show_moment(0.0)  # a moment when blinking LEDs are lit
+            leds.show_moment(0.0)  # blinking LEDs are lit at this moment
         path = self._folder / f"{name}-{scheme}.png"
         if widget.grab().save(str(path)):
             sys.stdout.write(f"{path}\n")

@@ -1,4 +1,4 @@
-"""Languages of the window, compiled from Qt Linguist files in `resources/translations/`."""
+"""Languages of the window, from the Qt Linguist files in `resources/translations/`."""
 
 from datetime import datetime
 from functools import partial
@@ -11,36 +11,36 @@ from trex_gui.core.resource_files import resource
 from trex_gui.core.translation import tr, use_translations
 from trex_gui.ui.preferences import Preferences
 
-CONTEXT = "trex_gui"  # the only one in the files: a text has one translation everywhere
+CONTEXT = "trex_gui"  # the only translation context: a text has one translation everywhere
 ENGLISH = QLocale(QLocale.Language.English)
-LANGUAGES = {"en": "English", "de": "Deutsch", "fr": "Français"}  # of the window
+LANGUAGES = {"en": "English", "de": "Deutsch", "fr": "Français"}
 AS_THE_SYSTEM = "system"
 _KEY = "window/language"
 
 
-def chosen_language() -> str:
-    """Return the code of the selected language, or `AS_THE_SYSTEM`."""
-    wanted = Preferences().text(_KEY, AS_THE_SYSTEM)
-    return wanted if wanted in LANGUAGES else AS_THE_SYSTEM
+def selected_language() -> str:
+    """Return a key of `LANGUAGES`, or `AS_THE_SYSTEM`."""
+    code = Preferences().text(_KEY, AS_THE_SYSTEM)
+    return code if code in LANGUAGES else AS_THE_SYSTEM
 
 
 def select_language(code: str) -> None:
-    """Save the language for the next time that the window opens."""
+    """Save the language for the next start of the program."""
     Preferences().set(_KEY, code)
 
 
-def chosen_locale() -> QLocale:
-    """Return the locale of the window. The system's locale if it has the selected language."""
-    system, code = QLocale.system(), chosen_language()
-    is_of_system = code in {AS_THE_SYSTEM, system.name().partition("_")[0]}
-    return system if is_of_system else QLocale(code)
+def selected_locale() -> QLocale:
+    """Return the system's locale if it has the selected language, else a generic locale."""
+    system, code = QLocale.system(), selected_language()
+    is_system = code in {AS_THE_SYSTEM, system.name().partition("_")[0]}
+    return system if is_system else QLocale(code)
 
 
 def install_translations(app: QApplication, locale: QLocale) -> list[QTranslator]:
-    """Install English plural forms, and the language of `locale` if it is available.
+    """Install English plural forms, and the language of `locale` if available.
 
-    Numbers, dates and the direction of the layout follow the language that is shown. Earlier
-    texts do not change. Remove the returned translators before installing another language.
+    Numbers, dates and layout direction follow the installed language. Texts that are already
+    visible do not change. Before another installation, remove the returned translators.
     """
     folder = str(resource("translations"))
     english, catalog, of_qt = (QTranslator(app) for _ in range(3))
@@ -63,17 +63,17 @@ def install_translations(app: QApplication, locale: QLocale) -> list[QTranslator
 
 
 def error_text(error: BaseException) -> str:
-    """Return the message of an error, in the language of the window if it has a code."""
+    """Return the message of an error. An error with a code is translated."""
     if isinstance(error, CodedError):
         return describe(error.code, error.fields, tr)
     return str(error)
 
 
 def error_sentence(error: BaseException | None) -> str:
-    """Return the message of an error as one sentence with one full stop."""
+    """Return the message of an error with exactly one full stop at its end."""
     return f"{error_text(error).rstrip('. ')}." if error is not None else ""
 
 
 def local_time(moment: datetime) -> str:
-    """Return a moment as `2026-03-14 15:09` in local time."""
+    """Format a time as local time: `2026-03-14 15:09`."""
     return f"{moment.astimezone():%Y-%m-%d %H:%M}"

@@ -1,4 +1,4 @@
-"""Order of values in physical units and as the device's own numbers."""
+"""Order of physical units and the device's own numbers in texts."""
 
 from functools import cache
 
@@ -10,7 +10,7 @@ _KEY = "units/own_first"
 
 
 class Units(QObject):
-    """The choice of the whole program. There is one, and `units()` returns it."""
+    """Order for the whole program. `units()` returns the only instance."""
 
     changed = Signal()
 
@@ -19,14 +19,13 @@ class Units(QObject):
         self.own_first = Preferences().flag(_KEY, default=False)
 
     def set_order(self, *, own_first: bool) -> None:
-        """Set the order from now on, also at the next start."""
         Preferences().set(_KEY, own_first)
         if own_first != self.own_first:
             self.own_first = own_first
             self.changed.emit()
 
     def ordered(self, physical: str, own: str) -> tuple[str, str]:
-        """Return both texts of a value, first that which the user wants to see first."""
+        """Return both texts of a value in the selected order."""
         return (own, physical) if self.own_first else (physical, own)
 
 

@@ -11,7 +11,7 @@ from trex_gui.ui.devices.auto_connect import connects_automatically
 from trex_gui.ui.frame.preferences_dialog import PreferencesDialog
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.theme import restore_choices, theme
-from trex_gui.ui.translations import chosen_language
+from trex_gui.ui.translations import selected_language
 from trex_gui.ui.units import units
 
 
@@ -57,7 +57,7 @@ def test_other_choices_stay(dialog: WidgetDriver) -> None:
     start_again()
     assert units().own_first
     assert not connects_automatically()
-    assert chosen_language() == "de"
+    assert selected_language() == "de"
 
 
 @pytest.mark.usefixtures("qapp")

@@ -12,7 +12,7 @@ from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
 from trex_gui.ui.files import write_in_background
 from trex_gui.ui.notifier import Notifier
-from trex_gui.ui.traffic.model import MOST_KEPT, TrafficModel
+from trex_gui.ui.traffic.model import MAX_ROWS, TrafficModel
 from trex_gui.ui.traffic.table import TrafficTable
 from trex_gui.ui.workers.session_thread import SessionThread
 
@@ -82,16 +82,16 @@ def test_failed_poll_is_listed_once_in_its_place(setup: TrafficSetup) -> None:
 
 def test_telemetry_does_not_displace_a_write(setup: TrafficSetup) -> None:
     setup.log(WRITE, STORED)
-    for count in range(MOST_KEPT):
+    for count in range(MAX_ROWS):
         setup.log(POLL, ANSWER)
         if count % 100 == 0:
             setup.traffic.pull()
     assert setup.texts == ["set Serial Timeout to 1.5 s (15) → stored"]
     everything = setup.traffic.everything
-    assert everything.count == MOST_KEPT + 1
-    assert len(everything.rows) == 0.9 * MOST_KEPT, "many rows are dropped at a time"
-    newest = [row.number for row in everything.since(MOST_KEPT - 1)]
-    assert newest == [MOST_KEPT, MOST_KEPT + 1]
+    assert everything.count == MAX_ROWS + 1
+    assert len(everything.rows) == 0.9 * MAX_ROWS, "many rows are dropped at a time"
+    newest = [row.number for row in everything.since(MAX_ROWS - 1)]
+    assert newest == [MAX_ROWS, MAX_ROWS + 1]
     assert len(everything.since(0)) == len(everything.rows)
 
 

@@ -40,7 +40,7 @@ def test_cycles_stay_until_collected_in_gui_thread(collector: GuiThreadCollector
 
 
 def test_full_collection_leaves_out_what_is_exempt(collector: GuiThreadCollector) -> None:
-    collector.exempt_present()
+    collector.freeze()
     assert len(gc.get_objects()) < gc.get_freeze_count() / 10
     kept = Cycle.alive
     Cycle()

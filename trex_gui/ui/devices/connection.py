@@ -16,7 +16,7 @@ from trex_gui.ui.files import in_background
 from trex_gui.ui.notifier import Remedy
 from trex_gui.ui.runtime import now, open_transport
 from trex_gui.ui.traffic.model import TrafficModel
-from trex_gui.ui.workers.session_thread import MakeSession, SessionThread
+from trex_gui.ui.workers.session_thread import SessionFactory, SessionThread
 
 SettingsT = TypeVar("SettingsT", bound=PortSettings)
 
@@ -60,10 +60,10 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
             self._next = settings
             return
         self.settings = settings
-        make_session = self.new_session(settings, may_move=may_move)
+        create_session = self.new_session(settings, may_move=may_move)
         text = tr("Connecting to {0} …").format(settings.text())
         self._set_state(ConnectionState.CONNECTING, text)
-        self.start(make_session, may_move=may_move)
+        self.start(create_session, may_move=may_move)
 
     def close(self) -> None:
         """Stop the motors if possible and close the line. Does not wait."""
@@ -84,7 +84,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
 
     # --- For each device ----------------------------------------------------------------
 
-    def new_session(self, settings: SettingsT, *, may_move: bool) -> MakeSession:
+    def new_session(self, settings: SettingsT, *, may_move: bool) -> SessionFactory:
         """Reset the data of the last session. Return the function that creates the next."""
         raise NotImplementedError
 

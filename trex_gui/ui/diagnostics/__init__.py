@@ -1,1 +1,1 @@
-"""The place *Diagnostics*: problems, log and traffic of a device, with one head for all."""
+"""The place *Diagnostics*: problems, log and traffic of a device."""

@@ -1,4 +1,4 @@
-"""The place *Diagnostics* of a device, and its page of the log."""
+"""The place *Diagnostics* and its log page."""
 
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, TypeVar
@@ -12,7 +12,7 @@ from trex_gui.core.translation import tr
 from trex_gui.ui.frame.places import Place
 from trex_gui.ui.frame.workspace import PageInfo, Workspace
 from trex_gui.ui.help.messages import MessageHelp
-from trex_gui.ui.log import MOST_ENTRIES, Log, LogEntry
+from trex_gui.ui.log import MAX_ENTRIES, Log, LogEntry
 from trex_gui.ui.plotting.page import PlotPage
 from trex_gui.ui.theme.theme import follow_theme, set_look
 from trex_gui.ui.traffic.page import TrafficPage
@@ -25,19 +25,19 @@ from trex_gui.ui.widgets.view import View, copy_lines
 if TYPE_CHECKING:
     from trex_gui.ui.diagnostics.problems import Problem, ProblemsPage
 
-_SEARCH = 26  # average characters
+_SEARCH_WIDTH = 26  # average characters
 
 
 ViewT = TypeVar("ViewT", bound=View)
 
 
 class LogPage(View):
-    help_wanted = Signal(str)  # the topic of the line with the cursor
+    help_wanted = Signal(str)  # help topic of the line with the cursor
 
     def __init__(
         self, log: Log, key: str, message_help: MessageHelp, parent: QWidget | None = None
     ) -> None:
-        """Create the page. `key` is the prefix of the object names."""
+        """`key`: prefix of object names."""
         super().__init__(parent)
         self._message_help = message_help
         self.setObjectName(f"{key}LogPage")
@@ -51,7 +51,7 @@ class LogPage(View):
         self._text = ui.named(QPlainTextEdit(self), f"{key}Log", accessible=title_of(tr("Lo&g")))
         self._text.setReadOnly(True)
         self._text.setUndoRedoEnabled(False)
-        self._text.setMaximumBlockCount(MOST_ENTRIES)
+        self._text.setMaximumBlockCount(MAX_ENTRIES)
         self._text.setPlaceholderText(
             tr("Messages, stops, lost connections and written settings will be listed here.")
         )
@@ -77,12 +77,12 @@ class LogPage(View):
     @Slot(object)
     def _on_added(self, entry: LogEntry) -> None:
         if self.isVisible() and self._is_shown(entry):
-            self._text.appendPlainText(entry.line)  # scrolls if the end was in view
+            self._text.appendPlainText(entry.line)  # scrolls if the end was visible
             self._summarize()
 
     def _summarize(self) -> None:
-        shown, every = len(self.lines()), len(self._log.entries)
-        self.summarized.emit(tr("{0} of {1} shown").format(shown, every))
+        shown, total = len(self.lines()), len(self._log.entries)
+        self.summarized.emit(tr("{0} of {1} shown").format(shown, total))
 
     @property
     def _topic(self) -> str:
@@ -95,15 +95,15 @@ class LogPage(View):
 
 
 class Diagnostics(Place):
-    """Problems, log and traffic, with common search, copy and save."""
+    """Problems, log and traffic with shared controls."""
 
     def __init__(self, workspace: Workspace, name: str, show_help: Callable[[str], object]) -> None:
-        """`name` begins the object names. `show_help` opens a topic of the help."""
+        """`name`: prefix of object names. `show_help` opens a help topic."""
         super().__init__(f"{name}Page", tr("Diagnostics"), workspace)
         self._workspace, self._show_help = workspace, show_help
         hint = tr("Search (Ctrl+F)")
         self._search = ui.search_field(self, f"{name}Search", hint, hint)
-        tip = tr("Copy the selected rows, or all that is shown")
+        tip = tr("Copy the selected rows, or everything shown")
         copy = ui.button(self, f"{name}Copy", tr("Cop&y"), icon="copy", tip=tip)
         copy.clicked.connect(self._copy)
         tip = tr("Save a report for support; it is shown before it is written")
@@ -114,35 +114,36 @@ class Diagnostics(Place):
         self.add_tabs(self._head)
         set_look(self.tabs.tabBar(), "choices")
         self.tabs.tabBar().setDrawBase(False)
-        follow_theme(self._search, "room", self._free_space)
+        follow_theme(self._search, "room", self._update_width)
         self._search.textChanged.connect(self._on_searched)
         workspace.page_changed.connect(self._on_page_changed)
 
-    def _free_space(self) -> None:
-        width = _SEARCH * self._search.fontMetrics().averageCharWidth()
+    def _update_width(self) -> None:
+        width = _SEARCH_WIDTH * self._search.fontMetrics().averageCharWidth()
         self._search.setMinimumWidth(width)
 
     def pages(
         self, problems: "Callable[[QWidget], ProblemsPage]", traffic: Callable[[QWidget], View]
     ) -> tuple[PageInfo, ...]:
-        """Return the three pages. The arguments create the first and the last page."""
-        owner = self._workspace
+        """Return the three pages. `problems` and `traffic` create their pages."""
+        workspace = self._workspace
 
         def create_problems(parent: QWidget) -> QWidget:
-            page = self._joined(problems(parent))
-            page.page_wanted.connect(self._show_more)
+            page = self._connected(problems(parent))
+            page.page_wanted.connect(self._show_problem)
             page.help_wanted.connect(self._show_help)
             page.counted.connect(self._show_count)
             page.show_problems()
             return page
 
         def create_log(parent: QWidget) -> QWidget:
-            page = self._joined(LogPage(owner.log, owner.key, owner.message_help, parent))
+            log, key, message_help = workspace.log, workspace.key, workspace.message_help
+            page = self._connected(LogPage(log, key, message_help, parent))
             page.help_wanted.connect(self._show_help)
             return page
 
         def create_traffic(parent: QWidget) -> QWidget:
-            return self._joined(traffic(parent))
+            return self._connected(traffic(parent))
 
         return (
             PageInfo("errors", tr("Prob&lems"), create_problems, "pulse", self),
@@ -150,7 +151,7 @@ class Diagnostics(Place):
             PageInfo("transcript", tr("T&raffic"), create_traffic, "", self),
         )
 
-    def _joined(self, page: ViewT) -> ViewT:
+    def _connected(self, page: ViewT) -> ViewT:
         page.summarized.connect(self._head.show_state)
         return page
 
@@ -162,7 +163,6 @@ class Diagnostics(Place):
 
     @Slot()
     def _on_page_changed(self) -> None:
-        """Show the search text of this page."""
         if self._view is not None:
             with QSignalBlocker(self._search):
                 self._search.setText(self._view.searched)
@@ -173,7 +173,7 @@ class Diagnostics(Place):
             self._view.search(text)
 
     @Slot(object)
-    def _show_more(self, problem: "Problem") -> None:
+    def _show_problem(self, problem: "Problem") -> None:
         workspace = self._workspace
         workspace.show_page(problem.page)
         box = workspace.page_at(workspace.current)

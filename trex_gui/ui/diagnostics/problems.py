@@ -1,4 +1,4 @@
-"""Problems as cards, and the quality of the connection."""
+"""Problem cards and the quality of the connection."""
 
 import math
 from collections.abc import Sequence
@@ -20,24 +20,24 @@ from trex_gui.ui.widgets.labels import LiveLabel, Muted, Sign
 from trex_gui.ui.widgets.painted import Painted, Painter
 from trex_gui.ui.widgets.view import View
 
-_MINUTE, _SLOT = 60.0, 0.5  # seconds: drawn span, and span of one point
-_LATEST = 5.0  # seconds until a row and its reply are surely in the log
+_MINUTE, _SLOT = 60.0, 0.5  # seconds: width of the plot, and of one point
+_MAX_LATENESS = 5.0  # seconds after which the log has a row and its reply
 
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """Kind of problem that occurred. The texts are for the user."""
+    """Kind of problem that has occurred."""
 
-    key: str  # identifier, also in the object names of its card
-    title: str  # includes the state: "Motor 1 fault, active now"
-    text: str  # the meaning, and what to do
-    times: str  # count, and time of the last occurrence
+    key: str  # identifier; prefix of the card's object names
+    title: str  # with the state: "Motor 1 fault, active now"
+    text: str  # meaning and remedy, for the user
+    times: str  # count and time of the last occurrence, for the user
     is_active: bool = False
-    is_cleared: bool = False  # since the last report
-    page: str = ""  # key of the page with more about it, if there is one
-    topic: str = ""  # topic of the help, if there is one
-    name: str = ""  # spelling in the traffic log
-    seen_at: float = 0.0  # last time, in seconds of the program's monotonic clock
+    is_cleared: bool = False  # cleared by the user since the last occurrence
+    page: str = ""  # key of a page with details, or empty
+    topic: str = ""  # help topic, or empty
+    name: str = ""  # text of the problem in the traffic log
+    seen_at: float = 0.0  # last occurrence, in seconds of the monotonic clock
 
     @property
     def line(self) -> str:
@@ -48,7 +48,7 @@ class Problem:
 class Reading:
     caption: str
     value: str
-    details: str = ""  # for the tool tip
+    details: str = ""  # text of the tool tip
     is_bad: bool = False
 
     def unknown(self) -> "Reading":
@@ -100,19 +100,19 @@ class ProblemCard(ui.Card):
         ):
             button.setVisible(bool(is_offered))
             button.setAccessibleDescription(problem.title)
-        self._hold_height()
+        self._update_height()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._hold_height()
+        self._update_height()
 
-    def _hold_height(self) -> None:
-        """Keep the height that the text needs: a small page scrolls and cuts no text."""
+    def _update_height(self) -> None:
+        # A small page must scroll rather than cut off the text.
         self.setMinimumHeight(self.heightForWidth(self.width()))
 
 
 class ConnectionCard(ui.Card):
-    """Large readings of the connection, above the round trips of the last minute."""
+    """Readings of the connection and a plot of its round trips."""
 
     def __init__(self, name: str, traffic: TrafficModel, parent: QWidget) -> None:
         super().__init__(tr("Connection"), parent)
@@ -146,14 +146,14 @@ class ConnectionCard(ui.Card):
 
 
 class RoundTrips(Painted):
-    """Line of the slowest poll in each half second, from the traffic log."""
+    """Plot of the slowest poll in each half second of the last minute."""
 
     def __init__(self, traffic: TrafficModel, parent: QWidget) -> None:
         super().__init__(parent)
         self._traffic = traffic
-        self._seconds = dict[int, float]()  # longest round trip by slot number
-        self._oldest = 0  # first slot that is drawn
-        self._refreshed = -math.inf
+        self._seconds = dict[int, float]()  # slot number → longest round trip
+        self._oldest = 0  # first slot in the plot
+        self._refreshed = -math.inf  # time of the last refresh
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
 
     @property
@@ -167,8 +167,8 @@ class RoundTrips(Painted):
         return QSize(0, 3 * self.fontMetrics().height())
 
     def refresh(self) -> None:
-        """Add new rows, and earlier rows whose replies have arrived since."""
-        since, self._refreshed = self._refreshed - _LATEST, now()
+        """Add new rows, and earlier rows with new replies."""
+        since, self._refreshed = self._refreshed - _MAX_LATENESS, now()
         self._oldest = int(self._refreshed / _SLOT) - round(_MINUTE / _SLOT) + 1
         self._seconds = {slot: s for slot, s in self._seconds.items() if slot >= self._oldest}
         for row in reversed(self._traffic.everything.rows):
@@ -194,14 +194,14 @@ class RoundTrips(Painted):
 
 
 class ProblemsPage(View):
-    """Problems, active problems first, and below them the connection."""
+    """Problems above the state of the connection."""
 
-    page_wanted = Signal(object)  # the `Problem` that the page explains
-    help_wanted = Signal(str)  # topic of the help
-    counted = Signal(int)  # number of uncleared problems, whenever problems were shown
+    page_wanted = Signal(object)  # the `Problem` whose page the user opens
+    help_wanted = Signal(str)  # help topic
+    counted = Signal(int)  # number of uncleared problems, after each update
 
     def __init__(self, name: str, traffic: TrafficModel, parent: QWidget) -> None:
-        """Create the page. `name` is the prefix of the object names."""
+        """`name`: prefix of object names."""
         super().__init__(parent)
         self.setObjectName(f"{name}Page")
         self._shown: list[Problem] = []  # in display order, including hidden problems
@@ -218,23 +218,24 @@ class ProblemsPage(View):
         raise NotImplementedError
 
     def since(self) -> datetime | None:
-        """Return the local time when watching the device started, `None` if it has not."""
+        """Return the local time since which the device is watched, or `None`."""
         raise NotImplementedError
 
     def readings(self) -> Sequence[Reading]:
         raise NotImplementedError
 
     def clear(self, key: str) -> None:
-        """Treat a problem as known until it is reported again."""
+        """Clear a problem until it occurs again."""
         raise NotImplementedError
 
     @Slot()
     def show_problems(self) -> None:
-        """Show the problems, active problems first. Otherwise the cards keep their order."""
+        """Show active problems first. Otherwise the order of the cards does not change."""
         newest = {problem.key: problem for problem in self.problems()}
         before = [problem.key for problem in self._shown if problem.key in newest]
         order = [*(key for key in newest if key not in before), *before]
-        self._shown = sorted((newest[key] for key in order), key=lambda one: not one.is_active)
+        problems = (newest[key] for key in order)
+        self._shown = sorted(problems, key=lambda problem: not problem.is_active)
         for key in self._cards.keys() - newest.keys():
             self._cards.pop(key).deleteLater()
         for place, problem in enumerate(self._shown):
@@ -244,7 +245,7 @@ class ProblemsPage(View):
                 self._column.insertWidget(place, card)
             card.show_problem(problem)
             card.setVisible(self.matches(problem.line))
-        self._note.setText(self._note_text())
+        self._note.setText(self._status_text())
         self.counted.emit(sum(not problem.is_cleared for problem in self._shown))
 
     @Slot()
@@ -257,7 +258,7 @@ class ProblemsPage(View):
         active = sum(problem.is_active for problem in self._shown)
         self.summarized.emit(tr("%n problem(s) active now", "", active) if active else "")
 
-    def _note_text(self) -> str:
+    def _status_text(self) -> str:
         since = self.since()
         text = tr("Nothing has gone wrong since {0:%H:%M}.")
         if since is None:
@@ -274,5 +275,5 @@ class ProblemsPage(View):
         return [
             *(problem.line for problem in self._shown if self.matches(problem.line)),
             self._note.text(),
-            *(tr("{0}: {1}").format(one.caption, one.value) for one in self.readings()),
+            *(tr("{0}: {1}").format(each.caption, each.value) for each in self.readings()),
         ]

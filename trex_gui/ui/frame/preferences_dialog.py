@@ -16,7 +16,7 @@ from trex_gui.ui.theme.theme import (
     select_scheme,
     theme,
 )
-from trex_gui.ui.translations import AS_THE_SYSTEM, LANGUAGES, chosen_language, select_language
+from trex_gui.ui.translations import AS_THE_SYSTEM, LANGUAGES, select_language, selected_language
 from trex_gui.ui.units import units
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ReusedDialog
@@ -112,7 +112,7 @@ class PreferencesDialog(ReusedDialog):
         with QSignalBlocker(self._scheme), QSignalBlocker(self._font_size):
             self._scheme.setCurrentIndex(self._scheme.findData(theme().choice))
             self._font_size.setCurrentIndex(self._font_size.findData(theme().font_size))
-        self._language.setCurrentIndex(self._language.findData(chosen_language()))
+        self._language.setCurrentIndex(self._language.findData(selected_language()))
         self._units.setCurrentIndex(self._units.findData(units().own_first))
         self._automatic.setChecked(connects_automatically())
 

@@ -1,4 +1,4 @@
-"""Help in a window of its own, so that users can try what they read."""
+"""Help window, separate from the main window so that both stay visible."""
 
 import re
 from html import escape, unescape
@@ -21,13 +21,12 @@ from trex_gui.ui.widgets.placement import resize_with_font
 from trex_gui.version import __version__
 
 _RESIZED_MS = 150
-_ABOVE = "margin-top:14px"  # of headings
+_HEADING_MARGIN = "margin-top:14px"
 
 _TAG = re.compile(r"<[^>]*>")
-_HEADING = re.compile(r"(<h[1-6][^>]*>)(.*?)(</h[1-6]>)", re.DOTALL)  # in HTML of Qt
+_HEADING = re.compile(r"(<h[1-6][^>]*>)(.*?)(</h[1-6]>)", re.DOTALL)  # in Qt's HTML
 
-_SHOWN = {".md", ".py"}
-"""Types of files that the help shows itself. A desktop may run a program instead."""
+_SHOWN = {".md", ".py"}  # files to show here; the desktop may run a Python file
 
 
 def page_url(topic: str) -> QUrl:
@@ -38,9 +37,9 @@ def page_url(topic: str) -> QUrl:
 
 
 class HelpDialog(ReusedDialog):
-    """List of pages on the left, text of the selected page on the right.
+    """List of pages beside the selected page.
 
-    It has no parent, since Windows keeps a window above its parent.
+    The dialog has no parent: on Windows a window with a parent covers it.
     """
 
     def __init__(self) -> None:
@@ -74,7 +73,7 @@ class HelpDialog(ReusedDialog):
         text.sourceChanged.connect(self._select)
 
     def show_topic(self, topic: str) -> None:
-        """Show a page, or a section of it: `page.md#anchor`."""
+        """Show a page or a section, such as `page.md#anchor`."""
         self.show_in_front()
         self._text.setSource(page_url(topic))
         self._text.setFocus(Qt.FocusReason.PopupFocusReason)
@@ -86,19 +85,16 @@ class HelpDialog(ReusedDialog):
 
     @Slot(QUrl)
     def _select(self, shown: QUrl) -> None:
-        """Select the visible page in the list, however it was opened."""
-        name = shown.fileName()  # `source` is the previous page until the signal is handled
+        name = shown.fileName()  # `source` is still the previous page
         with QSignalBlocker(self._list):
             self._list.setCurrentRow(self._names.index(name) if name in self._names else -1)
 
 
 class _Browser(QTextBrowser):
-    """Shows a page or a program. The desktop opens other files."""
-
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         ui.named(self, "helpText", accessible=tr("Help"))
-        # Always on, since pictures are fitted to the remaining width.
+        # Always visible, since pictures fit the remaining width.
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
         self._resized = new_timer(self, _RESIZED_MS, self.reload, single_shot=True)
         follow_theme(self, "help", self.reload)
@@ -127,7 +123,7 @@ class _Browser(QTextBrowser):
         return super().loadResource(kind, name)
 
     def _html(self, shown: QUrl) -> str:
-        """Convert a file to HTML. Headings get anchors."""
+        """Convert a file to HTML with anchors at its headings."""
         path = Path(shown.toLocalFile())
         if path.suffix == ".py":
             return f"<pre>{escape(path.read_text(encoding='utf-8'))}</pre>"
@@ -145,7 +141,7 @@ class _Browser(QTextBrowser):
         dark = theme().color("window").lightness() < 128
         path = url.toLocalFile()
         image = QImage(path.replace("-light.", "-dark.") if dark else path)
-        if image.isNull():  # Qt also requests it at other addresses
+        if image.isNull():  # Qt also requests wrong addresses
             return image
         image = image.convertToFormat(QImage.Format.Format_RGB32)
         width = self.viewport().width() - 2 * round(self.document().documentMargin())
@@ -155,7 +151,7 @@ class _Browser(QTextBrowser):
                 round(width * ratio), Qt.TransformationMode.SmoothTransformation
             )
             image.setDevicePixelRatio(ratio)
-        with QPainter(image) as painter:  # without a frame, it would look like real controls
+        with QPainter(image) as painter:  # the frame sets the picture apart from real controls
             painter.setPen(QPen(theme().color("muted"), 3))
             painter.drawRect(QRectF(QPointF(), image.deviceIndependentSize()))
         return image
@@ -169,4 +165,5 @@ class _Browser(QTextBrowser):
 def _with_anchor(heading: re.Match[str]) -> str:
     start, shown, end = heading.groups()
     anchor = anchor_of(unescape(_TAG.sub("", shown)))
-    return f'{start.replace("margin-top:0px", _ABOVE)}<a name="{anchor}">{shown}</a>{end}'
+    start = start.replace("margin-top:0px", _HEADING_MARGIN)
+    return f'{start}<a name="{anchor}">{shown}</a>{end}'

@@ -1,4 +1,4 @@
-"""Sections of the help on messages that have a code, and on the widget with the focus."""
+"""Help topics for coded messages and for the focused widget."""
 
 import re
 from collections.abc import Iterable, Mapping
@@ -14,9 +14,9 @@ _FIELD = re.compile(r"\{\w*(?::[^}]*)?\}")
 
 
 def heading_of(text: str) -> str:
-    """Return the heading of the section on a message.
+    """Return the help heading for a message: its first clause, with … for each field.
 
-    It is the first clause, with … for each field. Empty if the message has no words of its own.
+    Empty if the clause is a field only.
     """
     whole = re.sub(r"^(…: |… (?=[A-Z]))", "", _FIELD.sub("…", text))
     clause = re.split(r"[.:;](?:\s|$)", whole)[0].strip()
@@ -24,27 +24,26 @@ def heading_of(text: str) -> str:
 
 
 def message_topic(text: str) -> str:
-    """Return the help topic on a message, which is given in English."""
+    """Return the help topic for an English message."""
     return f"{MESSAGES}#{anchor_of(heading_of(text))}"
 
 
 class MessageHelp:
-    """Finds the help on messages of a device, in the language of the window."""
+    """Help topics for the messages of a device, in the language of the window."""
 
     def __init__(self, texts: Iterable[str]) -> None:
-        """`texts`: messages in English, with a placeholder for each field."""
+        """`texts`: English messages, with a placeholder for each field."""
         self._texts = tuple(texts)
 
     def headings(self) -> dict[str, str]:
-        """Return the heading of each message in the language of the window, by topic."""
-        found = ((heading_of(text), heading_of(tr(text))) for text in self._texts)
-        return {f"{MESSAGES}#{anchor_of(own)}": shown for own, shown in found if own}
+        """Return translated headings by topic."""
+        return {
+            message_topic(text): heading_of(tr(text)) for text in self._texts if heading_of(text)
+        }
 
     def topic(self, message: str) -> str:
-        """Return the topic on a message or a line of the log. Empty if no text matches.
-
-        Of several matching texts the longest counts, since it contains the other texts.
-        """
+        """Return the topic for a message or log line. Empty if no text matches."""
+        # Of several matches, the longest contains the others.
         return max(self._matches(message), default=(0, ""))[1]
 
     def _matches(self, message: str) -> Iterable[tuple[int, str]]:
@@ -57,19 +56,21 @@ class MessageHelp:
 
 @cache
 def _pattern(text: str) -> tuple[int, re.Pattern[str]]:
-    """Return the length of a text without its fields, and a pattern that finds the text."""
+    """Return the length of a text without fields, and a pattern to find the text."""
     parts = _FIELD.split(" ".join(text.split()).rstrip(". "))
     pattern = ".+?".join(map(re.escape, parts)).removeprefix(".+?").removesuffix(".+?")
     return sum(map(len, parts)), re.compile(pattern)
 
 
 def texts_of(codes: Iterable[Enum]) -> list[str]:
-    """Return the texts of codes, which are the values of the codes."""
     return [str(code.value) for code in codes]
 
 
 def topic_in_front(topics: Mapping[str, str], page: QWidget | None) -> str:
-    """Return the topic of the focused widget, else of a page. `topics`: object name → topic."""
+    """Return the topic of the focused widget or else the page.
+
+    `topics`: object name → topic.
+    """
     widget = QApplication.focusWidget() or QApplication.activeWindow()
     while widget is not None:
         if widget.objectName() in topics:

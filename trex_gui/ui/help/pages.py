@@ -1,4 +1,4 @@
-"""Help pages in Markdown and their sections."""
+"""Help pages in Markdown."""
 
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -19,7 +19,7 @@ _PAGE_LINK = re.compile(r"\((?P<name>\w+\.md)\)")
 
 @dataclass(frozen=True, slots=True)
 class Section:
-    """Heading with the text below it, without Markdown syntax."""
+    """Heading and the text below it, without Markdown syntax."""
 
     page: str
     title: str
@@ -28,7 +28,7 @@ class Section:
 
     @property
     def topic(self) -> str:
-        """Address in links: `page.md#anchor`."""
+        """Link address, such as `page.md#anchor`."""
         return f"{self.page}#{self.anchor}"
 
 
@@ -44,7 +44,7 @@ class HelpPage:
 
 
 def anchor_of(heading: str) -> str:
-    """Return the anchor that forges give to a heading."""
+    """Return the anchor of a heading, as GitHub computes it."""
     return re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
 
 
@@ -72,7 +72,7 @@ def _page(name: str) -> HelpPage:
 
 @cache
 def pages() -> Sequence[HelpPage]:
-    """Return every page, in the order of the index."""
+    """Return all pages in the order of the index."""
     index = _page(INDEX)
     names = dict.fromkeys(_PAGE_LINK.findall(index.text))
     return (index, *map(_page, names))
@@ -81,9 +81,9 @@ def pages() -> Sequence[HelpPage]:
 def help_findables(
     headings: Mapping[str, str], show: Callable[[str], object]
 ) -> Iterator[Findable]:
-    """Yield the search entries of the help. `show` opens a topic.
+    """Yield search entries for the help. `show` opens a topic.
 
-    `headings`: topic → heading of a message in the language of the window.
+    `headings`: topic → translated heading of a message.
     """
     for page in pages():
         for section in page.sections:

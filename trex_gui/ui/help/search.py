@@ -1,4 +1,4 @@
-"""Ranked search in short texts: BM25 on word beginnings, in the languages of the window."""
+"""Ranked search in short texts: BM25 with word prefixes and synonyms."""
 
 import re
 import unicodedata
@@ -15,11 +15,11 @@ from trex_gui.core.resource_files import resource
 Kind = Literal["page", "parameter", "action", "message", "help"]
 
 _KINDS = {"help": 0.8, "message": 0.6}  # weights; 1 for other kinds
-_TEXT = 0.65  # weight of a word in the text; a word in the title has up to 1
-_SYNONYM, _MISSPELT = 0.8, 0.5  # weights of synonyms, and of words that look alike
-_WHOLE = 2  # factor for a title whose words were all typed
-_SHORTEST = 4  # letters of a word that may match inside another word
-_MOST = 20  # hits
+_TEXT = 0.65  # weight of a word in the text; words in the title weigh up to 1
+_SYNONYM, _MISSPELT = 0.8, 0.5  # weights of synonyms and of similar words
+_WHOLE = 2  # factor if the query contains the whole title
+_MIN_LETTERS = 4  # length of a word that may match inside another word
+_MAX_HITS = 20
 
 _ENDING = re.compile(
     r"(?<=\w{4})(?:ungen|ung|ieren|iert|ations?|ated?|ions?|ings?|ments?|er|ed|es|en|e|s|n)$"
@@ -28,19 +28,19 @@ _ENDING = re.compile(
 
 @dataclass(frozen=True, slots=True)
 class Findable:
-    """Searchable item, with a function that shows it to the user."""
+    """Searchable item."""
 
     kind: Kind
     key: str  # unique within its kind
     title: str
     place: str = ""
     text: str = ""
-    show: Callable[[], object] = field(default=lambda: None, compare=False)
+    show: Callable[[], object] = field(default=lambda: None, compare=False)  # shows the item
 
 
 @lru_cache(maxsize=2048)
 def _words(text: str) -> Sequence[str]:
-    """Return the words without endings and accents, in lower case."""
+    """Return the words in lower case, without endings and accents."""
     apart = unicodedata.normalize("NFKD", text.casefold())
     plain = "".join(letter for letter in apart if not unicodedata.combining(letter))
     return [_ENDING.sub("", word) for word in re.findall(r"[^\W_]+", plain)]
@@ -48,7 +48,7 @@ def _words(text: str) -> Sequence[str]:
 
 @cache
 def _synonyms() -> Mapping[str, set[str]]:
-    """Return the synonyms of each word. The empty word has the words to ignore."""
+    """Return word → synonyms. The empty string maps to the words to ignore."""
     found: dict[str, set[str]] = defaultdict(set)
     for line in resource("search_words.txt").read_text(encoding="utf-8").splitlines():
         for word in _words(line) if line[:1] != "-" else [""]:
@@ -57,20 +57,20 @@ def _synonyms() -> Mapping[str, set[str]]:
 
 
 def _likeness(typed: str, word: str) -> float:
-    """Return how well a word matches the typed word, from 0 to 1."""
+    """Return the similarity of a word to the typed word, from 0 to 1."""
     if word.startswith(typed):
         return sqrt(len(typed) / len(word))
-    if len(word) >= _SHORTEST and typed.startswith(word):
+    if len(word) >= _MIN_LETTERS and typed.startswith(word):
         return len(word) / len(typed)
-    return 0.8 * len(typed) / len(word) if len(typed) >= _SHORTEST and typed in word else 0.0
+    return 0.8 * len(typed) / len(word) if len(typed) >= _MIN_LETTERS and typed in word else 0.0
 
 
 class SearchIndex:
     def __init__(self, findables: Iterable[Findable]) -> None:
         self._all = list(findables)
-        # word → number of a findable → weight of the word in it
+        # word → index of a findable → weight of the word
         self._weights: dict[str, dict[int, float]] = defaultdict(lambda: defaultdict(float))
-        self._match = cache(self._new_match)  # reused while the next word is typed
+        self._match = cache(self._new_match)  # reused while the user types the next word
         texts = [_words(f"{each.place} {each.key} {each.text}") for each in self._all]
         mean = sum(map(len, texts)) / max(1, len(texts))
         for number, (each, text) in enumerate(zip(self._all, texts, strict=True)):
@@ -81,9 +81,9 @@ class SearchIndex:
                 self._weights[word][number] += 1 / sqrt(1 + len(title) / 4)
 
     def find(self, query: str) -> list[Findable]:
-        """Return the matches of a query, best first. An empty query matches all pages."""
+        """Return the matches, best first. An empty query matches all pages."""
         typed: list[str] = []
-        for word in _words(query):  # synonyms count as one word
+        for word in _words(query):  # synonyms count once
             alike = {word, *_synonyms().get(word, ())}
             if word not in _synonyms()[""] and alike.isdisjoint(typed):
                 typed.append(word)
@@ -99,10 +99,10 @@ class SearchIndex:
             whole = _WHOLE if {*_words(each.title)} <= {*_words(query)} else 1
             scores[number] *= matched[number] * _KINDS.get(each.kind, 1) * whole
         best = sorted(filter(scores.get, scores), key=scores.__getitem__, reverse=True)
-        return [self._all[number] for number in best[:_MOST]]
+        return [self._all[number] for number in best[:_MAX_HITS]]
 
     def _new_match(self, typed: str) -> tuple[Mapping[int, float], Mapping[int, float]]:
-        """Return the score of a word and the likeness of its best match, by findable."""
+        """Return a word's score and its likeness to the best match, by findable."""
         same, words = _synonyms().get(typed, {typed}), self._weights
         alike = {word: max(_likeness(each, word) for each in same) * _SYNONYM for word in words}
         alike = {word: max(found, _likeness(typed, word)) for word, found in alike.items()}

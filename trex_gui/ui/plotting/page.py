@@ -15,7 +15,7 @@ class PlotPage(QWidget):
 
     _has_plot = False
 
-    def need_plot(self) -> None:
+    def ensure_plot(self) -> None:
         if not self._has_plot:
             self._has_plot = True
             self.add_plot()
@@ -29,4 +29,4 @@ class PlotPage(QWidget):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self.need_plot()
+        self.ensure_plot()

@@ -1,35 +1,35 @@
-"""Frame around the widget with the keyboard focus, which Fusion hardly shows."""
+"""Frame around the focused widget, since Fusion's own marks are hard to see."""
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt, Slot
 from PySide6.QtGui import QRegion
 from PySide6.QtWidgets import QAbstractScrollArea, QApplication, QFrame, QMenuBar, QTabBar, QWidget
 from shiboken6 import Shiboken
 
-_ROOM = 3  # pixels beside the widget
+_MARGIN = 3  # pixels around the widget
 _TYPE = QEvent.Type
 _CHANGES = {_TYPE.Hide, _TYPE.Move, _TYPE.ParentChange, _TYPE.Resize, _TYPE.Show}
 
 
 class FocusFrame(QObject):
-    """Frames the widget with the focus, above all else in its window.
+    """Focus frame on top of the other widgets in a window.
 
-    Not a `QFocusFrame`, because PySide would treat the widget as its child, and delete it too.
+    It is not a `QFocusFrame`: PySide would treat the focused widget as its child and delete it.
     """
 
     def __init__(self, app: QApplication) -> None:
         super().__init__(app)
-        self._watched: list[QWidget] = []  # the widget and its ancestors up to the window
+        self._watched: list[QWidget] = []  # focused widget, then its ancestors up to the window
         self._frame: QWidget | None = None
         app.focusChanged.connect(self._on_focus_changed)
 
     @Slot(QWidget, QWidget)
     def _on_focus_changed(self, _before: QWidget | None, focused: QWidget | None) -> None:
-        self._end()
+        self._remove()
         if focused is None or focused.isWindow() or QApplication.mouseButtons():
             return
         if focused.window().windowType() is Qt.WindowType.Popup:  # a menu or a list
             return
-        if isinstance(focused, QMenuBar):  # it highlights its current menu itself
+        if isinstance(focused, QMenuBar):  # highlights its current menu itself
             return
         parent: QWidget | None = focused
         while parent is not None:
@@ -39,9 +39,9 @@ class FocusFrame(QObject):
         self._frame = frame = QFrame(self._watched[-1])
         frame.setObjectName("focusFrame")
         frame.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        self._place()
+        self._move()
 
-    def _end(self) -> None:
+    def _remove(self) -> None:
         for each in self._watched:
             if Shiboken.isValid(each):
                 each.removeEventFilter(self)
@@ -54,29 +54,30 @@ class FocusFrame(QObject):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         del watched
         if event.type() in _CHANGES:
-            self._place()
+            self._move()
         return False
 
-    def _place(self) -> None:
+    def _move(self) -> None:
         frame = self._frame
         if frame is None or not all(map(Shiboken.isValid, (frame, *self._watched))):
             return
         window = self._watched[-1]
-        around = _place_of(self._watched[0], window).adjusted(-_ROOM, -_ROOM, _ROOM, _ROOM)
-        ring = QRegion(around)
+        area = _area_of(self._watched[0], window).adjusted(-_MARGIN, -_MARGIN, _MARGIN, _MARGIN)
+        visible = QRegion(area)
         for each in self._watched:
-            if isinstance(each.parentWidget(), QAbstractScrollArea):  # it shows only a part
-                ring &= QRegion(_place_of(each, window))
-        frame.setGeometry(around)
-        frame.setMask(ring.translated(-around.topLeft()))
-        # An empty mask would mask nothing, and a hidden button may keep the focus.
-        frame.setVisible(self._watched[0].isVisible() and not ring.isEmpty())
+            if isinstance(each.parentWidget(), QAbstractScrollArea):  # may cut off the widget
+                visible &= QRegion(_area_of(each, window))
+        frame.setGeometry(area)
+        frame.setMask(visible.translated(-area.topLeft()))
+        # Qt ignores an empty mask, and a hidden button may have the focus.
+        frame.setVisible(self._watched[0].isVisible() and not visible.isEmpty())
         frame.raise_()
 
 
-def _place_of(widget: QWidget, window: QWidget) -> QRect:
-    """Return the rectangle of a widget, or of a tab bar's current tab, in its window."""
-    place = QRect(QPoint(), widget.size())
+def _area_of(widget: QWidget, window: QWidget) -> QRect:
+    """Return the area of a widget in its window. For a tab bar: of its current tab."""
+    area = QRect(QPoint(), widget.size())
     if isinstance(widget, QTabBar):
-        place = widget.tabRect(widget.currentIndex()).adjusted(_ROOM, _ROOM, -_ROOM, -_ROOM)
-    return place.translated(widget.mapTo(window, QPoint()))
+        area = widget.tabRect(widget.currentIndex())
+        area = area.adjusted(_MARGIN, _MARGIN, -_MARGIN, -_MARGIN)
+    return area.translated(widget.mapTo(window, QPoint()))

@@ -1,4 +1,4 @@
-"""Our own icons in colours of the theme, because not every desktop has theme icons."""
+"""Icons of the program in colours of the theme."""
 
 from functools import cache
 
@@ -10,45 +10,45 @@ from PySide6.QtWidgets import QAbstractButton, QLabel
 from trex_gui.core.resource_files import resource
 from trex_gui.ui.theme.theme import follow_theme, theme
 
-_SIZES = (16, 24, 32, 48, 64)  # pixels; other sizes are scaled down from the next larger size
-_PLACES = tuple((sum(_SIZES[:index]), size) for index, size in enumerate(_SIZES))
+_SIZES = (16, 24, 32, 48, 64)  # pixels; Qt scales the next larger size down
+_CELLS = tuple((sum(_SIZES[:index]), size) for index, size in enumerate(_SIZES))  # left, size
 _BUTTON_ICON = 16  # pixels at a font size of 100 %, as in Fusion
 
 
 def icon(name: str, color: str = "icon") -> QIcon:
-    """Return the icon `resources/icons/<name>.svg` in a named colour of the current theme.
+    """Return `resources/icons/<name>.svg` in a colour of the current theme.
 
-    Use `set_icon` for icons that stay on screen when the theme changes.
+    The icon does not follow later changes of the theme, unlike that of `set_icon`.
     """
     colors = (theme().color(each).rgb() for each in (color, "muted", "highlighted_text"))
     return _render(name, *colors)
 
 
 def set_icon(target: QAction | QAbstractButton, name: str, color: str = "icon") -> None:
-    """Give an action or a button an icon that follows the theme. A later call replaces it."""
+    """Set an icon that follows the theme."""
 
     def apply() -> None:
-        made = icon(name, color)
+        image = icon(name, color)
         if isinstance(target, QAction):  # a menu paints its highlighted row as active
-            made = QIcon(made)
+            image = QIcon(image)
             for size in _SIZES:
-                made.addPixmap(made.pixmap(size, size, QIcon.Mode.Selected), QIcon.Mode.Active)
+                image.addPixmap(image.pixmap(size, size, QIcon.Mode.Selected), QIcon.Mode.Active)
         else:
             side = _BUTTON_ICON * theme().font_size // 100
             target.setIconSize(QSize(side, side))
-        target.setIcon(made)
+        target.setIcon(image)
 
     follow_theme(target, "icon", apply)
 
 
-def set_sign(label: QLabel, name: str, color: str, room: int = 0) -> None:
-    """Show an icon that follows the theme in a label. A later call replaces the icon.
+def set_sign(label: QLabel, name: str, color: str, extra: int = 0) -> None:
+    """Show an icon that follows the theme in a label.
 
-    The icon is `room` pixels higher than a line of the label.
+    The icon is `extra` pixels higher than the label's text.
     """
 
     def apply() -> None:
-        side = label.fontMetrics().height() + room
+        side = label.fontMetrics().height() + extra
         label.setPixmap(icon(name, color).pixmap(side, side))
 
     follow_theme(label, "sign", apply)
@@ -57,7 +57,7 @@ def set_sign(label: QLabel, name: str, color: str, room: int = 0) -> None:
 @cache
 def _render(name: str, color: int, disabled: int, selected: int) -> QIcon:
     shapes = _shapes(name)
-    made = QIcon()
+    image = QIcon()
     for mode, argb, opacity in (
         (QIcon.Mode.Normal, color, 1.0),
         (QIcon.Mode.Disabled, disabled, 0.55),
@@ -68,20 +68,20 @@ def _render(name: str, color: int, disabled: int, selected: int) -> QIcon:
         with QPainter(tinted) as painter:
             painter.setCompositionMode(QPainter.CompositionMode.CompositionMode_SourceIn)
             painter.fillRect(tinted.rect(), tint)
-        for left, size in _PLACES:
-            made.addPixmap(tinted.copy(left, 0, size, size), mode)
-    return made
+        for left, size in _CELLS:
+            image.addPixmap(tinted.copy(left, 0, size, size), mode)
+    return image
 
 
 @cache
 def _shapes(name: str) -> QPixmap:
-    """Return an icon in each size, side by side, drawn once for all colours."""
+    """Draw an icon in black, with all sizes side by side."""
     drawing = resource(f"icons/{name}.svg").read_text(encoding="utf-8")
     renderer = QSvgRenderer(QByteArray(drawing.replace("currentColor", "black").encode()))
     shapes = QPixmap(sum(_SIZES), max(_SIZES))
     shapes.fill(Qt.GlobalColor.transparent)
     with QPainter(shapes) as painter:
-        for left, size in _PLACES:
+        for left, size in _CELLS:
             renderer.render(painter, QRectF(left, 0, size, size))
     return shapes
 

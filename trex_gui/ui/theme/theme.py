@@ -1,6 +1,6 @@
-"""Light, dark and high contrast: palette roles and named colours, for the whole application.
+"""Colour schemes of the application: light, dark and high contrast.
 
-The colours are data: `resources/themes/*.toml`, one file per scheme, with the same names in each.
+Each scheme is a file `resources/themes/*.toml` with palette roles and named colours.
 """
 
 import tomllib
@@ -37,14 +37,14 @@ _COLOUR_TABLES = ("text", "graphics", "fill", "surface")
 
 @dataclass(frozen=True, slots=True)
 class Colours:
-    """Content of a scheme file."""
+    """Colours of one scheme."""
 
     palette: dict[str, QColor]
     disabled: dict[str, QColor]
     named: dict[str, QColor]
 
     def style_sheet(self, scheme: str, font: QFont, percent: int) -> str:
-        """Return `resources/themes/style.qss` with these colours, and sizes that fit the font."""
+        """Return `resources/themes/style.qss` with these colours and the font's sizes."""
         size, unit = font.pointSizeF(), "pt"
         if size <= 0:
             size, unit = font.pixelSize(), "px"
@@ -78,7 +78,11 @@ def _role(name: str) -> QPalette.ColorRole:
 
 @cache
 def read_colours(scheme: str) -> Colours:
-    """Read `resources/themes/<scheme>.toml`. Raise a `ValueError` naming a bad colour."""
+    """Read `resources/themes/<scheme>.toml`.
+
+    Raises:
+        ValueError: a colour is invalid.
+    """
     tables = tomllib.loads(resource(f"themes/{scheme}.toml").read_text(encoding="utf-8"))
 
     def colours(table: str) -> dict[str, QColor]:
@@ -95,8 +99,7 @@ def read_colours(scheme: str) -> Colours:
 class Theme(QObject):
     """Scheme and font size in use. `theme()` returns the only instance."""
 
-    # Colours or font size changed; the application's palette and font are already set
-    changed = Signal()
+    changed = Signal()  # after a change of colours or font size in the application
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -110,7 +113,7 @@ class Theme(QObject):
         self._focus_frame: FocusFrame | None = None
 
     def color(self, name: str) -> QColor:
-        """Return a named colour, or a palette role by its name in the file, as a copy."""
+        """Return a copy of a named colour or palette role."""
         found = self._colours.named.get(name) or self._colours.palette.get(name)
         if found is None:
             raise KeyError(f"the theme has no colour {name!r}")
@@ -118,7 +121,7 @@ class Theme(QObject):
 
     @contextmanager
     def painted_as(self, scheme: str) -> Iterator[None]:
-        """Use the colours of a scheme inside the block, for a picture. Repaints nothing."""
+        """Use another scheme inside the block, for a picture. Repaints no widget."""
         before, self._colours = self._colours, read_colours(scheme)
         try:
             yield
@@ -126,8 +129,8 @@ class Theme(QObject):
             self._colours = before
 
     def install(self, app: QApplication) -> None:
-        """Give the application the Fusion style and our palette, and follow the system."""
-        if self._app is None:  # afterwards the palette is ours
+        """Set the Fusion style and the palette. From now on, follow the system."""
+        if self._app is None:  # the palette is still the system's
             self._system_was_dark = app.palette().window().color().lightnessF() < 0.5
             self._system_font = app.font()
         if self._app is not app:
@@ -140,16 +143,16 @@ class Theme(QObject):
         self._show()
 
     def set_scheme(self, choice: Scheme) -> None:
-        """Select a scheme. `system` follows the desktop, including later changes."""
+        """Select a scheme. `system` follows the desktop."""
         self.choice = choice
         if self._app is not None:
-            # Title bars and native dialogs follow where the platform lets them.
+            # On some platforms this also affects title bars and native dialogs.
             known = {"system": Qt.ColorScheme.Unknown, "light": Qt.ColorScheme.Light}
             self._app.styleHints().setColorScheme(known.get(choice, Qt.ColorScheme.Dark))
         self._show()
 
     def set_font_size(self, percent: int) -> None:
-        """Scale the system's font for every window. Widgets inherit it."""
+        """Scale the system's font for the whole application."""
         if percent != self.font_size and self._app is not None:
             self.font_size = percent
             self._app.setFont(scaled_font(self._system_font, percent / 100))
@@ -166,7 +169,7 @@ class Theme(QObject):
         if hints.accessibility().contrastPreference() is Qt.ContrastPreference.HighContrast:
             return "high_contrast"
         is_dark = hints.colorScheme() is Qt.ColorScheme.Dark
-        if hints.colorScheme() is Qt.ColorScheme.Unknown:  # but the palette shows it
+        if hints.colorScheme() is Qt.ColorScheme.Unknown:
             is_dark = self._system_was_dark
         return "dark" if is_dark else "light"
 
@@ -178,7 +181,7 @@ class Theme(QObject):
         self._colours = read_colours(scheme)
         if self._app is not None:
             palette = self._colours.qpalette()
-            # Even if the scheme is the same, the platform may have set its own palette meanwhile.
+            # The platform may have replaced the palette since.
             if changes or self._app.palette() != palette:
                 self._app.setPalette(palette)
                 QToolTip.setPalette(palette)
@@ -219,8 +222,6 @@ def restore_choices() -> None:
 
 
 class _Follower(QObject):
-    """Calls `apply` again when the theme changes. Lives as a child of its target."""
-
     apply: Callable[[], object]
 
     def __init__(self, target: QObject, key: str) -> None:
@@ -234,7 +235,10 @@ class _Follower(QObject):
 
 
 def follow_theme(target: QObject, key: str, apply: Callable[[], object]) -> None:
-    """Call `apply` now and when the theme changes. A later call with the same `key` replaces it."""
+    """Call `apply` now and after each change of the theme.
+
+    A later call with the same `key` replaces `apply`.
+    """
     options = Qt.FindChildOption.FindDirectChildrenOnly
     follower = target.findChild(_Follower, key, options) or _Follower(target, key)
     follower.apply = apply
@@ -242,7 +246,7 @@ def follow_theme(target: QObject, key: str, apply: Callable[[], object]) -> None
 
 
 def scaled_font(font: QFont, factor: float) -> QFont:
-    """Return a scaled copy of a font, whose size may be in points or pixels."""
+    """Return a scaled copy of a font with a size in points or pixels."""
     scaled = QFont(font)
     if font.pointSizeF() > 0:
         scaled.setPointSizeF(font.pointSizeF() * factor)
@@ -252,28 +256,27 @@ def scaled_font(font: QFont, factor: float) -> QFont:
 
 
 def fixed_font() -> QFont:
-    """Return the system's fixed font in the font size of the theme."""
+    """Return the system's monospaced font in the theme's font size."""
     font = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
     return scaled_font(font, theme().font_size / 100)
 
 
 def set_text_color(label: QLabel, name: str) -> None:
-    """Set a label's colour by its name in `style.qss`. Any other name: the default colour."""
+    """Set a label's colour by its name in `style.qss`. Other names reset it."""
     set_style_property(label, "textColor", name)
 
 
 def set_look(widget: QWidget, look: str) -> None:
-    """Give a widget a look of `style.qss`.
+    """Set the look of a widget, as named in `style.qss`.
 
-    Buttons: primary, stop, link or compact; spin boxes: bare; cards: compact;
-    frames: card, actions, message or pill; tab bars: choices; vertical sliders: motor1, motor2 or
-    auxiliary.
+    Buttons: primary, stop, link or compact. Spin boxes: bare. Cards: compact. Frames: card,
+    actions, message or pill. Tab bars: choices. Vertical sliders: motor1, motor2 or auxiliary.
     """
     set_style_property(widget, "look", look)
 
 
 def set_style_property(widget: QWidget, name: str, value: object) -> None:
-    """Set a property used by the style sheet, and restyle the widget and its children."""
+    """Set a property of the style sheet. Restyle the widget and its children."""
     if widget.property(name) == value:
         return
     widget.setProperty(name, value)
@@ -281,4 +284,4 @@ def set_style_property(widget: QWidget, name: str, value: object) -> None:
         for each in (widget, *widget.findChildren(QWidget)):
             each.style().unpolish(each)
             each.style().polish(each)
-        QCoreApplication.sendEvent(widget, QEvent(QEvent.Type.StyleChange))  # its padding
+        QCoreApplication.sendEvent(widget, QEvent(QEvent.Type.StyleChange))  # updates the padding

@@ -1,4 +1,4 @@
-"""Newest transactions of a line, for a page and for files."""
+"""Newest transactions of a line."""
 
 import itertools
 import time
@@ -14,16 +14,16 @@ from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.workers.file_worker import ProgressCallback
 from trex_gui.ui.workers.session_thread import SessionThread
 
-MOST_KEPT = 20_000  # rows of each buffer: less than a minute of full telemetry
-_REPORTED = 2000  # rows of each buffer in a report for support
+MAX_ROWS = 20_000  # per buffer: less than a minute of full telemetry
+_REPORTED = 2000  # rows per buffer in a report for support
 
-_CHUNK = 100  # rows of a file between two progress reports
-_TRIMMED = MOST_KEPT * 9 // 10
-_INTERVAL_MS = 100  # of reading the log
+_CHUNK = 100  # rows written between two reports of progress
+_TRIMMED = MAX_ROWS * 9 // 10  # rows left after the oldest are dropped
+_INTERVAL_MS = 100  # period of reading the log
 
 
 class RowBuffer:
-    """Newest rows of one kind, oldest first, and the number of rows dropped before them."""
+    """Newest rows of one kind, oldest first."""
 
     def __init__(self) -> None:
         self.rows: list[Transaction] = []
@@ -35,12 +35,12 @@ class RowBuffer:
         return self._dropped + len(self.rows)
 
     def since(self, count: int) -> Sequence[Transaction]:
+        """Return the rows after the first `count`."""
         return self.rows[max(count - self._dropped, 0) :]
 
     def add(self, transaction: Transaction) -> None:
-        """Add a row. Drops the oldest rows, many at a time."""
         self.rows.append(transaction)
-        if len(self.rows) > MOST_KEPT:
+        if len(self.rows) > MAX_ROWS:
             self._dropped += len(self.rows) - _TRIMMED
             del self.rows[:-_TRIMMED]
 
@@ -50,29 +50,29 @@ class RowBuffer:
 
 
 class TrafficModel(QObject):
-    """Reads the traffic log of a session thread.
+    """Transactions from the traffic log of a session thread.
 
-    Rows other than successful polls have their own buffer, so that telemetry does not displace a
-    write of ten minutes ago.
+    A second buffer without successful polls keeps a write of ten minutes ago available during
+    telemetry.
     """
 
-    changed = Signal()  # there are new rows, or the last row has more bytes
+    changed = Signal()  # new rows, or new bytes in the last row
     cleared = Signal()
 
     def __init__(self, line: SessionThread, decoder: Decoder) -> None:
         super().__init__(line)
-        self.everything = RowBuffer()  # the newest transactions
-        self.without_polling = RowBuffer()  # newest transactions without successful polls
+        self.everything = RowBuffer()
+        self.without_polling = RowBuffer()  # without successful polls
         self.faults = 0  # number of faulty rows since the last `clear`
         self.log = line.log
         self.decoder = decoder
         numbers = itertools.count(1)
         self._assembler = TransactionAssembler(decoder, numbers=numbers)
-        self.search_log = TrafficLog()  # traffic of searches for devices; `log` has the line's
+        self.search_log = TrafficLog()  # traffic of device scans
         self._search = TransactionAssembler(decoder, numbers=numbers, is_search=True)
-        self._typed: list[bytes] = []  # requests of the user that have no row yet
-        self._newest = 0
-        self._epoch = time.time() - now()
+        self._typed: list[bytes] = []  # typed requests without a row
+        self._newest = 0  # number of the newest row
+        self._epoch = time.time() - now()  # wall time at 0 on the session's clock
         new_timer(self, _INTERVAL_MS, self.pull).start()
         line.started.connect(self._on_started)
         line.closed.connect(self.pull)
@@ -82,11 +82,11 @@ class TrafficModel(QObject):
         self._assembler.settings, self._assembler.echo = settings, echo
 
     def expect_typed(self, data: bytes) -> None:
-        """Show the next request with these bytes, although polls with the same bytes are hidden."""
+        """Show the next request with these bytes, even if it looks like a poll."""
         self._typed.append(data)
 
     def decode_again(self) -> None:
-        """Decode every row again, after the decoder has learned more about the device."""
+        """Decode all rows again, after a change of the decoder's state."""
         for transaction in (*self.everything.rows, *self.without_polling.rows):
             transaction.words = None
         self.changed.emit()
@@ -95,11 +95,11 @@ class TrafficModel(QObject):
         return self._epoch + transaction.time
 
     def line_of(self, row: Transaction) -> str:
-        """Return a row as tab-separated text, without a line end."""
+        """Return a row as tab-separated text without a newline."""
         return transcript.line_of(row, self.decoder, self._epoch)
 
     def newest(self) -> Callable[[], str]:
-        """Return a function that formats the newest rows as text, in any thread."""
+        """Return a thread-safe function that formats the newest rows as text."""
         self.pull()
         rows = {
             row.number: row
@@ -116,7 +116,7 @@ class TrafficModel(QObject):
     def write(
         self, file: TextIO, progress: ProgressCallback, *, rows: Sequence[Transaction]
     ) -> int:
-        """Write rows as tab-separated text, in any thread. Return their number."""
+        """Write rows as tab-separated text. Return their number. Thread-safe."""
         file.write(transcript.head())
         for done, row in enumerate(rows):
             if done % _CHUNK == 0:

@@ -1,4 +1,4 @@
-"""Page of the traffic log: every byte on the line, and its meaning."""
+"""Page of the traffic log, with all bytes on the line and their meaning."""
 
 from collections.abc import Sequence
 from functools import partial
@@ -26,11 +26,11 @@ from trex_gui.ui.widgets.view import View, copy_lines
 
 _TYPING_MS = 200
 
-_MOST_CODE_ROWS = 1000  # limit of rows copied as code: compilers take long for more
+_MAX_CODE_ROWS = 1000  # rows copied as code; compilers are slow with more
 
 
 class TrafficPage(View):
-    """Table of transactions with its filters, and details of the selected row."""
+    """Table of transactions with filters and details."""
 
     def __init__(
         self,
@@ -42,9 +42,9 @@ class TrafficPage(View):
         *,
         sender: PacketSender | None = None,
     ) -> None:
-        """Create the page. `key`: prefix of object names and settings. `device`: name in texts.
+        """`key`: prefix of object names and preferences. `device`: name for the user.
 
-        With a `sender`, the user can type and send bytes.
+        `sender` sends bytes that the user types. Without it the page has no field for bytes.
         """
         super().__init__(parent)
         self.setObjectName(f"{key}Page")
@@ -134,12 +134,12 @@ class TrafficPage(View):
         self._summarize()
 
     def show_moment(self, time: float, text: str) -> None:
-        """Select the row with `text` at the line's `time`, else the nearest row."""
+        """Select the row nearest to `time`, preferably with `text`."""
         row = self._table.row_near(time, text)
         self._view.selectRow(row)
         self._view.scrollTo(self._table.index(row, 0), TrafficView.ScrollHint.PositionAtCenter)
         self._view.setFocus()
-        self._paused.setChecked(self._polling.isChecked())  # else the row would scroll away at once
+        self._paused.setChecked(self._polling.isChecked())  # otherwise the row scrolls away
 
     def _summarize(self) -> None:
         traffic, count = self._traffic, QLocale().toString
@@ -152,7 +152,7 @@ class TrafficPage(View):
             parts.append(tr("polling hidden"))
         if self._paused.isChecked():
             parts.append(tr("paused"))
-        if lost := traffic.log.lost:  # the GUI thread was blocked for too long
+        if lost := traffic.log.lost:  # the GUI thread was blocked
             parts.append(tr("events lost: {0}").format(count(lost)))
         self.summarized.emit(", ".join(parts))
         self._view.set_placeholder(self._placeholder())
@@ -177,14 +177,14 @@ class TrafficPage(View):
         copy_lines(self.lines(), self._notifier)
 
     def _copy_code(self, language: Language) -> None:
-        rows = self._chosen_rows()[:_MOST_CODE_ROWS]
+        rows = self._selected_rows()[:_MAX_CODE_ROWS]
         copy_lines(rows_as_code(rows, self._traffic.decoder, language).splitlines(), self._notifier)
 
     def lines(self) -> Sequence[str]:
-        return list(map(self._traffic.line_of, self._chosen_rows()))
+        return list(map(self._traffic.line_of, self._selected_rows()))
 
-    def _chosen_rows(self) -> Sequence[Transaction]:
-        """Return the selected rows, or all shown rows if none is selected."""
+    def _selected_rows(self) -> Sequence[Transaction]:
+        """Return the selected rows. Without a selection return all rows."""
         selected = sorted(index.row() for index in self._view.selectionModel().selectedRows())
         rows = self._table.rows
         return [rows[row] for row in selected] if selected else rows

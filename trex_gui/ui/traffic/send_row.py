@@ -1,4 +1,4 @@
-"""Sending bytes that the user types, with a preview of their meaning."""
+"""Field to type and send bytes, with a preview of their meaning."""
 
 from dataclasses import dataclass
 
@@ -12,30 +12,28 @@ from trex_gui.ui.widgets.labels import Note, Sign
 
 @dataclass(frozen=True, slots=True)
 class SendPreview:
-    text: str = ""  # for the user; empty if no bytes were typed
-    blocker: str = ""  # reason why the bytes cannot be sent now, for the user; or empty
-    is_risky: bool = False  # whether the bytes may move something or change stored values
-    details: str = ""  # full text for a tool tip, if `text` is shortened
+    text: str = ""  # meaning of the bytes; empty without bytes
+    blocker: str = ""  # reason why the bytes cannot be sent; empty if they can
+    is_risky: bool = False  # True if the bytes may start a motor or change stored values
+    details: str = ""  # full text for a tool tip if `text` is shortened
 
 
 class PacketSender(QObject):
-    """Decodes and sends bytes that the user types. Each device has its own."""
+    """Sender of typed bytes. Each device has its own subclass."""
 
     changed = Signal()  # previews may have changed
 
-    hint = ""  # example of an input
+    hint = ""  # example input
 
     def preview(self, text: str) -> SendPreview:
         raise NotImplementedError
 
     def send(self, text: str) -> None:
-        """Send bytes whose preview has no blocker. The result goes to the notifier."""
+        """Send the bytes and report the result. Their preview must have no blocker."""
         raise NotImplementedError
 
 
 class SendRow(QWidget):
-    """Field for bytes, their meaning, and a button that sends them."""
-
     def __init__(self, sender: PacketSender, key: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._sender = sender

@@ -1,4 +1,4 @@
-"""Table of the traffic: model with filter, view, and details of the selected row."""
+"""Traffic table: model with filter, view, and details of the selected row."""
 
 from bisect import bisect_right
 from collections.abc import Sequence
@@ -23,20 +23,20 @@ from trex_gui.ui.traffic.model import RowBuffer, TrafficModel
 from trex_gui.ui.widgets.behaviour import paint_placeholder
 from trex_gui.ui.widgets.builders import flat_table, set_row_height
 
-TIME, SENT, RECEIVED, TOOK, WORDS = range(5)
+TIME, SENT, RECEIVED, TOOK, MEANING = range(5)
 
 _SAMPLES = (
     ("00:00:00.000", "80 07 2F 7E 00 55 2A", "54 52 65 58 31 2E 32 00 00 00", "1000.0"),
     ("00:00:00.000", "80 07 2F", "54 52 65 58", "1000.0"),
 )
-"""Texts that set the column widths, then texts for narrow windows.
+"""Texts that set the column widths, in wide and in narrow windows.
 
-Longer bytes are elided. They are complete below the table.
+Longer texts are elided. The details below the table show all bytes.
 """
 
 _HORIZONTAL = Qt.Orientation.Horizontal
 
-_MIN_MEANING = 50  # characters
+_MIN_MEANING = 50  # width in average characters
 
 _DETAIL_LINES = 5
 
@@ -44,15 +44,15 @@ Index = QModelIndex | QPersistentModelIndex
 
 
 class TrafficTable(QAbstractTableModel):
-    """One row per transaction. `refresh` adds new rows, so a hidden page costs nothing."""
+    """One row per transaction. Only `refresh` adds rows, so a hidden page costs nothing."""
 
     def __init__(self, traffic: TrafficModel, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._traffic = traffic
         self._decoder = traffic.decoder
-        self.rows: list[Transaction] = []  # the listed transactions, oldest first
-        self._count = 0
-        self._last: Transaction | None = None
+        self.rows: list[Transaction] = []  # oldest first
+        self._count = 0  # number of rows read from the source
+        self._last: Transaction | None = None  # incomplete last row
         self._polling = False
         self._faults = False
         self._text = ""
@@ -66,12 +66,12 @@ class TrafficTable(QAbstractTableModel):
 
     @property
     def _source(self) -> RowBuffer:
-        # Among all rows, polls would soon displace a fault.
-        all_are_wanted = self._polling and not self._faults
-        return self._traffic.everything if all_are_wanted else self._traffic.without_polling
+        # In the buffer of all rows, polls soon displace a fault.
+        with_polling = self._polling and not self._faults
+        return self._traffic.everything if with_polling else self._traffic.without_polling
 
     def set_filter(self, *, polling: bool, faults: bool, text: str) -> None:
-        """Filter the rows: also polls, only faults, only rows that contain `text`."""
+        """Show polls, only faults, or only rows that contain `text`."""
         self._polling, self._faults, self._text = polling, faults, text.strip().casefold()
         self.rebuild()
 
@@ -89,7 +89,7 @@ class TrafficTable(QAbstractTableModel):
 
     def refresh(self) -> None:
         self._remove_dropped()
-        if self._last is not None:  # it may have received more bytes
+        if self._last is not None:  # may have more bytes
             self._update(self._last)
         new = [row for row in self._source.since(self._count) if self._matches(row)]
         if new:
@@ -104,21 +104,21 @@ class TrafficTable(QAbstractTableModel):
         self._last = rows[-1] if rows and not rows[-1].is_over else None
 
     def _remove_dropped(self) -> None:
-        kept = self._source.rows
-        oldest = kept[0].number if kept else 0
-        gone = bisect_right(self.rows, oldest - 1, key=lambda row: row.number)
-        if gone:
-            self.beginRemoveRows(QModelIndex(), 0, gone - 1)
-            del self.rows[:gone]
+        rows = self._source.rows
+        oldest = rows[0].number if rows else 0
+        count = bisect_right(self.rows, oldest - 1, key=lambda row: row.number)
+        if count:
+            self.beginRemoveRows(QModelIndex(), 0, count - 1)
+            del self.rows[:count]
             self.endRemoveRows()
 
     def _update(self, row: Transaction) -> None:
-        """Update a row. More bytes may add it to the filtered rows or remove it."""
+        """Update a row with new bytes. It may start or stop matching the filter."""
         listed = bool(self.rows) and self.rows[-1] is row
         matches = self._matches(row)
         last = len(self.rows) - 1
         if listed and matches:
-            self.dataChanged.emit(self.index(last, 0), self.index(last, WORDS))
+            self.dataChanged.emit(self.index(last, 0), self.index(last, MEANING))
         elif listed:
             self.beginRemoveRows(QModelIndex(), last, last)
             self.rows.pop()
@@ -138,15 +138,15 @@ class TrafficTable(QAbstractTableModel):
         return any(self._text in text.casefold() for text in texts)
 
     def row_near(self, time: float, text: str) -> int:
-        """Return the row nearest to a time. Prefer rows within a second that contain `text`.
+        """Return the number of the row nearest to `time`, -1 if the table is empty.
 
-        Returns -1 if there are no rows.
+        Rows within a second that contain `text` take precedence.
         """
 
         def rank(number: int) -> tuple[bool, float]:
             row = self.rows[number]
-            away = abs(row.time - time)
-            return away > 1 or text not in self._decoder.decoded(row).text, away
+            distance = abs(row.time - time)
+            return distance > 1 or text not in self._decoder.decoded(row).text, distance
 
         return min(range(len(self.rows)), key=rank, default=-1)
 
@@ -154,7 +154,7 @@ class TrafficTable(QAbstractTableModel):
         return 0 if parent.isValid() else len(self.rows)
 
     def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - Qt's signature
-        return 0 if parent.isValid() else WORDS + 1
+        return 0 if parent.isValid() else MEANING + 1
 
     def headerData(
         self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole
@@ -172,7 +172,7 @@ class TrafficTable(QAbstractTableModel):
         match role:
             case Qt.ItemDataRole.DisplayRole:
                 return self.text(row, column)
-            case Qt.ItemDataRole.AccessibleTextRole if column == WORDS and self._is_fault(row):
+            case Qt.ItemDataRole.AccessibleTextRole if column == MEANING and self._is_fault(row):
                 return tr("Fault: {0}").format(self.text(row, column))
             case Qt.ItemDataRole.TextAlignmentRole:
                 return _alignment(column)
@@ -180,7 +180,7 @@ class TrafficTable(QAbstractTableModel):
                 return self._font(row, column)
             case Qt.ItemDataRole.ForegroundRole:
                 return self._colour(row, column)
-            case Qt.ItemDataRole.DecorationRole if column == WORDS:
+            case Qt.ItemDataRole.DecorationRole if column == MEANING:
                 return icon("warning", "warning") if self._is_fault(row) else None
         return None
 
@@ -200,7 +200,7 @@ class TrafficTable(QAbstractTableModel):
     def _font(self, row: Transaction, column: int) -> QFont | None:
         if column in {SENT, RECEIVED}:
             return self._fixed
-        if column == WORDS and row.note:
+        if column == MEANING and row.note:
             font = QFont()
             font.setItalic(True)
             return font
@@ -208,9 +208,9 @@ class TrafficTable(QAbstractTableModel):
 
     def _colour(self, row: Transaction, column: int) -> object:
         if self._is_fault(row):
-            return theme().color("danger") if column == WORDS else None
-        quiet = row.note or row.is_routine or column in {TIME, TOOK}
-        return theme().color("muted") if quiet else None
+            return theme().color("danger") if column == MEANING else None
+        is_muted = row.note or row.is_routine or column in {TIME, TOOK}
+        return theme().color("muted") if is_muted else None
 
     def _is_fault(self, row: Transaction) -> bool:
         return self._decoder.decoded(row).is_fault
@@ -235,9 +235,9 @@ class TrafficView(QTableView):
         rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         set_row_height(self, 6)
         self.horizontalHeader().setStretchLastSection(True)
-        follow_theme(self, "room", self._update_space)
+        follow_theme(self, "room", self._update_widths)
 
-    def _update_space(self) -> None:
+    def _update_widths(self) -> None:
         proportional, fixed = self.fontMetrics(), QFontMetrics(fixed_font())
         unit = proportional.averageCharWidth()
         fonts = {SENT: fixed, RECEIVED: fixed}
@@ -252,7 +252,7 @@ class TrafficView(QTableView):
             ]
             if sum(widths) + _MIN_MEANING * unit <= self.viewport().width():
                 break
-        if widths == self._widths:  # keeps widths that the user has set
+        if widths == self._widths:  # the user may have changed the columns
             return
         self._widths = widths
         header = self.horizontalHeader()
@@ -264,13 +264,12 @@ class TrafficView(QTableView):
     def resizeEvent(self, event: QResizeEvent) -> None:
         follows = self.is_at_bottom
         super().resizeEvent(event)
-        self._update_space()
-        if follows:  # a banner above must not end this
+        self._update_widths()
+        if follows:  # for example when a banner appears
             self.scrollToBottom()
 
     @property
     def is_at_bottom(self) -> bool:
-        """True if the newest row is visible, so that the view follows new rows."""
         bar = self.verticalScrollBar()
         return bar.value() >= bar.maximum() - self.verticalHeader().defaultSectionSize()
 
@@ -286,7 +285,7 @@ class TrafficView(QTableView):
 
 
 class RowDetails(QPlainTextEdit):
-    """All bytes of the selected row, their meaning and timing. Read-only."""
+    """All bytes of the selected row, their meaning and timing."""
 
     def __init__(
         self, traffic: TrafficModel, table: TrafficTable, parent: QWidget | None = None
@@ -299,16 +298,16 @@ class RowDetails(QPlainTextEdit):
         self.setTabChangesFocus(True)
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.setPlaceholderText(tr("Select a row to see all its bytes."))
-        follow_theme(self, "room", self._update_space)
+        follow_theme(self, "room", self._update_font)
 
-    def _update_space(self) -> None:
+    def _update_font(self) -> None:
         self.setFont(fixed_font())
         margins = 2 * (round(self.document().documentMargin()) + self.frameWidth())
         self.setFixedHeight(self.fontMetrics().lineSpacing() * _DETAIL_LINES + margins)
 
     def show_row(self, row: Transaction | None) -> None:
         text = "" if row is None else "\n".join(self._lines(row))
-        if text != self.toPlainText():  # equal text keeps its selection
+        if text != self.toPlainText():  # `setPlainText` would clear the selection
             self.setPlainText(text)
 
     def _lines(self, row: Transaction) -> list[str]:

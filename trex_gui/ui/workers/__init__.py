@@ -1,1 +1,1 @@
-"""The threads of the program: lines, scans, files and recordings."""
+"""Threads of the program, for lines, scans, files and recordings."""

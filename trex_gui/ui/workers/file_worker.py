@@ -1,4 +1,4 @@
-"""Long file operations in a separate thread, so that the window stays responsive."""
+"""Long file operations in a separate thread."""
 
 import logging
 import threading
@@ -14,50 +14,47 @@ from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan
 
 log = logging.getLogger(__name__)
 
-_PROGRESS_INTERVAL = 0.05
+_PROGRESS_INTERVAL = 0.05  # seconds
 
-_WORK, _YIELD = 0.01, 0.001
-"""Seconds of work between pauses, and of each pause, in which session and GUI threads run.
+# Seconds of work, then of a pause in which session and GUI threads run. Python itself switches
+# threads only every 5 ms, which would delay their many short tasks.
+_WORK, _PAUSE = 0.01, 0.001
 
-Python switches threads only every 5 ms, too rarely for the many short turns of these threads.
-"""
-
-ProgressCallback = Callable[[float], None]  # receives the share done, 0 to 1
+ProgressCallback = Callable[[float], None]  # receives the completed share, 0 to 1
 
 
-class _CancelledError(Exception):
-    """The result is no longer wanted."""
+class _CancelledError(Exception): ...
 
 
 @dataclass(frozen=True, slots=True)
 class Done:
-    """End of work: a result, an error, or neither (cancelled, or the thread died)."""
+    """Outcome of work. Cancelled work has neither a result nor an error."""
 
     result: object = None
     error: StudioError | None = None
 
 
 class FileWorker(WorkerThread):
-    """Runs one function, which receives a function to report its progress.
+    """Thread that runs one function.
 
-    Objects that the function uses belong to this thread until it ends. The owner keeps the
-    worker until then.
+    Until the thread ends, the owner must retain the worker, and must not use the function's
+    objects.
     """
 
-    progressed = Signal(float)  # share done, 0 to 1
+    progressed = Signal(float)  # completed share, 0 to 1
 
     def __init__(
         self, work: Callable[[ProgressCallback], object], parent: QObject | None = None
     ) -> None:
         super().__init__(parent)
         self.setObjectName("FileWorker")
-        self.outcome = Done()  # how the work ended, once the thread has ended
+        self.outcome = Done()  # valid once the thread has ended
         self._work = work
         self._cancelled = threading.Event()
-        self._last_progress = self._last_yield = 0.0
+        self._last_progress = self._last_pause = 0.0
 
     def run(self) -> None:
-        self._last_yield = now()
+        self._last_pause = now()
         try:
             result = self._work(self._report)
         except _CancelledError:
@@ -77,7 +74,7 @@ class FileWorker(WorkerThread):
         return self._cancelled.is_set()
 
     def cancel(self) -> None:
-        """End the work at its next progress report."""
+        """End the work at its next report of progress."""
         self._cancelled.set()
 
     def _report(self, share: float) -> None:
@@ -87,21 +84,21 @@ class FileWorker(WorkerThread):
         if moment >= self._last_progress + _PROGRESS_INTERVAL:
             self._last_progress = moment
             self.progressed.emit(share)
-        if moment >= self._last_yield + _WORK:
-            runtime().sleep(_YIELD)
-            self._last_yield = now()
+        if moment >= self._last_pause + _WORK:
+            runtime().sleep(_PAUSE)
+            self._last_pause = now()
 
 
 class FileTask(QObject):
     """Runs one function at a time in a `FileWorker`."""
 
-    progressed = Signal(float)  # share done, 0 to 1
-    done = Signal(object)  # a `Done` for each start, unless `close` came first
+    progressed = Signal(float)  # completed share, 0 to 1
+    done = Signal(object)  # `Done`; not emitted after `close`
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._worker: FileWorker | None = None
-        self._abandoned: FileWorker | None = None  # blocked by a disk during `close`
+        self._abandoned: FileWorker | None = None  # a worker that `close` could not end
 
     @property
     def is_running(self) -> bool:
@@ -119,7 +116,7 @@ class FileTask(QObject):
             self._worker.cancel()
 
     def close(self, timeout_ms: int, *, finish_ms: int = 0) -> bool:
-        """Let the work finish for `finish_ms`, then cancel it and wait for `timeout_ms`.
+        """Cancel the work after `finish_ms`. Then wait up to `timeout_ms`.
 
         Return whether the thread has ended.
         """
@@ -131,7 +128,7 @@ class FileTask(QObject):
                 self._abandoned = worker
                 return False
         if worker is not None:
-            worker.setParent(None)  # Python deletes it, at once
+            worker.setParent(None)  # Python deletes the worker
         return self._abandoned is None or self._abandoned.wait(0)
 
     @Slot()
@@ -140,5 +137,5 @@ class FileTask(QObject):
         if worker is not None and self.sender() is worker:
             self._worker = None
             worker.wait()
-            worker.setParent(None)  # Python deletes it, at once
+            worker.setParent(None)  # Python deletes the worker
             self.done.emit(worker.outcome)

@@ -1,4 +1,4 @@
-"""Recording in a separate thread, so that a slow disk blocks neither line nor window."""
+"""Recording in a separate thread, independent of the line and the window."""
 
 import logging
 from collections.abc import Callable, Sequence
@@ -24,15 +24,15 @@ from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan, release_orph
 
 log = logging.getLogger(__name__)
 
-_COMMIT_INTERVAL = 0.5  # seconds between commits: a crash of the program loses no more
-_SYNC_INTERVAL = 5.0  # seconds between synchronisations: a power failure loses no more
+_COMMIT_INTERVAL = 0.5  # seconds; the longest loss in a crash
+_SYNC_INTERVAL = 5.0  # seconds; the longest loss in a power failure
 _SHUTDOWN_TIMEOUT_MS = 3000
 
 
 class RecordWorker(WorkerThread, Generic[RecordT]):
-    """Writes one recording. Ends at the end of the backlog or on an error."""
+    """Thread that writes one recording, until the backlog ends or writing fails."""
 
-    progressed = Signal(object)  # bytes written so far
+    progressed = Signal(object)  # number of bytes written
 
     def __init__(
         self,
@@ -40,10 +40,10 @@ class RecordWorker(WorkerThread, Generic[RecordT]):
         open_writer: Callable[[], RecordingWriter[Any, RecordT]],
         parent: QObject | None = None,
     ) -> None:
-        """Write the records of a backlog. `open_writer` is called in the new thread."""
+        """`open_writer` is called in the new thread."""
         super().__init__(parent)
         self.setObjectName("RecordWorker")
-        self.error = ""  # why the recording ended early, for the user; set before the thread ends
+        self.error = ""  # for the user; set before the thread ends
         self._backlog = backlog
         self._open_writer = open_writer
 
@@ -84,23 +84,23 @@ class RecordWorker(WorkerThread, Generic[RecordT]):
 class RecordThread(QObject, Generic[RecordT]):
     """Records one device into one file at a time.
 
-    Subclasses define `is_available`, start with `start_recording` and pass records to `put`.
+    A subclass defines `is_available`, calls `start_recording` and passes records to `put`.
     """
 
-    changed = Signal()  # `recording`, `can_record`, `size` or `lost`
-    ended = Signal(object)  # the `Path` of a completed recording
-    ended_early = Signal(str)  # why the recording ended by itself, for the user
-    failed = Signal(str)  # why the recording cannot be written, for the user
+    changed = Signal()  # `recording`, `can_record`, `size` or `lost` has changed
+    ended = Signal(object)  # the `Path` of a complete recording
+    ended_early = Signal(str)  # the reason, for the user
+    failed = Signal(str)  # the write error, for the user
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.path: Path | None = None  # the current or the last file
-        self.size = 0  # bytes written so far
+        self.size = 0  # number of bytes written
         self._worker: RecordWorker[RecordT] | None = None
         self._backlog: Backlog[RecordT] = Backlog(runtime().condition())
         self._started = 0.0
         self._closing = False
-        self._abandoned = False  # a shutdown has timed out: the next does not wait
+        self._abandoned = False  # `shut_down` has timed out and will not wait again
 
     @property
     def is_available(self) -> bool:
@@ -133,7 +133,7 @@ class RecordThread(QObject, Generic[RecordT]):
         first: Sequence[RecordT | Marker] = (),
         prepare: Callable[[], object] = lambda: None,
     ) -> None:
-        """Record into a new file. `prepare` is called before, in the new thread."""
+        """Record into a new file. First call `prepare` in the new thread."""
 
         def open_writer() -> RecordingWriter[HeaderT, RecordT]:
             prepare()
@@ -164,22 +164,19 @@ class RecordThread(QObject, Generic[RecordT]):
 
     @Slot()
     def stop(self) -> None:
-        """End the recording. `ended` follows once the file is complete."""
+        """End the recording. `ended` is emitted once the file is complete."""
         if self.recording:
             self._closing = True
             self._backlog.close(now())
             self.changed.emit()
 
-    def end_because(self, message: str) -> None:
-        """End the recording and report why. `{0}` in the message is the file."""
+    def stop_early(self, message: str) -> None:
+        """End the recording and report the reason. `{0}` in the message is the file."""
         self.stop()
         self.ended_early.emit(message.format(self.path))
 
     def shut_down(self) -> bool:
-        """End the recording at the end of the program. Wait for the disk for a while.
-
-        Return whether its thread has ended.
-        """
+        """End the recording. Return whether its thread has ended in time."""
         self.stop()
         worker = self._worker
         timeout_ms = 0 if self._abandoned else _SHUTDOWN_TIMEOUT_MS

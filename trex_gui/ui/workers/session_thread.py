@@ -1,4 +1,4 @@
-"""Line sessions of a device: requests in, reports out, one thread per session."""
+"""Threads for the line sessions of a device."""
 
 import itertools
 from collections.abc import Callable
@@ -13,35 +13,34 @@ from trex_gui.core.transport.traffic import TrafficLog
 from trex_gui.ui.runtime import runtime
 from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan, release_orphan
 
-NO_HANDLER = 0  # number of a request without a handler for its outcome
-# Longest waits of `shut_down`. Line settings and polynomial must be stored together.
+NO_HANDLER = 0  # id of a request without a handler for its outcome
+# Timeouts of `shut_down`, without and with a pending write.
 _TIMEOUT_MS, _WRITING_TIMEOUT_MS = 1000, 3000
 
 
 class Session(Protocol):
     def run(self) -> None:
-        """Serve the line until it is lost or `Close` comes. Never raise."""
+        """Serve the line until it is lost or closed by `Close`. Never raise."""
         ...
 
 
-MakeSession = Callable[[RequestQueue, Callable[[object], None]], Session]
-"""Creates a session from its request queue and the function that receives its reports."""
+# Creates a session from its request queue and a function that receives its reports.
+SessionFactory = Callable[[RequestQueue, Callable[[object], None]], Session]
 
 
 class LineWorker(WorkerThread):
-    """Runs one line session.
+    """Thread of one line session.
 
-    `submit` and `close` may be called from any thread. The owner keeps the worker until its end.
+    `submit` and `close` are thread-safe. The owner must retain the worker until the thread ends.
     """
 
-    # A report of the session, emitted in the new thread. The last one is `Closed`.
-    reported = Signal(object)
+    reported = Signal(object)  # a report, emitted in the new thread; the last report is `Closed`
 
-    def __init__(self, make_session: MakeSession) -> None:
+    def __init__(self, create_session: SessionFactory) -> None:
         super().__init__()
         self.setObjectName("LineWorker")
         self._requests = RequestQueue(runtime().condition())
-        self._session = make_session(self._requests, self.reported.emit)
+        self._session = create_session(self._requests, self.reported.emit)
 
     def run(self) -> None:
         self._session.run()
@@ -50,39 +49,39 @@ class LineWorker(WorkerThread):
         self._requests.put(request)
 
     def close(self, timeout_ms: int = _TIMEOUT_MS) -> bool:
-        """Close the session and return whether the thread ended in time."""
+        """Close the session. Return whether the thread ended in time."""
         self.submit(Close())
         return self.wait(timeout_ms)
 
 
 class SessionThread(QObject):
-    """Runs one session after another, never two at a time."""
+    """Runs one session at a time."""
 
     started = Signal()
     reported = Signal(object)  # a report other than `Outcome` and `Closed`
-    # The `Closed` of a session whose port is closed. After an internal error `may_move` is true if
-    # any motor was driven. Not emitted for a session that ends within `shut_down`.
+    # `Closed`, once the port is closed. After an internal error `may_move` is true if any motor
+    # was driven. Not emitted for a session that ends within `shut_down`.
     closed = Signal(object)
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.log = TrafficLog()  # filled if `traffic.logged` opens the line
         self._worker: LineWorker | None = None
-        self._late: LineWorker | None = None  # shut down; its last report still counts
-        self._ending: list[LineWorker] = []  # workers, orphaned or between last report and end
+        self._late: LineWorker | None = None  # worker after `shut_down`, for its last report
+        self._ending: list[LineWorker] = []  # orphans, and workers after their last report
         self.last: Closed | None = None
         self._may_move = False
         self._ids = itertools.count(1)
-        self._waiting: dict[int, Callable[[Outcome], None]] = {}
-        self._writes: set[int] = set()
+        self._handlers: dict[int, Callable[[Outcome], None]] = {}  # by request id
+        self._writes: set[int] = set()  # ids of pending writes
 
     def moves(self, request: object) -> bool:
-        """Return whether this request may start a motor. True unless a device overrides it."""
+        """Return whether a request may start a motor."""
         del request
         return True
 
     def writes(self, request: object) -> bool:
-        """Return whether this request writes to the device. `shut_down` waits for its outcome."""
+        """Return whether a request writes to the device. `shut_down` waits for writes."""
         del request
         return False
 
@@ -90,18 +89,18 @@ class SessionThread(QObject):
     def is_open(self) -> bool:
         return self._worker is not None
 
-    def start(self, make_session: MakeSession, *, may_move: bool) -> None:
-        """Start a session. `may_move` says that motors may be turning from an earlier session."""
+    def start(self, create_session: SessionFactory, *, may_move: bool) -> None:
+        """Start a session. `may_move`: motors may still be turning from an earlier session."""
         self._may_move = may_move
         self._late = self.last = None
-        self._worker = LineWorker(make_session)
+        self._worker = LineWorker(create_session)
         self._worker.reported.connect(self._on_reported, Qt.ConnectionType.QueuedConnection)
         self._worker.finished.connect(self._on_worker_finished, Qt.ConnectionType.QueuedConnection)
         self._worker.start()
         self.started.emit()
 
     def submit(self, request: object) -> bool:
-        """Queue a request and return whether there is a session."""
+        """Queue a request. Return whether a session is open."""
         if (worker := self._worker) is None:
             return False
         self._may_move = self._may_move or self.moves(request)
@@ -109,52 +108,51 @@ class SessionThread(QObject):
         return True
 
     def submit_now(self, *requests: object) -> None:
-        """Queue requests that start no motor, all for the same session, if a session is open.
+        """Queue requests that start no motor. For emergencies, from any thread.
 
-        For emergencies, from any thread. Meanwhile the session may end and another session start.
+        All requests go to one session, even if the next session starts meanwhile.
         """
         if (worker := self._worker) is not None:
             for request in requests:
                 worker.submit(request)
 
-    def request(self, make: Callable[[int], object], then: Callable[[Outcome], None]) -> bool:
-        """Queue the request that `make` returns for a number. `then` gets its outcome.
+    def request(self, create: Callable[[int], object], then: Callable[[Outcome], None]) -> bool:
+        """Queue the request that `create` returns for an id. Pass its outcome to `then`.
 
-        Return whether there is a session; without one, `then` is not called.
+        Return whether a session is open. Otherwise `then` is not called.
         """
         if not self.is_open:
             return False
         number = next(self._ids)
-        request = make(number)
-        self._waiting[number] = then
+        request = create(number)
+        self._handlers[number] = then
         if self.writes(request):
             self._writes.add(number)
         return self.submit(request)
 
     def close(self) -> None:
-        """Close the session without waiting. `closed` follows."""
+        """Close the session without waiting. `closed` is emitted later."""
         self.submit(Close())
 
     def shut_down(self) -> bool:
-        """Close the session within a second and return whether it ended in time.
+        """Close the session within a second. Return whether it ended in time.
 
-        Waits up to three seconds for pending writes; an outcome that arrives in time is delivered
-        before this returns. `last` says how the session ended; nothing else is reported. A thread
-        that does not end in time is orphaned: `closed` follows if it ends later, and another call
-        waits again.
+        Waits up to three seconds for pending writes, and delivers their outcomes. Reports nothing
+        else, but sets `last`. A thread that does not end in time is orphaned: `closed` is emitted
+        if it ends later. Another call waits again.
         """
         worker, self._worker = self._worker, None
         if worker is None:
             in_time = all(ending.wait(_TIMEOUT_MS) for ending in self._ending)
             self._handle_reports()
             return in_time
-        self._waiting = {number: self._waiting[number] for number in self._writes}
+        self._handlers = {number: self._handlers[number] for number in self._writes}
         in_time = worker.close(_WRITING_TIMEOUT_MS if self._writes else _TIMEOUT_MS)
         self._late = worker
         if in_time:
             worker.finished.disconnect(self._on_worker_finished)
         else:
-            self._save(worker)
+            self._retain(worker)
         self._handle_reports()
         self._clear_requests()
         if in_time:
@@ -163,7 +161,7 @@ class SessionThread(QObject):
             self.last = self.last or self._fault()
         return in_time
 
-    def _save(self, worker: LineWorker) -> None:
+    def _retain(self, worker: LineWorker) -> None:
         self._ending.append(worker)
         adopt_orphan(worker)
 
@@ -174,27 +172,27 @@ class SessionThread(QObject):
     def _on_reported(self, report: object) -> None:
         worker = self.sender()
         if worker is None or worker not in {self._worker, self._late}:
-            return  # from an orphaned session; another session may have started
+            return  # from an orphaned session
         match report:
             case Outcome():
-                self.answer(report)
+                self.deliver(report)
             case Closed() if self._worker is None:
                 self.last = report
             case _ if self._worker is None:
-                pass  # sent before the line was shut down
+                pass  # sent before `shut_down`
             case Closed():
                 self._end(report)
             case _:
                 self.reported.emit(report)
 
-    def answer(self, outcome: Outcome) -> None:
+    def deliver(self, outcome: Outcome) -> None:
         """Pass an outcome to the handler of its request."""
         self._writes.discard(outcome.id)
-        if then := self._waiting.pop(outcome.id, None):
+        if then := self._handlers.pop(outcome.id, None):
             then(outcome)
 
     def _clear_requests(self) -> None:
-        self._waiting.clear()
+        self._handlers.clear()
         self._writes.clear()
 
     def _fault(self) -> Closed:
@@ -203,7 +201,7 @@ class SessionThread(QObject):
 
     def _end(self, last: Closed) -> None:
         if self._worker is not None:
-            self._save(self._worker)
+            self._retain(self._worker)
             self._worker = None
         self.last = last
         self._clear_requests()

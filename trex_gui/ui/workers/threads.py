@@ -1,7 +1,8 @@
-"""Worker threads: base class, threads that outlive their owner, and garbage collection.
+"""Worker threads, orphaned threads, and garbage collection.
 
-Qt aborts when a running thread is destroyed. Therefore an owner passes a thread that does not end
-in time to `adopt_orphan`. While such a thread is running, the process must not exit normally.
+Qt aborts if a running thread is destroyed. So the owner of a thread that does not end in time
+passes the thread to `adopt_orphan`. While an orphan is running, the process must not exit
+normally.
 """
 
 import gc
@@ -15,19 +16,19 @@ _COLLECT_INTERVAL_MS = 1000
 
 
 class WorkerThread(QThread):
-    """Thread that the runtime starts and waits for.
+    """Thread that the runtime starts.
 
-    The object lives in the GUI thread; only `run` executes in the new thread. Connect its signals
-    with `Qt.ConnectionType.QueuedConnection`.
+    The object belongs to the GUI thread. Only `run` executes in the new thread, so connect
+    signals with `Qt.ConnectionType.QueuedConnection`.
     """
 
     def start(self, priority: QThread.Priority = QThread.Priority.InheritPriority) -> None:
         runtime().start(self, priority)
 
     def wait(self, milliseconds: int = FOREVER) -> bool:  # type: ignore[override]
-        """Wait for the end of the thread and return whether it ended in time.
+        """Wait for the end of the thread. Return whether it ended in time.
 
-        Unlike Qt's `wait`, it takes no `QDeadlineTimer`, which would run on another clock.
+        A `QDeadlineTimer` is not allowed, since it does not use the runtime's clock.
         """
         return runtime().wait(self, milliseconds)
 
@@ -36,9 +37,9 @@ _orphans: list[WorkerThread] = []
 
 
 def adopt_orphan(thread: WorkerThread) -> None:
-    """Retain a thread until it has ended. From now on its owner may be destroyed.
+    """Retain a thread until it ends, independently of its owner.
 
-    Call this in the thread in which the object lives.
+    Call this in the thread to which the object belongs.
     """
     thread.setParent(None)
     if thread not in _orphans:
@@ -56,10 +57,10 @@ def have_orphans_ended() -> bool:
 
 
 class GuiThreadCollector(QObject):
-    """Runs Python's garbage collector only in the GUI thread, while this object exists.
+    """Confines Python's garbage collector to the GUI thread.
 
-    Python collects in whichever thread creates enough objects, usually the thread of a busy line. A
-    widget that is destroyed outside the GUI thread crashes the process.
+    Python collects garbage in any thread, usually that of a busy line. Destroying a widget
+    outside the GUI thread crashes the process.
     """
 
     def __init__(self, parent: QObject | None = None) -> None:
@@ -70,10 +71,10 @@ class GuiThreadCollector(QObject):
         self._timer.timeout.connect(self.collect)
         self._timer.start()
 
-    def exempt_present(self) -> None:
-        """Collect garbage. Exempt all objects that are left from later collections.
+    def freeze(self) -> None:
+        """Collect garbage, then exempt all existing objects from collection.
 
-        The program's 100,000 objects would block the GUI thread for 50 ms at each full collection.
+        A full collection of the program's 100,000 objects blocks the GUI thread for 50 ms.
         """
         gc.collect()
         gc.freeze()

@@ -108,8 +108,8 @@ def test_file_arguments_open_while_robot_connects(
 ) -> None:
     program = window.program
     program.connect_to_demo("aracna")
-    program.open_named(write_file("walk.ppr", POSES), connecting=True)
-    program.open_named(write_file("rover.txt", SETTINGS), connecting=True)
+    program.open_file(write_file("walk.ppr", POSES), connecting=True)
+    program.open_file(write_file("rover.txt", SETTINGS), connecting=True)
     window.wait_for_files()
     assert len(trex(program).workspace.files.editors) == 1
     window.wait_until_up()
@@ -123,14 +123,14 @@ def test_pose_file_argument_opens_only_without_trex(
 ) -> None:
     program, before = window.program, poses(window)
     program.connect_to_demo("trex")
-    program.open_named(write_file("walk.ppr", POSES), connecting=True)
+    program.open_file(write_file("walk.ppr", POSES), connecting=True)
     window.wait_until_up("trex")
     window.wait_for_text("bannerText", "walk.ppr is a pose file of an Aracna.")
     assert poses(window) == before
 
     window.press_disconnect()
     assert not shows_robot(window)
-    program.open_named(write_file("walk.ppr", POSES), connecting=False)
+    program.open_file(write_file("walk.ppr", POSES), connecting=False)
     window.wait_for_files()
     assert poses(window) == ["low"]
     assert shows_robot(window)

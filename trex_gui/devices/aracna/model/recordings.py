@@ -97,9 +97,9 @@ class AracnaRecorder(RecordThread[Record]):
     @Slot()
     def _on_link_changed(self) -> None:
         if self.recording and self._robot.link is ConnectionState.DISCONNECTED:
-            self.end_because(tr("Recording {0} ended with the connection."))
+            self.stop_early(tr("Recording {0} ended with the connection."))
         elif self.recording and self._robot.state.motors != self._motors:
-            self.end_because(tr("Recording {0} ended: the number of motors has changed."))
+            self.stop_early(tr("Recording {0} ended: the number of motors has changed."))
         else:
             self.changed.emit()
 

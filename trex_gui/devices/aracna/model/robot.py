@@ -43,7 +43,7 @@ from trex_gui.ui.log import EventLog
 from trex_gui.ui.notifier import Notifier, remedies_of
 from trex_gui.ui.runtime import now
 from trex_gui.ui.translations import error_sentence, error_text
-from trex_gui.ui.workers.session_thread import MakeSession
+from trex_gui.ui.workers.session_thread import SessionFactory
 
 FIRST_SPEED = 100
 """Speed of the servos, 67 degrees per second, until the user changes it.
@@ -92,7 +92,7 @@ class Robot(DeviceConnection[PortSettings]):
     connect_to = DeviceConnection.open
     disconnect_line = DeviceConnection.close
 
-    def new_session(self, settings: PortSettings, *, may_move: bool) -> MakeSession:
+    def new_session(self, settings: PortSettings, *, may_move: bool) -> SessionFactory:
         del may_move  # a motion ends by itself
         return lambda inbox, report: AracnaSession(settings, inbox, report, self.open_logged)
 

@@ -5,12 +5,12 @@ from functools import partial
 
 from trex_gui.devices.aracna.model.controller import AracnaController
 from trex_gui.devices.aracna.session.messages import Play, Step
-from trex_gui.ui.tour import Do, Tour
+from trex_gui.ui.tour import Tour, TourStep
 
 _STEP_S = 2.5  # long enough for a motion in every picture
 
 
-def tour_steps(tour: Tour, controller: AracnaController) -> Iterator[Do]:
+def tour_steps(tour: Tour, controller: AracnaController) -> Iterator[TourStep]:
     robot = controller.robot
     pairs = robot.state.motors // 2
     steps = tuple(
@@ -20,7 +20,7 @@ def tour_steps(tour: Tour, controller: AracnaController) -> Iterator[Do]:
 
     yield partial(robot.move, steps[0].goals)
     yield lambda: robot.state.moved is not None
-    yield from tour.look_at_pages()
+    yield from tour.capture_pages()
     yield partial(robot.play, Play(0, steps, rounds=0))
     yield lambda: robot.state.moving is not None
-    yield from tour.look_at_pages("-moving")
+    yield from tour.capture_pages("-moving")

@@ -47,7 +47,7 @@ from trex_gui.devices.trex.session.traffic_decoder import TrexDecoder
 from trex_gui.ui.devices.connection import ConnectionState, DeviceConnection
 from trex_gui.ui.notifier import ConnectWith, Remedies, Remedy, remedies_of
 from trex_gui.ui.runtime import now
-from trex_gui.ui.workers.session_thread import NO_HANDLER, MakeSession
+from trex_gui.ui.workers.session_thread import NO_HANDLER, SessionFactory
 
 log = logging.getLogger(__name__)
 
@@ -108,7 +108,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
             return self.writes(request.request)
         return isinstance(request, Write)
 
-    def new_session(self, settings: ConnectionSettings, *, may_move: bool) -> MakeSession:
+    def new_session(self, settings: ConnectionSettings, *, may_move: bool) -> SessionFactory:
         from trex_gui.devices.trex.serve.sessions import session_at  # noqa: PLC0415 - not at the start
 
         self.is_guarded = False
@@ -155,7 +155,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
             return
         match report:
             case OfBoard(report=Outcome() as outcome):
-                self.answer(outcome)
+                self.deliver(outcome)
             case OfBoard(number=number, report=other_report):
                 self.of_board.emit(number, other_report)
             case GuardianChanged(is_ready=is_ready):

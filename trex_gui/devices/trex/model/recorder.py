@@ -112,7 +112,7 @@ class Recorder(RecordThread[Record]):
         if self._identity(state) == self._board:
             self._put_settings(state)
         else:
-            self.end_because(tr("Recording {0} ended: the board or its input source has changed."))
+            self.stop_early(tr("Recording {0} ended: the board or its input source has changed."))
 
     def _identity(self, state: DeviceState) -> tuple[object, ...]:
         return state.signature, state.source, self._device.connection.selection
@@ -125,7 +125,7 @@ class Recorder(RecordThread[Record]):
     @Slot()
     def _on_link_changed(self) -> None:
         if self.recording and self._device.link is ConnectionState.DISCONNECTED:
-            self.end_because(tr("Recording {0} ended with the connection."))
+            self.stop_early(tr("Recording {0} ended with the connection."))
         self.changed.emit()
 
 

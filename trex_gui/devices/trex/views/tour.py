@@ -6,13 +6,13 @@ from functools import partial
 from trex_gui.devices.trex.model.controller import TrexController
 from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.tour import Do, Tour
+from trex_gui.ui.tour import Tour, TourStep
 
 SETUP_STEPS = ("driver", "jumpers", "sticks", "motors", "limits", "review")  # with one stick
 _HOLD_S = 1.2  # an end counts as reached after one second
 
 
-def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
+def tour_steps(tour: Tour, controller: TrexController) -> Iterator[TourStep]:
     motors, sticks = controller.device.motors, controller.demo_board
 
     def drive() -> bool:
@@ -24,7 +24,7 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
         motors.set_auxiliary(15)
         return True
 
-    def hold(microseconds: float) -> Iterator[Do]:
+    def hold(microseconds: float) -> Iterator[TourStep]:
         def push() -> None:
             for channel in CHANNELS:
                 sticks.hold_stick(channel, microseconds)
@@ -38,38 +38,38 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[Do]:
 
     yield drive
     yield from tour.wait()
-    yield from tour.look_at_pages()
+    yield from tour.capture_pages()
     yield partial(sticks.set_automatic, False)
     yield sticks.centre_sticks
     yield partial(tour.trigger_action, "learnAction")
     yield partial(is_reached, "learnRestPage")
-    yield from tour.look_at("learnDialog", "learn-rest")
+    yield from tour.capture_dialog("learnDialog", "learn-rest")
     yield partial(tour.press, "learnNextButton")
     yield partial(tour.is_visible, "learnTravelPage")
     for microseconds in (1850, 1150):
         yield from hold(microseconds)
     yield sticks.centre_sticks
-    yield from tour.look_at("learnDialog", "learn-travel")
+    yield from tour.capture_dialog("learnDialog", "learn-travel")
     yield partial(tour.press, "learnNextButton")
     yield partial(tour.is_visible, "learnReviewPage")
-    yield from tour.look_at("learnDialog", "learn-review")
+    yield from tour.capture_dialog("learnDialog", "learn-review")
     yield partial(tour.press, "learnCloseButton")
     yield partial(tour.trigger_action, "test_sticksAction")
     yield partial(is_reached, "learnTestPage")
     yield from hold(1850)
-    yield from tour.look_at("learnDialog", "learn-test")
+    yield from tour.capture_dialog("learnDialog", "learn-test")
     yield partial(tour.press, "learnCloseButton")
     yield partial(tour.trigger_action, "setupAction")
     for step in SETUP_STEPS:
-        yield from tour.look_at("setupDialog", f"setup-{step}")
+        yield from tour.capture_dialog("setupDialog", f"setup-{step}")
         if step != SETUP_STEPS[-1]:
             yield partial(tour.press, "setupNextButton")
     yield partial(tour.press, "setupCloseButton")
     yield controller.disconnect_device
     yield lambda: controller.link is ConnectionState.DISCONNECTED
     yield partial(tour.trigger_action, "check_boardAction")
-    yield from tour.look_at("checkDialog", "check-leds")
+    yield from tour.capture_dialog("checkDialog", "check-leds")
     for _ in range(2):
         yield partial(tour.press, "checkNextButton")
-    yield from tour.look_at("checkDialog", "check-jumpers")
+    yield from tour.capture_dialog("checkDialog", "check-jumpers")
     yield partial(tour.press, "checkCloseButton")
