@@ -1,1 +1,1 @@
-"""Making recordings and playing them back."""
+"""Recording and playback."""

@@ -1,4 +1,4 @@
-"""Start and end of recordings, and windows of open recordings."""
+"""Control of recordings, and windows of open recordings."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -35,7 +35,7 @@ WindowT = TypeVar("WindowT", bound="RecordingWindow")
 
 
 class RecordIndicator(QWidget):
-    """Shows duration, size and file of a running recording, and a stop button."""
+    """Duration, size and file of a running recording, with a stop button."""
 
     def __init__(
         self, recorder: RecordThread[Any], parent: QWidget | None = None, *, prefix: str = ""
@@ -84,19 +84,19 @@ class RecordIndicator(QWidget):
 
 @dataclass(frozen=True, slots=True)
 class RecordingTexts:
-    stem: str  # start of the names of new files
-    unavailable: str  # why nothing can be recorded
-    open_command: str  # menu command that opens a recording
+    stem: str  # prefix of new file names
+    unavailable: str  # reason why the device cannot be recorded
+    open_command: str  # menu command to open a recording
 
 
 class RecordingManager(QObject, Generic[WindowT]):
     """Selects files, starts recordings and owns the windows of open recordings.
 
-    A subclass for each device creates the windows of its recordings.
+    A subclass for each device creates the windows.
     """
 
-    changed = Signal()  # `recorder.recording` or `recorder.can_record`
-    used = Signal(object)  # the `Path` of a recording that was opened or completed
+    changed = Signal()  # `recorder.recording` or `recorder.can_record` has changed
+    used = Signal(object)  # the `Path` of a recording, after it was opened or completed
 
     def __init__(
         self,
@@ -109,7 +109,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         store: str,
         prefix: str = "",
     ) -> None:
-        """`store` starts the settings key of the last folder, `prefix` starts object names."""
+        """`store`: prefix of preferences. `prefix`: prefix of object names."""
         super().__init__(window)
         self._format = fmt
         self._texts = texts
@@ -130,16 +130,16 @@ class RecordingManager(QObject, Generic[WindowT]):
         recorder.failed.connect(notifier.error)
 
     def accept_drops(self, frame: QWidget, workspace: QWidget) -> None:
-        """Open recordings dropped on `frame` while `workspace` is shown in it."""
+        """Open recordings dropped on `frame` while `workspace` is visible."""
 
-        def takes(paths: Sequence[Path]) -> bool:
-            is_one = len(paths) == 1 and paths[0].suffix.lower() == SUFFIX
-            return is_one and workspace.isVisible()
+        def accepts(paths: Sequence[Path]) -> bool:
+            is_recording = len(paths) == 1 and paths[0].suffix.lower() == SUFFIX
+            return is_recording and workspace.isVisible()
 
-        FileDrop(frame, takes).dropped.connect(lambda paths: self.open_file(paths[0]))
+        FileDrop(frame, accepts).dropped.connect(lambda paths: self.open_file(paths[0]))
 
     def create_window(self, recording: Recording[Any, Any]) -> WindowT:
-        """Return a new window for a recording that is not loaded yet."""
+        """Create a window. It loads the recording later."""
         raise NotImplementedError
 
     def toggle(self) -> None:
@@ -151,7 +151,7 @@ class RecordingManager(QObject, Generic[WindowT]):
             self.record(path)
 
     def proposal(self) -> Path:
-        """Return a new name in the last folder, for a recording that begins now."""
+        """Return a file name in the last folder, with the current date and time."""
         stamp = datetime.now().astimezone().strftime("%Y-%m-%d_%H-%M-%S")
         return last_folder(self._folder_key) / f"{self._texts.stem}_{stamp}{SUFFIX}"
 
@@ -168,7 +168,7 @@ class RecordingManager(QObject, Generic[WindowT]):
             self._notifier.error.emit(self._texts.unavailable)
 
     def select_and_open(self, title: str = "", folder: Path | None = None) -> None:
-        """Let the user choose a recording to open, by default from the last folder."""
+        """Let the user select and open a recording. `folder`: by default the last folder."""
         path, _ = QFileDialog.getOpenFileName(
             self._window,
             title or title_of(tr("Ope&n recording…")),
@@ -180,7 +180,7 @@ class RecordingManager(QObject, Generic[WindowT]):
 
     @Slot(object)
     def open_file(self, path: Path) -> None:
-        """Open a recording in its own window, or activate the window that shows it."""
+        """Open a recording in a window, or activate its open window."""
         for window in self.windows:
             if window.player.path == path:
                 window.show()
@@ -207,11 +207,10 @@ class RecordingManager(QObject, Generic[WindowT]):
         self.windows.append(window)
         window.closed.connect(partial(self._remove, window))
         window.show()
-        # Draw the window first, because the loading thread slows this thread down.
+        # Draw the window first, since the loading thread slows this thread down.
         new_timer(window, 0, window.player.start_loading, single_shot=True).start()
 
     def _save_copy(self, window: WindowT) -> None:
-        """Copy an automatic recording to a place where it is not removed."""
         source = window.player.path
         path = self._prompt_to_save(
             tr("Save a cop&y…"), last_folder(self._folder_key) / source.name
@@ -233,10 +232,8 @@ class RecordingManager(QObject, Generic[WindowT]):
             window.close()
 
     def shut_down(self) -> bool:
-        """End recording, loading and exporting, and return whether every thread has ended."""
-        ends = [self.recorder.shut_down()]
-        ends += [window.player.close() for window in self.windows]
-        return all(ends)
+        """End recording, loading and export. Return whether all threads have ended."""
+        return all([self.recorder.shut_down(), *(window.player.close() for window in self.windows)])
 
     def _remove(self, window: WindowT) -> None:
         if window in self.windows:
@@ -255,7 +252,7 @@ class RecordingManager(QObject, Generic[WindowT]):
 
     @Slot()
     def _on_changed(self) -> None:
-        """Report only changes that affect menus, not each batch of records."""
+        # Ignore changes of size, which do not affect menus.
         state = (self.recorder.recording, self.recorder.can_record)
         if state != self._last:
             self._last = state

@@ -1,4 +1,4 @@
-"""A recording that is played back: loaded by a thread, then shown at any position."""
+"""Playback of a recording, which a thread loads first."""
 
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import closing
@@ -22,8 +22,8 @@ from trex_gui.ui.plotting.traces import Traces
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.workers.file_worker import Done, FileTask, ProgressCallback
 
-_LONGEST_EVENT = 500  # characters of an event that are shown
-_CLOSE_TIMEOUT_MS = 500  # less than `Timeouts.heartbeat`, after which armed motors are stopped
+_MAX_EVENT_LENGTH = 500  # characters
+_CLOSE_TIMEOUT_MS = 500  # less than `Timeouts.heartbeat`: a later heartbeat stops the motors
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,16 +32,16 @@ class Curves(Generic[RecordT, StateT]):
     # Updates the state from records. Returns rows: time in s, then a value for each curve.
     rows_of: Callable[[StateT, Iterable[RecordT]], list[tuple[float, ...]]]
     max_rows: int  # older rows are dropped
-    max_gap: float  # seconds without a row that interrupt a curve
+    max_gap: float  # seconds; a longer gap interrupts a curve
 
 
 @dataclass(frozen=True, slots=True)
 class LoadedRecording(Generic[HeaderT, RecordT, StateT]):
     replay: Replay[HeaderT, RecordT, StateT]
-    history: SampleHistory
+    history: SampleHistory  # newest rows
     events: tuple[Event, ...]  # in order of time
     end: float  # latest time on the session's clock
-    rows: int  # number of rows; the history holds the last of them
+    rows: int  # number of all rows
 
 
 def load_recording(
@@ -50,9 +50,9 @@ def load_recording(
     curves: Curves[RecordT, StateT],
     progress: ProgressCallback,
 ) -> LoadedRecording[HeaderT, RecordT, StateT]:
-    """Read a recording. One hour of it takes some seconds.
+    """Read a recording, in some seconds per recorded hour.
 
-    `progress` gets the share done, 0 to 1; an exception from it ends the work.
+    `progress` receives the completed share, 0 to 1. It may raise to cancel the work.
 
     Raises:
         RecordingError: the file cannot be read.
@@ -79,7 +79,7 @@ def load_recording(
 def _event(marker: Marker) -> Event:
     known = marker.kind in set(EventKind)
     kind = EventKind(marker.kind) if known else EventKind.NOTE
-    return Event(marker.time, kind, marker.text[:_LONGEST_EVENT])
+    return Event(marker.time, kind, marker.text[:_MAX_EVENT_LENGTH])
 
 
 def _export(
@@ -89,25 +89,25 @@ def _export(
     header: dict[str, Value],
     progress: ProgressCallback,
 ) -> Path:
-    # Another thread still reads `recording` to show values.
-    own: Recording[Any, Any] = Recording(recording.path, recording.format)
-    with closing(own):
-        export_span(own, path, span, header, progress)
+    # The GUI thread is using `recording`.
+    copy: Recording[Any, Any] = Recording(recording.path, recording.format)
+    with closing(copy):
+        export_span(copy, path, span, header, progress)
     return path
 
 
 class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
-    """One recording and a position between `start` and `end`, on the session's clock (s).
+    """Recording with a position from `start` to `end`, in seconds of the session's clock.
 
-    Subclasses define the curves of a device. Before it is loaded only the header is known.
+    A subclass defines the curves of a device. Before loading, only the header is available.
     """
 
-    progressed = Signal()  # `share`, `is_busy`, or `end`
-    moved = Signal()  # `position`
+    progressed = Signal()  # `share`, `is_busy` or `end` has changed
+    moved = Signal()  # `position` has changed
     playing_changed = Signal()
-    loaded = Signal()  # the whole recording was read
-    exported = Signal(object)  # the `Path` to which a span was written
-    failed = Signal(str)  # why loading or an export ended early, for the user
+    loaded = Signal()
+    exported = Signal(object)  # the `Path` of the exported file
+    failed = Signal(str)  # error of loading or export, for the user
 
     def __init__(
         self,
@@ -116,11 +116,11 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
         curves: Curves[RecordT, StateT],
         parent: QObject | None = None,
     ) -> None:
-        """Set an open recording. `start_loading` reads it. `initial`: state before its start."""
+        """`recording` is open but not loaded. `initial`: state before its start."""
         super().__init__(parent)
         self.start = self.end = self.position = recording.header.clock
         self.speed = 1.0  # 1 is real time
-        self.is_loaded = False  # whether `end` is known
+        self.is_loaded = False
         self._timer = new_timer(self, FRAME_MS, self._on_frame)
         self._last_frame = 0.0
         self.path = recording.path
@@ -149,7 +149,7 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
             self.moved.emit()
 
     def play(self) -> None:
-        """Continue playing, or start again if the position is at the end."""
+        """Continue from the position. At the end, start again."""
         if self.position >= self.end:
             self.set_position(self.start)
         self._last_frame = now()
@@ -175,10 +175,10 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
         raise NotImplementedError
 
     def close(self) -> bool:
-        """Cancel loading or exporting, close the file, and return whether the thread has ended."""
+        """Cancel loading or export and close the file. Return whether the thread has ended."""
         self.pause()
         if not self._task.close(_CLOSE_TIMEOUT_MS):
-            return False  # the file still belongs to that thread
+            return False  # the thread may still use the file
         self._recording.close()
         return True
 
@@ -198,7 +198,7 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
 
     @property
     def drawn(self) -> tuple[int, int]:
-        """Number of drawn rows, and number of all rows."""
+        """Numbers of drawn rows and of all rows."""
         return len(self._history), self._rows
 
     def state(self) -> StateT:
@@ -213,18 +213,19 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
         return self._initial
 
     def loader(self) -> Callable[[ProgressCallback], LoadedRecording[HeaderT, RecordT, StateT]]:
-        """Return a function that loads the recording without this object."""
+        """Return a function that loads the recording independently of this object."""
         return partial(load_recording, self._recording, self._initial, self._curves)
 
     def start_loading(self) -> None:
         self._start(self.loader())
 
     def export_header(self, start: float) -> dict[str, Value]:
-        del start  # subclasses add the settings of the device at that time
+        """Return the header of an export. Subclasses add the settings at `start`."""
+        del start
         return {"device": self._recording.format.device, **self.header.values()}
 
     def export(self, path: Path, start: float, end: float) -> None:
-        """Write a span as CSV or MCAP. Ends in `exported` or `failed` unless cancelled."""
+        """Write a span as CSV or MCAP. Emits `exported` or `failed` at the end."""
         if self.is_loaded and not self.is_busy:
             span, header = (start, end), self.export_header(start)
             self._start(partial(_export, self._recording, path, span, header))

@@ -1,4 +1,4 @@
-"""Controls of a playback."""
+"""Playback controls."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -20,16 +20,16 @@ _PER_SECOND = 100  # slider steps per second: about the rate of the samples
 
 
 class _TimeSlider(QSlider, Spoken):
-    """Slider that screen readers read in seconds, with the time label beside it."""
+    """Slider that screen readers read out in seconds."""
 
     spoken_role = QAccessible.Role.Slider
 
-    def __init__(self, shown: QLabel, parent: QWidget) -> None:
+    def __init__(self, time_label: QLabel, parent: QWidget) -> None:
         super().__init__(Qt.Orientation.Horizontal, parent)
-        self._shown = shown
+        self._time_label = time_label
 
     def spoken_state(self) -> str:
-        return self._shown.text()
+        return self._time_label.text()
 
     def spoken_range(self) -> SpokenRange:
         return SpokenRange(0, self.value() / _PER_SECOND, self.maximum() / _PER_SECOND)
@@ -39,7 +39,7 @@ class _TimeSlider(QSlider, Spoken):
 
 
 class TransportBar(QWidget):
-    """Moves the position of a recording.
+    """Controls for the position and speed of a playback.
 
     Arrow keys move the position by 1 s, page keys by 10 s.
     """
@@ -100,7 +100,7 @@ class TransportBar(QWidget):
     @Slot()
     def _on_progressed(self) -> None:
         length = self._playback.end - self._playback.start
-        # The range of a slider ends at 248 days.
+        # A slider is limited to 2**31 - 1 steps, or 248 days.
         with QSignalBlocker(self._slider):
             self._slider.setMaximum(min(2**31 - 1, round(length * _PER_SECOND)))
         self._play.setEnabled(length > 0)
@@ -119,7 +119,7 @@ def size_text(size: int) -> str:
 
 
 def time_text(seconds: float, *, tenths: bool = False) -> str:
-    """Return seconds as `0:01:05` or `0:01:05.3`."""
+    """Format seconds as `0:01:05` or `0:01:05.3`."""
     count = int(seconds * 10 + 1e-6)
     whole, part = divmod(count, 10)
     text = f"{whole // 3600}:{whole // 60 % 60:02d}:{whole % 60:02d}"

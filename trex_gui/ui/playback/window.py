@@ -1,4 +1,4 @@
-"""Window of a recording: curves, events, playback and export."""
+"""Window of a recording, with curves, events, playback and export."""
 
 from pathlib import Path
 from typing import Any
@@ -27,15 +27,15 @@ from trex_gui.ui.widgets.placement import fit_on_screen, restore_geometry, save_
 
 _REDRAW_DELAY_MS = 100
 
-_EVENT_MARGIN = 5.0  # seconds before and after a chosen event, if the plot shows a long span
+_EVENT_MARGIN = 5.0  # seconds around a selected event, after zooming in from a long span
 _CSV_SUFFIX = ".csv"
 
 
 class RecordingWindow(QMainWindow):
-    """Window of one recording. It needs no device.
+    """Window of one recording. Needs no connected device.
 
-    A subclass for each device calls `arrange` and describes the device. The window may cover the
-    main window while motors turn, so `arrange` takes a stop button.
+    A subclass for each device calls `arrange` and defines `device_text`. The window has a stop
+    button, since it may cover the main window while motors are turning.
     """
 
     closed = Signal()
@@ -43,7 +43,7 @@ class RecordingWindow(QMainWindow):
     def __init__(
         self, playback: RecordingPlayer[Any, Any, Any], name: str, plot_name: str = ""
     ) -> None:
-        """`name` starts object names and settings keys. `plot_name` is for screen readers."""
+        """`name`: prefix of object names and preferences. `plot_name`: for screen readers."""
         super().__init__()
         self.setObjectName(f"{name}Window")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -59,7 +59,7 @@ class RecordingWindow(QMainWindow):
         self._heading = ui.label(self, "recordingHeading", wrap=True)
         whole = tr("Show the whole recording again")
         span = tr("Save every sample in the plot as CSV or MCAP")
-        keep = tr("Keep this recording: the oldest ones of faults and stops are removed")
+        keep = tr("Save a copy, since old recordings of faults and stops are removed")
         cancel = tr("Stop loading or exporting")
         self._show_all, self._export, self.copy_button, self._cancel = (
             ui.button(self, f"{key}Button", text, icon=icon, tip=tip, on_click=slot)
@@ -130,7 +130,7 @@ class RecordingWindow(QMainWindow):
 
     @Slot()
     def update_figures(self) -> None:
-        """Update values that depend on the span or the cursor. Does nothing by default."""
+        """Update values that depend on the span or the cursor."""
 
     @Slot()
     def update_state(self) -> None:
@@ -177,7 +177,7 @@ class RecordingWindow(QMainWindow):
     def _on_cancelled(self) -> None:
         if self.player.is_loaded:
             self.player.cancel()
-        else:  # there is nothing to show
+        else:  # the window is empty
             self.close()
 
     @Slot()
@@ -216,8 +216,8 @@ class RecordingWindow(QMainWindow):
         self.update_state()
 
     def _board_text(self) -> str:
-        begun = QDateTime.fromSecsSinceEpoch(int(self.player.header.started.timestamp()))
-        started = QLocale().toString(begun, QLocale.FormatType.ShortFormat)
+        start = QDateTime.fromSecsSinceEpoch(int(self.player.header.started.timestamp()))
+        started = QLocale().toString(start, QLocale.FormatType.ShortFormat)
         return tr("{0}, recorded {1}").format(self.device_text(), started)
 
     def _heading_text(self) -> str:
@@ -237,13 +237,13 @@ class RecordingWindow(QMainWindow):
     def _on_moved(self) -> None:
         position, span = self.player.position, self.plot.span
         if not span.start <= position <= span.end:
-            begin = position - span.length / 10
-            self.plot.show_span(begin, begin + span.length)
+            start = position - span.length / 10
+            self.plot.show_span(start, start + span.length)
         self.plot.set_cursor(position)
 
     @Slot()
     def _on_cursor_changed(self) -> None:
-        """Move to a click in the plot. When the pointer leaves it, show the position again."""
+        """Move to a new mark. Without a cursor, show the position of the playback."""
         mark = self.plot.mark_time
         if mark is not None and mark != self._marked:
             self.player.set_position(mark)
@@ -263,7 +263,7 @@ class RecordingWindow(QMainWindow):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._redraw.start()  # texts above the plot follow its lines
+        self._redraw.start()  # moves the event words above the plot
 
     def closeEvent(self, event: QCloseEvent) -> None:
         self._redraw.stop()

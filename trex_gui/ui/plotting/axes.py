@@ -1,4 +1,4 @@
-"""Axes: round steps, ranges that do not jump, labels, and the visible span of time."""
+"""Axes of plots: ranges, labels, and the visible span of time."""
 
 import math
 from collections.abc import Sequence
@@ -7,24 +7,24 @@ from itertools import accumulate
 from trex_gui.core.translation import Number, tr
 from trex_gui.ui.widgets.bar import MINUS
 
-Labels = list[tuple[float, str]]  # values of an axis and their texts
+Labels = list[tuple[float, str]]  # values on an axis, with their texts
 _TIME_STEPS = (
     *(0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 15.0, 30.0),
     *(60.0, 120.0, 300.0, 600.0, 900.0, 1800.0, 3600.0),
 )
 _MAX_TIME_LABELS = 7
 
-FULL_COUNTS = 127.0  # highest speed and value of a remapped channel; few counts exceed it
+FULL_COUNTS = 127.0  # largest speed and largest value of a remapped channel
 _SMALLEST_END = 1.0
-_SHRINK_BELOW = 0.8  # the axis shrinks once its values fit into this part of a smaller range
-MIN_SPAN = 0.05  # least seconds shown: four samples of currents
-MAX_SPAN = 4 * 3600.0  # most seconds shown; a full history is shorter
+_SHRINK_BELOW = 0.8  # an axis shrinks if its values fit into this part of the smaller range
+MIN_SPAN = 0.05  # seconds; four samples of currents
+MAX_SPAN = 4 * 3600.0  # seconds; longer than a full history
 
 
 def round_up(value: float) -> float:
-    """Round `value` (> 0) up to 1, 2 or 5 times a power of ten."""
+    """Round a positive value up to 1, 2 or 5 times a power of ten."""
     decade = 10.0 ** math.floor(math.log10(value))
-    # The margin keeps 0.3 - 0.1 from counting as more than 0.2.
+    # Without a tolerance, 0.3 - 0.1 would be rounded up to 0.5.
     return next((s * decade for s in (1, 2, 5) if value <= s * decade * (1 + 1e-9)), 10 * decade)
 
 
@@ -37,43 +37,44 @@ def ticks(low: float, high: float, step: float) -> list[float]:
 def spread(
     centres: Sequence[float], widths: Sequence[float], low: float, high: float, gap: float
 ) -> list[float] | None:
-    """Move labels so that no label covers its neighbour.
+    """Move labels apart so that they do not overlap.
 
-    `centres` rise. Returns the new centres, within `low` to `high`, or `None` if space is short.
+    `centres` must be sorted. Returns new centres between `low` and `high`, or `None` if the space
+    is too small.
     """
     space = high - low - sum(widths) - gap * max(0, len(widths) - 1)
     if space < 0:
         return None
-    # Centres of labels that touch, from `low` on. The distances to them must never fall.
-    touching = [low + sum(widths[:n]) + gap * n + width / 2 for n, width in enumerate(widths)]
-    wanted = [min(max(at - least, 0), space) for at, least in zip(centres, touching, strict=True)]
-    rising = accumulate(wanted, max)
-    falling = reversed([*accumulate(reversed(wanted), min)])
-    pairs = zip(touching, rising, falling, strict=True)
-    return [least + (before + after) / 2 for least, before, after in pairs]
+    # Labels without space between them. Their shifts upwards must not decrease.
+    packed = [low + sum(widths[:n]) + gap * n + width / 2 for n, width in enumerate(widths)]
+    shifts = [min(max(at - lowest, 0), space) for at, lowest in zip(centres, packed, strict=True)]
+    from_below = accumulate(shifts, max)
+    from_above = reversed([*accumulate(reversed(shifts), min)])
+    pairs = zip(packed, from_below, from_above, strict=True)
+    return [lowest + (below + above) / 2 for lowest, below, above in pairs]
 
 
 class ValueAxis:
-    """Axis for one unit. It grows at once, but shrinks only well below a step.
+    """Axis for one unit, always with 0. It grows at once but shrinks late.
 
-    It contains 0, without which currents and speeds mean little. Its ends are 1, 2 or 5 times a
-    power of ten. An axis of plain counts ends at -127 and 127 while they fit.
+    Its ends are 1, 2 or 5 times a power of ten. An axis of plain counts reaches from -127 to 127,
+    unless values exceed this range.
     """
 
     def __init__(self, unit: str, top: float | None = None) -> None:
-        """Reach from 0 to `top`, or without it as far as the values."""
+        """`top`: fixed upper end, by default that of the values."""
         self.unit = unit
         self._top = top
         self._low, self._high = 0.0, top or _SMALLEST_END
-        self._largest = top or 0.0  # magnitude of the values
+        self._largest = top or 0.0  # largest magnitude of the values
 
     def fit(self, extremes: Sequence[tuple[float, float]]) -> None:
-        """Fit pairs of lowest and highest values. Without pairs the axis does not change."""
+        """Fit pairs of lowest and highest values. Without pairs, change nothing."""
         if extremes and self._top is None:
             self._high = _fitted_end(self._high, max(high for _, high in extremes))
             lowest = min(low for low, _ in extremes)
             self._largest = max(-lowest, *(high for _, high in extremes))
-            self._low = 0.0 - _fitted_end(-self._low, -lowest)  # not -0
+            self._low = 0.0 - _fitted_end(-self._low, -lowest)  # avoids -0
             if self._high == self._low == 0:
                 self._high = _SMALLEST_END
 
@@ -83,28 +84,28 @@ class ValueAxis:
 
     @property
     def ends(self) -> tuple[float, float]:
-        """The values at the bottom and the top, without the margin."""
+        """Lowest and highest value, without a margin."""
         return (-FULL_COUNTS, FULL_COUNTS) if self._is_fixed else (self._low, self._high)
 
     @property
     def reach(self) -> tuple[float, float]:
-        """Values at the edges of the plot. A margin keeps lines at the ends visible."""
+        """Values at the edges of the plot, beyond `ends`."""
         low, high = self.ends
         margin = (high - low) * 0.012
         return low - margin, high + margin
 
-    def labels(self, most: int) -> Labels:
-        """Label up to `most` (or six) round values, or the ends. The last label has the unit."""
+    def labels(self, limit: int) -> Labels:
+        """Return up to `limit` (or six) round values, or the ends. The last label has the unit."""
         low, high = self.ends
-        if most < 5 and (most < 2 or self._is_fixed):
+        if limit < 5 and (limit < 2 or self._is_fixed):
             return value_labels([low, high], self.unit)
         if self._is_fixed:
             return count_labels()
-        step = round_up((high - low) / (min(most, 6) - 0.5))
+        step = round_up((high - low) / (min(limit, 6) - 0.5))
         return value_labels(ticks(low, high, step), self.unit)
 
-    def onto(self, other: "ValueAxis", value: float) -> float:
-        """Return the value of another axis, of the same height, beside a value of this axis."""
+    def map_to(self, other: "ValueAxis", value: float) -> float:
+        """Return the value of another axis at the height of `value`."""
         (low, high), (bottom, top) = self.reach, other.reach
         return bottom + (value - low) / (high - low) * (top - bottom)
 
@@ -118,7 +119,7 @@ def _fitted_end(current: float, needed: float) -> float:
 
 
 def count_labels() -> Labels:
-    """Label speeds and remapped channels, -127 to 127."""
+    """Return labels for speeds and remapped channels, -127 to 127."""
     return value_labels([-FULL_COUNTS, -64.0, 0.0, 64.0, FULL_COUNTS], "")
 
 
@@ -143,19 +144,19 @@ def duration_text(seconds: float) -> str:
 
 
 def ago_labels(length: float) -> Labels:
-    """Return labels for the last seconds, counted from the right edge: `30 s` ... `now`."""
+    """Return labels for the last `length` seconds: `30 s` ... `now`."""
     marks = ticks(-length, 0, time_step(length))
     return [(x, tr("now") if abs(x) < 1e-9 else duration_text(-x)) for x in marks]
 
 
 def since_labels(start: float, end: float) -> Labels:
-    """Return labels for times counted from the origin, `1:30`. Their x counts from `end`."""
+    """Return labels for times since the origin, such as `1:30`. x is relative to `end`."""
     step = time_step(end - start)
     return [(time - end, clock_text(time, step)) for time in ticks(start, end, step)]
 
 
 def clock_text(seconds: float, step: float = 0.001) -> str:
-    """Return seconds since the origin as `1:02:03.4`, with the decimals that `step` needs."""
+    """Format seconds as `1:02:03.4`, with the decimals that `step` needs."""
     digits = 0 if step >= 1 else max(0, math.ceil(-math.log10(step) - 1e-9))
     sign = MINUS if seconds < 0 else ""
     whole, part = divmod(round(abs(seconds) * 10**digits), 10**digits)
@@ -166,7 +167,7 @@ def clock_text(seconds: float, step: float = 0.001) -> str:
 
 
 class Span:
-    """A part of the time axis, in seconds. While `live` it follows the newest sample."""
+    """Visible part of the time axis, in seconds. A live span follows the newest sample."""
 
     def __init__(self, length: float = 30.0) -> None:
         self.length = self._live_length = length
@@ -185,48 +186,48 @@ class Span:
         self._oldest, self._newest = oldest, newest
 
     def set_length(self, seconds: float) -> None:
-        """Show this many seconds. The right edge does not move."""
+        """Set the length. The right edge does not move."""
         self.length = min(max(seconds, MIN_SPAN), MAX_SPAN)
 
     def select_length(self, seconds: float) -> None:
-        """Show this many seconds, also when live again."""
+        """Set the length, also for the next live view."""
         self.set_length(seconds)
         self._live_length = self.length
 
-    def hold(self) -> None:
+    def freeze(self) -> None:
         if self.live:
             self._end, self._live_length, self.live = self._newest, self.length, False
 
     def go_live(self) -> None:
-        """Follow the newest sample again, at the previous live zoom."""
+        """Follow the newest sample, with the length of the last live view."""
         if not self.live:
             self.length, self.live = self._live_length, True
 
     def show(self, start: float, end: float) -> None:
-        """Show from one time to another, in either order, and stay there."""
-        self.hold()
+        """Freeze the view at two times, in either order."""
+        self.freeze()
         middle = (start + end) / 2
         self.set_length(abs(end - start))
         self._end = middle + self.length / 2
 
     def zoom(self, factor: float, around: float) -> None:
-        """Show `factor` times as much. `around` keeps its place on the screen.
+        """Multiply the length. The time `around` does not move on the screen.
 
-        While live the right edge remains the newest sample.
+        The right edge of a live span does not move.
         """
         share = (self.end - around) / self.length
         self.set_length(self.length * factor)
         if not self.live:
             self._end = around + share * self.length
-            self._fit_in_reach()
+            self._limit_end()
 
     def pan(self, seconds: float) -> None:
-        """Move to later times, or to earlier times if `seconds` is negative, and stay there."""
-        self.hold()
+        """Freeze the view and move it to later or, if negative, earlier times."""
+        self.freeze()
         self._end += seconds
-        self._fit_in_reach()
+        self._limit_end()
 
-    def _fit_in_reach(self) -> None:
-        """Keep samples in at least a tenth of the plot."""
+    def _limit_end(self) -> None:
+        # At least a tenth of the plot shows samples.
         part = self.length / 10
         self._end = max(self._oldest + part, min(self._end, self._newest + self.length - part))

@@ -1,7 +1,6 @@
-"""A plot in the theme's colours: axes, grid, curves, straight lines, bands, and the mouse.
+"""Plot area in the theme's colours: axes, grid, shapes and mouse events.
 
-Only this module imports pyqtgraph, which takes as long as importing all of Qt. Import it when
-a plot is needed.
+Only this module imports pyqtgraph, which takes as long to load as Qt. Import it lazily.
 """
 
 from typing import Any, TypeVar
@@ -18,15 +17,15 @@ from trex_gui.ui.widgets.behaviour import strokes
 from trex_gui.ui.widgets.builders import column
 from trex_gui.ui.widgets.painted import never_mirror
 
-_LABEL_MARGIN = 60  # pixels that a label may extend beyond the end of its axis
-_ZOOM = 0.8  # part of the span that is shown after one notch of the wheel
+_LABEL_MARGIN = 60  # pixels by which a label may exceed its axis
+_ZOOM = 0.8  # factor per notch of the mouse wheel
 
 
-pg.setConfigOption("mouseRateLimit", -1)  # otherwise fast mouse moves are dropped
+pg.setConfigOption("mouseRateLimit", -1)  # otherwise pyqtgraph drops fast mouse moves
 
 
 class _Shape:
-    """An item of the plot in a named colour of the theme."""
+    """Item of the plot in a named colour of the theme."""
 
     def __init__(self, item: Any, color: str, pen: QPen) -> None:  # pyqtgraph has no types
         self.item = item
@@ -47,7 +46,7 @@ class _Shape:
 
 class Curve(_Shape):
     def set_points(self, x: Floats, y: Floats, *, gaps: bool = False) -> None:
-        """Set the points. With `gaps`, NaN interrupts the line."""
+        """Set the points. With `gaps`, NaN interrupts the curve."""
         self.item.setData(x, y, connect="finite" if gaps else "all", skipFiniteCheck=not gaps)
 
 
@@ -58,7 +57,7 @@ class _ThinCurve(pg.PlotCurveItem):  # type: ignore[misc] # pyqtgraph has no typ
 
 
 class Line(_Shape):
-    """A straight line across the plot, at a value of one axis."""
+    """Straight line across the plot."""
 
     def set_value(self, value: float | None) -> None:
         self.item.setVisible(value is not None)
@@ -67,7 +66,7 @@ class Line(_Shape):
 
 
 class Band(_Shape):
-    """A filled range of the x axis."""
+    """Filled range of the x axis."""
 
     def set_range(self, ends: tuple[float, float] | None) -> None:
         self.item.setVisible(ends is not None)
@@ -82,7 +81,7 @@ ShapeT = TypeVar("ShapeT", bound=_Shape)
 
 
 class _MouseBox(pg.ViewBox):  # type: ignore[misc] # pyqtgraph has no types
-    """Reports the mouse to its canvas."""
+    """Emits the mouse signals of its canvas."""
 
     canvas: "PlotCanvas"
 
@@ -126,20 +125,20 @@ class _MouseBox(pg.ViewBox):  # type: ignore[misc] # pyqtgraph has no types
 
 
 class PlotCanvas(QWidget):
-    """A plot with fixed axes. Pixels count from the left of its `viewport`."""
+    """Plot with axes that the caller sets. Pixels count from the left of `viewport`."""
 
-    arranged = Signal()  # the size of the plot or the range of its axes changed
-    hovered = Signal(float)  # the mouse is at this pixel
+    arranged = Signal()  # the size of the plot or the range of an axis has changed
+    hovered = Signal(float)  # pixel of the mouse
     unhovered = Signal()
-    clicked = Signal(float)  # with the left button, at this pixel
-    selected = Signal(float, float)  # a span was dragged, from one pixel to another
-    zoomed = Signal(float, float)  # show this multiple of the span, around this pixel
-    panned = Signal(float)  # the content was dragged this many pixels to the right
+    clicked = Signal(float)  # pixel of a left click
+    selected = Signal(float, float)  # first and last pixel of a dragged span
+    zoomed = Signal(float, float)  # factor for the span, and pixel that must not move
+    panned = Signal(float)  # pixels to the right
 
     def __init__(
         self, name: str, parent: QWidget | None = None, *, is_navigable: bool = False
     ) -> None:
-        """`name` is for screen readers. Only a navigable plot handles drags and the wheel."""
+        """`name`: for screen readers. A navigable plot handles drags and the mouse wheel."""
         super().__init__(parent)
         self.is_navigable = is_navigable
         self._box = _MouseBox(enableMouse=False, enableMenu=False, defaultPadding=0)
@@ -155,11 +154,11 @@ class PlotCanvas(QWidget):
         self._plot.hideButtons()
         self._plot.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._plot.setFrameShape(self._plot.Shape.NoFrame)
-        # A cached background may have the colour of the previous scheme.
+        # A cached background could have the colour of the previous scheme.
         self._plot.setCacheMode(self._plot.CacheModeFlag.CacheNone)
         self._plot.setMinimumSize(120, 40)
         self._axes = {side: self._plot.getAxis(side) for side in ("left", "bottom", "right")}
-        # As one path, the grid costs a hundredth of pyqtgraph's own grid.
+        # Drawing the grid as one path takes 1 % of the time of pyqtgraph's grid.
         self._grid = QGraphicsPathItem()
         self._grid.setZValue(-10)
         self.add_item(self._grid)
@@ -180,10 +179,10 @@ class PlotCanvas(QWidget):
     def add_curve(
         self, color: str, width: float = 1, style: Qt.PenStyle = Qt.PenStyle.SolidLine
     ) -> Curve:
-        """Add a line through points. With a width of 1 it is not smoothed and costs least."""
+        """Add a line through points. A width of 1 is fastest, without antialiasing."""
         kind = pg.PlotCurveItem if width > 1 else _ThinCurve
         item = kind(antialias=width > 1, skipFiniteCheck=True)
-        item.setSegmentedLineMode("off")  # segments would break dashes
+        item.setSegmentedLineMode("off")  # segments would interrupt the dashes
         ratio = self.devicePixelRatioF()
         pen = _pen(width * ratio if width > 1 else 1, style)
         if width <= 1 and style is not Qt.PenStyle.SolidLine:
@@ -193,14 +192,14 @@ class PlotCanvas(QWidget):
     def add_line(
         self, color: str, style: Qt.PenStyle = Qt.PenStyle.SolidLine, *, vertical: bool = False
     ) -> Line:
-        """Add a straight line across the plot, hidden until it has a value."""
+        """Add a straight line. It is hidden until it has a value."""
         item = pg.InfiniteLine(angle=90 if vertical else 0)
         item.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
         item.hide()
         return self._add(Line(item, color, _pen(self.devicePixelRatioF(), style)))
 
     def add_band(self, color: str) -> Band:
-        """Add a filled range below everything else, hidden until it has ends."""
+        """Add a filled range below all other items. It is hidden until it has ends."""
         item = pg.LinearRegionItem(movable=False, pen=QPen(Qt.PenStyle.NoPen))
         item.setZValue(-20)
         item.hide()
@@ -236,7 +235,7 @@ class PlotCanvas(QWidget):
         self.arranged.emit()
 
     def set_right_axis(self, labels: Labels) -> None:
-        """Label values of the left axis at the right. Without labels the right axis is hidden."""
+        """Label values of the left axis on the right. Without labels, hide the right axis."""
         axis = self._axes["right"]
         if bool(labels) != self._has_right_axis:
             self._has_right_axis = bool(labels)
@@ -250,12 +249,12 @@ class PlotCanvas(QWidget):
 
     @property
     def right_edge(self) -> float:
-        """Pixel where the right axis ends, or the plot if there is no right axis."""
+        """Right end of the right axis or, without it, of the plot, in pixels."""
         width = float(self._axes["right"].width()) if self._has_right_axis else 0.0
         return self.frame.right() + width
 
     def set_margins(self, *, left: str, top: int, right: int, x_axis: bool) -> None:
-        """Reserve space for the text `left`, and `top` and `right` pixels."""
+        """Set the margins. `left`: widest label. `top`, `right`: pixels."""
         metrics = QFontMetrics(self.small_font())
         self._axes["left"].setWidth(metrics.horizontalAdvance(left) + 10)
         bottom = self._axes["bottom"]
@@ -300,7 +299,7 @@ class PlotCanvas(QWidget):
         grid.setCosmetic(True)
         self._grid.setPen(grid)
         for axis in self._axes.values():
-            axis.setPen(QPen(Qt.PenStyle.NoPen))  # the frame is the border of the box
+            axis.setPen(QPen(Qt.PenStyle.NoPen))  # the border of the box is the frame
             axis.setTickPen(QPen(color("plot_frame"), 1))
             axis.setTextPen(QPen(color("plot_text"), 1))
         for shape in self._shapes:
@@ -313,7 +312,7 @@ class PlotCanvas(QWidget):
 
 
 def _pen(pixels: float, style: Qt.PenStyle) -> QPen:
-    # The width of a cosmetic pen is in pixels of the screen, whatever the axes show.
+    # A cosmetic pen has a width in screen pixels at any scale of the axes.
     pen = QPen(Qt.GlobalColor.black, pixels, style)
     pen.setCosmetic(True)
     return pen

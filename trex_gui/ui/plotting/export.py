@@ -1,7 +1,4 @@
-"""Export of a plot: its visible or all samples as CSV, or a picture.
-
-Importing it loads pyqtgraph: import it when a plot is needed.
-"""
+"""Export of a plot as CSV or as a picture. Loads pyqtgraph: import it lazily."""
 
 import csv
 import math
@@ -37,17 +34,17 @@ from trex_gui.ui.workers.file_worker import ProgressCallback
 _LIGHT = "export/light_background"
 
 SIZE = QSize(1200, 700)
-_SCALE = 2  # pixels of a PNG for each unit of `SIZE`: sharp on paper and on fine screens
-_CHUNK = 2000  # rows of CSV between two progress reports
+_SCALE = 2  # pixels of a PNG per unit of `SIZE`, for print and high-resolution screens
+_CHUNK = 2000  # rows of CSV between two reports of progress
 _LEFT = 70
 _FONT_PIXELS = 15
 _HEADING_HEIGHT = 26
 _LINE_WIDTH = 1.3
-_PLACE = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+_ALIGNMENT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
 
 class ExportButton(QToolButton):
-    """Opens a menu of formats, prompts for a file and exports the plot."""
+    """Button with a menu of formats. Prompts for a file and exports the plot."""
 
     def __init__(
         self,
@@ -58,10 +55,10 @@ class ExportButton(QToolButton):
         name: str = "currents",
         tables: bool = True,
     ) -> None:
-        """Propose files called `name`. Without `tables`, offer pictures only.
+        """`name`: proposed file name. `tables`: offer CSV too.
 
-        A plot with tables is live: date and time are added to the proposed file name and to the
-        heading of a picture.
+        With tables the plot is live, so the proposed name and the heading of a picture include
+        date and time.
         """
         super().__init__(parent)
         self.setObjectName("exportButton" if tables else "pictureButton")
@@ -124,7 +121,8 @@ class ExportButton(QToolButton):
         write = partial(
             write_csv,
             heads=[(trace.name, trace.unit) for trace in source.traces],
-            # Copies, because the history changes. A million rows take 0.1 to 0.3 s.
+            # The history may change while the copies are written. Copying a million rows
+            # takes 0.1 to 0.3 s.
             columns=[column.copy() for column in (times, *values)],
             events=[(event.time, event.text) for event in source.events_between(start, end)],
             origin=self._plot.origin if self._plot.origin is not None else source.span[0],
@@ -164,12 +162,18 @@ def write_csv(
     events: Sequence[tuple[float, str]] = (),
     origin: float = 0.0,
 ) -> int:
-    """Write curves as CSV (RFC 4180), a row for each sample. Return the number of samples.
+    """Write curves as CSV (RFC 4180). Return the number of samples.
 
-    The first column is the time in seconds since `origin`. Each curve has a column, headed by its
-    name and its unit in brackets. The last column has the events, in the row of the first sample
-    at or after each event. Unknown values are empty. `columns`: rising times, then the values of
-    each curve. `heads`: names and units. `events`: times and texts, in order of time.
+    Columns: time in seconds since `origin`, a value for each curve, and events. An event is in
+    the row of the first sample at or after its time. Unknown values are empty.
+
+    Args:
+        file: the open file.
+        progress: receives the completed share, 0 to 1.
+        heads: name and unit of each curve.
+        columns: ascending times, then the values of each curve.
+        events: times and texts, in order of time.
+        origin: time of zero seconds.
     """
     writer = csv.writer(file)
     names = [f"{name} ({unit})" if unit else name for name, unit in heads]
@@ -199,13 +203,13 @@ def _paint_heading(painter: QPainter, heading: str) -> None:
     font.setBold(True)
     painter.setFont(font)
     painter.setPen(theme().color("text"))
-    painter.drawText(QRectF(_LEFT, 0, SIZE.width() - _LEFT, _HEADING_HEIGHT), _PLACE, heading)
+    painter.drawText(QRectF(_LEFT, 0, SIZE.width() - _LEFT, _HEADING_HEIGHT), _ALIGNMENT, heading)
 
 
 def draw_picture(
     plot: TracePlot, scheme: str, heading: str, *, as_svg: bool = False
 ) -> QImage | bytes:
-    """Return what a plot shows as an image, or as the content of an SVG file."""
+    """Draw the visible part of a plot as an image or as the content of an SVG file."""
     with theme().painted_as(scheme):
         if not as_svg:
             image = QImage(SIZE * _SCALE, QImage.Format.Format_RGB32)
@@ -247,7 +251,7 @@ def _paint(painter: QPainter, plot: TracePlot, heading: str, line_width: float) 
     copy.shown = set(plot.shown)
     copy.origin = plot.origin
     copy.peaks_since = plot.peaks_since
-    copy.grab()  # lays it out
+    copy.grab()  # computes the layout
     copy.show_span(plot.span.start, plot.span.end)
     copy.render(painter, QPoint(10, _HEADING_HEIGHT), QRegion(), QWidget.RenderFlag.DrawChildren)
     copy.deleteLater()
@@ -257,9 +261,9 @@ def _paint(painter: QPainter, plot: TracePlot, heading: str, line_width: float) 
         painter.setPen(QPen(theme().color(trace.color), 2, style))
         painter.drawLine(_LEFT, int(y + line / 2), _LEFT + 30, int(y + line / 2))
         painter.setPen(theme().color("text"))
-        painter.drawText(QRectF(_LEFT + 40, y, 180, line), _PLACE, trace.label)
+        painter.drawText(QRectF(_LEFT + 40, y, 180, line), _ALIGNMENT, trace.label)
         figures = _figures(source, trace, plot.span.start, plot.span.end)
-        painter.drawText(QRectF(_LEFT + 220, y, 900, line), _PLACE, figures)
+        painter.drawText(QRectF(_LEFT + 220, y, 900, line), _ALIGNMENT, figures)
 
 
 def _figures(source: Traces, trace: TraceInfo, start: float, end: float) -> str:

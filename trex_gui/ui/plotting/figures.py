@@ -1,4 +1,4 @@
-"""Table of the curves of a plot, which is its legend, and list of its events."""
+"""Table of curves, which is the legend of a plot, and list of events."""
 
 import math
 from enum import IntEnum, auto
@@ -33,10 +33,10 @@ Index = QModelIndex | QPersistentModelIndex
 
 _RIGHT = int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 
-_PADDING = 8  # pixels around the text of a cell, as the style paints it
-_ROW_ROOM = 6  # pixels beyond the height of a line
-_MAX_EVENTS = 1000  # newest events that are listed
-_MIN_EVENT_WIDTH = 24  # least number of visible characters of an event
+_PADDING = 8  # pixels around the text of a cell in the Fusion style
+_ROW_PADDING = 6  # pixels added to the height of a line
+_MAX_EVENTS = 1000  # number of listed events
+_MIN_EVENT_WIDTH = 24  # visible characters of an event
 
 
 class TraceColumn(IntEnum):
@@ -53,7 +53,7 @@ class TraceColumn(IntEnum):
     LOW = auto()
 
 
-_STATISTICS = {  # fields of `Statistics`
+_STATISTICS = {  # columns with a field of `Statistics`
     TraceColumn.PEAK: "high",
     TraceColumn.MEAN: "mean",
     TraceColumn.RMS: "rms",
@@ -63,7 +63,7 @@ _WIDEST = {TraceColumn.NOW: f"{WARNING_SIGN} 00.00 A", TraceColumn.CHARGE: "000.
 
 
 class TraceTable(QAbstractTableModel):
-    """A row for each curve of a plot. Checking a row draws the curve."""
+    """One row per curve of a plot. The user checks the curves to draw."""
 
     def __init__(self, plot: TracePlot, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -76,13 +76,16 @@ class TraceTable(QAbstractTableModel):
             (tr("Now"), tr("Newest value; ⚠ means 80 % of the limit or more")),
             (tr("Peak"), visible),
             (tr("Mean"), visible),
-            (tr("RMS"), tr("Root mean square in the visible span: what heats wires")),
+            (
+                tr("RMS"),
+                tr("Root mean square in the visible span; determines the heat in wires"),
+            ),
             (tr("Charge"), tr("Current times time in the visible span, without gaps")),
             (tr("Limit"), ""),
             (tr("Cursor"), ""),
             (
                 tr("To mark"),
-                tr("From the mark to the cursor; click into the plot or press M to set it"),
+                tr("From the mark to the cursor; click the plot or press M to set the mark"),
             ),
             (tr("Held"), tr("Highest value since Hold peaks was switched on")),
             (tr("Low"), visible),
@@ -193,8 +196,8 @@ class TraceTable(QAbstractTableModel):
         if value is None:
             return ""
         text = value_text(value, unit, mean=column in {TraceColumn.MEAN, TraceColumn.RMS})
-        near = self._limit_state(trace, column) is not LimitState.BELOW
-        return f"{WARNING_SIGN} {text}" if near else text
+        is_below = self._limit_state(trace, column) is LimitState.BELOW
+        return text if is_below else f"{WARNING_SIGN} {text}"
 
     def _limit_state(self, trace: TraceInfo, column: TraceColumn) -> LimitState:
         source = self._plot.source
@@ -243,22 +246,22 @@ def swatch(color: QColor, size: QSize, *, dotted: bool = False) -> QPixmap:
 
 
 class TraceTableView(QTableView):
-    """Table below a plot, as high as four curves. More curves scroll."""
+    """Table below a plot. It shows four curves at a time."""
 
     def __init__(self, model: TraceTable, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         flat_table(self, "traceTable", tr("Curves and their figures"))
-        set_row_height(self, _ROW_ROOM)
+        set_row_height(self, _ROW_PADDING)
         self._table = model
         self.setModel(model)
         header = self.horizontalHeader()
         header.setSectionResizeMode(TraceColumn.CURVE, QHeaderView.ResizeMode.ResizeToContents)
-        follow_theme(self, "room", self._update_space)
+        follow_theme(self, "room", self._update_sizes)
         self.show_needed_columns()
 
-    def _update_space(self) -> None:
-        self._row = self.fontMetrics().height() + _ROW_ROOM
-        self.verticalHeader().setMinimumSectionSize(self._row)
+    def _update_sizes(self) -> None:
+        self._row_height = self.fontMetrics().height() + _ROW_PADDING
+        self.verticalHeader().setMinimumSectionSize(self._row_height)
         header = self.horizontalHeader()
         for column in TraceColumn:
             widest = _WIDEST.get(column, f"{MINUS}00.00 A")
@@ -271,25 +274,25 @@ class TraceTableView(QTableView):
                 self.setColumnHidden(column, not self._table.is_needed(column))
 
     def sizeHintForColumn(self, column: int) -> int:
-        """Add to Qt's hint, which assumes smaller check boxes than the style paints."""
+        # Qt's hint assumes smaller check boxes.
         return super().sizeHintForColumn(column) + _PADDING
 
     def _height_of(self, rows: float) -> int:
-        return self.horizontalHeader().sizeHint().height() + round(rows * self._row)
+        return self.horizontalHeader().sizeHint().height() + round(rows * self._row_height)
 
     def sizeHint(self) -> QSize:
         width = self.horizontalHeader().length() + self.verticalScrollBar().sizeHint().width()
-        # Half a row shows that there are more rows.
+        # Half a row indicates further rows below.
         return QSize(width + 2 * self.frameWidth() + 2, self._height_of(4.5))
 
     def minimumSizeHint(self) -> QSize:
-        return QSize(self._row * 8, self._height_of(2.5))
+        return QSize(self._row_height * 8, self._height_of(2.5))
 
 
 class EventList(QListWidget):
-    """A line for each event of a plot: its time since the origin of the plot, and its text."""
+    """Events of a plot, with times since the origin of the plot."""
 
-    chosen = Signal(object)  # the `Event` to show
+    chosen = Signal(object)  # the chosen `Event`
 
     def __init__(self, plot: TracePlot, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -332,11 +335,12 @@ class EventList(QListWidget):
         self.clear()
         for event in self._events:
             dot = swatch(theme().color(EVENT_LOOKS[event.kind][0]), QSize(8, 8))
-            elapsed = max(0.0, event.time - (self._origin or 0.0))  # opened before sampling
+            # The connection was opened before the first sample.
+            elapsed = max(0.0, event.time - (self._origin or 0.0))
             text = f"{clock_text(elapsed)}  {event.text}"
             item = QListWidgetItem(QIcon(dot), text, self)
             item.setToolTip(plain(event.text))
-            item.setSizeHint(QSize(1, self.fontMetrics().height() + 4))  # a long text is elided
+            item.setSizeHint(QSize(1, self.fontMetrics().height() + 4))  # elides long texts
 
     def set_placeholder(self, text: str) -> None:
         self._placeholder = text
@@ -349,8 +353,8 @@ class EventList(QListWidget):
             paint_placeholder(self, self._placeholder, short=tr("No events"))
 
     def _describe(self) -> None:
-        shown = tr("Choosing one shows its place in the plot.")
-        self.setAccessibleDescription(shown if self._events else self._placeholder)
+        hint = tr("Select an event to show it in the plot.")
+        self.setAccessibleDescription(hint if self._events else self._placeholder)
 
     def select(self, event: Event) -> None:
         if event in self._events:

@@ -1,7 +1,7 @@
-"""Many rows of samples in bounded memory. Any span is drawn and summarized fast.
+"""Sample history in bounded memory, with fast plots and statistics of any span.
 
-A plot of an hour needs the extremes of some hundred spans of samples. `SampleColumn` saves the
-extremes of blocks of rows, so that a million samples cost as much as some ten thousand.
+`SampleColumn` stores the extremes of blocks of rows. With them, a plot of a million samples
+takes as long as one of ten thousand.
 """
 
 import itertools
@@ -17,22 +17,22 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.floating[Any]]
 
-Points = tuple[Floats, Floats]  # times and values; NaN interrupts the line
-CAPACITY = 1_000_000  # rows kept
-MAX_GAP = 0.5  # seconds without a sample that interrupt a curve: 40 samples of currents
-_FIRST_ROOM = 4096
+Points = tuple[Floats, Floats]  # times and values; NaN interrupts the curve
+CAPACITY = 1_000_000  # rows
+MAX_GAP = 0.5  # seconds, or 40 samples of currents; a longer gap interrupts a curve
+_INITIAL_ROWS = 4096
 
-_MAX_GAPS_DRAWN = 200  # gaps drawn in one plot: the longest
-BLOCK = 64  # rows in one summary
+_MAX_GAPS_DRAWN = 200  # only the longest gaps of a span are drawn
+BLOCK = 64  # rows per summary
 _STEPS = 16  # parts of the capacity; one part is dropped at a time
 
 
 class SampleColumn:
-    """Values of one column, and summaries of whole blocks of values.
+    """Values of one column, and a summary of each complete block.
 
-    Extremes skip NaN, unless a block has nothing else. Integrals use the trapezoidal rule: the
-    interval before a row belongs to the row, and adds nothing if it is longer than `max_gap`
-    seconds or has NaN at one end.
+    Extremes ignore NaN, except in a block of NaN only. Integrals use the trapezoidal rule. The
+    interval before a row belongs to the row. It counts as zero if it is longer than `max_gap`
+    seconds or if one of its values is NaN.
     """
 
     def __init__(self, kind: str, max_gap: float) -> None:
@@ -43,107 +43,109 @@ class SampleColumn:
         self._integrals: Floats = np.empty((3, 0))  # seconds, integral, integral of squares
 
     def resize(self, rows: int, size: int) -> None:
-        """Reserve space for `rows` rows, of which the first `size` are in use."""
+        """Allocate `rows` rows. Copy the first `size` rows."""
         self.values = _resized(self.values, rows, size)
         self._extremes = _resized(self._extremes, rows // BLOCK, self._blocks)
         self._integrals = _resized(self._integrals, rows // BLOCK, self._blocks)
 
     def summarize(self, times: Floats, size: int) -> None:
-        """Summarize new whole blocks of rows up to `size`. No row is read twice."""
+        """Summarize the new complete blocks of `size` rows."""
         first, stop = self._blocks, size // BLOCK
         if first == stop:
             return
-        begin, end = first * BLOCK, stop * BLOCK
-        values = self.values[begin:end].reshape(-1, BLOCK)
+        start, end = first * BLOCK, stop * BLOCK
+        values = self.values[start:end].reshape(-1, BLOCK)
         for reduce, summary in zip((np.fmin, np.fmax), self._extremes, strict=True):
             reduce.reduce(values, axis=1, out=summary[first:stop])
-        added = self._intervals(times, begin, end).reshape(3, -1, BLOCK)
+        added = self._intervals(times, start, end).reshape(3, -1, BLOCK)
         np.add.reduce(added, axis=2, out=self._integrals[:, first:stop])
         self._blocks = stop
 
     def drop(self, rows: int, left: int) -> None:
-        """Drop the first `rows` rows, a number of whole blocks. `left` rows remain."""
+        """Drop the first `rows` rows, a multiple of `BLOCK`. `left` rows remain."""
         self.values[:left] = self.values[rows : rows + left].copy()
-        gone, blocks = rows // BLOCK, self._blocks
-        self._blocks -= gone
+        dropped, blocks = rows // BLOCK, self._blocks
+        self._blocks -= dropped
         for summaries in (self._extremes, self._integrals):
-            summaries[:, : self._blocks] = summaries[:, gone:blocks].copy()
+            summaries[:, : self._blocks] = summaries[:, dropped:blocks].copy()
 
     def extremes(
         self, first: int, stop: int, least: int
     ) -> tuple[NDArray[np.intp], Floats, Floats]:
-        """Return the starts of the parts of rows `first` to `stop`, and their extremes.
+        """Split rows `first` to `stop` into parts. Return their first rows and extremes.
 
-        Parts are blocks, with single rows at the ends. Below `least` blocks all are single rows.
+        A part is a block, or a single row at the ends. With fewer than `least` blocks, all parts
+        are single rows.
         """
-        begin, end = self._whole_blocks(first, stop)
-        if end - begin < least * BLOCK:
-            begin = end = stop
-        ends = np.arange(first, begin), np.arange(end, stop)
-        starts = np.concatenate([ends[0], np.arange(begin, end, BLOCK), ends[1]])
-        before, after = self.values[first:begin], self.values[end:stop]
-        blocks = self._extremes[:, begin // BLOCK : end // BLOCK]
+        start, end = self._complete_blocks(first, stop)
+        if end - start < least * BLOCK:
+            start = end = stop
+        ends = np.arange(first, start), np.arange(end, stop)
+        starts = np.concatenate([ends[0], np.arange(start, end, BLOCK), ends[1]])
+        before, after = self.values[first:start], self.values[end:stop]
+        blocks = self._extremes[:, start // BLOCK : end // BLOCK]
         low, high = (np.concatenate([before, each, after]) for each in blocks)
         return starts, low, high
 
     def integrals(self, times: Floats, first: int, stop: int) -> tuple[float, float, float]:
-        """Return seconds, integral and integral of squares between rows `first` and `stop` - 1."""
-        begin, end = self._whole_blocks(first + 1, stop)
-        total = self._integrals[:, begin // BLOCK : end // BLOCK].sum(axis=1)
-        for part in ((first + 1, begin), (end, stop)):
+        """Return seconds, integral and integral of squares of rows `first` to `stop`."""
+        start, end = self._complete_blocks(first + 1, stop)
+        total = self._integrals[:, start // BLOCK : end // BLOCK].sum(axis=1)
+        for part in ((first + 1, start), (end, stop)):
             total += self._intervals(times, *part).sum(axis=1)
         seconds, integral, squares = total.tolist()
         return seconds, integral, squares
 
-    def _whole_blocks(self, first: int, stop: int) -> tuple[int, int]:
-        """Return the rows at which summarized blocks within `first` to `stop` begin and end."""
-        begin, end = -(-first // BLOCK) * BLOCK, min(stop // BLOCK, self._blocks) * BLOCK
-        return (begin, end) if begin < end else (stop, stop)
+    def _complete_blocks(self, first: int, stop: int) -> tuple[int, int]:
+        """Return the range of rows in summarized blocks from `first` to `stop`."""
+        start, end = -(-first // BLOCK) * BLOCK, min(stop // BLOCK, self._blocks) * BLOCK
+        return (start, end) if start < end else (stop, stop)
 
     def _intervals(self, times: Floats, first: int, stop: int) -> Floats:
-        """Return the contributions of the interval before each row: (integrals, rows)."""
-        added = np.zeros((3, stop - first))
-        begin = max(first, 1)  # there is no interval before row 0
-        values = self.values[begin - 1 : stop].astype(np.float64)
+        """Return the integrals of the interval before each row, with shape (3, rows)."""
+        integrals = np.zeros((3, stop - first))
+        start = max(first, 1)  # row 0 has no interval
+        values = self.values[start - 1 : stop].astype(np.float64)
         before, after = values[:-1], values[1:]
-        width = times[begin:stop] - times[begin - 1 : stop - 1]
-        counts = np.isfinite(after) & np.isfinite(before) & (width <= self._max_gap)
-        part = added[:, begin - first :]
-        np.copyto(part[0], width, where=counts)
-        np.copyto(part[1], (before + after) / 2 * width, where=counts)
-        np.copyto(part[2], (before * before + after * after) / 2 * width, where=counts)
-        return added
+        width = times[start:stop] - times[start - 1 : stop - 1]
+        is_valid = np.isfinite(after) & np.isfinite(before) & (width <= self._max_gap)
+        part = integrals[:, start - first :]
+        np.copyto(part[0], width, where=is_valid)
+        np.copyto(part[1], (before + after) / 2 * width, where=is_valid)
+        np.copyto(part[2], (before * before + after * after) / 2 * width, where=is_valid)
+        return integrals
 
 
-def _resized(array: Floats, room: int, used: int) -> Floats:
-    """Return a copy with space for `room` values in its last dimension, the first `used` set."""
-    grown = np.empty((*array.shape[:-1], room), array.dtype)
-    grown[..., :used] = array[..., :used]
-    return grown
+def _resized(array: Floats, size: int, used: int) -> Floats:
+    """Copy an array with a new size of its last dimension. Copy the first `used` values."""
+    resized = np.empty((*array.shape[:-1], size), array.dtype)
+    resized[..., :used] = array[..., :used]
+    return resized
 
 
 @dataclass(frozen=True, slots=True)
 class Statistics:
-    """Figures of a curve within a span. Times without samples are left out, NaN means unknown."""
+    """Statistics of a curve in a span, without its gaps. NaN: unknown."""
 
     seconds: float = 0.0  # total time with samples
-    integral: float = 0.0  # unit x seconds
-    mean: float = math.nan  # over time
-    rms: float = math.nan  # over time
+    integral: float = 0.0  # unit × seconds
+    mean: float = math.nan  # weighted by time
+    rms: float = math.nan  # weighted by time
     low: float = math.nan
     high: float = math.nan
 
 
 class SampleHistory:
-    """The last `capacity` rows of a time and one value per column. Times rise, NaN means unknown.
+    """The last `capacity` rows, in order of time. NaN: unknown value.
 
-    Memory grows with the rows. At capacity the oldest rows are dropped. The average cost of adding
-    a row does not depend on the number of rows.
+    Memory grows with the rows. At capacity, the oldest rows are dropped. Adding a row takes
+    constant time on average.
 
     Args:
-        columns: number of columns, or numpy's types of their values. "float16" holds whole numbers
-            up to 2048 in a quarter of the memory.
-        max_gap: seconds without a sample that interrupt a curve.
+        columns: number of columns, or numpy's type of each column. "float16" stores integers up
+            to 2048 exactly.
+        capacity: largest number of rows.
+        max_gap: seconds; a longer gap interrupts a curve.
     """
 
     def __init__(
@@ -152,7 +154,7 @@ class SampleHistory:
         self.capacity = capacity
         self._kinds = ["float64"] * columns if isinstance(columns, int) else columns
         self._max_gap = max_gap
-        # Rows beyond the capacity are kept until a step of whole blocks can be dropped.
+        # Rows beyond the capacity are dropped in steps of complete blocks.
         self._step = max(1, capacity // (_STEPS * BLOCK)) * BLOCK
         self._max_rows = -(-capacity // self._step) * self._step + self._step
         self.clear()
@@ -161,18 +163,18 @@ class SampleHistory:
         self._times: Floats = np.empty(0)
         self._columns = [SampleColumn(kind, self._max_gap) for kind in self._kinds]
         self._size = 0
-        self._gaps: list[tuple[float, float]] = []  # end and length of each gap
+        self._gaps: list[tuple[float, float]] = []  # end and length
 
     def __len__(self) -> int:
         return min(self._size, self.capacity)
 
     @property
     def times(self) -> Floats:
-        """A view, oldest first, valid until the next row."""
+        """A view, oldest first. It is valid until a row is added."""
         return self._times[self._start : self._size]
 
     def values(self, column: int) -> Floats:
-        """Return a view, oldest first, valid until the next row."""
+        """Return a view, oldest first. It is valid until a row is added."""
         return self._columns[column].values[self._start : self._size]
 
     @property
@@ -180,8 +182,8 @@ class SampleHistory:
         return (float(self.times[0]), float(self.times[-1])) if self._size else None
 
     def append(self, time: float, *values: float) -> None:
-        """Add a row. A time earlier than the newest time is replaced by it."""
-        self._free_space(1)
+        """Add a row. A time before the newest row is set to its time."""
+        self._reserve(1)
         end = self._size
         if end:
             last = float(self._times[end - 1])
@@ -194,21 +196,21 @@ class SampleHistory:
         self._grow(end + 1)
 
     def extend(self, times: Floats, values: Sequence[Floats]) -> None:
-        """Add rows, a sequence of values for each column. Times rise."""
+        """Add rows in order of time. `values`: one array per column."""
         for first in range(0, len(times), self._step):
             span = slice(first, first + self._step)
             self._extend(times[span], [column[span] for column in values])
 
     def _extend(self, times: Floats, values: Sequence[Floats]) -> None:
-        self._free_space(len(times))
+        self._reserve(len(times))
         end, stop = self._size, self._size + len(times)
         self._times[end:stop] = times
-        for column, more in zip(self._columns, values, strict=True):
-            column.values[end:stop] = more
-        begin = max(end, 1)
-        width = self._times[begin:stop] - self._times[begin - 1 : stop - 1]
+        for column, new in zip(self._columns, values, strict=True):
+            column.values[end:stop] = new
+        start = max(end, 1)
+        width = self._times[start:stop] - self._times[start - 1 : stop - 1]
         for at in np.flatnonzero(width > self._max_gap):
-            self._gaps.append((float(self._times[begin + at]), float(width[at])))
+            self._gaps.append((float(self._times[start + at]), float(width[at])))
         self._grow(stop)
 
     def _grow(self, size: int) -> None:
@@ -218,16 +220,16 @@ class SampleHistory:
             for column in self._columns:
                 column.summarize(self._times, size)
 
-    def _free_space(self, rows: int) -> None:
+    def _reserve(self, rows: int) -> None:
         if self._size + rows > self._max_rows:
             self._drop(self._step)
-        room = len(self._times)
-        if self._size + rows <= room:
+        allocated = len(self._times)
+        if self._size + rows <= allocated:
             return
-        room = min(self._max_rows, max(2 * room, _FIRST_ROOM, self._size + rows))
-        self._times = _resized(self._times, room, self._size)
+        allocated = min(self._max_rows, max(2 * allocated, _INITIAL_ROWS, self._size + rows))
+        self._times = _resized(self._times, allocated, self._size)
         for column in self._columns:
-            column.resize(room, self._size)
+            column.resize(allocated, self._size)
 
     def _drop(self, rows: int) -> None:
         left = self._size - rows
@@ -254,7 +256,7 @@ class SampleHistory:
         return self._start + first, self._start + max(first, stop)
 
     def value_at(self, column: int, time: float) -> float:
-        """Return the last value before or at a time, NaN before the first and within a gap."""
+        """Return the last value up to a time. NaN in a gap and before the first value."""
         _, stop = self._rows(-math.inf, time)
         if stop == self._start or time - self._times[stop - 1] > self._max_gap:
             return math.nan
@@ -273,19 +275,18 @@ class SampleHistory:
         return Statistics(seconds, integral, integral / seconds, rms, low, high)
 
     def points(self, column: int, start: float, end: float, bins: int) -> Points:
-        """Return the samples, or two points for each of `bins` if there are many more samples.
+        """Return the samples of a span, reduced to two points per bin if there are many.
 
-        A bin gives its lowest and its highest value, in the order in which the line passes
-        them. Bins lie at multiples of their width, so that a scrolling plot does not flicker.
-        One sample beyond either end is added, so that the line reaches the edges. The newest of
-        these samples is always the last point.
+        The points of a bin are its lowest and highest value. They rise or fall like the samples.
+        Bins start at multiples of their width, so that a scrolling plot does not flicker. One
+        more sample at each end extends the curve to the edges. The last point is always a sample.
         """
         first, stop = self._rows(start, end)
         first, stop = max(self._start, first - 1), min(self._size, stop + 1)
         width = (end - start) / bins
         pieces = []
-        for begin, until in self._between_gaps(first, stop, max(self._max_gap, width)):
-            pieces.append(self._piece(column, begin, until, width))
+        for start_row, end_row in self._between_gaps(first, stop, max(self._max_gap, width)):
+            pieces.append(self._piece(column, start_row, end_row, width))
             pieces.append((pieces[-1][0][-1:], np.array([math.nan])))
         if not pieces:
             return np.empty(0), np.empty(0)
@@ -293,14 +294,14 @@ class SampleHistory:
         times, values = zip(*pieces, strict=True)
         return np.concatenate(times), np.concatenate(values)
 
-    def _between_gaps(self, first: int, stop: int, longest: float) -> list[tuple[int, int]]:
-        """Return the rows as spans without a gap that is longer than `longest`."""
+    def _between_gaps(self, first: int, stop: int, max_gap: float) -> list[tuple[int, int]]:
+        """Split a range of rows at gaps longer than `max_gap`."""
         if first >= stop:
             return []
         low, high = float(self._times[first]), float(self._times[stop - 1])
         ended = itemgetter(0)
         from_, to = (bisect_right(self._gaps, time, key=ended) for time in (low, high))
-        gaps = [gap for gap in self._gaps[from_:to] if gap[1] > longest]
+        gaps = [gap for gap in self._gaps[from_:to] if gap[1] > max_gap]
         if len(gaps) > _MAX_GAPS_DRAWN:
             gaps = sorted(gaps, key=itemgetter(1))[-_MAX_GAPS_DRAWN:]
         ends = sorted(int(self._times[: self._size].searchsorted(at)) for at, _ in gaps)

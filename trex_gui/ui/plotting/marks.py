@@ -1,4 +1,4 @@
-"""Around a plot: events above it, tags of the curves beside it, values at the cursor."""
+"""Widgets around a plot, for events, names of curves, and values at the cursor."""
 
 import math
 from collections.abc import Collection, Sequence
@@ -26,18 +26,18 @@ EVENT_LOOKS = {
     EventKind.LINK: ("info", tr_noop("Line")),
     EventKind.NOTE: ("muted", tr_noop("Note")),
 }
-"""Colour of the theme for each kind of event, and the word beside it."""
+"""Theme colour and word for each kind of event."""
 
-MAX_MARKS = 200  # newest events that are marked in one plot
-_NEAR = 6  # pixels around an event within which the mouse finds it
-_FAR = 60  # pixels that a word may move to the left to make space for newer words
-_BESIDE = 8  # pixels between the cursor and its values
+MAX_MARKS = 200  # events in one plot; newer events take precedence
+_HOVER_DISTANCE = 6  # pixels between mouse and event
+_MAX_SHIFT = 60  # pixels by which a word may move left of its event
+_READOUT_DISTANCE = 8  # pixels between cursor and readout
 
 
 def value_text(value: float, unit: str, *, mean: bool = False) -> str:
-    """Format a value with two decimals and its unit, or a plain count with its sign.
+    """Format a value with two decimals and its unit, or a signed count.
 
-    A `mean` has one decimal more, because it is known better than a single sample.
+    A `mean` has another decimal, since it is more precise than a sample.
     """
     if not math.isfinite(value):
         return NO_VALUE
@@ -50,7 +50,7 @@ def value_text(value: float, unit: str, *, mean: bool = False) -> str:
 
 
 def charge_text(found: Statistics) -> str:
-    """Return a current's charge in Ah, below 1 Ah in mAh."""
+    """Format a current's charge in Ah or, below 1 Ah, in mAh."""
     if not found.seconds:
         return NO_VALUE
     charge = found.integral / 3600
@@ -59,7 +59,7 @@ def charge_text(found: Statistics) -> str:
 
 
 class EventMarks(Painted):
-    """Strip above the plot with a word for each event. The tool tip has the whole text."""
+    """Strip above the plot with a word for each event and its text as a tool tip."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -84,7 +84,7 @@ class EventMarks(Painted):
                 word = tr(noun)
                 wide = metrics.horizontalAdvance(word) + 4.0
                 left = max(0.0, min(x - wide / 2, end - wide))
-                if left + wide > end or x - (left + wide / 2) > _FAR:
+                if left + wide > end or x - (left + wide / 2) > _MAX_SHIFT:
                     return
                 painter.setPen(theme().color(color))
                 box = QRectF(left, 0, wide, metrics.height())
@@ -93,19 +93,19 @@ class EventMarks(Painted):
                 end = left - 4
 
     def _near(self, x: float) -> list[Event]:
-        reach = max(_NEAR, self.fontMetrics().averageCharWidth() * 2)
-        return [event for at, event in self.marks if abs(at - x) <= reach]
+        distance = max(_HOVER_DISTANCE, self.fontMetrics().averageCharWidth() * 2)
+        return [event for at, event in self.marks if abs(at - x) <= distance]
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
-            near = self._near(event.pos().x())
-            QToolTip.showText(event.globalPos(), plain("\n".join(one.text for one in near)), self)
+            texts = [near.text for near in self._near(event.pos().x())]
+            QToolTip.showText(event.globalPos(), plain("\n".join(texts)), self)
             return True
         return super().event(event)
 
 
 class CurveTags(Painted):
-    """Strip right of the plot with the tag of each curve at its newest value."""
+    """Strip right of the plot with a tag at the end of each curve."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -149,7 +149,7 @@ class CurveTags(Painted):
 
 
 class Readout(QLabel):
-    """Box beside the cursor, with the time and the values there."""
+    """Time and values at the cursor, in a box beside it."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -165,7 +165,7 @@ class Readout(QLabel):
     def show_values(
         self, source: Traces, time: float, mark: float | None, origin: float, shown: Collection[str]
     ) -> None:
-        """Show a time, counted from `origin`, and the values at this time."""
+        """Show the values at a time, and the time since `origin`."""
         lines = [clock_text(time - origin)]
         if mark is not None:
             since = f"{Number(time - mark):+.3f} s".replace("-", MINUS)
@@ -181,9 +181,9 @@ class Readout(QLabel):
             self.adjustSize()
 
     def show_beside(self, x: float, frame: QRectF) -> None:
-        """Show the box right of a pixel, or left if space is short, within the frame."""
-        left = x + _BESIDE
+        """Show the box right of a pixel, or left of it near the right edge of `frame`."""
+        left = x + _READOUT_DISTANCE
         if left + self.width() > frame.right():
-            left = x - _BESIDE - self.width()
+            left = x - _READOUT_DISTANCE - self.width()
         self.move(int(max(left, frame.left())), int(frame.top()) + 4)
         self.show()

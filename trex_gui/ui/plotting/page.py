@@ -6,9 +6,9 @@ from PySide6.QtWidgets import QWidget
 
 
 class PlotPage(QWidget):
-    """A page whose plot is made when the page is first shown, or soon after the start.
+    """Page that creates its plot when it is first shown, or soon after the start.
 
-    pyqtgraph takes as long to load as Qt: `add_plot` is what imports it.
+    Subclasses import pyqtgraph in `add_plot`, since it takes as long to load as Qt.
     """
 
     plot_added = Signal()
@@ -25,7 +25,7 @@ class PlotPage(QWidget):
         raise NotImplementedError
 
     def show_moment(self, time: float, text: str) -> None:
-        """Show the event with this text, or else the time, if the plot is one over time."""
+        """Show the event with this text or else the time. Ignored without a time axis."""
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -1,7 +1,4 @@
-"""A plot with its controls: time shown, pause, figures, events, export.
-
-Importing it loads pyqtgraph: import it when a plot is needed.
-"""
+"""Plot with controls, statistics, events and export. Loads pyqtgraph: import it lazily."""
 
 import math
 from collections.abc import Sequence
@@ -27,10 +24,10 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.labels import PageHead
 
-_WINDOWS = (10, 30, 60, 300, 600, 1800, 3600)  # choices of the time shown, in seconds
-_USUAL_SECONDS = 30.0
-_TOPS = (1, 2, 5, 10, 20, 50)  # in the unit of the left axis
-_LARGEST_TOP = 1e6
+_WINDOWS = (10, 30, 60, 300, 600, 1800, 3600)  # selectable spans in seconds
+_DEFAULT_SECONDS = 30.0
+_TOPS = (1, 2, 5, 10, 20, 50)  # selectable ends of the left axis in A
+_MAX_TOP = 1e6
 _COLORS = {
     "blue": ("motor1", tr_noop("Blue")),
     "orange": ("motor2", tr_noop("Orange")),
@@ -43,24 +40,23 @@ _COLORS = {
     "grey": ("muted", tr_noop("Grey")),
     "foreground": ("plot_text", tr_noop("As text")),
 }
-"""Curve colours by name in the preferences: name in the theme, and name for the user."""
+"""Name in the preferences → name in the theme, and name for the user."""
 
 _COLOR_NAMES = {color: name for name, (color, _) in _COLORS.items()}
 
 
 class TracePanel(QWidget):
-    """Shows a source of traces.
+    """Plot with controls. Saves the selected curves, colours, time, range and layout.
 
-    While the source grows, its owner calls `draw_live` and, less often, `refresh_figures`. The
-    user's choices are saved: curves, time, range and layout.
+    While the source grows, its owner calls `draw_live` and, less often, `refresh_figures`.
     """
 
     def __init__(self, parent: QWidget | None = None, *, key: str = "currents") -> None:
-        """`key`: prefix of the preferences in which the choices are saved."""
+        """`key`: prefix of the preferences."""
         super().__init__(parent)
         self._store = Preferences()
         self._key = f"{key}/"
-        self._usual_colors: dict[str, str] = {}  # default color of each curve
+        self._default_colors: dict[str, str] = {}  # by name of the curve
 
         self.plot: TracePlot = TracePlot(self)
         self.notifier = Notifier(self)
@@ -96,9 +92,9 @@ class TracePanel(QWidget):
         self._view = TraceTableView(self._table, self)
         self._list = EventList(self.plot, self)
 
-        ways, figures = Qt.Orientation, ((self._view, 0), (self._list, 1))
-        self._below = below = ui.splitter(self, "figuresSplitter", ways.Horizontal, *figures)
-        parts = ui.splitter(self, "tracesSplitter", ways.Vertical, (self.plot, 1), (below, 0))
+        sides, figures = Qt.Orientation, ((self._view, 0), (self._list, 1))
+        self._below = below = ui.splitter(self, "figuresSplitter", sides.Horizontal, *figures)
+        parts = ui.splitter(self, "tracesSplitter", sides.Vertical, (self.plot, 1), (below, 0))
         bar = ui.row(
             *(window_label, self._window, top_label, self._top, self._pause, self._hold, 1),
             spacing=4,
@@ -108,9 +104,9 @@ class TracePanel(QWidget):
         ui.tab_order(self._head, *controls, self.plot, self._view, self._list)
         self._restore_layout(parts, "plot_splitter")
         self._restore_layout(below, "figures_splitter")
-        seconds = self._store.real(f"{self._key}window", _USUAL_SECONDS, MIN_SPAN, MAX_SPAN)
+        seconds = self._store.real(f"{self._key}window", _DEFAULT_SECONDS, MIN_SPAN, MAX_SPAN)
         self.plot.set_window(seconds)
-        self._show_top(self._store.real(f"{self._key}top", 0, 0, _LARGEST_TOP))
+        self._show_top(self._store.real(f"{self._key}top", 0, 0, _MAX_TOP))
 
         self.plot.view_changed.connect(self._show_state)
         self.plot.view_changed.connect(self._table.refresh)
@@ -119,14 +115,13 @@ class TracePanel(QWidget):
         self.plot.shown_changed.connect(self._on_shown_changed)
         self.plot.colors_changed.connect(self._on_colors_changed)
         columns_changed = self._view.horizontalHeader().geometriesChanged
-        columns_changed.connect(self._share_width, Qt.ConnectionType.QueuedConnection)
+        columns_changed.connect(self._update_widths, Qt.ConnectionType.QueuedConnection)
         self._list.chosen.connect(self._on_event_chosen)
         self.notifier.info.connect(self.set_note)
         self.notifier.error.connect(self.set_note)
         self._show_state()
 
     def _layout_button(self) -> QToolButton:
-        """Return a button with a menu to select colours, and to reset all choices."""
         text = tr("La&yout")
         layout = ui.tool_button(self, "layoutButton", text, icon="settings")
         layout.setAccessibleName(title_of(text))
@@ -156,30 +151,30 @@ class TracePanel(QWidget):
                 menu.addAction(entry)
 
     def _restore_layout(self, parts: QSplitter, key: str) -> None:
-        """Restore the sizes of parts, and save them when the user moves the handle."""
+        """Restore the sizes of parts. Save them when the user moves the handle."""
         key, store = self._key + key, self._store
         parts.splitterMoved.connect(lambda *_: store.set(key, parts.saveState()))
         parts.restoreState(store.data(key))
 
     @Slot()
-    def _share_width(self) -> None:
-        """Give the figures the width that they need, until the user has moved the handle."""
+    def _update_widths(self) -> None:
+        """Fit the width of the table. Does nothing once the user has moved the handle."""
         if self._store.data(f"{self._key}figures_splitter").isEmpty():
             figures = self._view.sizeHint().width()
             self._below.setSizes([figures, max(0, self._below.width() - figures)])
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._share_width()
+        self._update_widths()
 
     def set_source(self, source: Traces) -> None:
         self.plot.set_source(source)
-        self._usual_colors = {trace.name: trace.color for trace in source.traces}
+        self._default_colors = {trace.name: trace.color for trace in source.traces}
         shown = self._store.text(f"{self._key}shown", " ".join(self.plot.shown)).split()
-        self.plot.shown = self._usual_colors.keys() & set(shown)
-        chosen = self._store.text(f"{self._key}colors").split()
-        for name, _, color in (entry.partition("=") for entry in chosen):
-            if name in self._usual_colors and color in _COLORS:
+        self.plot.shown = self._default_colors.keys() & set(shown)
+        colors = self._store.text(f"{self._key}colors").split()
+        for name, _, color in (entry.partition("=") for entry in colors):
+            if name in self._default_colors and color in _COLORS:
                 self.plot.set_color(name, _COLORS[color][0])
         self._table.show_source()
         self._view.resizeColumnToContents(0)
@@ -192,7 +187,6 @@ class TracePanel(QWidget):
     @Slot()
     @only_when_visible
     def draw_live(self) -> None:
-        """Draw new samples, unless the plot is paused."""
         if self.plot.span.live:
             self.plot.draw()
 
@@ -203,7 +197,7 @@ class TracePanel(QWidget):
     def refresh_figures(self) -> None:
         self._table.refresh()
         self._view.show_needed_columns()
-        self._share_width()
+        self._update_widths()
         self._list.refresh()
 
     def _select_window(self, seconds: float) -> None:
@@ -225,12 +219,12 @@ class TracePanel(QWidget):
 
     @Slot()
     def _on_colors_changed(self) -> None:
-        chosen = [
+        colors = [
             f"{trace.name}={_COLOR_NAMES[trace.color]}"
             for trace in self._traces
-            if trace.color != self._usual_colors[trace.name]
+            if trace.color != self._default_colors[trace.name]
         ]
-        self._store.set(f"{self._key}colors", " ".join(chosen))
+        self._store.set(f"{self._key}colors", " ".join(colors))
         self._table.show_source()
 
     @property
@@ -238,11 +232,11 @@ class TracePanel(QWidget):
         return self.plot.source.traces if self.plot.source is not None else ()
 
     def _reset_layout(self) -> None:
-        """Show the default time, range, curves and colours."""
-        self._select_window(_USUAL_SECONDS)
+        """Restore the default time, range, curves and colours."""
+        self._select_window(_DEFAULT_SECONDS)
         self._select_top(0)
         self.plot.shown = {trace.name for trace in self._traces if trace.shown}
-        for name, color in self._usual_colors.items():
+        for name, color in self._default_colors.items():
             self.plot.set_color(name, color)
         self.plot.shown_changed.emit()
         self.refresh()
@@ -250,7 +244,7 @@ class TracePanel(QWidget):
     @Slot(bool)
     def _on_hold_toggled(self, hold: bool) -> None:
         span = self.plot.source.span if self.plot.source is not None else None
-        # From the newest sample on, not from the beginning of the history.
+        # Hold peaks from the newest sample on.
         self.plot.peaks_since = (span[1] if span is not None else -math.inf) if hold else None
         self.refresh()
 
@@ -264,7 +258,7 @@ class TracePanel(QWidget):
         self._window.setPlaceholderText(duration_text(span.length))
 
     def show_moment(self, time: float, text: str) -> None:
-        """Show the last event with this text up to a time. Without such an event, show the time."""
+        """Show the last event with this text up to a time, or else the time."""
         self.refresh()
         source = self.plot.source
         events = [] if source is None else source.events_between(-math.inf, time)
@@ -280,7 +274,6 @@ class TracePanel(QWidget):
         self._show_time(event.time)
 
     def _show_time(self, time: float) -> None:
-        """Show a time in the middle, at the present zoom."""
         half = self.plot.span.length / 2
         self.plot.show_span(time - half, time + half)
         self.plot.set_cursor(time)

@@ -1,7 +1,4 @@
-"""A plot of a source of traces: it follows the newest sample or shows a part of the past.
-
-Importing it loads pyqtgraph: import it when a plot is needed.
-"""
+"""Plot of traces, live or at a past span. Loads pyqtgraph: import it lazily."""
 
 import math
 from collections.abc import Sequence
@@ -26,10 +23,10 @@ from trex_gui.ui.widgets.labels import Muted
 from trex_gui.ui.widgets.painted import Painted
 
 BINS = 500  # parts of the width, each with two points
-_PAN = 0.25
-_ZOOM = 0.7
-_FINE, _COARSE = 0.002, 0.05
-_NEAR_MARK = 6  # pixels
+_PAN = 0.25  # share of the span per key press
+_ZOOM = 0.7  # factor per key press
+_FINE, _COARSE = 0.002, 0.05  # steps of the cursor, as shares of the span
+_NEAR_MARK = 6  # pixels; a click this near removes the mark
 
 _KEYS = tr_noop(
     "Left and Right move the cursor, with Shift in large steps; its values are read "
@@ -40,17 +37,17 @@ FloatsT = TypeVar("FloatsT", float, Floats)
 
 
 class TracePlot(Painted):
-    """Curves on up to two axes, limits, events, a cursor and a mark.
+    """Curves on up to two axes, with limits, events, a cursor and a mark.
 
-    Curves of the source's first unit are on the left axis, other curves on the right axis. All are
-    drawn in values of the left axis, because a second view box would cost as much as a second
-    plot. x is seconds from the right edge, so that only the curves move while live.
+    Curves of the source's first unit are on the left axis, other curves on the right axis. The
+    right axis is drawn in values of the left axis, because a second view box takes as long as a
+    second plot. x counts from the right edge, so that only the curves of a live plot move.
     """
 
     spoken_role = QAccessible.Role.Chart
 
-    view_changed = Signal()  # another span is shown, or `span.live` changed
-    cursor_changed = Signal()  # `cursor_time` or `mark_time`
+    view_changed = Signal()  # the visible span or `span.live` has changed
+    cursor_changed = Signal()  # `cursor_time` or `mark_time` has changed
     shown_changed = Signal()
     colors_changed = Signal()
 
@@ -61,16 +58,16 @@ class TracePlot(Painted):
         self._line_width = line_width
         self.span = Span()
         self.source: Traces | None = None
-        self.shown: set[str] = set()  # names of the curves that are drawn
-        self.origin: float | None = None  # time of the first sample, from which times count
-        self.peaks_since: float | None = None  # time from which peaks are held; `None`: not held
+        self.shown: set[str] = set()  # names of the visible curves
+        self.origin: float | None = None  # time of the first sample; displayed times count from it
+        self.peaks_since: float | None = None  # start of held peaks; `None`: not held
         self.cursor_time: float | None = None
         self.mark_time: float | None = None
         self.top: float | None = None  # end of the left axis; `None`: fits the values
         self._left, self._right = ValueAxis(""), ValueAxis("")
-        self._shapes: dict[str, tuple[Curve, Line, Line]] = {}  # a curve, its limit and its peak
-        self._drawn_axes: object = None
-        self._hovered: float | None = None  # pixels: the time under a still mouse moves on
+        self._shapes: dict[str, tuple[Curve, Line, Line]] = {}  # name → curve, limit, peak
+        self._drawn_axes: object = None  # parameters of the drawn axes
+        self._hovered: float | None = None  # pixel of the mouse
         self.setObjectName("tracePlot")
         self.setAccessibleName(name or tr("Plot of currents and speeds against time"))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -146,7 +143,7 @@ class TracePlot(Painted):
         self.colors_changed.emit()
 
     def set_top(self, top: float | None) -> None:
-        """Let the left axis reach from 0 to a value, or fit the visible curves."""
+        """Set the end of the left axis. `None`: fit the visible curves."""
         self.top = top
         self._left = ValueAxis(self._left.unit, top)
         self.draw()
@@ -159,7 +156,7 @@ class TracePlot(Painted):
         self.cursor_changed.emit()
 
     def set_mark(self, time: float | None) -> None:
-        """Count differences from a time. `None` removes the mark."""
+        """Set the time for differences. `None` removes the mark."""
         self.mark_time = time
         self._show_cursors()
         self.cursor_changed.emit()
@@ -173,7 +170,7 @@ class TracePlot(Painted):
         self._on_view_changed()
 
     def set_live(self, live: bool) -> None:
-        (self.span.go_live if live else self.span.hold)()
+        (self.span.go_live if live else self.span.freeze)()
         self._on_view_changed()
 
     def _on_view_changed(self) -> None:
@@ -181,7 +178,7 @@ class TracePlot(Painted):
         self.view_changed.emit()
 
     def draw(self) -> None:
-        """Draw a frame. Its cost does not depend on the number of samples."""
+        """Draw a frame, in a time independent of the number of samples."""
         source, span = self.source, self.span
         if source is None:
             return
@@ -190,7 +187,7 @@ class TracePlot(Painted):
             self.origin = None
         else:
             span.set_available(*available)
-            # A full history loses its beginning; times still count from the first sample.
+            # The origin does not move when a full history drops its first samples.
             if self.origin is None or available[0] < self.origin:
                 self.origin = available[0]
         lines = self._fit_axes(source)
@@ -206,7 +203,7 @@ class TracePlot(Painted):
         self._tags.set_heights(heights)
 
     def _fit_axes(self, source: Traces) -> dict[str, Points]:
-        """Fit the axes to the shown curves, and return the points of curves with samples."""
+        """Fit the axes to the visible curves. Return curve → points."""
         span, lines = self.span, {}
         extremes: dict[bool, list[tuple[float, float]]] = {False: [], True: []}
         for trace in source.traces:
@@ -234,13 +231,13 @@ class TracePlot(Painted):
         self._drawn_axes = axes
         since = since_labels(span.start - origin, span.end - origin)
         x_labels = ago_labels(span.length) if span.live else since
-        # First the right axis, which takes space from the plot.
+        # The right axis comes first, since it changes the width of the plot.
         labels = right.labels(most) if has_right else []
-        self._canvas.set_right_axis([(right.onto(left, value), text) for value, text in labels])
+        self._canvas.set_right_axis([(right.map_to(left, value), text) for value, text in labels])
         self._canvas.set_axes((-span.length, 0.0), left.reach, x_labels, left.labels(most))
 
     def _draw_curves(self, source: Traces, lines: dict[str, Points]) -> dict[str, float]:
-        """Draw the curves, and return the pixel from the top at which each ends."""
+        """Draw the curves. Return curve → y of its end in pixels."""
         heights = {}
         for trace in source.traces:
             curve, line = self._shapes[trace.name][0], lines.get(trace.name)
@@ -264,17 +261,17 @@ class TracePlot(Painted):
         self._marks.set_marks([(self._canvas.x_of(event.time - end), event) for event in events])
 
     def is_right(self, trace: TraceInfo) -> bool:
-        """Return whether a curve belongs to the right axis, and so is dotted."""
+        """Return whether a curve is on the right axis. Such curves are dotted."""
         return trace.unit != self._left.unit
 
     def _height(self, trace: TraceInfo, value: FloatsT) -> FloatsT:
         if not self.is_right(trace):
             return value
-        at0, at1 = (self._right.onto(self._left, each) for each in (0.0, 1.0))
+        at0, at1 = (self._right.map_to(self._left, each) for each in (0.0, 1.0))
         return at0 + value * (at1 - at0)
 
     def peak_of(self, name: str) -> float | None:
-        """Return the highest value since peaks are held, `None` if they are not held."""
+        """Return the held peak of a curve, or `None`."""
         if self.source is None or self.peaks_since is None:
             return None
         high = self.source.statistics(name, self.peaks_since, math.inf).high
@@ -299,7 +296,7 @@ class TracePlot(Painted):
             self.setAccessibleDescription(self._empty.text() if empty else tr(_KEYS))
             return
         self._readout.show_values(source, time, self.mark_time, self.origin or 0.0, self.shown)
-        if self._hovered is None:  # with a mouse, each frame would be read out
+        if self._hovered is None:  # otherwise a screen reader would read out each frame
             self.setAccessibleDescription(self._readout.text())
         self._readout.show_beside(self._canvas.x_of(time - self.span.end), self._canvas.frame)
 

@@ -1,4 +1,4 @@
-"""The curves of a plot: columns of a history, with limits and events on the same clock."""
+"""Curves of a plot, with limits and events."""
 
 from bisect import bisect_left, bisect_right
 from collections.abc import Mapping, Sequence
@@ -14,20 +14,19 @@ if TYPE_CHECKING:  # numpy takes as long to load as the window
 
 @dataclass(frozen=True, slots=True)
 class TraceInfo:
-    """One curve. The left axis has the first unit of a source, the right axis any other unit."""
-
-    name: str  # one word, for programs and files: "motor1_current"
+    name: str  # for programs and files: "motor1_current"
     label: str  # for the user: "Motor 1 current"
     unit: str  # "A"; empty for plain counts
-    color: str  # a name of the theme: "motor1"
-    tag: str = ""  # one or two letters at the end of the line: "1"
-    shown: bool = True  # until the user chooses
+    color: str  # theme colour: "motor1"
+    tag: str = ""  # one or two letters at the end of the curve: "1"
+    shown: bool = True  # visible by default
 
 
 class Traces:
-    """One curve for each column of a history, and events. Both may grow while they are shown.
+    """One curve for each column of a history, and events on the same clock.
 
-    `limits` are in the curves' units; `events` are in the order of time.
+    History, events and limits may change later. `limits` are in the curves' units. `events` are
+    in order of time.
     """
 
     def __init__(
@@ -38,7 +37,7 @@ class Traces:
         limits: Mapping[str, float] | None = None,
     ) -> None:
         self.traces = tuple(traces)
-        self.limits = {} if limits is None else limits  # may be filled later
+        self.limits = {} if limits is None else limits
         self._columns = {trace.name: column for column, trace in enumerate(traces)}
         self._history = history
         self._events = events
@@ -50,7 +49,7 @@ class Traces:
 
     @property
     def span(self) -> tuple[float, float] | None:
-        """Times in seconds of the oldest and the newest sample, `None` without samples."""
+        """Times of the oldest and the newest sample in seconds, or `None`."""
         return self._history.span
 
     @property
@@ -59,7 +58,7 @@ class Traces:
 
     @property
     def right_unit(self) -> str:
-        """Empty for plain counts, or without a right axis."""
+        """Unit other than `left_unit`. Empty for plain counts or without a right axis."""
         return next((t.unit for t in self.traces if t.unit != self.left_unit), "")
 
     def points(self, name: str, start: float, end: float, bins: int) -> "Points":
@@ -69,11 +68,11 @@ class Traces:
         return self._history.statistics(self._columns[name], start, end)
 
     def value_at(self, name: str, time: float) -> float:
-        """Return a curve's last value before or at a time, else NaN."""
+        """Return a curve's last value up to a time, or NaN."""
         return self._history.value_at(self._columns[name], time)
 
     def samples(self, start: float, end: float) -> "tuple[Floats, Sequence[Floats]]":
-        """Return the times and every curve's values: views, valid until the next row."""
+        """Return times and each curve's values, as views that are valid until a row is added."""
         rows = self._history.rows(start, end)
         columns = [self._history.values(column)[rows] for column in range(len(self.traces))]
         return self._history.times[rows], columns
