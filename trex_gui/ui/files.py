@@ -96,7 +96,6 @@ def in_background(
 def save_in_background(
     owner: QObject, work: Callable[[], object], notifier: Notifier, saved: str
 ) -> None:
-    """Run `work`, which writes a file. Then report `saved` or the error."""
     in_background(owner, work, lambda _: notifier.info.emit(saved), notifier.report_error)
 
 
@@ -106,10 +105,7 @@ def start_in_background(
     then: Callable[[ResultT], object],
     failed: Callable[[StudioError], object],
 ) -> Callable[[], None]:
-    """Run `work` like `in_background`, with progress. Return a function that cancels it.
-
-    After a cancellation, neither `then` nor `failed` is called.
-    """
+    """Run `work` like `in_background`. Return a function that cancels the work."""
     return _Job(owner, work, then, failed).cancel
 
 
@@ -120,10 +116,7 @@ def write_in_background(
     notifier: Notifier,
     saved: Callable[[int], str],
 ) -> None:
-    """Write a text file atomically. Then report `saved(rows)` or the error.
-
-    `write` returns the number of rows.
-    """
+    """Write a text file atomically. Then report `saved(rows)` or the error."""
     work = partial(write_text, path, write)
     report = notifier.info.emit
     _Job(owner, work, lambda rows: report(saved(rows)), notifier.report_error, saves=True)

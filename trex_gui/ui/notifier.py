@@ -12,8 +12,6 @@ from trex_gui.ui.translations import error_sentence
 
 
 class Remedy(Enum):
-    """Action of a button in a message."""
-
     FIND = auto()  # scan for a board whose line settings are unknown
     RECONNECT = auto()  # reconnect to the last port
     PLUG_IN = auto()  # reconnect to a missing port; the message ends when the port appears
@@ -25,8 +23,6 @@ class Remedy(Enum):
 
 @dataclass(frozen=True, slots=True)
 class CopyCommand:
-    """Button that copies a shell command."""
-
     command: str
 
 
@@ -39,8 +35,6 @@ class ConnectWith:
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """Button that answers a question."""
-
     name: str  # object name
     text: str
     then: Callable[[], object]
@@ -51,10 +45,7 @@ Remedies = tuple[AnyRemedy, ...]
 
 
 def remedies_of(error: BaseException, *, may_be_found: bool = False) -> Remedies:
-    """Return the buttons for an error that closed a line.
-
-    `may_be_found`: a scan may find the board at other settings.
-    """
+    """Return the buttons for an error that closed a line."""
     if isinstance(error, InternalError):
         return (Remedy.REPORT,)
     if not isinstance(error, PortUnavailable):
@@ -70,8 +61,6 @@ def never() -> bool:
 
 
 class Notifier(QObject):
-    """Source of messages for one window, which shows the newest message."""
-
     info = Signal(str)  # message about a result
     error = Signal(str)  # message about a failure and its cause
     danger = Signal(str)  # message about an immediate danger and its cure

@@ -35,7 +35,6 @@ class Preferences:
         return self._read(key, default, _flag)
 
     def integer(self, key: str, default: int, lowest: int, highest: int) -> int:
-        """Return a number from `lowest` to `highest`. Other numbers are invalid."""
         return self._read(key, default, lambda found: _in_range(int(_text(found)), lowest, highest))
 
     def real(self, key: str, default: float, lowest: float, highest: float) -> float:

@@ -70,13 +70,11 @@ class Program:
             workspace.create_pages()
 
     def create_plots(self) -> None:
-        """Create the missing plots, so that their pages open without delay."""
         for workspace in self._workspaces.values():
             for page in workspace.findChildren(PlotPage):
                 page.ensure_plot()
 
     def workspace(self, device: str) -> Workspace:
-        """Return the workspace for a plugin key. Creates a missing workspace."""
         found = self._workspaces.get(device)
         return found or self._add_workspace(self.device_manager.controller(device))
 
@@ -118,10 +116,7 @@ class Program:
         return next((found for found in kinds if suffix in found[1].suffixes), kinds[0])
 
     def report_last_run(self, *, has_crashed: bool = False) -> None:
-        """Report running motors, a guardian's stop, or a crash of the last run.
-
-        Checks again whenever messages are cleared, for example by a new connection.
-        """
+        """Report running motors, a guardian's stop, or a crash. Repeat this at each connection."""
         report_last_run(self._notifier, has_crashed=has_crashed)
         self._notifier.cleared.connect(partial(report_last_run, self._notifier))
 

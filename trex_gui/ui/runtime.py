@@ -16,8 +16,6 @@ from trex_gui.core.transport.settings import PortSettings
 
 
 class Runtime:
-    """Runtime in real time."""
-
     def now(self) -> float:
         return time.monotonic()
 

@@ -25,7 +25,6 @@ class Units(QObject):
             self.changed.emit()
 
     def ordered(self, physical: str, own: str) -> tuple[str, str]:
-        """Return both texts of a value in the selected order."""
         return (own, physical) if self.own_first else (physical, own)
 
 

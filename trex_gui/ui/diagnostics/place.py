@@ -95,8 +95,6 @@ class LogPage(View):
 
 
 class Diagnostics(Place):
-    """Problems, log and traffic with shared controls."""
-
     def __init__(self, workspace: Workspace, name: str, show_help: Callable[[str], object]) -> None:
         """`name`: prefix of object names. `show_help` opens a help topic."""
         super().__init__(f"{name}Page", tr("Diagnostics"), workspace)
@@ -125,7 +123,6 @@ class Diagnostics(Place):
     def pages(
         self, problems: "Callable[[QWidget], ProblemsPage]", traffic: Callable[[QWidget], View]
     ) -> tuple[PageInfo, ...]:
-        """Return the three pages. `problems` and `traffic` create their pages."""
         workspace = self._workspace
 
         def create_problems(parent: QWidget) -> QWidget:

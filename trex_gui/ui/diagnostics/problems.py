@@ -26,8 +26,6 @@ _MAX_LATENESS = 5.0  # seconds after which the log has a row and its reply
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """Kind of problem that has occurred."""
-
     key: str  # identifier; prefix of the card's object names
     title: str  # with the state: "Motor 1 fault, active now"
     text: str  # meaning and remedy, for the user
@@ -112,8 +110,6 @@ class ProblemCard(ui.Card):
 
 
 class ConnectionCard(ui.Card):
-    """Readings of the connection and a plot of its round trips."""
-
     def __init__(self, name: str, traffic: TrafficModel, parent: QWidget) -> None:
         super().__init__(tr("Connection"), parent)
         self._name = name
@@ -194,8 +190,6 @@ class RoundTrips(Painted):
 
 
 class ProblemsPage(View):
-    """Problems above the state of the connection."""
-
     page_wanted = Signal(object)  # the `Problem` whose page the user opens
     help_wanted = Signal(str)  # help topic
     counted = Signal(int)  # number of uncleared problems, after each update

@@ -37,13 +37,8 @@ def page_url(topic: str) -> QUrl:
 
 
 class HelpDialog(ReusedDialog):
-    """List of pages beside the selected page.
-
-    The dialog has no parent: on Windows a window with a parent covers it.
-    """
-
     def __init__(self) -> None:
-        super().__init__()
+        super().__init__()  # Windows would keep the dialog above a parent
         self.setWindowFlags(Qt.WindowType.Window)  # can be maximised
         self.setWindowIcon(application_icon())
         self.setObjectName("helpDialog")
@@ -123,7 +118,6 @@ class _Browser(QTextBrowser):
         return super().loadResource(kind, name)
 
     def _html(self, shown: QUrl) -> str:
-        """Convert a file to HTML with anchors at its headings."""
         path = Path(shown.toLocalFile())
         if path.suffix == ".py":
             return f"<pre>{escape(path.read_text(encoding='utf-8'))}</pre>"
@@ -137,7 +131,6 @@ class _Browser(QTextBrowser):
         return _HEADING.sub(_with_anchor, html)
 
     def _picture(self, url: QUrl) -> QImage:
-        """Return a picture in the theme's colours, at most as wide as the text."""
         dark = theme().color("window").lightness() < 128
         path = url.toLocalFile()
         image = QImage(path.replace("-light.", "-dark.") if dark else path)

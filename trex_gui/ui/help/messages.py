@@ -14,10 +14,7 @@ _FIELD = re.compile(r"\{\w*(?::[^}]*)?\}")
 
 
 def heading_of(text: str) -> str:
-    """Return the help heading for a message: its first clause, with … for each field.
-
-    Empty if the clause is a field only.
-    """
+    """Return the first clause of a message, with … for each field."""
     whole = re.sub(r"^(…: |… (?=[A-Z]))", "", _FIELD.sub("…", text))
     clause = re.split(r"[.:;](?:\s|$)", whole)[0].strip()
     return clause[:1].upper() + clause[1:] if clause != "…" else ""
@@ -67,10 +64,7 @@ def texts_of(codes: Iterable[Enum]) -> list[str]:
 
 
 def topic_in_front(topics: Mapping[str, str], page: QWidget | None) -> str:
-    """Return the topic of the focused widget or else the page.
-
-    `topics`: object name → topic.
-    """
+    """Return the topic of the focused widget or else the page. `topics` are by object name."""
     widget = QApplication.focusWidget() or QApplication.activeWindow()
     while widget is not None:
         if widget.objectName() in topics:

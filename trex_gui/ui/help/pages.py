@@ -19,8 +19,6 @@ _PAGE_LINK = re.compile(r"\((?P<name>\w+\.md)\)")
 
 @dataclass(frozen=True, slots=True)
 class Section:
-    """Heading and the text below it, without Markdown syntax."""
-
     page: str
     title: str
     anchor: str
@@ -72,7 +70,6 @@ def _page(name: str) -> HelpPage:
 
 @cache
 def pages() -> Sequence[HelpPage]:
-    """Return all pages in the order of the index."""
     index = _page(INDEX)
     names = dict.fromkeys(_PAGE_LINK.findall(index.text))
     return (index, *map(_page, names))

@@ -28,8 +28,6 @@ _ENDING = re.compile(
 
 @dataclass(frozen=True, slots=True)
 class Findable:
-    """Searchable item."""
-
     kind: Kind
     key: str  # unique within its kind
     title: str

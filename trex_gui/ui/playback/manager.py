@@ -35,8 +35,6 @@ WindowT = TypeVar("WindowT", bound="RecordingWindow")
 
 
 class RecordIndicator(QWidget):
-    """Duration, size and file of a running recording, with a stop button."""
-
     def __init__(
         self, recorder: RecordThread[Any], parent: QWidget | None = None, *, prefix: str = ""
     ) -> None:
@@ -90,10 +88,7 @@ class RecordingTexts:
 
 
 class RecordingManager(QObject, Generic[WindowT]):
-    """Selects files, starts recordings and owns the windows of open recordings.
-
-    A subclass for each device creates the windows.
-    """
+    """Starts recordings, and owns the windows of open recordings."""
 
     changed = Signal()  # `recorder.recording` or `recorder.can_record` has changed
     used = Signal(object)  # the `Path` of a recording, after it was opened or completed
@@ -130,8 +125,6 @@ class RecordingManager(QObject, Generic[WindowT]):
         recorder.failed.connect(notifier.error)
 
     def accept_drops(self, frame: QWidget, workspace: QWidget) -> None:
-        """Open recordings dropped on `frame` while `workspace` is visible."""
-
         def accepts(paths: Sequence[Path]) -> bool:
             is_recording = len(paths) == 1 and paths[0].suffix.lower() == SUFFIX
             return is_recording and workspace.isVisible()
@@ -151,7 +144,6 @@ class RecordingManager(QObject, Generic[WindowT]):
             self.record(path)
 
     def proposal(self) -> Path:
-        """Return a file name in the last folder, with the current date and time."""
         stamp = datetime.now().astimezone().strftime("%Y-%m-%d_%H-%M-%S")
         return last_folder(self._folder_key) / f"{self._texts.stem}_{stamp}{SUFFIX}"
 

@@ -52,8 +52,6 @@ def load_recording(
 ) -> LoadedRecording[HeaderT, RecordT, StateT]:
     """Read a recording, in some seconds per recorded hour.
 
-    `progress` receives the completed share, 0 to 1. It may raise to cancel the work.
-
     Raises:
         RecordingError: the file cannot be read.
     """
@@ -198,7 +196,6 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
 
     @property
     def drawn(self) -> tuple[int, int]:
-        """Numbers of drawn rows and of all rows."""
         return len(self._history), self._rows
 
     def state(self) -> StateT:
@@ -213,7 +210,6 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
         return self._initial
 
     def loader(self) -> Callable[[ProgressCallback], LoadedRecording[HeaderT, RecordT, StateT]]:
-        """Return a function that loads the recording independently of this object."""
         return partial(load_recording, self._recording, self._initial, self._curves)
 
     def start_loading(self) -> None:

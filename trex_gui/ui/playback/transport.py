@@ -20,8 +20,6 @@ _PER_SECOND = 100  # slider steps per second: about the rate of the samples
 
 
 class _TimeSlider(QSlider, Spoken):
-    """Slider that screen readers read out in seconds."""
-
     spoken_role = QAccessible.Role.Slider
 
     def __init__(self, time_label: QLabel, parent: QWidget) -> None:

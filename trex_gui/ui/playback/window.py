@@ -32,10 +32,9 @@ _CSV_SUFFIX = ".csv"
 
 
 class RecordingWindow(QMainWindow):
-    """Window of one recording. Needs no connected device.
+    """Window of one recording. A subclass for each device calls `arrange`.
 
-    A subclass for each device calls `arrange` and defines `device_text`. The window has a stop
-    button, since it may cover the main window while motors are turning.
+    It has a stop button, since it may cover the main window while motors are turning.
     """
 
     closed = Signal()

@@ -37,10 +37,9 @@ def ticks(low: float, high: float, step: float) -> list[float]:
 def spread(
     centres: Sequence[float], widths: Sequence[float], low: float, high: float, gap: float
 ) -> list[float] | None:
-    """Move labels apart so that they do not overlap.
+    """Move labels apart. Return their centres, or `None` if the space is too small.
 
-    `centres` must be sorted. Returns new centres between `low` and `high`, or `None` if the space
-    is too small.
+    `centres` must be sorted. `low`, `high`: limits of the labels.
     """
     space = high - low - sum(widths) - gap * max(0, len(widths) - 1)
     if space < 0:
@@ -119,7 +118,6 @@ def _fitted_end(current: float, needed: float) -> float:
 
 
 def count_labels() -> Labels:
-    """Return labels for speeds and remapped channels, -127 to 127."""
     return value_labels([-FULL_COUNTS, -64.0, 0.0, 64.0, FULL_COUNTS], "")
 
 
@@ -211,10 +209,7 @@ class Span:
         self._end = middle + self.length / 2
 
     def zoom(self, factor: float, around: float) -> None:
-        """Multiply the length. The time `around` does not move on the screen.
-
-        The right edge of a live span does not move.
-        """
+        """Multiply the length. `around`, or the right edge of a live span, does not move."""
         share = (self.end - around) / self.length
         self.set_length(self.length * factor)
         if not self.live:

@@ -25,8 +25,6 @@ pg.setConfigOption("mouseRateLimit", -1)  # otherwise pyqtgraph drops fast mouse
 
 
 class _Shape:
-    """Item of the plot in a named colour of the theme."""
-
     def __init__(self, item: Any, color: str, pen: QPen) -> None:  # pyqtgraph has no types
         self.item = item
         self._color = color
@@ -57,8 +55,6 @@ class _ThinCurve(pg.PlotCurveItem):  # type: ignore[misc] # pyqtgraph has no typ
 
 
 class Line(_Shape):
-    """Straight line across the plot."""
-
     def set_value(self, value: float | None) -> None:
         self.item.setVisible(value is not None)
         if value is not None:
@@ -66,8 +62,6 @@ class Line(_Shape):
 
 
 class Band(_Shape):
-    """Filled range of the x axis."""
-
     def set_range(self, ends: tuple[float, float] | None) -> None:
         self.item.setVisible(ends is not None)
         if ends is not None:
@@ -81,8 +75,6 @@ ShapeT = TypeVar("ShapeT", bound=_Shape)
 
 
 class _MouseBox(pg.ViewBox):  # type: ignore[misc] # pyqtgraph has no types
-    """Emits the mouse signals of its canvas."""
-
     canvas: "PlotCanvas"
 
     def hoverEvent(self, event: Any) -> None:
@@ -274,7 +266,6 @@ class PlotCanvas(QWidget):
         return low + (pixel - frame.left()) / max(frame.width(), 1.0) * (high - low)
 
     def labels_in_height(self) -> int:
-        """Return the number of labels that fit along the y axis."""
         return int(self.frame.height() / (1.4 * QFontMetrics(self.small_font()).height()))
 
     def small_font(self) -> QFont:

@@ -44,8 +44,6 @@ _ALIGNMENT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
 
 class ExportButton(QToolButton):
-    """Button with a menu of formats. Prompts for a file and exports the plot."""
-
     def __init__(
         self,
         plot: TracePlot,
@@ -55,11 +53,7 @@ class ExportButton(QToolButton):
         name: str = "currents",
         tables: bool = True,
     ) -> None:
-        """`name`: proposed file name. `tables`: offer CSV too.
-
-        With tables the plot is live, so the proposed name and the heading of a picture include
-        date and time.
-        """
+        """`name`: proposed file name. `tables`: offer CSV, and add date and time to names."""
         super().__init__(parent)
         self.setObjectName("exportButton" if tables else "pictureButton")
         self.setText(tr("E&xport") if tables else tr("Pictu&re"))
@@ -164,16 +158,9 @@ def write_csv(
 ) -> int:
     """Write curves as CSV (RFC 4180). Return the number of samples.
 
-    Columns: time in seconds since `origin`, a value for each curve, and events. An event is in
-    the row of the first sample at or after its time. Unknown values are empty.
-
-    Args:
-        file: the open file.
-        progress: receives the completed share, 0 to 1.
-        heads: name and unit of each curve.
-        columns: ascending times, then the values of each curve.
-        events: times and texts, in order of time.
-        origin: time of zero seconds.
+    Each row has the time in seconds since `origin`, the values and the events since the previous
+    row. Unknown values are empty. `heads`: name and unit of each curve. `columns`: times, then
+    the values of each curve. `events`: times and texts. All times must be sorted.
     """
     writer = csv.writer(file)
     names = [f"{name} ({unit})" if unit else name for name, unit in heads]
@@ -209,7 +196,6 @@ def _paint_heading(painter: QPainter, heading: str) -> None:
 def draw_picture(
     plot: TracePlot, scheme: str, heading: str, *, as_svg: bool = False
 ) -> QImage | bytes:
-    """Draw the visible part of a plot as an image or as the content of an SVG file."""
     with theme().painted_as(scheme):
         if not as_svg:
             image = QImage(SIZE * _SCALE, QImage.Format.Format_RGB32)

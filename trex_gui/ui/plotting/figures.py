@@ -246,8 +246,6 @@ def swatch(color: QColor, size: QSize, *, dotted: bool = False) -> QPixmap:
 
 
 class TraceTableView(QTableView):
-    """Table below a plot. It shows four curves at a time."""
-
     def __init__(self, model: TraceTable, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         flat_table(self, "traceTable", tr("Curves and their figures"))
@@ -290,8 +288,6 @@ class TraceTableView(QTableView):
 
 
 class EventList(QListWidget):
-    """Events of a plot, with times since the origin of the plot."""
-
     chosen = Signal(object)  # the chosen `Event`
 
     def __init__(self, plot: TracePlot, parent: QWidget | None = None) -> None:

@@ -43,13 +43,11 @@ class SampleColumn:
         self._integrals: Floats = np.empty((3, 0))  # seconds, integral, integral of squares
 
     def resize(self, rows: int, size: int) -> None:
-        """Allocate `rows` rows. Copy the first `size` rows."""
         self.values = _resized(self.values, rows, size)
         self._extremes = _resized(self._extremes, rows // BLOCK, self._blocks)
         self._integrals = _resized(self._integrals, rows // BLOCK, self._blocks)
 
     def summarize(self, times: Floats, size: int) -> None:
-        """Summarize the new complete blocks of `size` rows."""
         first, stop = self._blocks, size // BLOCK
         if first == stop:
             return
@@ -74,8 +72,7 @@ class SampleColumn:
     ) -> tuple[NDArray[np.intp], Floats, Floats]:
         """Split rows `first` to `stop` into parts. Return their first rows and extremes.
 
-        A part is a block, or a single row at the ends. With fewer than `least` blocks, all parts
-        are single rows.
+        Parts are blocks, and single rows at the ends. Fewer than `least` blocks are split up.
         """
         start, end = self._complete_blocks(first, stop)
         if end - start < least * BLOCK:
@@ -97,7 +94,6 @@ class SampleColumn:
         return seconds, integral, squares
 
     def _complete_blocks(self, first: int, stop: int) -> tuple[int, int]:
-        """Return the range of rows in summarized blocks from `first` to `stop`."""
         start, end = -(-first // BLOCK) * BLOCK, min(stop // BLOCK, self._blocks) * BLOCK
         return (start, end) if start < end else (stop, stop)
 
@@ -138,14 +134,8 @@ class Statistics:
 class SampleHistory:
     """The last `capacity` rows, in order of time. NaN: unknown value.
 
-    Memory grows with the rows. At capacity, the oldest rows are dropped. Adding a row takes
-    constant time on average.
-
-    Args:
-        columns: number of columns, or numpy's type of each column. "float16" stores integers up
-            to 2048 exactly.
-        capacity: largest number of rows.
-        max_gap: seconds; a longer gap interrupts a curve.
+    `columns`: number of columns, or numpy's type of each column. "float16" stores integers up to
+    2048 exactly. `max_gap`: seconds. Adding a row takes constant time on average.
     """
 
     def __init__(
@@ -245,7 +235,6 @@ class SampleHistory:
         return max(0, self._size - self.capacity)
 
     def rows(self, start: float, end: float) -> slice:
-        """Return the slice of `times` from `start` to `end`."""
         first, stop = self._rows(start, end)
         return slice(first - self._start, stop - self._start)
 

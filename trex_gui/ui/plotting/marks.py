@@ -35,10 +35,7 @@ _READOUT_DISTANCE = 8  # pixels between cursor and readout
 
 
 def value_text(value: float, unit: str, *, mean: bool = False) -> str:
-    """Format a value with two decimals and its unit, or a signed count.
-
-    A `mean` has another decimal, since it is more precise than a sample.
-    """
+    """Format a value with its unit, or a signed count. A `mean` has another decimal."""
     if not math.isfinite(value):
         return NO_VALUE
     text = f"{value:+.0f}" if round(value) else "0"
@@ -149,8 +146,6 @@ class CurveTags(Painted):
 
 
 class Readout(QLabel):
-    """Time and values at the cursor, in a box beside it."""
-
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.setObjectName("cursorReadout")
@@ -165,7 +160,6 @@ class Readout(QLabel):
     def show_values(
         self, source: Traces, time: float, mark: float | None, origin: float, shown: Collection[str]
     ) -> None:
-        """Show the values at a time, and the time since `origin`."""
         lines = [clock_text(time - origin)]
         if mark is not None:
             since = f"{Number(time - mark):+.3f} s".replace("-", MINUS)
@@ -181,7 +175,6 @@ class Readout(QLabel):
             self.adjustSize()
 
     def show_beside(self, x: float, frame: QRectF) -> None:
-        """Show the box right of a pixel, or left of it near the right edge of `frame`."""
         left = x + _READOUT_DISTANCE
         if left + self.width() > frame.right():
             left = x - _READOUT_DISTANCE - self.width()

@@ -151,7 +151,6 @@ class TracePanel(QWidget):
                 menu.addAction(entry)
 
     def _restore_layout(self, parts: QSplitter, key: str) -> None:
-        """Restore the sizes of parts. Save them when the user moves the handle."""
         key, store = self._key + key, self._store
         parts.splitterMoved.connect(lambda *_: store.set(key, parts.saveState()))
         parts.restoreState(store.data(key))
@@ -232,7 +231,6 @@ class TracePanel(QWidget):
         return self.plot.source.traces if self.plot.source is not None else ()
 
     def _reset_layout(self) -> None:
-        """Restore the default time, range, curves and colours."""
         self._select_window(_DEFAULT_SECONDS)
         self._select_top(0)
         self.plot.shown = {trace.name for trace in self._traces if trace.shown}

@@ -156,7 +156,6 @@ class TracePlot(Painted):
         self.cursor_changed.emit()
 
     def set_mark(self, time: float | None) -> None:
-        """Set the time for differences. `None` removes the mark."""
         self.mark_time = time
         self._show_cursors()
         self.cursor_changed.emit()

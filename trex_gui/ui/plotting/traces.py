@@ -23,11 +23,7 @@ class TraceInfo:
 
 
 class Traces:
-    """One curve for each column of a history, and events on the same clock.
-
-    History, events and limits may change later. `limits` are in the curves' units. `events` are
-    in order of time.
-    """
+    """Curves of a history, with their limits by name, and events in order of time."""
 
     def __init__(
         self,

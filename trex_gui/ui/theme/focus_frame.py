@@ -10,12 +10,8 @@ _TYPE = QEvent.Type
 _CHANGES = {_TYPE.Hide, _TYPE.Move, _TYPE.ParentChange, _TYPE.Resize, _TYPE.Show}
 
 
+# PySide would treat the widget of a `QFocusFrame` as a child and delete it.
 class FocusFrame(QObject):
-    """Focus frame on top of the other widgets in a window.
-
-    It is not a `QFocusFrame`: PySide would treat the focused widget as its child and delete it.
-    """
-
     def __init__(self, app: QApplication) -> None:
         super().__init__(app)
         self._watched: list[QWidget] = []  # focused widget, then its ancestors up to the window

@@ -37,8 +37,6 @@ _COLOUR_TABLES = ("text", "graphics", "fill", "surface")
 
 @dataclass(frozen=True, slots=True)
 class Colours:
-    """Colours of one scheme."""
-
     palette: dict[str, QColor]
     disabled: dict[str, QColor]
     named: dict[str, QColor]
@@ -143,7 +141,6 @@ class Theme(QObject):
         self._show()
 
     def set_scheme(self, choice: Scheme) -> None:
-        """Select a scheme. `system` follows the desktop."""
         self.choice = choice
         if self._app is not None:
             # On some platforms this also affects title bars and native dialogs.
@@ -152,7 +149,6 @@ class Theme(QObject):
         self._show()
 
     def set_font_size(self, percent: int) -> None:
-        """Scale the system's font for the whole application."""
         if percent != self.font_size and self._app is not None:
             self.font_size = percent
             self._app.setFont(scaled_font(self._system_font, percent / 100))
@@ -246,7 +242,6 @@ def follow_theme(target: QObject, key: str, apply: Callable[[], object]) -> None
 
 
 def scaled_font(font: QFont, factor: float) -> QFont:
-    """Return a scaled copy of a font with a size in points or pixels."""
     scaled = QFont(font)
     if font.pointSizeF() > 0:
         scaled.setPointSizeF(font.pointSizeF() * factor)
@@ -256,7 +251,6 @@ def scaled_font(font: QFont, factor: float) -> QFont:
 
 
 def fixed_font() -> QFont:
-    """Return the system's monospaced font in the theme's font size."""
     font = QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont)
     return scaled_font(font, theme().font_size / 100)
 

@@ -50,10 +50,9 @@ class RowBuffer:
 
 
 class TrafficModel(QObject):
-    """Transactions from the traffic log of a session thread.
+    """Transactions of a session thread.
 
-    A second buffer without successful polls keeps a write of ten minutes ago available during
-    telemetry.
+    Telemetry soon displaces other rows, so a second buffer has only rows without polls.
     """
 
     changed = Signal()  # new rows, or new bytes in the last row

@@ -30,8 +30,6 @@ _MAX_CODE_ROWS = 1000  # rows copied as code; compilers are slow with more
 
 
 class TrafficPage(View):
-    """Table of transactions with filters and details."""
-
     def __init__(
         self,
         traffic: TrafficModel,
@@ -42,10 +40,7 @@ class TrafficPage(View):
         *,
         sender: PacketSender | None = None,
     ) -> None:
-        """`key`: prefix of object names and preferences. `device`: name for the user.
-
-        `sender` sends bytes that the user types. Without it the page has no field for bytes.
-        """
+        """`key`: prefix of object names and preferences. `device`: name for the user."""
         super().__init__(parent)
         self.setObjectName(f"{key}Page")
         self._traffic = traffic
@@ -184,7 +179,6 @@ class TrafficPage(View):
         return list(map(self._traffic.line_of, self._selected_rows()))
 
     def _selected_rows(self) -> Sequence[Transaction]:
-        """Return the selected rows. Without a selection return all rows."""
         selected = sorted(index.row() for index in self._view.selectionModel().selectedRows())
         rows = self._table.rows
         return [rows[row] for row in selected] if selected else rows

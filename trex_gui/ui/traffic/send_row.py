@@ -19,8 +19,6 @@ class SendPreview:
 
 
 class PacketSender(QObject):
-    """Sender of typed bytes. Each device has its own subclass."""
-
     changed = Signal()  # previews may have changed
 
     hint = ""  # example input

@@ -138,10 +138,7 @@ class TrafficTable(QAbstractTableModel):
         return any(self._text in text.casefold() for text in texts)
 
     def row_near(self, time: float, text: str) -> int:
-        """Return the number of the row nearest to `time`, -1 if the table is empty.
-
-        Rows within a second that contain `text` take precedence.
-        """
+        """Return the row nearest to `time`, preferably with `text`. -1: the table is empty."""
 
         def rank(number: int) -> tuple[bool, float]:
             row = self.rows[number]
@@ -285,8 +282,6 @@ class TrafficView(QTableView):
 
 
 class RowDetails(QPlainTextEdit):
-    """All bytes of the selected row, their meaning and timing."""
-
     def __init__(
         self, traffic: TrafficModel, table: TrafficTable, parent: QWidget | None = None
     ) -> None:

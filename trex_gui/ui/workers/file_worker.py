@@ -35,11 +35,7 @@ class Done:
 
 
 class FileWorker(WorkerThread):
-    """Thread that runs one function.
-
-    Until the thread ends, the owner must retain the worker, and must not use the function's
-    objects.
-    """
+    """Thread that runs one function. The owner must retain the worker until it ends."""
 
     progressed = Signal(float)  # completed share, 0 to 1
 
@@ -90,8 +86,6 @@ class FileWorker(WorkerThread):
 
 
 class FileTask(QObject):
-    """Runs one function at a time in a `FileWorker`."""
-
     progressed = Signal(float)  # completed share, 0 to 1
     done = Signal(object)  # `Done`; not emitted after `close`
 

@@ -30,8 +30,6 @@ _SHUTDOWN_TIMEOUT_MS = 3000
 
 
 class RecordWorker(WorkerThread, Generic[RecordT]):
-    """Thread that writes one recording, until the backlog ends or writing fails."""
-
     progressed = Signal(object)  # number of bytes written
 
     def __init__(

@@ -49,14 +49,11 @@ class LineWorker(WorkerThread):
         self._requests.put(request)
 
     def close(self, timeout_ms: int = _TIMEOUT_MS) -> bool:
-        """Close the session. Return whether the thread ended in time."""
         self.submit(Close())
         return self.wait(timeout_ms)
 
 
 class SessionThread(QObject):
-    """Runs one session at a time."""
-
     started = Signal()
     reported = Signal(object)  # a report other than `Outcome` and `Closed`
     # `Closed`, once the port is closed. After an internal error `may_move` is true if any motor
@@ -186,7 +183,6 @@ class SessionThread(QObject):
                 self.reported.emit(report)
 
     def deliver(self, outcome: Outcome) -> None:
-        """Pass an outcome to the handler of its request."""
         self._writes.discard(outcome.id)
         if then := self._handlers.pop(outcome.id, None):
             then(outcome)
