@@ -1,7 +1,7 @@
-"""Benchmarks measure the computer itself: none of them runs in virtual time.
+"""Benchmarks run in real time.
 
-Each reports what it measured with the fixture `figure`. A figure is printed at once as a line of
-JSON, and again in a table at the end of the run, which compares it to an earlier run on request.
+Each reports its results with the fixture `figure`. A figure is printed as a line of JSON, and again
+in a table at the end of the run. On request the table compares figures to an earlier run.
 """
 
 import json
@@ -18,7 +18,7 @@ from trex_gui.devices.trex.simulator.memory import Eeprom
 
 @dataclass(frozen=True)
 class Figure:
-    """One measured value; its name is unique within a run and the same in every run."""
+    """Measured value. Its name is unique within a run and constant across runs."""
 
     figure: str
     value: float
@@ -41,13 +41,13 @@ class Figure:
         return json.dumps(given)
 
     def row(self, earlier: float | None) -> str:
-        """Return a line of the table, with the ratio to an earlier value if there is one."""
+        """Return a line of the table, with the ratio to an earlier value if available."""
         ratio = f"{self.value / earlier:8.2f}" if earlier else " " * 8
         return f"{self.figure:<64}{self.value:12.5g} {self.unit:<8}{ratio}  {self.bounds}".rstrip()
 
 
 class ReportFigure(Protocol):
-    """Prints a figure; one outside its bounds fails the test once the test has ended."""
+    """Prints a figure. A figure outside its bounds fails the test at its end."""
 
     def __call__(
         self,
@@ -100,7 +100,7 @@ def pytest_terminal_summary(
 
 
 def fast_board(folder: Path, baud: int) -> tuple[str, str]:
-    """Return the options of a simulator whose board has this baud rate."""
+    """Return simulator options for a board with this baud rate."""
     board = folder / "board.json"
     Eeprom.open(board, "trex").write("uart_settings", LineSettings(baud).to_wire())
     return ("--eeprom", str(board))
@@ -135,11 +135,11 @@ def figure(
 
 
 def earlier_values(path: Path) -> dict[str, float]:
-    """Return the figures among the lines of a saved run.
+    """Return the figures of a saved run.
 
     Raises:
         OSError: the file cannot be read.
-        ValueError: it holds no figures.
+        ValueError: the file has no figures.
     """
     lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
     figures = [json.loads(line) for line in lines if line.startswith('{"figure":')]

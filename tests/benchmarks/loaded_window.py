@@ -1,4 +1,4 @@
-"""The program's window in a process of its own: what it costs while a board is connected.
+"""Cost of the program's window in a separate process, with a connected board.
 
 `python -m tests.benchmarks.loaded_window load|gaps|dialogs|memory URL SECONDS` prints one JSON
 object.
@@ -52,7 +52,7 @@ def _run_loop(seconds: float) -> None:
 
 
 def _connected(url: str, collector: GuiThreadCollector) -> Program:
-    """Return the program as it is started, with a board connected and every module loaded."""
+    """Return a started program with a connected board and all modules loaded."""
     program = composition.build()
     program.window.show()
     _run_loop(0.2)
@@ -65,7 +65,7 @@ def _connected(url: str, collector: GuiThreadCollector) -> Program:
 
 
 def _cpu(program: Program, seconds: float) -> dict[str, float]:
-    """Return percent of a core, all threads together, for each page and without a window."""
+    """Return percent of a core for each page and without a window, in all threads."""
     window, tabs = program.window, program.window.pages
     states: dict[str, Callable[[], None]] = {
         tabs.tabText(index): partial(tabs.setCurrentIndex, index) for index in range(tabs.count())
@@ -83,10 +83,9 @@ def _cpu(program: Program, seconds: float) -> dict[str, float]:
 
 
 def _gaps(program: Program, seconds: float) -> dict[str, float]:
-    """Return the longest time between two turns of the event loop, with all pages in turn.
+    """Return the longest gaps in the event loop, in ms, with all pages in turn.
 
-    `worked` is the longest time that this thread computed without a turn: other processes that
-    keep the computer busy do not add to it.
+    `worked` is the longest gap in processor time of this thread, without other processes.
     """
     tabs = program.window.pages
 
@@ -97,7 +96,7 @@ def _gaps(program: Program, seconds: float) -> dict[str, float]:
 
 
 def _dialogs(program: Program, seconds: float) -> dict[str, float]:
-    """Return the same while dialogs open, two at a time and each for the first time."""
+    """Return the longest gap while dialogs open, two at a time."""
     del seconds
     window = program.window
     trex(program).device.parameters.edit("serial_timeout", 9)
@@ -118,7 +117,7 @@ def _longest(steps: Sequence[Callable[[], object]]) -> dict[str, float]:
     turns = [(time.monotonic(), time.thread_time())]
     longest, worked = 0.0, 0.0
 
-    def note() -> None:
+    def record_gap() -> None:
         nonlocal longest, worked
         now = time.monotonic(), time.thread_time()
         longest = max(longest, now[0] - turns[0][0] - _TICK_MS / 1000)
@@ -127,7 +126,7 @@ def _longest(steps: Sequence[Callable[[], object]]) -> dict[str, float]:
 
     timer = QTimer()
     timer.setTimerType(Qt.TimerType.PreciseTimer)
-    timer.timeout.connect(note)
+    timer.timeout.connect(record_gap)
     timer.start(_TICK_MS)
     for step in steps:
         step()
@@ -136,9 +135,9 @@ def _longest(steps: Sequence[Callable[[], object]]) -> dict[str, float]:
 
 
 def _memory(program: Program, seconds: float) -> dict[str, float]:
-    """Return MiB resident at the start and after so many seconds, and what grows after that.
+    """Return the resident MiB at the start and after some seconds, and the growth afterwards.
 
-    Some seconds of a real connection are replayed, since an hour takes an hour.
+    The telemetry of an hour is a few seconds of a real connection, replayed.
     """
     device = trex(program).device
     batches: list[Batch] = []

@@ -1,8 +1,8 @@
-"""Relay of a TCP connection that delays it, and tells when a stop of a TReX passes.
+"""Relay that delays a TCP connection and reports when a stop of a TReX passes.
 
     python -m tests.benchmarks.relay LISTEN_PORT TARGET_PORT DELAY_S LOSS
 
-A lost packet of TCP is one that arrives a retransmission timeout later, and all behind it.
+A lost TCP packet and its successors arrive a retransmission timeout later.
 """
 
 import asyncio
@@ -12,7 +12,7 @@ import time
 
 from trex_gui.devices.trex.protocol.commands import STOP
 
-_RETRANSMISSION = 0.2  # seconds; the least of Linux
+_RETRANSMISSION = 0.2  # seconds; minimum of Linux
 _STOP = STOP[0].opcode
 
 

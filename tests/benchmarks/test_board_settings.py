@@ -1,8 +1,7 @@
-"""Reading a whole board and writing a whole settings file, against the time on the wire.
+"""Time to read a whole board and to write a whole settings file, compared to the wire.
 
-The simulated board is a process of its own at the pace of the wire, behind a pseudo-terminal. The
-time on the wire is that of every byte in either direction, and of the EEPROM; what is read twice
-counts twice.
+The simulated board is a separate process behind a pseudo-terminal, at the pace of the wire. The
+time on the wire includes each byte in both directions and the EEPROM.
 """
 
 import statistics
@@ -70,10 +69,10 @@ def test_whole_board_takes_little_more_than_wire_time(
 
 
 def _seconds(client: TrexClient, work: Callable[[Requester], None]) -> tuple[float, float]:
-    """Return the seconds that some work takes, and those that wire and EEPROM take.
+    """Return the seconds of some work, and the seconds of wire and EEPROM.
 
-    The first is the sum of the medians of each transaction, with what is between it and the next.
-    Whatever else the computer does adds milliseconds to some of them.
+    The first is a sum of medians, one for each transaction with the pause after it, because other
+    processes add milliseconds to some transactions.
     """
     rounds: list[list[float]] = []
     on_wire = 0.0

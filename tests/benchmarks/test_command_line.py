@@ -1,4 +1,4 @@
-"""Seconds from the command to its help, and to a first answer of a simulated board."""
+"""Seconds from a command to its help, and to the first reply of a board."""
 
 import subprocess
 import sys

@@ -1,7 +1,6 @@
-"""From a fault to the stop at the board, while the window drives and telemetry runs at full rate.
+"""Time from a fault to the stop at the board, with telemetry at full rate.
 
-The simulated board, which works at the pace of the wire, is polled for its motors; that adds up to
-some 10 ms.
+The simulated board works at the pace of the wire. Polling its motors adds up to 10 ms.
 """
 
 import signal

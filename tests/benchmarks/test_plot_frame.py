@@ -1,6 +1,6 @@
-"""What a frame of the plot costs, by the length of the history behind it.
+"""Time of a frame of the plot, by the length of its history.
 
-All lengths take turns within one run, so that what else the computer does falls on each alike.
+All lengths take turns within one run, so that other processes affect them alike.
 """
 
 import time
@@ -22,7 +22,7 @@ _RATE = 80
 
 
 def traces_of(count: int) -> Traces:
-    """Two curves and their history, `count` samples long."""
+    """Return two curves with `count` samples."""
     noise = np.random.default_rng(count)
     history = SampleHistory(2)
     history.extend(np.arange(count) / _RATE, list(noise.normal(5, 1, size=(2, count))))

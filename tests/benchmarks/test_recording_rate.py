@@ -1,4 +1,4 @@
-"""What an hour of recording at full rate (690,000 records) costs in bytes and seconds."""
+"""Size and processor time of an hour of recording at full rate (690,000 records)."""
 
 import contextlib
 import math
@@ -14,7 +14,7 @@ from trex_gui.devices.trex.model.playback import Playback
 
 
 def seconds(work: Callable[[], object]) -> float:
-    """Processor time of some work."""
+    """Return the processor time of some work."""
     begin = time.process_time()
     work()
     return time.process_time() - begin

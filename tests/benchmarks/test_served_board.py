@@ -1,7 +1,7 @@
-"""Boards over the network: stops, samples, and the processor time of the server.
+"""Stops, samples and processor time of boards over the network.
 
-Each part is a process of its own: simulated board, server, relays. A relay before the board tells
-when a stop reaches the wire; `time.monotonic` is one clock for all processes of a computer.
+Simulated board, server and relays are separate processes. A relay before the board records when a
+stop reaches the wire. All processes of a computer share the clock of `time.monotonic`.
 """
 
 import os
@@ -46,7 +46,7 @@ def free_port() -> int:
 
 
 class Robot:
-    """A simulated board, a relay that sees its wire, and its server."""
+    """Simulated board, relay on its wire, and server."""
 
     def __init__(self, stack: ExitStack, folder: Path, baud: int) -> None:
         self._stack, wire, board = stack, free_port(), free_port()
@@ -93,16 +93,16 @@ class Robot:
 
 
 class Client:
-    """One session, and what it reports."""
+    """Session and its reports."""
 
-    def __init__(self, make: Callable[..., Any]) -> None:
+    def __init__(self, create: Callable[..., Any]) -> None:
         self.inbox, self.samples, self.outcomes = RequestQueue(), 0, set[int]()
         self._is_connected = threading.Event()
-        self._thread = threading.Thread(target=make(self.inbox, self._take).run)
+        self._thread = threading.Thread(target=create(self.inbox, self._on_report).run)
         self._thread.start()
         assert self._is_connected.wait(20)
 
-    def _take(self, report: object) -> None:
+    def _on_report(self, report: object) -> None:
         match report:
             case Batch(samples=samples):
                 self.samples += len(samples)
@@ -122,12 +122,12 @@ class Client:
 
 
 @contextmanager
-def client(make: Callable[..., Any]) -> Iterator[Client]:
-    one = Client(make)
+def client(create: Callable[..., Any]) -> Iterator[Client]:
+    opened = Client(create)
     try:
-        yield one
+        yield opened
     finally:
-        one.close()
+        opened.close()
 
 
 def remote(port: int) -> Callable[..., RemoteSession]:
@@ -136,11 +136,11 @@ def remote(port: int) -> Callable[..., RemoteSession]:
 
 
 def measure_stops(robot: Robot, one: Client) -> list[float]:
-    """Return how long each stop took from its request to the wire, in ms."""
+    """Return the time of each stop from its request to the wire, in ms."""
     took = []
     for number in range(1, _STOPS + 1):
         one.inbox.put(Arm())
-        time.sleep(0.03 + number % 17 / 1000)  # anywhere between two questions
+        time.sleep(0.03 + number % 17 / 1000)  # anywhere between two polls
         robot.stops.clear()
         pressed = time.monotonic()
         one.inbox.put(Stop(number))
@@ -222,7 +222,7 @@ _MANY = 100
 
 @pytest.mark.timeout(600)
 def test_many_robots(stack: ExitStack, figure: ReportFigure) -> None:
-    """List and stop served boards, each with a simulator and a server of its own."""
+    """Each board has a simulator and a server."""
     ports = free_ports(2 * _MANY)
     hosts = []
     for wire, port in zip(ports[:_MANY], ports[_MANY:], strict=True):

@@ -1,6 +1,6 @@
-"""The simulator's pace: as fast as it can, and exactly as slow as the wire.
+"""Speed of the simulator, unpaced and at the pace of the wire.
 
-Unpaced it must not be what a test waits for; paced it must be the wire, to the percent.
+Unpaced, it must not slow down tests. Paced, it must match the wire within a percent.
 """
 
 import time
@@ -39,7 +39,7 @@ def test_unpaced_simulator_reaches_required_rate(figure: ReportFigure) -> None:
 def test_paced_bytes_take_line_time(
     baud: int, start_simulator: StartSimulator, tmp_path: Path, figure: ReportFigure
 ) -> None:
-    """Null bytes go out without a pause and come back as echo, each when its stop bit ends."""
+    """Null bytes without pauses return as an echo, each after its stop bit."""
     settings = LineSettings(baud)
     simulator = start_simulator("--echo", *fast_board(tmp_path, baud))
     size = round(_SECONDS / settings.seconds(1))
@@ -67,7 +67,7 @@ def test_paced_bytes_take_line_time(
 def test_paced_transactions_take_at_least_line_time(
     baud: int, start_simulator: StartSimulator, tmp_path: Path, figure: ReportFigure
 ) -> None:
-    """Requests each after the last answer: the wire, and what two processes add to it."""
+    """Each request follows the last reply. Two processes add to the time on the wire."""
     settings = LineSettings(baud)
     simulator = start_simulator(*fast_board(tmp_path, baud))
     requests = [(bytes.fromhex(packet), size) for packet, size in _TELEMETRY]
@@ -83,4 +83,4 @@ def test_paced_transactions_take_at_least_line_time(
         took = time.perf_counter() - begun
     figure(f"paced transactions at {baud} baud", count / took, "/s")
     figure(f"added to a transaction at {baud} baud", (took - wire) / count * 1e6, "us")
-    assert took >= wire  # nothing comes before the wire has carried it
+    assert took >= wire  # a reply cannot arrive before its last bit

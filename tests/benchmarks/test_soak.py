@@ -1,6 +1,6 @@
-"""Many thousand frames of our own window: does the Qt binding lose references to None?
+"""Reference count of None over thousands of frames of a window.
 
-PySide6 6.12 does on Python 3.11, and ends the process after some hundred frames.
+PySide6 6.12 loses references on Python 3.11, and ends the process after some hundred frames.
 """
 
 import resource

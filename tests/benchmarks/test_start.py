@@ -1,8 +1,8 @@
-"""Seconds from the command to a painted window, and to a window that shows a live board.
+"""Seconds from the command to a painted window, and to a window with a live board.
 
-The yardstick is a bare window with one plot, which any program with these libraries has to load.
-Both take turns in one run, with bytecode as an installed program has it. The two are compared in
-processor time, which other processes change least.
+The reference is a bare window with one plot, the minimum for a program with these libraries. Both
+take turns in one run, with compiled bytecode. Their processor times are compared, since other
+processes affect these least.
 """
 
 import os
@@ -53,7 +53,7 @@ assert program.close()
 print(shown - begun, used, live - begun)
 """
 
-_RUNS = 8  # of each, and one before that writes the bytecode
+_RUNS = 8  # of each window, after one run that writes the bytecode
 
 
 def _run(script: str, bytecode: Path) -> tuple[float, ...]:

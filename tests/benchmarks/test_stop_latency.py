@@ -1,9 +1,8 @@
-"""From the press of a button or the move of a slider to its bytes on the wire.
+"""Time from the press of a button or the move of a slider to its bytes on the wire.
 
-The window paints, telemetry runs at full rate, the simulated board is a process of its own at the
-pace of the wire. Beside each figure stands the least that was possible: what the transaction that
-was in flight at the moment of the press still took. A board is deaf while it answers, so nothing
-can go out before that.
+The window paints, telemetry runs at full rate, and the simulated board is a separate process at the
+pace of the wire. Each figure has a minimum beside it: the remaining time of the transaction at the
+moment of the press. A board does not listen while it replies.
 """
 
 import random
@@ -36,18 +35,18 @@ computer is."""
 
 
 class Wiretap:
-    """What went out when, and which transactions were in flight, on `time.perf_counter`."""
+    """Sent bytes and transactions with their times, on `time.perf_counter`."""
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.writes: list[tuple[float, bytes]] = []
         self.transactions: list[tuple[float, float]] = []
         write, transact = SerialTransport.write, TrexClient._transact
 
-        def note_write(port: SerialTransport, data: bytes) -> None:
+        def record_write(port: SerialTransport, data: bytes) -> None:
             self.writes.append((time.perf_counter(), data))
             write(port, data)
 
-        def note_transaction(
+        def record_transaction(
             client: TrexClient, command: Command[ReplyT_co], framing: Framing
         ) -> Reply[ReplyT_co]:
             begun = time.perf_counter()
@@ -56,19 +55,19 @@ class Wiretap:
             finally:
                 self.transactions.append((begun, time.perf_counter()))
 
-        monkeypatch.setattr(SerialTransport, "write", note_write)
-        monkeypatch.setattr(TrexClient, "_transact", note_transaction)
+        monkeypatch.setattr(SerialTransport, "write", record_write)
+        monkeypatch.setattr(TrexClient, "_transact", record_transaction)
 
-    def forget(self) -> None:
+    def clear(self) -> None:
         self.writes.clear()
         self.transactions.clear()
 
     def first_after(self, moment: float, is_wanted: Callable[[bytes], bool]) -> float | None:
-        """When the first bytes of this kind went out after a moment."""
+        """Return the time of the first matching bytes after a moment."""
         return next((at for at, data in self.writes if at >= moment and is_wanted(data)), None)
 
     def rest_of_the_transaction_at(self, moment: float) -> float:
-        """How long the transaction that was in flight at a moment still took."""
+        """Return the remaining time of the transaction at a moment."""
         return next((end - moment for begun, end in self.transactions if begun <= moment < end), 0)
 
 
@@ -81,7 +80,7 @@ def speed_of(number: int) -> int:
 
 
 def is_drive(data: bytes, number: int) -> bool:
-    """Whether this is the setpoint of that move, not a repetition of an older one."""
+    """Return whether this is the setpoint of the move, not a repeated older setpoint."""
     return 0xC0 <= data[0] <= 0xEF and data[1] == speed_of(number)
 
 
@@ -116,9 +115,9 @@ def test_delay_from_press_to_wire_stays_below_limit(
         took, least = [], []
         for number in range(_PRESSES):
             device.motors.arm()
-            qtbot.wait(chance.randint(25, 45))  # anywhere between two questions
+            qtbot.wait(chance.randint(25, 45))  # anywhere between two polls
             assert device.motors.armed, device.motors.stop_reason or device.status
-            tap.forget()
+            tap.clear()
             pressed = time.perf_counter()
             act(number)
             sent: float | None = None

@@ -1,7 +1,7 @@
-"""How often a second each value is read, against what the board renews and the wire allows.
+"""Rate at which each value is read, compared to the rates of the board and the wire.
 
-One run has both figures of each ratio: what was read, and what the same schedule reads in
-virtual time, where nothing but the wire costs anything.
+Each ratio compares the measured rate to that of the schedule in virtual time, in which only the
+wire takes time.
 """
 
 from pathlib import Path
@@ -33,7 +33,7 @@ def _count(reports: list[Report]) -> dict[str, int]:
 
 
 def _possible(settings: ConnectionSettings) -> dict[str, float]:
-    """What the schedule reaches a second when only the wire takes time."""
+    """Return the rates of the schedule if only the wire takes time."""
     eeprom = Eeprom()
     eeprom.write("uart_settings", settings.line.to_wire())
     stage = Stage(Board(eeprom=eeprom))
@@ -82,7 +82,7 @@ def test_telemetry_rate_is_positive_for_every_sample_kind(
 
 
 def _show_every_page(program: Program) -> None:
-    """Let every page be seen at once, each in a window of its own."""
+    """Show all pages at once, each in a window."""
     tabs = program.window.pages
     pages = [tabs.widget(index) for index in range(tabs.count())]
     for page in pages:

@@ -1,6 +1,6 @@
-"""What the window of a connected board costs: processor time, memory, gaps in its event loop.
+"""Processor time, memory and event-loop gaps of the window with a connected board.
 
-The window and the simulated board are processes of their own, the line is paced at 115200 baud.
+The window and the simulated board are separate processes. The line is paced at 115200 baud.
 """
 
 import json
@@ -41,7 +41,7 @@ def _measure(what: str, url: str, seconds: float, folder: Path) -> dict[str, flo
 def test_processor_time_of_the_window(url: str, tmp_path: Path, figure: ReportFigure) -> None:
     runs = [_measure("load", url, _SECONDS, tmp_path) for _ in range(_RUNS)]
     for state in runs[0]:
-        least = min(run[state] for run in runs)  # other processes only add to it
+        least = min(run[state] for run in runs)  # other processes only add time
         figure(f"cpu of the window, {state}", least, "%", at_most=_AT_MOST.get(state))
 
 

@@ -1,1 +1,1 @@
-"""Mutated and random input for everything that reads what other programs and devices wrote."""
+"""Fuzzing of all input from other programs and devices."""

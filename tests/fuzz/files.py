@@ -1,4 +1,4 @@
-"""Files that users open, and that they may have written with other programs."""
+"""Fuzzing of files that users open."""
 
 import contextlib
 import math
@@ -148,7 +148,7 @@ def _record_samples() -> Sequence[bytes]:
 
 
 def check_record(data: bytes, folder: Path) -> None:
-    """What is kept of a board beside what it stores."""
+    """Check the file that stores data about a board."""
     stored = factory_settings(device_table().model("trex"), "1.2")
     records, board = BoardRecords(folder), BoardIdentity.of(stored)
     records.path(board).write_bytes(data)
@@ -168,7 +168,7 @@ def check_record(data: bytes, folder: Path) -> None:
 
 
 def check_snapshot(data: bytes, folder: Path) -> None:
-    """The same bytes as a snapshot and as the file that says how many to keep."""
+    """Check the input as a snapshot and as the file with the number of snapshots."""
     (folder / "20260102T030405Z-trex-1.2.txt").write_bytes(data)
     (folder / "99999999T999999Z-9-trex-1.2.txt").write_bytes(data)
     (folder / LIMIT_FILE).write_bytes(data)
@@ -278,7 +278,7 @@ CHANGES = ("UPDATE", "DELETE", "INSERT", "ALTER", "DROP", "CREATE")
 
 
 def check_statements(data: bytes, folder: Path) -> None:
-    """SQL on a sound recording: what a person or another program can make of it."""
+    """Run SQL on a valid recording, as other programs might."""
     path = folder / "any.trexrec"
     first, _, rest = data.partition(b"\n")
     path.write_bytes(recording_samples()[b"robot" in first])

@@ -1,7 +1,7 @@
-"""Fuzzing without coverage: the inputs that failed once, then mutations of valid inputs.
+"""Fuzzing without coverage.
 
-An input is a string of bytes. `corpus/<target>` has the inputs that failed once; they are always
-tried. A seed gives the same random inputs for each target, however fast the computer is.
+Inputs are bytes. `corpus/<target>` has the inputs that failed once, which are always tried first.
+Random mutations of valid inputs follow. A seed determines them on any computer.
 """
 
 import contextlib
@@ -26,8 +26,8 @@ from types import TracebackType
 CORPUS = Path(__file__).parent / "corpus"
 LONGEST = 64 * 1024  # bytes of a random input
 LONGEST_CASE = 20.0  # seconds of processor time; most inputs take some milliseconds
-GROWTH_FIRST = 20  # inputs before the first look at the memory
-GROWTH_EVERY = 500  # inputs between two looks at it
+GROWTH_FIRST = 20  # inputs before the first check of the memory
+GROWTH_EVERY = 500  # inputs between two checks
 
 _NUMBER = re.compile(rb"-?[0-9]+")
 _NUMBERS = (
@@ -37,37 +37,30 @@ _NUMBERS = (
 )
 
 
-Make = Callable[[Random], bytes]
+InputFactory = Callable[[Random], bytes]
 
 
 @dataclass(frozen=True)
 class Target:
-    """Something that reads input from outside.
-
-    Attributes:
-        make: makes an input; the same from the same random numbers.
-        check: passes an input to the program; raises whatever the program does not document. May
-            write to the folder that it is given, which is empty.
-        examples: number of random inputs that the gate tries.
-        growth: bytes that an input may leave behind.
-    """
+    """Part of the program that reads external input."""
 
     name: str
-    make: Make
+    create: InputFactory  # depends on the random numbers only
+    # Passes an input to the program, and an empty folder for its files. Raises undocumented errors.
     check: Callable[[bytes, Path], object]
-    examples: int = 50
-    growth: int = 2000
+    examples: int = 50  # number of random inputs in the gate
+    growth: int = 2000  # bytes of memory that an input may occupy afterwards
 
-    def kept(self) -> list[Path]:
+    def corpus(self) -> list[Path]:
         return sorted((CORPUS / self.name).glob("*"))
 
     def random_input(self, seed: int, number: int) -> bytes:
-        return self.make(Random(f"{seed} {self.name} {number}"))
+        return self.create(Random(f"{seed} {self.name} {number}"))
 
 
 @dataclass(frozen=True)
 class Finding:
-    """An input that the program did not take as documented; `origin` says how to repeat it."""
+    """Input that broke a documented promise. `origin`: how to repeat the input."""
 
     target: Target
     data: bytes
@@ -78,8 +71,8 @@ class Finding:
         shown = f"{self.data[:400]!r}{' …' if len(self.data) > 400 else ''}"
         return f"{self.target.name}, {self.origin}:\n{shown}\n{self.error}"
 
-    def keep(self) -> Path:
-        """Store the input in the corpus; its name is that of the error."""
+    def save(self) -> Path:
+        """Store the input in the corpus under the name of its error."""
         last = self.error.rstrip().rpartition("\n")[2]
         kind = re.split(r"\W", last.partition(":")[0].rpartition(".")[2])[0] or "error"
         folder = CORPUS / self.target.name
@@ -92,10 +85,10 @@ class Finding:
 
 
 def attempt(target: Target, data: bytes, origin: str) -> Finding | None:
-    """Try an input; also what the program catches as an internal error is a finding."""
+    """Try an input. An internal error that the program catches is a finding too."""
     errors: list[str] = []
     catcher = _Catcher(errors)
-    hook, sys.excepthook = sys.excepthook, catcher.take
+    hook, sys.excepthook = sys.excepthook, catcher.record
     logging.getLogger().addHandler(catcher)
     try:
         with _watchdog(), tempfile.TemporaryDirectory(prefix="fuzz-") as folder:
@@ -109,7 +102,7 @@ def attempt(target: Target, data: bytes, origin: str) -> Finding | None:
 
 
 class _Catcher(logging.Handler):
-    """Takes the errors that a thread, a slot or a session of the program did not expect."""
+    """Collects unexpected errors of threads, slots and sessions."""
 
     def __init__(self, errors: list[str]) -> None:
         super().__init__(logging.ERROR)
@@ -119,19 +112,19 @@ class _Catcher(logging.Handler):
         if record.exc_info is not None:
             self._errors.append(logging.Formatter().format(record))
 
-    def take(
+    def record(
         self, kind: type[BaseException], error: BaseException, trace: TracebackType | None
     ) -> None:
         self._errors.append("".join(traceback.format_exception(kind, error, trace)))
 
 
 class Hang(BaseException):
-    """An input takes `LONGEST_CASE` seconds of processor time; no `except Exception` hides it."""
+    """Exceeded `LONGEST_CASE` seconds of processor time. No `except Exception` catches it."""
 
 
 @contextlib.contextmanager
 def _watchdog() -> Iterator[None]:
-    """Raise `Hang` where the system can; a busy computer makes no difference."""
+    """Raise `Hang` on systems with a timer for processor time."""
     if (
         not hasattr(signal, "setitimer")
         or threading.current_thread() is not threading.main_thread()
@@ -158,21 +151,21 @@ def run(
     report: Callable[[Finding | str], object] = print,
     clock: Callable[[], float] = time.monotonic,
 ) -> list[Finding]:
-    """Try the inputs that are kept, then random ones for so long; report and return findings.
+    """Try the corpus, then random inputs for some seconds. Report and return the findings.
 
-    In the end it reports what was tried. Each target gets the same share of the time. `number` in
-    a finding counts its inputs.
+    All targets get the same share of the time. `number` in a finding counts the inputs of its
+    target.
     """
     found: list[Finding] = []
 
-    def note(finding: Finding | None) -> None:
+    def add(finding: Finding | None) -> None:
         if finding is not None:
             found.append(finding)
             report(finding)
 
     for target in targets:
-        for path in target.kept():
-            note(attempt(target, path.read_bytes(), path.name))
+        for path in target.corpus():
+            add(attempt(target, path.read_bytes(), path.name))
     used = dict.fromkeys(targets, 0.0)
     tried = dict.fromkeys(targets, 0)
     end = clock() + seconds
@@ -180,13 +173,13 @@ def run(
         target = min(targets, key=used.__getitem__)
         number = tried[target]
         origin = f"seed {seed}, number {number}"
-        note(attempt(target, target.random_input(seed, number), origin))
+        add(attempt(target, target.random_input(seed, number), origin))
         tried[target] += 1
         if (tried[target] - GROWTH_FIRST) % GROWTH_EVERY == 0 and (
             (grown := growth(target, seed, number)) > target.growth
         ):
             error = f"Growth: {grown} bytes for each input"
-            note(Finding(target, b"", origin, error))
+            add(Finding(target, b"", origin, error))
         used[target] += clock() - began
     counts = ", ".join(f"{target.name} {count}" for target, count in tried.items())
     report(f"Tried {sum(tried.values())} inputs: {counts}.")
@@ -194,7 +187,7 @@ def run(
 
 
 def growth(target: Target, seed: int, number: int, inputs: int = 10) -> int:
-    """Return by how many bytes the memory grows with each input, after the caches are filled."""
+    """Return the bytes by which memory grows per input, after the caches are full."""
     tracemalloc.start()
     try:
         sizes = []
@@ -211,11 +204,11 @@ def growth(target: Target, seed: int, number: int, inputs: int = 10) -> int:
 # --- Mutations --------------------------------------------------------------------------
 
 
-def mutations(samples: Callable[[], Sequence[bytes]], words: Sequence[bytes] = ()) -> Make:
-    """Return what mutates valid inputs; `words` are pieces that have a meaning in them."""
+def mutations(samples: Callable[[], Sequence[bytes]], words: Sequence[bytes] = ()) -> InputFactory:
+    """Return a function that mutates valid inputs. `words`: meaningful pieces to insert."""
     known = cache(samples)
 
-    def make(random: Random) -> bytes:
+    def create(random: Random) -> bytes:
         if random.random() < 0.05:
             return random.randbytes(random.randrange(300))
         data = random.choice(known())
@@ -223,7 +216,7 @@ def mutations(samples: Callable[[], Sequence[bytes]], words: Sequence[bytes] = (
             data = _mutated_once(random, data, known(), words)[:LONGEST]
         return data
 
-    return make
+    return create
 
 
 def _mutated_once(

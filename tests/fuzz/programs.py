@@ -1,4 +1,4 @@
-"""Command lines, and the configuration that the window starts with."""
+"""Fuzzing of command lines and of the window's configuration."""
 
 import contextlib
 import io
@@ -15,7 +15,7 @@ from PySide6.QtCore import QByteArray, QCoreApplication, QSettings
 from PySide6.QtWidgets import QApplication
 
 from tests.fuzz.files import YAML, pose_samples, recording_samples, settings_samples
-from tests.fuzz.fuzzing import Make, Target, mutations
+from tests.fuzz.fuzzing import InputFactory, Target, mutations
 from tests.support.program import aracna, trex
 from tests.support.virtual_command import VirtualCommand
 from tests.support.virtual_devices import VirtualProcess, VirtualSimulator
@@ -43,7 +43,7 @@ URL, ROBOT_URL = "virtual:board", "virtual:robot"
 
 
 class Computer(VirtualRuntime):
-    """A computer in virtual time that has no real ports."""
+    """Computer in virtual time, without real ports."""
 
     def open_transport(self, settings: PortSettings) -> Transport:
         if settings.url not in self.ports:
@@ -53,7 +53,7 @@ class Computer(VirtualRuntime):
 
 @contextlib.contextmanager
 def _computer(folder: Path) -> Iterator[Computer]:
-    """Work in a folder, with simulated devices at `URL` and `ROBOT_URL`."""
+    """Change to a folder, with simulated devices at `URL` and `ROBOT_URL`."""
     computer = Computer()
     computer.make_process = lambda parent: VirtualProcess(computer, parent)
     before = use_runtime(computer)
@@ -75,7 +75,7 @@ def _computer(folder: Path) -> Iterator[Computer]:
 
 
 def _words(data: bytes) -> list[str]:
-    """One argument a line; none leads out of the working folder."""
+    """Return one argument per line, all inside the working folder."""
     text = data.decode("utf-8", "surrogateescape").replace("\0", "").replace("/", "_")
     return text.split("\n")[:20]
 
@@ -112,7 +112,7 @@ def _prepare(folder: Path) -> None:
 
 
 def check_trex_sim(data: bytes, folder: Path) -> None:
-    """Everything until the device is served."""
+    """Check the steps before the device is served."""
     words = _words(data)
     with (
         contextlib.chdir(folder),
@@ -125,7 +125,7 @@ def check_trex_sim(data: bytes, folder: Path) -> None:
 
 
 def check_trex_gui(data: bytes, folder: Path) -> None:
-    """The arguments, and what the window makes of those that are valid."""
+    """Check the arguments, and open the window with valid arguments."""
     words = _words(data)
     said, code = io.StringIO(), None
     try:
@@ -158,10 +158,10 @@ VALUES = (
 _NETWORK = {"robots", "serve"}  # commands that wait for other computers, in real time
 
 
-def _vectors(*programs: click.Command) -> Make:
-    """Return what makes arguments that mostly fit one of these commands."""
+def _vectors(*programs: click.Command) -> InputFactory:
+    """Return a function that creates mostly valid arguments for these commands."""
 
-    def make(random: Random) -> bytes:
+    def create(random: Random) -> bytes:
         words, command = [], random.choice(programs)
         while isinstance(command, click.Group):
             context = click.Context(command)
@@ -176,7 +176,7 @@ def _vectors(*programs: click.Command) -> Make:
             words.insert(random.randrange(len(words) + 1), random.choice(VALUES))
         return "\n".join(words).encode("utf-8", "surrogateescape")
 
-    return make
+    return create
 
 
 FITTING = {
@@ -233,7 +233,7 @@ def _trex_gui_samples() -> Sequence[bytes]:
 
 @contextlib.contextmanager
 def _window(folder: Path) -> Iterator[tuple[Program, Computer]]:
-    """The window of a program whose configuration is in a folder."""
+    """Open the window of a program whose configuration is in a folder."""
     QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, str(folder))
     with _computer(folder) as computer:
         program = build()
@@ -305,7 +305,7 @@ def _configuration(values: dict[str, str]) -> bytes:
 
 
 def _configurations() -> Sequence[bytes]:
-    """Every key with every unusable value, and one in which all are usable."""
+    """Return each key with each invalid value, and a configuration that is valid."""
     rotated = [
         {key: UNUSABLE[(at + turn) % len(UNUSABLE)] for at, key in enumerate(VALID)}
         for turn in range(len(UNUSABLE))
@@ -336,7 +336,7 @@ assert isinstance(simulator.main, click.Command)
 
 
 def check_opened_file(data: bytes, folder: Path) -> None:
-    """A file of any kind in the window that shows it."""
+    """Open a file of any kind in the window."""
     is_recording = data[:6] == b"SQLite"
     path = folder / f"any{'.trexrec' if is_recording else '.ppr' if b'Pose=' in data else '.txt'}"
     path.write_bytes(data)
@@ -360,7 +360,7 @@ def _file_samples() -> Sequence[bytes]:
 
 
 def check_pending_edits(data: bytes, folder: Path) -> None:
-    """A file of edits beside the snapshots, when its board is connected."""
+    """Connect a board that has a file of pending edits."""
     with _computer(folder) as computer:
         settings = factory_settings(device_table().model("trex"), "1.2")
         path = EditFiles().path(BoardIdentity.of(settings))

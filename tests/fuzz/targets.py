@@ -1,6 +1,6 @@
-"""Everything that reads input from outside.
+"""All targets of the fuzzer.
 
-`python -m tests.fuzz.targets SECONDS [SEED] [NAME ...]` prints what it finds, and keeps it in the
+`python -m tests.fuzz.targets SECONDS [SEED] [NAME ...]` prints the findings and stores them in the
 corpus.
 """
 
@@ -25,15 +25,17 @@ TARGETS: tuple[Target, ...] = (*FILE_TARGETS, *WIRE_TARGETS, *PROGRAM_TARGETS)
 
 
 def run(seconds: float, seed: int, targets: tuple[Target, ...] = TARGETS) -> list[Finding]:
-    """Fuzz for so long; print what was found, keep it in the corpus, and return it."""
+    """Fuzz for some seconds. Print the findings, store them in the corpus and return them."""
 
-    out = sys.stdout  # a command that hangs has taken its place
+    out = sys.stdout  # a hanging command may have replaced it
 
-    def report(one: Finding | str) -> None:
-        text = f"{one}\nkept as {one.keep()}\n" if isinstance(one, Finding) and one.data else one
+    def report(news: Finding | str) -> None:
+        text = news
+        if isinstance(news, Finding) and news.data:
+            text = f"{news}\nsaved as {news.save()}\n"
         print(text, file=out, flush=True)
 
-    signal.signal(signal.SIGINT, signal.default_int_handler)  # in the background it is ignored
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored in the background otherwise
     app = QCoreApplication.instance() or QApplication(["fuzz"])
     app.setOrganizationName("TReX Studio tests")
     app.setApplicationName("TReX Studio")
@@ -45,7 +47,7 @@ def run(seconds: float, seed: int, targets: tuple[Target, ...] = TARGETS) -> lis
 
 def main(arguments: list[str]) -> int:
     seed = int(arguments[1]) if len(arguments) > 1 else secrets.randbits(32)
-    chosen = tuple(one for one in TARGETS if one.name in arguments[2:]) or TARGETS
+    chosen = tuple(target for target in TARGETS if target.name in arguments[2:]) or TARGETS
     return 1 if run(float(arguments[0]), seed, chosen) else 0
 
 

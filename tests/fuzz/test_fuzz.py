@@ -1,4 +1,4 @@
-"""No input ends in an error that is not documented, hangs, or makes memory grow."""
+"""Inputs cause no undocumented error, no hang and no growth of memory."""
 
 import gc
 import logging
@@ -40,13 +40,13 @@ from trex_gui.devices.trex.simulator.line import SimulatedBoards
 KEPT = [
     pytest.param(target, path, id=f"{target.name}-{path.name}")
     for target in TARGETS
-    for path in target.kept()
+    for path in target.corpus()
 ]
 
 
 @pytest.fixture
 def seed(request: pytest.FixtureRequest) -> int:
-    """The seed of random inputs: another one in the long tests, the same in the gate."""
+    """Seed of the random inputs. It varies in the long tests only."""
     if not request.config.getoption("--all"):
         return 0
     return Random().getrandbits(32)
@@ -210,7 +210,7 @@ LONG_LIVED: dict[str, Callable[[], tuple[object, Feed]]] = {
 
 
 def _reachable(root: object) -> Iterator[object]:
-    """Yield every object that belongs to this one; classes, functions and modules do not."""
+    """Yield all objects that an object owns, without classes, functions and modules."""
     seen: set[int] = set()
     waiting = [root]
     while waiting:

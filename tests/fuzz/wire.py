@@ -1,4 +1,4 @@
-"""What comes over a line: replies to the program, requests to a simulated device, control lines."""
+"""Fuzzing of replies, of requests to simulated devices, and of control lines."""
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -6,7 +6,7 @@ from typing import Any, Protocol
 
 from tests.devices.aracna.session.scripted_session import ScriptedSession
 from tests.devices.trex.session.helpers import packet
-from tests.fuzz.fuzzing import Make, Target, mutations
+from tests.fuzz.fuzzing import InputFactory, Target, mutations
 from tests.support.aracna import AracnaStage
 from tests.support.virtual import Stage, VirtualTransport
 from trex_gui.composition import PLUGINS
@@ -53,7 +53,7 @@ LONGEST_REPLIES = 10_000
 
 
 class Wire(Protocol):
-    """A transport with its line."""
+    """Transport with its line."""
 
     line: Any
 
@@ -61,10 +61,7 @@ class Wire(Protocol):
 
 
 class Disturbance:
-    """What a damaged line makes of the replies, as bytes say: one for each read.
-
-    Once they are used up, the line is sound again.
-    """
+    """Damages replies as its bytes specify, one for each read. Afterwards the line is undamaged."""
 
     def __init__(self, data: bytes) -> None:
         self._data = data
@@ -72,7 +69,7 @@ class Disturbance:
         self._held = b""
         self.reads = 0
 
-    def take(self, size: int) -> bytes:
+    def _read(self, size: int) -> bytes:
         taken = self._data[self._at : self._at + size]
         self._at += size
         return taken
@@ -81,7 +78,7 @@ class Disturbance:
         self.reads += 1
         assert self.reads < MOST_READS, f"it still reads at {wire.clock():.3f} s"
         received = self._held + received
-        (kind,) = self.take(1) or b"\0"
+        (kind,) = self._read(1) or b"\0"
         number = kind % 16
         match kind // 16:
             case 6:
@@ -89,17 +86,17 @@ class Disturbance:
             case 7:
                 received = received[:number]
             case 8:
-                received = self.take(max(number, len(received)))
+                received = self._read(max(number, len(received)))
             case 9:
-                received = self.take(number) + received
+                received = self._read(number) + received
             case 10:
-                received += self.take(number)
+                received += self._read(number)
             case 11:
                 received = bytes(byte ^ 1 << number % 8 for byte in received)
             case 12:
                 wire.line.advance(number / 10)
             case 13:
-                wire.line.inject(self.take(number))
+                wire.line.inject(self._read(number))
             case 14:
                 received += received[:100]
             case 15 if number == 15:
@@ -140,7 +137,7 @@ BOARD_REQUESTS: Sequence[tuple[float, board.Request]] = (
 
 
 def check_board_replies(data: bytes, folder: Path) -> None:
-    """The first byte says how the line is set; the others disturb a session."""
+    """Check a session. The first byte sets up the line, the other bytes disturb it."""
     how = data[0] if data else 0
     line = LineSettings(19200, Detection.CRC7 if how & 1 else Detection.NONE)
     eeprom = Eeprom()
@@ -162,7 +159,7 @@ def check_board_replies(data: bytes, folder: Path) -> None:
 
 
 def _check_session(reports: Sequence[Any], taken: Sequence[Any], internal: object) -> None:
-    """A session ends without a fault of its own; every request that it took has one outcome."""
+    """Check that a session ends without a fault, and each request with one outcome."""
     ids = [request.id for request in taken if hasattr(request, "id")]
     last = reports[-1]
     assert isinstance(last, Closed)
@@ -196,7 +193,7 @@ def check_robot_replies(data: bytes, folder: Path) -> None:
 
 
 def check_scan(data: bytes, folder: Path) -> None:
-    """A scan for every kind of device on a line that answers with anything."""
+    """Scan for every kind of device on a line with random replies."""
     transport: Any = VirtualTransport(SimulatedBoards([Board()]))
     if data[:1] > b"\x80":
         transport = AracnaStage().transport
@@ -224,7 +221,7 @@ def check_traffic(data: bytes, folder: Path) -> None:
 
 
 def _check_rows(decoder: Decoder, data: bytes) -> None:
-    """The bytes in pieces: a byte says whose the next piece is, and how long."""
+    """Check the bytes in pieces. One byte sets direction and length of the next piece."""
     assembler = TransactionAssembler(decoder)
     line = LineSettings(19200, Detection.CRC7 if data[:1] > b"\x80" else Detection.NONE)
     settings = ConnectionSettings("virtual", line)
@@ -270,7 +267,7 @@ def _traffic_samples() -> Sequence[bytes]:
 
 
 def check_board_requests(data: bytes, folder: Path) -> None:
-    """The first bytes say which boards hear the others; in the end they answer as before."""
+    """Check boards. The first bytes select the boards, which must still answer at the end."""
     how, mode = (*data[:2], 0, 0)[:2]
     boards = [Board(mode=("serial", "serial", "rc", "analog")[mode % 4], seed=0)]
     if how & 1:
@@ -316,7 +313,7 @@ def _check_sizes(line: Any) -> None:
 
 
 class NetworkPort(Rfc2217Endpoint):
-    """The protocol without its socket."""
+    """Protocol without a socket."""
 
     def __init__(self) -> None:
         self._baud, self._client = 19200, None
@@ -327,7 +324,7 @@ class NetworkPort(Rfc2217Endpoint):
 
 
 def check_network_port(data: bytes, folder: Path) -> None:
-    """A client of RFC 2217, as the server serves it."""
+    """Check a client of RFC 2217, as the server handles it."""
     port, line = NetworkPort(), SimulatedBoards([Board(seed=0)])
     for at in range(0, len(data), 30):
         for settings, received in port.arrivals(data[at : at + 30]):
@@ -341,7 +338,7 @@ def check_network_port(data: bytes, folder: Path) -> None:
 
 
 def check_robot_requests(data: bytes, folder: Path) -> None:
-    """Blocks of input with pauses; after a reset the robot answers."""
+    """Send blocks with pauses. After a reset the robot answers."""
     how = data[0] if data else 0
     stage = AracnaStage(booted=bool(how & 1), paced=bool(how & 2), keeps_last=bool(how & 4))
     for at in range(1, len(data), 70):
@@ -389,7 +386,7 @@ TELNET = tuple(  # baud, data bits, parity, stop bits, control, state, purge, op
 
 
 def check_control(data: bytes, folder: Path) -> None:
-    """Any lines on standard input, to one board, to two, and to a robot."""
+    """Send lines to the control of one board, two boards, and a robot."""
     numbered = Eeprom()
     numbered.write("device_number", 9)
     stages: Sequence[tuple[Any, Callable[[Any, str], str]]] = (
@@ -427,7 +424,7 @@ WORDS = tuple(
 # ----------------------------------------------------------------------------------------
 
 
-def _mutated(*samples: bytes, words: Sequence[bytes] = REPLIES) -> Make:
+def _mutated(*samples: bytes, words: Sequence[bytes] = REPLIES) -> InputFactory:
     return mutations(lambda: samples, words)
 
 

@@ -1,9 +1,9 @@
-"""Attacks the program in real time, for as long as it is told to, and prints what fell short.
+"""Attacks the program in real time for a given time, and prints the failures.
 
     python3 packaging/bootstrap.py soak --minutes 30 [--seed 1] [--part faults]
 
-Each part gets a share of the time and the seed, prints what it tries, and returns what fell short
-in lines for people. The same seed tries the same things in the same order, as far as time lasts.
+Each part gets a share of the time and the seed, prints its attempts, and returns lines about the
+failures. The same seed repeats the same attempts in the same order.
 """
 
 import argparse
@@ -32,7 +32,7 @@ PARTS: dict[str, Part] = {
 
 
 def run_parts(parts: Mapping[str, Part], seconds: float, seed: int) -> list[str]:
-    """Run every part for its share of the time; return what fell short."""
+    """Run all parts, each for its share of the time. Return the failures."""
     end = time.monotonic() + seconds
     found: list[str] = []
     for number, (name, run) in enumerate(parts.items()):

@@ -1,7 +1,7 @@
-"""Kill a program and its guardian while motors turn; the next start has to stop them and say so.
+"""Kill a program and its guardian while motors are turning.
 
-Each case is a way to die and a program: the window over three kinds of lines, `trexcmd motor`, and
-the library. All are processes of their own.
+The next start must stop the motors and report that. Each case is a cause of death and a program:
+the window over three kinds of lines, `trexcmd motor`, or the library, in separate processes.
 """
 
 import os
@@ -19,7 +19,7 @@ from pathlib import Path
 from tests.support.simulator import SimulatorProcess
 
 ROOT = Path(__file__).parents[2]
-LIMIT = 30.0  # seconds for what takes a moment on a quiet computer
+LIMIT = 30.0  # seconds; an idle computer takes a moment
 AT_ONCE = 1.0
 """Seconds from the connection of the next start to a board that has stopped."""
 
@@ -60,7 +60,7 @@ def _groups(program: int, guardian: int) -> None:
 
 
 def _namespace(program: int, guardian: int) -> None:
-    """Kill `unshare`, and with it all processes of its namespace at once."""
+    """Kill `unshare`, and with it all processes of its namespace."""
     del guardian
     _kill(program)
 
@@ -104,7 +104,7 @@ def _wait(happened: Callable[[], object], what: str) -> float:
 
 
 def _is_connected(process: int, url: str) -> bool:
-    """Whether a process has opened the port, by its descriptors or the table of connections."""
+    """Return whether a process has the port open."""
     ends = {str(Path(url).resolve())}
     if "://" in url:
         port = f":{int(url.rpartition(':')[2]):04X} 01"
@@ -116,7 +116,7 @@ def _is_connected(process: int, url: str) -> bool:
 
 
 def _children(process: int) -> list[int]:
-    """Return the processes below a process, the youngest last."""
+    """Return the processes below a process, youngest last."""
     found: list[int] = []
     for task in Path(f"/proc/{process}/task").glob("*/children"):
         for child in map(int, task.read_text().split()):
@@ -125,7 +125,7 @@ def _children(process: int) -> list[int]:
 
 
 def die(way: str, program: str) -> str:
-    """Run a case; return what was seen, which begins with `short` if it fell short."""
+    """Run a case. Return the result, which starts with `short` after a failure."""
     kind = program.split()[1]
     place = [] if kind == "pty" else [f"--{kind}", "127.0.0.1:0"]
     board = SimulatorProcess(*place)
@@ -202,7 +202,7 @@ def _die(way: str, program: str, board: SimulatorProcess, folder: Path) -> str:
 
 
 def run(seconds: float, seed: int) -> list[str]:
-    """Run cases until the time is over; return those that fell short, and why."""
+    """Run cases until the time is over. Return the failures and their reasons."""
     end = time.monotonic() + seconds
     cases, found = list(CASES), []
     random.Random(seed).shuffle(cases)

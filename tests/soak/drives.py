@@ -1,8 +1,8 @@
-"""Drives in virtual time: what a motor does that was not commanded, and what is said of it.
+"""Drives in virtual time on a noisy line.
 
-    python -m tests.soak.drives [DRIVES]    prints how long a noisy line turned motors another way
+    python -m tests.soak.drives [DRIVES]    prints the time in which motors turned wrongly
 
-As a part of the soak it counts false alarms of a restart, too.
+The soak also counts false alarms about a restart of the board.
 """
 
 import random
@@ -25,27 +25,22 @@ BEGIN = 3.0
 LONGEST_TURN = 0.06
 """Seconds for which a motor may be driven otherwise than commanded, at 19200 baud."""
 
-_SETTLED = BEGIN + 0.2  # what a request began to turn before that is over
+_SETTLED = BEGIN + 0.2  # end of the first motion
 _SPEEDS = (38, -38, 80, -80, 0)
 
 
 @dataclass
 class DriveResult:
-    """A drive at changing speeds.
+    """Result of a drive at changing speeds."""
 
-    Attributes:
-        turned: seconds of each time that a motor was driven otherwise than commanded.
-        stopped: stops that nobody requested.
-    """
-
-    turned: list[float] = field(default_factory=list)
-    stopped: list[MotorsStopped] = field(default_factory=list)
+    turned: list[float] = field(default_factory=list)  # seconds of each wrong turn
+    stopped: list[MotorsStopped] = field(default_factory=list)  # unrequested stops
 
 
 def drive(
     seed: int, seconds: float, *, noise: float = 0.01, baud: int = 19200, shutdown: bool = False
 ) -> DriveResult:
-    """Drive both motors on a line that corrupts bytes; `shutdown`: the board stops at errors."""
+    """Drive both motors on a line that corrupts bytes. `shutdown`: the board stops at errors."""
     stage, settings = staged(baud)
     stage.board.eeprom.write("uart_error_shutdown", int(shutdown))
     stage.board.power_cycle()
@@ -73,7 +68,7 @@ def drive(
 
 
 def _watch(stage: Stage, turned: list[float]) -> Callable[[SetMotor], None]:
-    """Measure how long motors are driven otherwise than the two newest setpoints say."""
+    """Measure the time in which motors do not follow the two newest setpoints."""
     control = stage.board.serial
     execute, shut_down = control.drive, control._shut_down
     newest: dict[int, list[int]] = {1: [0, 0], 2: [0, 0]}
@@ -84,7 +79,7 @@ def _watch(stage: Stage, turned: list[float]) -> Callable[[SetMotor], None]:
         if stage.line.now > began >= _SETTLED:
             turned.append(stage.line.now - began)
 
-    def note(
+    def record_drive(
         number: int, direction: MotorDirection, speed: int, *, accelerate: bool = False
     ) -> None:
         sign = {MotorDirection.FORWARD: 1, MotorDirection.REVERSE: -1}.get(direction, 0)
@@ -94,18 +89,18 @@ def _watch(stage: Stage, turned: list[float]) -> Callable[[SetMotor], None]:
             end(number)
         execute(number, direction, speed, accelerate=accelerate)
 
-    def note_shut_down() -> None:
+    def record_shutdown() -> None:
         end(1)
         end(2)
         shut_down()
 
-    control.drive = note  # type: ignore[method-assign] # to see when
-    control._shut_down = note_shut_down  # type: ignore[method-assign]
+    control.drive = record_drive  # type: ignore[method-assign]
+    control._shut_down = record_shutdown  # type: ignore[method-assign]
     return lambda setpoint: newest[setpoint.motor].append(setpoint.drive.signed)
 
 
 def run(seconds: float, seed: int) -> list[str]:
-    """Drive for a virtual minute again and again; return false alarms and long wrong turns."""
+    """Repeat drives of one virtual minute. Return false alarms and long wrong turns."""
     end = time.monotonic() + seconds
     found: list[str] = []
     minutes = 0

@@ -1,4 +1,4 @@
-"""The fault matrix in real time, in random order, each case in a window with a real port."""
+"""Fault matrix in real time, in random order, with real ports."""
 
 import random
 import subprocess
@@ -23,7 +23,7 @@ CASE_TIMEOUT = 120.0
 
 
 def run(seconds: float, seed: int) -> list[str]:
-    """Run cases until the time is over; return those that fell short, and why."""
+    """Run cases until the time is over. Return the failures and their reasons."""
     end = time.monotonic() + seconds
     found: list[str] = []
     tried = 0
@@ -48,7 +48,7 @@ def _rounds(seed: int) -> Iterator[list[str]]:
 
 
 def _run_round(names: list[str]) -> Iterator[tuple[str, float, str]]:
-    """Run cases in one process; yield name, seconds and what fell short of each."""
+    """Run cases in one process. Yield name, seconds and failure of each case."""
     with tempfile.TemporaryDirectory(prefix="trex-soak") as folder:
         report = Path(folder) / "report.xml"
         command = [sys.executable, "-m", "pytest", "-q", "-p", "no:randomly", "--tb=short"]
@@ -72,7 +72,7 @@ def _run_round(names: list[str]) -> Iterator[tuple[str, float, str]]:
 
 
 def _read(report: Path) -> dict[str, tuple[float, str]]:
-    """Return seconds and what fell short of each case in a report of pytest."""
+    """Return seconds and failure of each case in a pytest report."""
     try:
         cases = ElementTree.parse(report).getroot().iter("testcase")
     except (OSError, ElementTree.ParseError):

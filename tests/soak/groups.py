@@ -1,11 +1,11 @@
-"""Two boards that are driven together, in virtual time: stops at random, and losses of boards."""
+"""Two boards in one group, in virtual time, with random stops and losses."""
 
 import time
 
 from tests.devices.trex.session.group_stage import run_sequences, stop_delays
 
 _AT_ONCE = 500
-_LEFT, _CONFIRMED = 0.020, 0.060  # longest seconds to the last byte of a stop, to its confirmation
+_LEFT, _CONFIRMED = 0.020, 0.060  # most seconds to the last byte of a stop, and to its confirmation
 
 
 def run(seconds: float, seed: int) -> list[str]:

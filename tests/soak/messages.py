@@ -1,7 +1,7 @@
-"""Attack the server of a board with messages, without a network; no motor may be moved.
+"""Attack the server of a board with messages, without a network. No motor may move.
 
-The first half of the time goes to messages of watchers, changed
-and replayed; the second to two drivers on a network that loses, delays and reorders.
+First, watchers send changed and replayed messages. Then two drivers use a network that loses,
+delays and reorders messages.
 """
 
 import logging
@@ -34,7 +34,7 @@ def _changed(data: bytes, chance: random.Random) -> bytes:
 
 
 def attack(seconds: float, seed: int) -> list[str]:
-    """Send messages of two watchers, one of which may join, and those of the driver once more."""
+    """Send messages of two watchers, and repeat those of the driver."""
     chance, end, count = random.Random(seed), time.monotonic() + seconds, 0
     driver = ServedDriver()
     driver.server.report(CONNECTED)

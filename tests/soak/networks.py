@@ -1,8 +1,7 @@
-"""Cut the network while motors turn; the server at the robot has to stop them.
+"""Cut the network while motors are turning. The server at the robot must stop them.
 
-The driver is in a network namespace of its own, so this needs root. Each trial is a way to cut and
-a program that drives through `trexcmd serve`; the time is from the cut to the motors of the
-simulated board.
+Needs root for the network namespace of the driver. Each trial is a kind of cut and a program that
+drives through `trexcmd serve`. The measured time ends at the motors of the simulated board.
 """
 
 import os
@@ -25,7 +24,7 @@ from trex_gui.core.transport.urls import Address
 from trex_gui.devices.trex.cli.serve import add_user
 
 ROOT = Path(__file__).parents[2]
-LIMIT = 0.6  # seconds from the cut to motors that have stopped
+LIMIT = 0.6  # seconds from the cut to the stop of the motors
 _WAIT = 20.0
 _NET = f"10.{os.getpid() % 200}.{os.getpid() // 200 % 200}"
 _SPACE = f"trex{os.getpid()}"
@@ -62,7 +61,7 @@ def _ip(*words: str) -> None:
 
 @contextmanager
 def namespace() -> Iterator[None]:
-    """Make a network of two: this one has the address 1, the namespace the address 2."""
+    """Create a network of two hosts. This host has address 1, the namespace address 2."""
     _ip("netns", "add", _SPACE)
     try:
         _ip("link", "add", _HERE, "type", "veth", "peer", "name", _THERE, "netns", _SPACE)
@@ -73,7 +72,7 @@ def namespace() -> Iterator[None]:
 
 
 def _connect() -> None:
-    """Heal the network, whatever was cut."""
+    """Restore the network after any cut."""
     inside = "netns", "exec", _SPACE, "ip"
     _ip("addr", "replace", f"{_NET}.1/24", "dev", _HERE)
     _ip("link", "set", _HERE, "up")
@@ -89,7 +88,7 @@ def _link_down(_driver: int, _router: int) -> None:
 
 
 def _lose_all(_driver: int, _router: int) -> None:
-    """Lose every packet, while both ends see a working link."""
+    """Drop all packets while both ends see a working link."""
     wrong = "lladdr", "02:00:00:00:00:01", "dev"
     inside = "netns", "exec", _SPACE, "ip"
     _ip(*inside, "neigh", "replace", f"{_NET}.1", *wrong, _THERE)
@@ -125,7 +124,7 @@ def _turns(board: SimulatorProcess) -> bool:
 
 
 class Networks:
-    """A served board, and drivers that reach it from another namespace."""
+    """A served board, and drivers in another network namespace."""
 
     def __init__(self, stack: ExitStack, folder: Path) -> None:
         self.board = SimulatorProcess()
@@ -133,7 +132,7 @@ class Networks:
         self._environment = {**os.environ, "TREX_STUDIO_DATA": str(folder)}
         self._users = folder / "users"
         self._secret = add_user(self._users, "driver", "drive")
-        self._dictionary = folder / "dictionary"  # of a router, as its engine wants it
+        self._dictionary = folder / "dictionary"  # for the engine of the router
         self._dictionary.write_text(f"driver:{self._secret}\n", "utf-8")
         self._stack = stack
         with socket.socket() as found:
@@ -159,7 +158,7 @@ class Networks:
         return process
 
     def trial(self, cut: str) -> float:
-        """Let a program drive, cut the network, and return how long the motors went on."""
+        """Cut the network while a program drives. Return the seconds until the motors stopped."""
         port, router = self._port, None
         if cut == "router killed":
             port += 1
@@ -188,7 +187,7 @@ class Networks:
 
 
 def run(seconds: float, seed: int) -> list[str]:
-    """Cut in random ways for so long; return what fell short."""
+    """Cut the network in random ways. Return the failures."""
     if not shutil.which("ip") or os.geteuid() != 0:
         print("networks: needs root and ip, left out")
         return []

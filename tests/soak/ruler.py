@@ -1,4 +1,4 @@
-"""Tells a window that hangs from a computer that is busy with something else."""
+"""Distinguishes a hanging window from a busy computer."""
 
 import subprocess
 import sys
@@ -19,7 +19,7 @@ while True:
 
 
 class Ruler:
-    """A process that does nothing but note when it was late; its clock is that of all processes."""
+    """Process that only records when it was late, on the clock of all processes."""
 
     def __init__(self) -> None:
         self._gaps: list[tuple[float, float]] = []
@@ -30,7 +30,7 @@ class Ruler:
         self._thread.start()
 
     def starved(self, begin: float, end: float) -> float:
-        """Return for how many seconds between two moments it was late."""
+        """Return the seconds by which it was late between two moments."""
         return sum(max(0.0, min(end, late) - max(begin, due)) for due, late in list(self._gaps))
 
     def end(self) -> None:

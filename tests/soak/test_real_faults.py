@@ -1,4 +1,4 @@
-"""Every case of the fault matrix with a real port; see `faults.py` in this folder."""
+"""All cases of the fault matrix with a real port. See `faults.py`."""
 
 import sys
 from collections.abc import Iterator

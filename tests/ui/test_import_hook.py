@@ -1,4 +1,4 @@
-"""PySide and the modules that are imported beside it."""
+"""PySide's import hook."""
 
 import linecache
 import sys

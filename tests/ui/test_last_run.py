@@ -1,4 +1,4 @@
-"""What the window says at its start of the guardian and of the last run."""
+"""Startup messages about the guardian and the last run."""
 
 from collections.abc import Callable
 from functools import partial
@@ -16,8 +16,8 @@ from trex_gui.ui.last_run import report_last_run, stop_left_running
 from trex_gui.ui.notifier import Notifier
 
 
-class Said(list[tuple[str, str]]):
-    """What a notifier without a window says: the kind and the text of each message."""
+class Messages(list[tuple[str, str]]):
+    """Kind and text of each message of a notifier."""
 
     def __init__(self, qtbot: QtBot) -> None:
         self.notifier = Notifier()
@@ -33,12 +33,12 @@ class Said(list[tuple[str, str]]):
 
 
 @pytest.fixture
-def said(qtbot: QtBot) -> Said:
-    return Said(qtbot)
+def messages(qtbot: QtBot) -> Messages:
+    return Messages(qtbot)
 
 
 def log_stops(*stops: str) -> None:
-    """Let the guardian have logged these stops: time and result."""
+    """Write stops to the guardian's log. `stops`: time and result."""
     log_file().parent.mkdir(parents=True, exist_ok=True)
     log_file().write_text("".join(f"2026-11-23 {stop}: Text.\n" for stop in stops))
 
@@ -50,10 +50,10 @@ def log_stops(*stops: str) -> None:
         ("unconfirmed", "If a motor still turns, cut its power."),
     ],
 )
-def test_stop_by_guardian_is_reported_once(said: Said, result: str, text: str) -> None:
+def test_stop_by_guardian_is_reported_once(messages: Messages, result: str, text: str) -> None:
     log_stops(f"12:03:05 {result}")
-    assert [text in each for _, each in said.after(report_last_run)] == [True]
-    assert said.after(report_last_run) == []
+    assert [text in each for _, each in messages.after(report_last_run)] == [True]
+    assert messages.after(report_last_run) == []
 
 
 def test_crash_is_reported_with_the_stop_or_without(window: WindowDriver) -> None:
@@ -69,15 +69,15 @@ def test_crash_is_reported_with_the_stop_or_without(window: WindowDriver) -> Non
     assert window.dialog("reportDialog").root.isVisible()
 
 
-def test_every_stop_is_reported_unconfirmed_ones_first(said: Said) -> None:
+def test_every_stop_is_reported_unconfirmed_ones_first(messages: Messages) -> None:
     log_stops("12:00:01 unconfirmed", "12:00:02 unconfirmed", "12:00:03 confirmed")
-    [(_, text)] = said.after(report_last_run)
+    [(_, text)] = messages.after(report_last_run)
     first, second = text.splitlines()
     assert "2026-11-23 12:00:01, 2026-11-23 12:00:02, which the board did not confirm" in first
     assert "2026-11-23 12:00:03, and the board confirmed" in second
 
 
-def test_board_that_was_left_running_is_reported_first_until_it_is_stopped(
+def test_running_board_is_reported_first_until_stopped(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     url = "/dev/ttyNONE"
@@ -97,10 +97,10 @@ def test_board_that_was_left_running_is_reported_first_until_it_is_stopped(
     assert not window.has("bannerText")
 
 
-def test_every_board_that_was_left_running_is_tried_and_said(said: Said) -> None:
+def test_each_running_board_is_tried_and_reported(messages: Messages) -> None:
     left("/dev/ttyNONE1")
     left("/dev/ttyNONE2")
-    [(kind, text)] = said.after(stop_left_running)
+    [(kind, text)] = messages.after(stop_left_running)
     assert kind == "danger"
     dangers, errors = text.splitlines()[:2], text.splitlines()[2:]
     for lines, start in ((dangers, "Motors may still be turning"), (errors, "There is no port")):
@@ -108,26 +108,26 @@ def test_every_board_that_was_left_running_is_tried_and_said(said: Said) -> None
         assert all(f"/dev/ttyNONE{number}" in "".join(lines) for number in (1, 2))
 
 
-def test_unconfirmed_stop_is_said_beside_a_board_that_runs_and_once_without_it(said: Said) -> None:
+def test_unconfirmed_stop_is_repeated_while_a_board_runs(messages: Messages) -> None:
     file = left("/dev/ttyNONE")
     log_stops("12:03:05 unconfirmed")
     for _ in range(2):  # a connection that begins clears the first one
-        [(kind, text)] = said.after(report_last_run)
+        [(kind, text)] = messages.after(report_last_run)
         assert kind == "danger"
         assert text.splitlines()[1].endswith("If a motor still turns, cut its power.")
     file.unlink()
-    [(kind, text)] = said.after(report_last_run)
+    [(kind, text)] = messages.after(report_last_run)
     assert (kind, text.count("\n")) == ("error", 0)
-    assert said.after(report_last_run) == []
+    assert messages.after(report_last_run) == []
 
 
-def test_proper_end_and_stop_that_the_program_repeated_are_not_reported(said: Said) -> None:
-    assert said.after(report_last_run) == []
+def test_proper_end_and_repeated_stop_are_not_reported(messages: Messages) -> None:
+    assert messages.after(report_last_run) == []
     log_stops("12:03:05 repeated")
-    assert said.after(report_last_run) == []
+    assert messages.after(report_last_run) == []
 
 
-def test_stop_is_still_reported_once_the_board_is_connected_that_was_named_at_the_start(
+def test_stop_is_reported_after_the_running_board_is_connected(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     log_stops("12:03:05 unconfirmed")
@@ -140,13 +140,13 @@ def test_stop_is_still_reported_once_the_board_is_connected_that_was_named_at_th
     assert [text in entry.text for entry in entries].count(True) == 1
 
 
-def test_what_happens_while_the_program_drives_is_left_to_others(said: Said) -> None:
+def test_stops_while_the_program_drives_are_not_reported(messages: Messages) -> None:
     log_stops("12:03:05 unconfirmed")
     log_file().write_text(log_file().read_text() + "2999-01-01 12:00:00 confirmed: Text.\n")
     file = left("/dev/ttyUSB0")
     file.write_text(file.read_text().replace("2026-11-28", "2999-01-01"))
-    ((_, text),) = said.after(partial(report_last_run, until="2030"))
+    ((_, text),) = messages.after(partial(report_last_run, until="2030"))
     assert text.count("2026-11-23 12:03:05") == 1
     assert "2999" not in text
-    ((_, text),) = said.after(partial(report_last_run, until="9999"))
+    ((_, text),) = messages.after(partial(report_last_run, until="9999"))
     assert text.count("2999") == 1

@@ -1,4 +1,4 @@
-"""The events of a board, and the log of a workspace: what was said and happened, with its time."""
+"""Event log of a board, and message log of a workspace."""
 
 from datetime import datetime
 
@@ -22,7 +22,7 @@ NOON = datetime(2026, 11, 23, 12, 0, 0).astimezone().timestamp()
 
 
 class Clocks:
-    """The session's clock, and that of the wall, which has run as long."""
+    """Session clock and wall clock, set together."""
 
     now = 100.0
 

@@ -1,4 +1,4 @@
-"""What the program remembers, whatever somebody has made of its configuration."""
+"""Preferences, with valid and damaged configuration files."""
 
 import logging
 import os

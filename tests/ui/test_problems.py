@@ -1,4 +1,4 @@
-"""The page of the problems of a device."""
+"""Problems page of a device."""
 
 from collections.abc import Sequence
 from datetime import datetime

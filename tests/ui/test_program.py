@@ -1,4 +1,4 @@
-"""The program as a whole: what is left of it once it is closed."""
+"""Creation, completion and destruction of the program."""
 
 import gc
 import subprocess
@@ -40,7 +40,7 @@ assert program.close()
 
 
 def _objects() -> set[QObject]:
-    """Return those that Python knows, without the styles that Qt makes and keeps by itself."""
+    """Return all Qt objects known to Python, except styles that Qt retains."""
     found = (one for one in shiboken6.getAllValidWrappers() if isinstance(one, QObject))
     return {one for one in found if not isinstance(one, QStyle)}
 
@@ -70,7 +70,7 @@ def test_close_leaves_no_qt_object(
 
 @pytest.fixture
 def started(qtbot: QtBot) -> Iterator[Program]:
-    """A program whose window is not painted yet."""
+    """Program whose window is not painted yet."""
     program = build()
     yield program
     assert program.close()
@@ -81,7 +81,7 @@ def _pages(program: Program) -> set[str]:
     return {name for name in names if program.window.findChild(QWidget, name) is not None}
 
 
-def test_pages_and_plots_are_made_when_they_are_shown_or_the_window_is_painted(
+def test_pages_and_plots_are_created_when_first_shown(
     started: Program,
 ) -> None:
     assert _pages(started) == {"boardPage"}
@@ -101,7 +101,7 @@ def test_pages_and_plots_are_made_when_they_are_shown_or_the_window_is_painted(
     assert started.window.findChild(QWidget, "curvePlot") is not None
 
 
-def test_kind_of_device_that_was_never_used_is_found_and_its_window_complete(
+def test_unused_kind_of_device_is_found_with_all_its_pages(
     started: Program, start_simulator: StartSimulator, qtbot: QtBot
 ) -> None:
     robot = start_simulator("--aracna", "--unpaced")
@@ -116,9 +116,7 @@ def test_kind_of_device_that_was_never_used_is_found_and_its_window_complete(
     assert started.window.pages is started.workspace("aracna").pages
 
 
-def test_file_of_another_kind_of_device_is_opened_in_a_window_that_never_used_one(
-    started: Program, tmp_path: Path
-) -> None:
+def test_file_of_an_unused_kind_of_device_is_opened(started: Program, tmp_path: Path) -> None:
     path = tmp_path / "one.ppr"
     path.write_text("", encoding="ascii")
     started.window.files.open_file(path)
@@ -170,7 +168,7 @@ def test_panel_of_device_that_is_not_used_stays_where_it_was(qtbot: QtBot) -> No
 @pytest.mark.slow
 @pytest.mark.timeout(180)
 def test_embedding_processes_end_without_crash() -> None:
-    """Without `close` one of six crashes."""
+    """Without `close`, one process in six crashes."""
     count = 12
 
     def embed(_: int) -> subprocess.CompletedProcess[str]:

@@ -1,4 +1,4 @@
-"""Translations: compiled files hold every plural form of the program's texts."""
+"""Translation files are complete and compiled."""
 
 import ast
 import re
@@ -99,7 +99,7 @@ def name_of(node: ast.expr) -> str:
 
 
 def user_errors(sources: Iterable[str]) -> set[str]:
-    """Return the names of all classes that derive from StudioError."""
+    """Return the names of all subclasses of `StudioError`."""
     bases = {
         name: set(re.findall(r"\w+", above))
         for source in sources
@@ -112,7 +112,7 @@ def user_errors(sources: Iterable[str]) -> set[str]:
 
 
 def unmarked(node: ast.AST) -> Iterator[str]:
-    """Yield the texts of three or more words below a node that are not marked."""
+    """Yield unmarked texts of three or more words below a node."""
     if isinstance(node, ast.Call) and name_of(node.func) in {*MARKS, "Column"}:  # of recordings
         return
     parts = node.values if isinstance(node, ast.JoinedStr) else [node]
@@ -127,7 +127,7 @@ def unmarked(node: ast.AST) -> Iterator[str]:
 
 
 def untranslatable(module: ast.Module, errors: set[str]) -> Iterator[str]:
-    """Yield texts of errors, given at once or by a name, and of tables, that are not marked."""
+    """Yield unmarked texts of errors and tables, given directly or by name."""
     nodes = list(ast.walk(module))
     given = [
         argument

@@ -1,4 +1,4 @@
-"""Connecting by itself: only where and when the user can expect it."""
+"""Automatic connections, only when the user can expect them."""
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -25,7 +25,7 @@ def adapter(url: str, number: str, socket: str = "1-2") -> ListPortInfo:
 
 
 class Bench:
-    """A window without a connection, two boards on known adapters, and what is plugged in."""
+    """Window without a connection, and two boards on known adapters."""
 
     def __init__(
         self,
@@ -48,7 +48,7 @@ class Bench:
             ports.lead_to(port, "trex", FACTORY.packed)
 
     def plug(self, *adapters: ListPortInfo) -> None:
-        """Let these adapters be the only ones, and wait for what comes of it."""
+        """Plug in only these adapters, and wait for the result."""
         self._computer[:] = adapters
         self.window.program.ports.refresh()
         self.settle()
@@ -62,13 +62,13 @@ class Bench:
 
     @property
     def url(self) -> str:
-        """Where a board is connected; empty if none is."""
+        """Address of the connected board, or empty."""
         settings = self.device.settings
         is_connected = self.device.link is ConnectionState.CONNECTED
         return settings.url if settings is not None and is_connected else ""
 
     def listen(self, board: SimulatedDevice) -> list[bytes]:
-        """Return a list of what a board will receive."""
+        """Return a list that collects the bytes received by a board."""
         sent: list[bytes] = []
         assert isinstance(board, VirtualSimulator)
         board.on_write = sent.append
@@ -129,9 +129,7 @@ def test_nothing_is_connected_if_two_known_boards_answer(bench: Bench) -> None:
     assert bench.url == bench.boards[1].url, "only one was plugged in now"
 
 
-def test_typed_addresses_foreign_adapters_and_ports_in_use_are_left_alone(
-    bench: Bench, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_unsuitable_ports_are_not_opened(bench: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
     first, second = bench.boards
     sent = [bench.listen(board) for board in bench.boards]
     bench.plug()

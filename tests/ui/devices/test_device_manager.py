@@ -1,4 +1,4 @@
-"""One device at a time, whatever kind it is of."""
+"""One current device of several kinds."""
 
 from typing import cast
 
@@ -15,7 +15,7 @@ from trex_gui.ui.notifier import Remedy
 
 
 class FakeDevice(QObject):
-    """A device whose connection does what the test says; see `DeviceController`."""
+    """Device whose connection state the test sets."""
 
     changed = Signal()
     progressed = Signal(int, int, str)
@@ -77,7 +77,7 @@ def port(url: str, device: str) -> Port:
 
 
 class Devices:
-    """A manager of two devices, and what it told of stops that nobody asked for."""
+    """Manager of two devices, and its reports of unrequested stops."""
 
     def __init__(self) -> None:
         self.first, self.second = FakeDevice("first"), FakeDevice("second")
@@ -151,21 +151,21 @@ def test_last_chosen_port_is_connected(devices: Devices) -> None:
 def test_another_kind_is_used_once_the_current_one_is_disconnected(devices: Devices) -> None:
     used: list[str] = []
 
-    def note() -> None:
+    def record_kind() -> None:
         used.append(devices.manager.current.plugin.key)
 
     devices.manager.connect_to(port("a", "first"))
-    assert not devices.manager.switch_to("second", note), (
+    assert not devices.manager.switch_to("second", record_kind), (
         "a connected device is not disconnected for it"
     )
     assert (used, devices.first.link) == ([], ConnectionState.CONNECTED)
     devices.manager.disconnect_device()
-    assert devices.manager.switch_to("second", note)
+    assert devices.manager.switch_to("second", record_kind)
     assert used == []
     devices.first.become(ConnectionState.DISCONNECTED)
     assert used == ["second"]
-    assert devices.manager.switch_to("first", note)
-    assert devices.manager.switch_to("first", note)
+    assert devices.manager.switch_to("first", record_kind)
+    assert devices.manager.switch_to("first", record_kind)
     assert used == ["second", "first", "first"]
     assert devices.second.link is ConnectionState.DISCONNECTED
 

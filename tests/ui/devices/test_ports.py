@@ -19,11 +19,11 @@ def port(device: str, description: str = "n/a") -> ListPortInfo:
     return info
 
 
-Make = Callable[..., Ports]
+CreatePorts = Callable[..., Ports]
 
 
 @pytest.fixture
-def make(qtbot: QtBot, computer: list[ListPortInfo]) -> Iterator[Make]:
+def create_ports(qtbot: QtBot, computer: list[ListPortInfo]) -> Iterator[CreatePorts]:
     made: list[Ports] = []
 
     def new(*plugins: DevicePlugin) -> Ports:
@@ -40,10 +40,10 @@ def urls(ports: Ports) -> list[str]:
 
 
 def test_serial_ports_come_first_and_demo_board_last(
-    make: Make, computer: list[ListPortInfo]
+    create_ports: CreatePorts, computer: list[ListPortInfo]
 ) -> None:
     computer += [port("/dev/ttyUSB10"), port("/dev/ttyUSB2", "FT232R")]
-    ports = make()
+    ports = create_ports()
     ports.add_typed("socket://robot:5000")
     assert [(entry.kind, entry.label) for entry in ports.entries] == [
         (PortKind.SERIAL, "/dev/ttyUSB2  (FT232R)"),
@@ -54,9 +54,9 @@ def test_serial_ports_come_first_and_demo_board_last(
 
 
 def test_plugged_in_port_appears_automatically(
-    make: Make, computer: list[ListPortInfo], qtbot: QtBot
+    create_ports: CreatePorts, computer: list[ListPortInfo], qtbot: QtBot
 ) -> None:
-    ports = make()
+    ports = create_ports()
     with qtbot.waitSignal(ports.changed):
         computer.append(port("/dev/ttyUSB0"))
     assert urls(ports) == ["/dev/ttyUSB0", ""]
@@ -64,27 +64,27 @@ def test_plugged_in_port_appears_automatically(
         ports.refresh()
 
 
-def test_typed_address_is_saved_once(make: Make) -> None:
-    ports = make()
+def test_typed_address_is_saved_once(create_ports: CreatePorts) -> None:
+    ports = create_ports()
     typed = ports.add_typed("  /dev/pts/7 ")
     assert typed == Port(PortKind.TYPED, "/dev/pts/7", "/dev/pts/7", "trex")
     assert ports.add_typed("/dev/pts/7") == ports.find("/dev/pts/7") == typed
     assert ports.find("/dev/pts/8") is None
     ports.add_typed("  ")
-    assert urls(make()) == ["/dev/pts/7", ""]
+    assert urls(create_ports()) == ["/dev/pts/7", ""]
 
 
 def test_typed_serial_port_selects_the_listed_port(
-    make: Make, computer: list[ListPortInfo]
+    create_ports: CreatePorts, computer: list[ListPortInfo]
 ) -> None:
     computer.append(port("/dev/ttyUSB0"))
-    ports = make()
+    ports = create_ports()
     assert ports.add_typed("/dev/ttyUSB0").kind is PortKind.SERIAL
-    assert urls(make()) == ["/dev/ttyUSB0", ""]
+    assert urls(create_ports()) == ["/dev/ttyUSB0", ""]
 
 
 def test_typed_link_selects_the_port_of_its_adapter(
-    make: Make, computer: list[ListPortInfo], tmp_path: Path
+    create_ports: CreatePorts, computer: list[ListPortInfo], tmp_path: Path
 ) -> None:
     device, other = tmp_path / "ttyUSB0", tmp_path / "pts7"
     for path in (device, other):
@@ -93,16 +93,16 @@ def test_typed_link_selects_the_port_of_its_adapter(
     by_id.symlink_to("ttyUSB0")
     link.symlink_to("pts7")
     computer.append(port(str(device)))
-    ports = make()
+    ports = create_ports()
     assert ports.add_typed(str(by_id)) == ports.find(str(device))
     assert ports.add_typed(str(link)).kind is PortKind.TYPED, "it leads to no listed port"
     assert len(ports.entries) == 3
 
 
 def test_typed_address_of_a_new_serial_port_is_listed_once(
-    make: Make, computer: list[ListPortInfo]
+    create_ports: CreatePorts, computer: list[ListPortInfo]
 ) -> None:
-    ports = make()
+    ports = create_ports()
     ports.add_typed("/dev/ttyUSB0")
     computer.append(port("/dev/ttyUSB0"))
     ports.refresh()
@@ -112,28 +112,30 @@ def test_typed_address_of_a_new_serial_port_is_listed_once(
     ]
 
 
-def test_only_the_last_eight_typed_addresses_are_saved(make: Make) -> None:
-    ports = make()
+def test_only_the_last_eight_typed_addresses_are_saved(create_ports: CreatePorts) -> None:
+    ports = create_ports()
     for number in range(12):
         ports.add_typed(f"/dev/pts/{number}")
-    assert urls(make()) == [*(f"/dev/pts/{number}" for number in range(4, 12)), ""]
+    assert urls(create_ports()) == [*(f"/dev/pts/{number}" for number in range(4, 12)), ""]
 
 
 def test_only_usb_adapter_comes_first_and_is_preferred(
-    make: Make, computer: list[ListPortInfo]
+    create_ports: CreatePorts, computer: list[ListPortInfo]
 ) -> None:
-    """Many computers have serial ports of their own that lead nowhere."""
+    """Many computers have built-in serial ports without a plug."""
     adapter = port("/dev/ttyUSB0")
     adapter.vid, adapter.pid = 0x10C4, 0xEA60
     computer += [port("/dev/ttyS0"), port("/dev/ttyS1"), adapter]
-    ports = make()
+    ports = create_ports()
     assert urls(ports) == ["/dev/ttyUSB0", "/dev/ttyS0", "/dev/ttyS1", ""]
     assert ports.preferred == ports.find("/dev/ttyUSB0")
 
 
-def test_only_or_last_used_port_is_preferred(make: Make, computer: list[ListPortInfo]) -> None:
+def test_only_or_last_used_port_is_preferred(
+    create_ports: CreatePorts, computer: list[ListPortInfo]
+) -> None:
     def preferred() -> str | None:
-        entry = make().preferred
+        entry = create_ports().preferred
         return None if entry is None else entry.url
 
     assert preferred() is None
@@ -141,7 +143,7 @@ def test_only_or_last_used_port_is_preferred(make: Make, computer: list[ListPort
     assert preferred() == "/dev/ttyUSB0"
     computer.append(port("/dev/ttyUSB1"))
     assert preferred() is None
-    ports = make()
+    ports = create_ports()
     ports.lead_to(ports.entries[1], "trex", "settings")
     assert preferred() == "/dev/ttyUSB1"
     computer.pop()
@@ -153,8 +155,8 @@ def test_only_or_last_used_port_is_preferred(make: Make, computer: list[ListPort
 WALKER = new_plugin("walker", "Walker")
 
 
-def test_each_device_kind_has_a_demo_port_that_keeps_its_kind(make: Make) -> None:
-    ports = make(TREX, WALKER)
+def test_each_device_kind_has_a_demo_port_that_keeps_its_kind(create_ports: CreatePorts) -> None:
+    ports = create_ports(TREX, WALKER)
     labels = [port.label for port in ports.entries if port.kind is PortKind.DEMO]
     assert labels == ["Demo TReX (no hardware)", "Demo Walker (no hardware)"]
     assert ports.demo_of("trex").device == "trex"
@@ -162,16 +164,16 @@ def test_each_device_kind_has_a_demo_port_that_keeps_its_kind(make: Make) -> Non
     assert ports.lead_to(ports.demo_of("trex"), "walker") == ports.demo_of("trex")
 
 
-def test_device_kind_of_a_port_is_saved_and_shown(make: Make) -> None:
-    ports = make(TREX, WALKER)
+def test_device_kind_of_a_port_is_saved_and_shown(create_ports: CreatePorts) -> None:
+    ports = create_ports(TREX, WALKER)
     port = ports.lead_to(ports.add_typed("socket://robot:1"), "walker")
     assert (port.device, port.label) == ("walker", "Walker: socket://robot:1")
-    assert make(TREX, WALKER).find("socket://robot:1") == port
-    found = make().find("socket://robot:1")
+    assert create_ports(TREX, WALKER).find("socket://robot:1") == port
+    found = create_ports().find("socket://robot:1")
     assert found is not None
     assert (found.device, found.label) == ("trex", "socket://robot:1"), "none that is known"
     again = ports.lead_to(port, "trex")
     assert (again.device, again.label) == ("trex", "socket://robot:1")
-    found = make(TREX, WALKER).find("socket://robot:1")
+    found = create_ports(TREX, WALKER).find("socket://robot:1")
     assert found is not None
     assert found.device == "trex"

@@ -1,4 +1,4 @@
-"""Looking for boards, as the window sees it."""
+"""Scans for boards."""
 
 import threading
 from collections.abc import Callable, Iterator

@@ -1,4 +1,4 @@
-"""Every edit can be taken back, wherever it was made, and what the board says is no edit."""
+"""Undo of edits from all pages. Values from the board are no edits."""
 
 from dataclasses import replace
 

@@ -1,4 +1,4 @@
-"""The bar above the pages."""
+"""Connection bar above the pages."""
 
 from PySide6.QtWidgets import QApplication, QStyleOptionComboBox
 from pytestqt.qtbot import QtBot

@@ -1,4 +1,4 @@
-"""Which ports Find offers, and when."""
+"""Ports in the dialog Find."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,4 @@
-"""What is chosen in the preferences takes effect, and is there at the next start."""
+"""Preferences take effect at once and at the next start."""
 
 from collections.abc import Iterator
 
@@ -26,7 +26,7 @@ def dialog(qtbot: QtBot, qapp: QApplication) -> Iterator[WidgetDriver]:
 
 
 def start_again() -> None:
-    """Do what the next start of the program does."""
+    """Simulate the next start of the program."""
     theme().set_scheme("system")
     theme().set_font_size(100)
     restore_choices()

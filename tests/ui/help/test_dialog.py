@@ -1,4 +1,4 @@
-"""The help window: pages, links, history and pictures, without the rest of the window."""
+"""Help window on its own: pages, links, history and pictures."""
 
 import pytest
 from PySide6.QtCore import QUrl
@@ -29,7 +29,7 @@ class HelpDriver(WidgetDriver):
 
     @property
     def top_line(self) -> str:
-        """The first line of the text that can be seen."""
+        """Return the first visible line."""
         cursor = self.text_browser.cursorForPosition(self.text_browser.viewport().rect().topLeft())
         return cursor.block().text()
 
@@ -108,7 +108,7 @@ def test_example_is_shown_and_not_run(
 
 
 def picture(browser: QTextBrowser, name: str) -> QColor:
-    """Return the colour of the corner of a picture in the text."""
+    """Return the colour at the corner of a picture."""
     url = browser.source().resolved(QUrl(f"pictures/{name}-light.png"))
     image = browser.loadResource(QTextDocument.ResourceType.ImageResource.value, url)
     assert 0 < image.width() <= browser.viewport().width()

@@ -1,4 +1,4 @@
-"""Every message with a code has a section in the help, and every such section a message."""
+"""Each coded message has a help section, and each section a message."""
 
 import ast
 import inspect
@@ -25,7 +25,7 @@ from trex_gui.ui.translations import CONTEXT, error_sentence
 
 
 def explained() -> set[str]:
-    """Return the headings of the sections on messages: those of the third level."""
+    """Return the headings of the sections on messages."""
     (page,) = (page for page in pages() if page.name == MESSAGES)
     lines = page.text.splitlines()
     return {line.removeprefix("### ") for line in lines if line.startswith("### ")}
@@ -40,7 +40,7 @@ def coded() -> set[str]:
 
 
 def _messages_of_rules() -> Iterator[str]:
-    """Yield the sentences in the source of the rules; shorter texts are parts of them."""
+    """Yield the sentences in the source of the rules. Shorter texts are parts of sentences."""
     for node in ast.walk(ast.parse(inspect.getsource(rules))):
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "tr":
             text = str(ast.literal_eval(node.args[0]))
@@ -48,7 +48,7 @@ def _messages_of_rules() -> Iterator[str]:
                 yield text
 
 
-def test_every_message_is_explained_and_every_explanation_has_a_message() -> None:
+def test_messages_and_their_explanations_correspond() -> None:
     assert explained() == coded()
 
 
@@ -120,7 +120,7 @@ def test_message_that_contains_another_leads_to_its_own_section(qtbot: QtBot) ->
 
 
 class _Shouting(QTranslator):
-    """A language in which every text is in capital letters."""
+    """Language with all texts in capital letters."""
 
     def translate(self, context: str, text: str, comment: str | None = None, n: int = -1) -> str:
         return text.upper() if context == CONTEXT else ""

@@ -1,7 +1,4 @@
-"""The help pages: every link leads somewhere, every page is listed.
-
-That pictures are up to date is in `tests/test_app.py`, with the tour.
-"""
+"""Help pages: each link has a target, and each page is listed."""
 
 import json
 import re
@@ -41,7 +38,7 @@ def test_links_of_document_lead_somewhere(name: str) -> None:
 
 
 def check_links(text: str, path: Path) -> list[Path]:
-    """Check that files and anchors are there; return the files."""
+    """Check that files and anchors exist. Return the files."""
     files = []
     anchors = {page.name: {one.anchor for one in page.sections} for page in pages()}
     for target in LINK.findall(text):

@@ -1,4 +1,4 @@
-"""The search finds what owners ask for, in each language of the window."""
+"""Search with typical queries in each language of the window."""
 
 import tomllib
 from collections.abc import Iterator

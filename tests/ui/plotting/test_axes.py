@@ -67,7 +67,7 @@ def test_range_does_not_oscillate_at_a_step() -> None:
         assert fitted(axis, 0, high) == (0, 10)
 
 
-def test_range_goes_below_zero_only_for_negative_values_and_never_collapses() -> None:
+def test_range_includes_negative_values_and_never_collapses() -> None:
     axis = ValueAxis("A")
     assert fitted(axis, -3, 3) == (-5, 5)
     assert fitted(axis, 0.5, 3) == (0, 5)

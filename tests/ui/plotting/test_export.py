@@ -1,4 +1,4 @@
-"""Curves as a table for spreadsheets: what is in it, and that it is there whole or not at all."""
+"""Export of curves as a table."""
 
 import csv
 import io

@@ -1,4 +1,4 @@
-"""A long history: what is drawn of it and what it comes to, whatever its length."""
+"""Points and statistics of sample histories of any length."""
 
 import itertools
 import math
@@ -102,7 +102,7 @@ def test_statistics_equal_a_plain_sum_of_samples(
 
 
 def plainly(times: Floats, values: Floats) -> list[float]:
-    """Seconds, integral, mean, RMS, smallest and greatest, sample by sample."""
+    """Return seconds, integral, mean, RMS, low and high, computed sample by sample."""
     seconds = integral = squares = 0.0
     rows = list(zip(times.tolist(), values.tolist(), strict=True))
     for (begin, before), (end, after) in itertools.pairwise(rows):

@@ -1,4 +1,4 @@
-"""The plot of any source of traces, and the panel around it."""
+"""Plot of traces, and the panel around it."""
 
 import csv
 import math
@@ -44,7 +44,7 @@ INFOS = [
 
 
 class Source(Traces):
-    """A minute of two currents and a speed, with limits and events that a test may add to."""
+    """One minute of two currents and a speed, with limits and events."""
 
     def __init__(self, seconds: float = 60) -> None:
         self.history = SampleHistory(3)
@@ -67,8 +67,6 @@ def source() -> Source:
 
 
 class TracePanelDriver(WidgetDriver):
-    """The panel with its plot, its table and its list of events."""
-
     def __init__(self, panel: TracePanel, source: Source, qtbot: QtBot) -> None:
         super().__init__(panel, qtbot)
         self._panel = panel
@@ -112,7 +110,7 @@ def plot(panel: TracePanelDriver) -> TracePlot:
 
 
 def count(plot: TracePlot, color: str) -> int:
-    """How many pixels of the plot's inside have this colour of the theme."""
+    """Return the number of pixels in a colour of the theme."""
     box = plot._canvas.frame.toRect()
     box.translate(plot._canvas.pos())
     picture = plot.grab(box).toImage().convertToFormat(QImage.Format.Format_RGB32)
@@ -131,7 +129,7 @@ def mouse(
     button: Qt.MouseButton = Qt.MouseButton.NoButton,
     modifiers: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier,
 ) -> None:
-    """Let the mouse do something where the plot shows a time."""
+    """Send a mouse event at a time of the plot."""
     at = QPointF(x_of(plot, time), 60)
     view = plot._canvas.viewport
     held = Qt.MouseButton.NoButton if kind == QEvent.Type.MouseButtonRelease else button
@@ -140,7 +138,7 @@ def mouse(
 
 
 def drag(plot: TracePlot, times: tuple[float, float], modifiers: Qt.KeyboardModifier) -> None:
-    """Press at one time and let go at another."""
+    """Press at one time and release at another."""
     press, move, release = (
         QEvent.Type.MouseButtonPress,
         QEvent.Type.MouseMove,
@@ -233,11 +231,13 @@ def test_export_proposes_the_last_folder_and_a_name_with_the_date(
 ) -> None:
     proposals: list[Path] = []
 
-    def choose(_window: QWidget, _title: str, proposal: str, _filters: str) -> tuple[str, str]:
+    def select_proposal(
+        _window: QWidget, _title: str, proposal: str, _filters: str
+    ) -> tuple[str, str]:
         proposals.append(Path(proposal))
         return str(tmp_path / "first.csv"), ""
 
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", choose)
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", select_proposal)
     for _ in range(2):
         panel.find(QAction, "exportAllAction").trigger()
         panel.wait_for_files()

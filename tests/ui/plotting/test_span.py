@@ -1,4 +1,4 @@
-"""Which part of the time is shown, and what stands at the axes."""
+"""Visible span of time, and labels of the axes."""
 
 import pytest
 from hypothesis import given

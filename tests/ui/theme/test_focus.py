@@ -1,4 +1,4 @@
-"""What has the focus can be seen in every theme: the keyboard is of no use without."""
+"""Visible keyboard focus in every theme."""
 
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -34,7 +34,7 @@ AROUND = 3
 
 
 def controls(sheet: QWidget) -> Iterator[QWidget]:
-    """Create one of each kind that takes the focus; a tab bar is in its tabs."""
+    """Create each kind of focusable widget. A tab bar is inside its tabs."""
     default, flat, run, stop = (ui.button(sheet, name, name) for name in ("ok", "link", "go", "no"))
     default.setDefault(True)
     for button, look in ((flat, "link"), (run, "primary"), (stop, "stop")):
@@ -65,7 +65,7 @@ def colours(picture: QImage) -> Sequence[int]:
 
 
 def changed_pixels(before: QImage, after: QImage) -> int:
-    """Count those that differ by a contrast of 3:1, which WCAG 2.2 asks for."""
+    """Count pixels that differ by a contrast of 3:1, as WCAG 2.2 requires."""
     pairs = Counter(zip(colours(before), colours(after), strict=True))
     return sum(
         count

@@ -1,4 +1,4 @@
-"""Qt's own dialogs and buttons have our icons, not those of a desktop."""
+"""Icons of Qt's own dialogs and buttons come from the program."""
 
 import pytest
 from PySide6.QtGui import QAction, QColor, QPixmap

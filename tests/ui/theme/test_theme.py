@@ -29,7 +29,7 @@ SHOWN = ("light", "dark", "high_contrast")
 
 
 def needed(ordinary: float, scheme: str) -> float:
-    """Return the least contrast of text (4.5 otherwise) or of shapes (3)."""
+    """Return the required contrast: 3 for shapes, 4.5 for text."""
     return {4.5: 7.0, 3: 4.5}[ordinary] if scheme == "high_contrast" else ordinary
 
 
@@ -91,7 +91,7 @@ PAIRS = (
 
 @pytest.mark.parametrize("scheme", SHOWN)
 def test_palette_pairs_and_disabled_text_have_enough_contrast(scheme: Scheme) -> None:
-    """Disabled text says what is set, and what cannot be changed now."""
+    """Disabled text must be readable, since it shows values that cannot be changed now."""
     theme().set_scheme(scheme)
     for text, background in PAIRS:
         found = contrast(theme().color(text), theme().color(background))
@@ -186,7 +186,7 @@ def test_every_icon_draws_something() -> None:
 
 
 def strongest(drawn: QIcon, mode: QIcon.Mode = QIcon.Mode.Normal) -> QColor:
-    """The colour of the most opaque pixel in the middle column."""
+    """Return the colour of the most opaque pixel in the middle column."""
     picture = drawn.pixmap(48, 48, mode).toImage()
     pixels = (picture.pixelColor(24, y) for y in range(picture.height()))
     return max(pixels, key=QColor.alpha)

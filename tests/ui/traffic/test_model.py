@@ -1,4 +1,4 @@
-"""Rows that the traffic model keeps, and their text."""
+"""Rows of the traffic model and their text."""
 
 from functools import partial
 from pathlib import Path
@@ -21,7 +21,7 @@ WRITE, STORED = b"\xaf\x07\x0f\x55\x2a", b"\x00"
 
 
 class TrafficSetup:
-    """A traffic model with a log that the test writes."""
+    """Traffic model with a log that the test writes."""
 
     def __init__(self) -> None:
         self.line = SessionThread()

@@ -1,4 +1,4 @@
-"""What screen readers find in painted widgets."""
+"""Painted widgets for screen readers."""
 
 import gc
 

@@ -1,4 +1,4 @@
-"""Frames of drawings that move."""
+"""Frames of animated drawings."""
 
 import pytest
 from PySide6.QtWidgets import QWidget
@@ -17,7 +17,7 @@ class Drawing:
         self.runtime = runtime
 
     def frames(self) -> int:
-        """Return the frames of a second."""
+        """Return the frames of one second."""
         self.steps.clear()
         for _ in range(100):
             self.runtime.advance(0.01)
@@ -36,7 +36,7 @@ def test_visible_motion_takes_less_than_thirty_frames_a_second(drawing: Drawing)
     assert sum(drawing.steps) == pytest.approx(1, abs=0.1)
 
 
-def test_what_does_not_move_or_is_hidden_takes_no_frame(drawing: Drawing) -> None:
+def test_still_or_hidden_drawing_takes_no_frame(drawing: Drawing) -> None:
     drawing.motion.run(True)
     assert not drawing.frames(), "not shown yet"
     drawing.widget.show()

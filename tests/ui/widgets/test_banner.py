@@ -1,4 +1,4 @@
-"""A message with buttons for what can be done about it."""
+"""Messages with buttons."""
 
 import pytest
 from PySide6.QtCore import QPoint

@@ -1,4 +1,4 @@
-"""The functions that create widgets."""
+"""Functions that create widgets."""
 
 import pytest
 from PySide6.QtCore import QLocale, Qt

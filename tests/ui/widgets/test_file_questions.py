@@ -1,4 +1,4 @@
-"""Questions before files are written."""
+"""Questions before a file is written."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""A question across a window, answered whenever its reader likes."""
+"""Question across a window."""
 
 import pytest
 from PySide6.QtCore import Qt
@@ -85,7 +85,7 @@ def test_outdated_answer_is_not_run(question: InlinePrompt, driver: WidgetDriver
     assert not question.isVisible()
 
 
-def test_double_click_that_asks_does_not_answer_and_the_next_click_does(
+def test_double_click_does_not_answer_its_own_question(
     question: InlinePrompt, driver: WidgetDriver
 ) -> None:
     done: list[str] = []

@@ -1,4 +1,4 @@
-"""Windows fit the screen, and open again where they were closed."""
+"""Windows fit the screen and reopen at their last position."""
 
 import pytest
 from PySide6.QtCore import QPoint, QRect, QSize

@@ -1,4 +1,4 @@
-"""The last word of a session, and requests while it ends."""
+"""Last report of a session, and requests while it ends."""
 
 import threading
 from collections.abc import Callable, Iterator
@@ -27,7 +27,7 @@ Emit = Callable[[object], None]
 
 
 class Gate:
-    """Holds up a thread of the program until a test opens it."""
+    """Blocks a thread of the program until the test opens it."""
 
     def __init__(self) -> None:
         self._condition = runtime().condition()
@@ -45,13 +45,13 @@ class Gate:
 
 
 class RecordingSession:
-    """A session that keeps its requests and ends with a given report, once it is released."""
+    """Session that records its requests and ends with a given report."""
 
     def __init__(self, last: object = None, until: Gate | None = None) -> None:
         self.requests: list[object] = []
         self._last, self._until = last, until
 
-    def make(self, inbox: RequestQueue, emit: Emit) -> "RecordingSession":
+    def create(self, inbox: RequestQueue, emit: Emit) -> "RecordingSession":
         self._inbox, self._emit = inbox, emit
         return self
 
@@ -74,7 +74,7 @@ def test_shutdown_records_whether_motors_may_still_move(
     qtbot: QtBot, virtual_time: VirtualRuntime, may_move: bool
 ) -> None:
     line = SessionThread()
-    line.start(RecordingSession(Closed(None, may_move)).make, may_move=True)
+    line.start(RecordingSession(Closed(None, may_move)).create, may_move=True)
     with qtbot.assertNotEmitted(line.closed):
         qtbot.waitUntil(line.shut_down)
         virtual_time.advance(0.01)
@@ -83,7 +83,7 @@ def test_shutdown_records_whether_motors_may_still_move(
 
 def test_session_without_final_report_keeps_may_move(qtbot: QtBot) -> None:
     line = SessionThread()
-    line.start(RecordingSession().make, may_move=True)
+    line.start(RecordingSession().create, may_move=True)
     qtbot.waitUntil(line.shut_down)
     assert line.last is not None
     assert line.last.may_move
@@ -92,7 +92,7 @@ def test_session_without_final_report_keeps_may_move(qtbot: QtBot) -> None:
 def test_late_final_report_of_a_session_is_emitted(qtbot: QtBot) -> None:
     gate = Gate()
     line = SessionThread()
-    line.start(RecordingSession(Closed(None, may_move=False), gate).make, may_move=True)
+    line.start(RecordingSession(Closed(None, may_move=False), gate).create, may_move=True)
     assert not line.shut_down()
     assert line.last is None
     assert not have_orphans_ended()
@@ -107,9 +107,9 @@ def test_final_report_of_old_session_does_not_close_the_new_one(
 ) -> None:
     gate = Gate()
     line = SessionThread()
-    line.start(RecordingSession(Closed(None), gate).make, may_move=False)
+    line.start(RecordingSession(Closed(None), gate).create, may_move=False)
     assert not line.shut_down()
-    line.start(RecordingSession(Closed(None, may_move=True)).make, may_move=False)
+    line.start(RecordingSession(Closed(None, may_move=True)).create, may_move=False)
     with qtbot.assertNotEmitted(line.closed):
         gate.open()
         qtbot.waitUntil(have_orphans_ended)
@@ -158,13 +158,13 @@ def test_shutdown_closes_the_line_before_waiting_for_a_scan(
     assert isinstance(controller, TrexController)
     close = ScanWorker.close
 
-    def note_and_close(worker: ScanWorker) -> bool:
+    def record_and_close(worker: ScanWorker) -> bool:
         links.append(controller.link)
         return close(worker)
 
     controller.device.connect_to(ConnectionSettings(quick_simulator.url))
     qtbot.waitUntil(lambda: controller.link is ConnectionState.CONNECTED)
-    monkeypatch.setattr(ScanWorker, "close", note_and_close)
+    monkeypatch.setattr(ScanWorker, "close", record_and_close)
     manager.scanner.start([Port(PortKind.TYPED, "/dev/ttyNothing9", "/dev/ttyNothing9", "trex")])
     manager.shut_down()
     assert links
@@ -176,14 +176,14 @@ def test_shutdown_closes_the_line_before_waiting_for_a_scan(
 
 def test_request_is_accepted_while_the_session_ends() -> None:
     class Ending(SessionThread):
-        """A line whose session ends while a request is submitted."""
+        """Line whose session ends while a request is submitted."""
 
         def moves(self, request: object) -> bool:
             self._worker = None
             return False
 
     line, session = Ending(), RecordingSession(Closed(None))
-    line.start(session.make, may_move=False)
+    line.start(session.create, may_move=False)
     worker = line._worker
     assert worker is not None
     assert line.submit("something")
@@ -199,7 +199,7 @@ def test_halt_from_another_thread_also_closes_the_session(
         return False
 
     robot, session = Robot(), RecordingSession(Closed(None))
-    robot.start(session.make, may_move=False)
+    robot.start(session.create, may_move=False)
     worker = robot._worker
     assert worker is not None
     monkeypatch.setattr(Robot, "moves", end_meanwhile)

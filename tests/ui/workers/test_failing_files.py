@@ -1,4 +1,4 @@
-"""An internal error in a thread that reads or writes a file is reported as a failure."""
+"""Internal errors in file threads are reported as failures."""
 
 import logging
 import os
@@ -48,7 +48,7 @@ def test_undecodable_port_name_is_saved_in_the_transcript(qtbot: QtBot, tmp_path
 
 
 class MarkerRecorder(RecordThread[Marker]):
-    """A recorder that can always record."""
+    """Recorder that is always available."""
 
     @property
     def is_available(self) -> bool:

@@ -1,4 +1,4 @@
-"""Python's collector works in the GUI thread only."""
+"""Python's collector runs in the GUI thread only."""
 
 import gc
 from collections.abc import Iterator
@@ -10,7 +10,7 @@ from trex_gui.ui.workers.threads import GuiThreadCollector
 
 
 class Cycle:
-    """Something that only the collector can free."""
+    """Object that only the collector can free."""
 
     alive = 0
 

@@ -1,4 +1,4 @@
-"""A line and its thread: in virtual time, or in a real thread on a real pseudo-terminal."""
+"""Line worker in virtual time, and in a real thread on a pseudo-terminal."""
 
 import sys
 import threading
@@ -26,7 +26,7 @@ if sys.platform == "win32":
 
 
 class Watched:
-    """A worker and everything that it reported."""
+    """Worker and its reports."""
 
     def __init__(self, url: str, qtbot: QtBot) -> None:
         self.reports: list[Report] = []
@@ -37,10 +37,10 @@ class Watched:
         self.worker = LineWorker(
             lambda inbox, notify: TrexSession(settings, inbox, notify, open_transport)
         )
-        self.worker.reported.connect(self._take)
+        self.worker.reported.connect(self._on_reported)
         self.qtbot = qtbot
 
-    def _take(self, report: Report) -> None:
+    def _on_reported(self, report: Report) -> None:
         self.threads.add(threading.current_thread())
         self.reports.append(report)
 
@@ -51,7 +51,7 @@ class Watched:
         self.qtbot.waitUntil(lambda: self.has(kind))
 
     def close(self) -> float:
-        """Close the line; return how many seconds its thread took to end."""
+        """Close the line. Return the seconds until its thread ended."""
         begun = now()
         assert self.worker.close(15_000)
         took = now() - begun
@@ -71,7 +71,7 @@ class Watched:
 
     @property
     def end(self) -> Closed:
-        """The last report."""
+        """Return the last report."""
         closed = self.reports[-1]
         assert isinstance(closed, Closed)
         return closed
@@ -82,14 +82,14 @@ Watch = Callable[[str], Watched]
 
 @pytest.fixture
 def watch(qtbot: QtBot) -> Iterator[Watch]:
-    """Make workers; none may run on when the test is over."""
+    """Yield a function that creates workers. All workers must have ended after the test."""
     watched: list[Watched] = []
 
-    def make(url: str) -> Watched:
+    def create(url: str) -> Watched:
         watched.append(Watched(url, qtbot))
         return watched[-1]
 
-    yield make
+    yield create
     for one in watched:
         assert one.worker.close(15_000), "the thread lives on"
 
@@ -105,13 +105,13 @@ def connected(watch: Watch, url: str) -> Watched:
 
 @pytest.fixture
 def line(quick_simulator: SimulatedDevice, watch: Watch) -> Watched:
-    """A worker that is connected to a simulated board whose bytes take no time."""
+    """Worker on a simulated board without transmission time."""
     return connected(watch, quick_simulator.url)
 
 
 @pytest.fixture
 def paced_line(simulator: SimulatedDevice, watch: Watch) -> Watched:
-    """A worker that is connected to a simulated board whose bytes take their time."""
+    """Worker on a simulated board with real transmission time."""
     return connected(watch, simulator.url)
 
 

@@ -18,7 +18,7 @@ pytestmark = pytest.mark.realtime
 
 
 class Held(WorkerThread):
-    """Runs until `go` is set."""
+    """Thread that runs until `go` is set."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
