@@ -38,7 +38,7 @@ from trex_gui.devices.trex.settings.history import SettingsHistory
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 from trex_gui.ui.files import write_text
-from trex_gui.ui.preferences import remove_litter
+from trex_gui.ui.preferences import remove_stale_files
 from trex_gui.ui.workers.file_worker import ProgressCallback
 
 ROOT = Path(__file__).parents[2]
@@ -280,8 +280,8 @@ def attack(saver: Saver, kind: str, folder: Path, rounds: int, chance: random.Ra
             return [f"{kind}, kill {number}: found version {version} after {saved} was saved"]
     _age(folder)
     KINDS[kind].save(folder, version + 1)
-    remove_litter.cache_clear()
-    remove_litter(folder / "a.ini")  # like the next start
+    remove_stale_files.cache_clear()
+    remove_stale_files(folder / "a.ini")  # like the next start
     snapshots = {found.path.name for found in SettingsHistory(folder / "snapshots").snapshots()}
     if len(snapshots) > KEPT:
         return [f"{kind}: {len(snapshots)} snapshots"]

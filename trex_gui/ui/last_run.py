@@ -39,8 +39,8 @@ def report_last_run(
     store = Preferences()
     seen = store.integer(_SEEN, 0, 0, 2**31 - 1)
 
-    def report(found: tuple[int, list[tuple[str, StopResult]], DrivenBoards]) -> None:
-        size, stops, boards = found
+    def report(last_run: tuple[int, list[tuple[str, StopResult]], DrivenBoards]) -> None:
+        size, stops, boards = last_run
         stops = [stop for stop in stops if stop[0] < until]
         boards = {
             file: board for file, board in boards.items() if board is None or board.since < until
@@ -49,9 +49,9 @@ def report_last_run(
             return  # another call has reported these stops
         if size != seen and not boards:
             store.set(_SEEN, size)
-        texts = [*(left_text(*each) for each in boards.items()), *errors.splitlines()]
+        texts = [*(left_text(*item) for item in boards.items()), *errors.splitlines()]
         for result, text in _STOPS.items():
-            if times := [at for at, found in stops if found is result]:
+            if times := [time for time, stop_result in stops if stop_result is result]:
                 texts.append(tr(text).format(", ".join(times)))
         if has_crashed and not texts:
             texts.append(
@@ -62,7 +62,7 @@ def report_last_run(
             )
         notifier.resolved.emit(Remedy.STOP_THEM)
         if texts:
-            is_problem = errors or any(found is StopResult.UNCONFIRMED for _, found in stops)
+            is_problem = errors or any(result is StopResult.UNCONFIRMED for _, result in stops)
             signal = notifier.error if is_problem else notifier.info
             (notifier.danger if boards else signal).emit("\n".join(texts))
             notifier.remedies_offered.emit(

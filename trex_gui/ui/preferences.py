@@ -35,11 +35,11 @@ class Preferences:
         return self._read(key, default, _flag)
 
     def integer(self, key: str, default: int, lowest: int, highest: int) -> int:
-        return self._read(key, default, lambda found: _in_range(int(_text(found)), lowest, highest))
+        return self._read(key, default, lambda value: _in_range(int(_text(value)), lowest, highest))
 
     def real(self, key: str, default: float, lowest: float, highest: float) -> float:
         return self._read(
-            key, default, lambda found: _in_range(float(_text(found)), lowest, highest)
+            key, default, lambda value: _in_range(float(_text(value)), lowest, highest)
         )
 
     def text(self, key: str, default: str = "") -> str:
@@ -55,11 +55,11 @@ class Preferences:
         self._store.setValue(key, value)
 
     def _read(self, key: str, default: T, convert: Callable[[object], T]) -> T:
-        found = self._store.value(key)
-        if found is None:
+        value = self._store.value(key)
+        if value is None:
             return default
         try:
-            return convert(found)
+            return convert(value)
         except (ValueError, OverflowError) as error:
             log.warning("the setting %s is ignored: %s", key, str(error)[:200])
             return default
@@ -69,10 +69,9 @@ def _open() -> QSettings:
     form = QSettings.defaultFormat()
     if form is QSettings.Format.NativeFormat and sys.platform in {"win32", "darwin"}:
         return QSettings()  # Qt opens no file on these systems
-    # `QSettings` opens the file that it names. An unused name yields the folder only.
-    unused = Path(
-        QSettings(form, QSettings.Scope.UserScope, "TReX Studio, no such file").fileName()
-    )
+    # `QSettings` opens a file to return its folder, so use the name of no file.
+    unused_settings = QSettings(form, QSettings.Scope.UserScope, "TReX Studio, no such file")
+    unused = Path(unused_settings.fileName())
     folder, suffix = unused.parent, unused.suffix
     organization = QCoreApplication.organizationName()
     path = folder / organization / f"{QCoreApplication.applicationName()}{suffix}"
@@ -80,7 +79,7 @@ def _open() -> QSettings:
         if problem := _problem(each):
             _report(each, problem)
             return QSettings(str(each / "unused"), QSettings.Format.IniFormat)
-    remove_litter(path)
+    remove_stale_files(path)
     return QSettings()
 
 
@@ -90,52 +89,52 @@ def _report(path: Path, problem: str) -> None:
 
 
 @cache
-def remove_litter(path: Path) -> None:
+def remove_stale_files(path: Path) -> None:
     """Remove old locks and temporary files of killed programs beside a file."""
-    litter = re.compile(re.escape(path.name) + r"\.(lock(\.rmlock)+|[A-Za-z]{6})")
+    stale = re.compile(re.escape(path.name) + r"\.(lock(\.rmlock)+|[A-Za-z]{6})")
     with contextlib.suppress(OSError):
         for each in path.parent.iterdir():
-            if litter.fullmatch(each.name) and each.lstat().st_mtime < time.time() - _ABANDONED_S:
+            if stale.fullmatch(each.name) and each.lstat().st_mtime < time.time() - _ABANDONED_S:
                 each.unlink()
 
 
 def _problem(path: Path) -> str:
     """Return the reason why Qt must not open a file, or an empty string."""
     try:
-        found = path.stat()
+        status = path.stat()
     except OSError:
         return ""  # the file is missing, or Qt cannot open it either
-    if not (stat.S_ISREG(found.st_mode) or stat.S_ISDIR(found.st_mode)):
+    if not (stat.S_ISREG(status.st_mode) or stat.S_ISDIR(status.st_mode)):
         return "is not an ordinary file"
-    return "is too large" if found.st_size > _MAX_FILE_SIZE else ""
+    return "is too large" if status.st_size > _MAX_FILE_SIZE else ""
 
 
-def _flag(found: object) -> bool:
-    if isinstance(found, bool):
-        return found
-    if found in ("true", "false"):
-        return found == "true"
-    raise ValueError(f"{found!r} is neither true nor false")
+def _flag(value: object) -> bool:
+    if isinstance(value, bool):
+        return value
+    if value in ("true", "false"):
+        return value == "true"
+    raise ValueError(f"{value!r} is neither true nor false")
 
 
-def _text(found: object) -> str:
-    if isinstance(found, str):
-        return found
-    if isinstance(found, int | float) and not isinstance(found, bool):
-        return str(found)
-    raise ValueError(f"{found!r} is not a text")
+def _text(value: object) -> str:
+    if isinstance(value, str):
+        return value
+    if isinstance(value, int | float) and not isinstance(value, bool):
+        return str(value)
+    raise ValueError(f"{value!r} is not a text")
 
 
-def _path(found: object) -> str:
-    if "\0" in (text := _text(found)):
-        raise ValueError(f"{found!r} is not a path")
+def _path(value: object) -> str:
+    if "\0" in (text := _text(value)):
+        raise ValueError(f"{value!r} is not a path")
     return text
 
 
-def _data(found: object) -> QByteArray:
-    if isinstance(found, QByteArray):
-        return found
-    raise ValueError(f"{found!r} is not binary data")
+def _data(value: object) -> QByteArray:
+    if isinstance(value, QByteArray):
+        return value
+    raise ValueError(f"{value!r} is not binary data")
 
 
 NumberT = TypeVar("NumberT", int, float)

@@ -58,20 +58,20 @@ def load_recording(
     replay = Replay(recording, initial)
     capacity = min(curves.max_rows, max(4096, recording.count))
     history = SampleHistory(curves.columns, capacity=capacity, max_gap=curves.max_gap)
-    events, last_time, rows = list[Event](), -np.inf, 0
+    events, last_time, count = list[Event](), -np.inf, 0
     while replay.progress < 1:
-        records, found = replay.read_next(curves.rows_of)
-        if found:
-            times, *columns = np.array(found).T
+        records, rows = replay.read_next(curves.rows_of)
+        if rows:
+            times, *columns = np.array(rows).T
             times = np.maximum.accumulate(np.maximum(times, last_time))
             last_time = float(times[-1])
             history.extend(times, columns)
-            rows += len(found)
+            count += len(rows)
         events += [_event(record) for record in records if isinstance(record, Marker)]
         progress(replay.progress)
     events.sort(key=attrgetter("time"))
     end = max(recording.header.clock, replay.latest)
-    return LoadedRecording(replay, history, tuple(events), end, rows)
+    return LoadedRecording(replay, history, tuple(events), end, count)
 
 
 def _event(marker: Marker) -> Event:

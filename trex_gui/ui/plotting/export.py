@@ -253,17 +253,17 @@ def _paint(painter: QPainter, plot: TracePlot, heading: str, line_width: float) 
 
 
 def _figures(source: Traces, trace: TraceInfo, start: float, end: float) -> str:
-    found, unit = source.statistics(trace.name, start, end), trace.unit
-    if not found.seconds:
+    statistics, unit = source.statistics(trace.name, start, end), trace.unit
+    if not statistics.seconds:
         return ""
     figures = {
-        tr("Low"): value_text(found.low, unit),
-        tr("Peak"): value_text(found.high, unit),
-        tr("Mean"): value_text(found.mean, unit),
-        tr("RMS"): value_text(found.rms, unit),
+        tr("Low"): value_text(statistics.low, unit),
+        tr("Peak"): value_text(statistics.high, unit),
+        tr("Mean"): value_text(statistics.mean, unit),
+        tr("RMS"): value_text(statistics.rms, unit),
     }
     if unit == "A":
-        figures[tr("Charge")] = charge_text(found)
+        figures[tr("Charge")] = charge_text(statistics)
         if (limit := source.limits.get(trace.name)) is not None:
             figures[tr("Limit")] = value_text(limit, unit)
     return ", ".join(tr("{0}: {1}").format(*figure) for figure in figures.items())

@@ -190,8 +190,8 @@ class TraceTable(QAbstractTableModel):
         if source is None or not (trace.name in self._plot.shown or column is TraceColumn.LIMIT):
             return ""
         if column is TraceColumn.CHARGE:
-            found = self._statistics.get(trace.name, Statistics())
-            return charge_text(found) if unit == "A" else ""
+            statistics = self._statistics.get(trace.name, Statistics())
+            return charge_text(statistics) if unit == "A" else ""
         value = self._value(source, trace.name, column)
         if value is None:
             return ""
@@ -318,8 +318,7 @@ class EventList(QListWidget):
     def refresh(self) -> None:
         events: tuple[Event, ...] = ()
         if self._plot.source is not None:
-            found = self._plot.source.events_between(float("-inf"), float("inf"))
-            events = tuple(found[-_MAX_EVENTS:])
+            events = tuple(self._plot.source.events_between(-math.inf, math.inf)[-_MAX_EVENTS:])
         if (events, self._plot.origin) != (self._events, self._origin):
             self._events, self._origin = events, self._plot.origin
             self._fill()

@@ -68,14 +68,14 @@ class SampleColumn:
             summaries[:, : self._blocks] = summaries[:, dropped:blocks].copy()
 
     def extremes(
-        self, first: int, stop: int, least: int
+        self, first: int, stop: int, min_blocks: int
     ) -> tuple[NDArray[np.intp], Floats, Floats]:
         """Split rows `first` to `stop` into parts. Return their first rows and extremes.
 
-        Parts are blocks, and single rows at the ends. Fewer than `least` blocks are split up.
+        Parts are blocks, and single rows at the ends. Fewer than `min_blocks` are split up.
         """
         start, end = self._complete_blocks(first, stop)
-        if end - start < least * BLOCK:
+        if end - start < min_blocks * BLOCK:
             start = end = stop
         ends = np.arange(first, start), np.arange(end, stop)
         starts = np.concatenate([ends[0], np.arange(start, end, BLOCK), ends[1]])

@@ -46,11 +46,11 @@ def value_text(value: float, unit: str, *, mean: bool = False) -> str:
     return text.replace("-", MINUS)
 
 
-def charge_text(found: Statistics) -> str:
+def charge_text(statistics: Statistics) -> str:
     """Format a current's charge in Ah or, below 1 Ah, in mAh."""
-    if not found.seconds:
+    if not statistics.seconds:
         return NO_VALUE
-    charge = found.integral / 3600
+    charge = statistics.integral / 3600
     text = f"{Number(charge):.3f} Ah" if abs(charge) >= 1 else f"{Number(charge * 1000):.2f} mAh"
     return text.replace("-", MINUS)
 

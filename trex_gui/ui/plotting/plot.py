@@ -220,9 +220,9 @@ class TracePlot(Painted):
 
     def _show_axes(self, *, has_right: bool) -> None:
         span, origin, left, right = self.span, self.origin or 0.0, self._left, self._right
-        most = self._canvas.labels_in_height()
+        limit = self._canvas.labels_in_height()
         axes = (
-            *(span.live, span.length, left.reach, has_right, right.reach, most),
+            *(span.live, span.length, left.reach, has_right, right.reach, limit),
             None if span.live else (span.start, origin),
         )
         if axes == self._drawn_axes:
@@ -231,9 +231,9 @@ class TracePlot(Painted):
         since = since_labels(span.start - origin, span.end - origin)
         x_labels = ago_labels(span.length) if span.live else since
         # The right axis comes first, since it changes the width of the plot.
-        labels = right.labels(most) if has_right else []
+        labels = right.labels(limit) if has_right else []
         self._canvas.set_right_axis([(right.map_to(left, value), text) for value, text in labels])
-        self._canvas.set_axes((-span.length, 0.0), left.reach, x_labels, left.labels(most))
+        self._canvas.set_axes((-span.length, 0.0), left.reach, x_labels, left.labels(limit))
 
     def _draw_curves(self, source: Traces, lines: dict[str, Points]) -> dict[str, float]:
         """Draw the curves. Return curve → y of its end in pixels."""

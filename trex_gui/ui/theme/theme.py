@@ -210,9 +210,9 @@ def select_font_size(percent: int) -> None:
 
 def restore_choices() -> None:
     store = Preferences()
-    wanted = store.text(_SCHEME, "system")
+    saved = store.text(_SCHEME, "system")
     for scheme in SCHEMES:
-        if scheme == wanted and scheme != theme().choice:
+        if scheme == saved and scheme != theme().choice:
             theme().set_scheme(scheme)
     theme().set_font_size(store.integer(_FONT_SIZE, 100, FONT_SIZES[0], FONT_SIZES[-1]))
 
