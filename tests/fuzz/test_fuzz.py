@@ -84,7 +84,7 @@ def test_random_input_is_taken_as_documented(
 @pytest.mark.slow
 @pytest.mark.timeout(600)
 @pytest.mark.parametrize("target", TARGETS, ids=lambda target: target.name)
-def test_random_inputs_leave_no_memory_behind(
+def test_random_inputs_do_not_occupy_memory(
     qtbot: QtBot, caplog: pytest.LogCaptureFixture, target: Target, seed: int
 ) -> None:
     caplog.set_level(logging.CRITICAL)  # pytest keeps every record

@@ -16,7 +16,7 @@ def test_imported_modules_are_not_read_as_source(
     source.write_text("from PySide6.QtCore import QObject\n", encoding="utf-8")
     monkeypatch.syspath_prepend(tmp_path)
     try:
-        __import__("uses_pyside")  # as a statement does
+        __import__("uses_pyside")  # like an import statement
         assert str(source) not in linecache.cache
     finally:
         sys.modules.pop("uses_pyside", None)

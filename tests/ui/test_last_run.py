@@ -85,7 +85,7 @@ def test_running_board_is_reported_first_until_stopped(
     danger = "Motors may still be turning: no stop of the TReX 1.2 at /dev/ttyNONE"
     window.program.report_last_run(has_crashed=True)
     window.wait_for_text("bannerText", danger)
-    window.connect(quick_simulator.url)  # another one
+    window.connect(quick_simulator.url)  # another board
     window.wait_for_files()
     assert window.text("bannerText").startswith(danger)
     window.click("bannerStop")
@@ -111,7 +111,7 @@ def test_each_running_board_is_tried_and_reported(messages: Messages) -> None:
 def test_unconfirmed_stop_is_repeated_while_a_board_runs(messages: Messages) -> None:
     file = left("/dev/ttyNONE")
     log_stops("12:03:05 unconfirmed")
-    for _ in range(2):  # a connection that begins clears the first one
+    for _ in range(2):  # a new connection clears the first message
         [(kind, text)] = messages.after(report_last_run)
         assert kind == "danger"
         assert text.splitlines()[1].endswith("If a motor still turns, cut its power.")

@@ -91,7 +91,7 @@ def test_pipe_in_place_of_a_configuration_file_is_not_opened(
     assert pipe.is_fifo()
 
 
-def test_folder_in_place_of_the_configuration_is_left_alone() -> None:
+def test_folder_in_place_of_the_configuration_does_not_change() -> None:
     path = store_file()
     path.mkdir()
     Preferences().set("key", 5)

@@ -113,12 +113,12 @@ def user_errors(sources: Iterable[str]) -> set[str]:
 
 def unmarked(node: ast.AST) -> Iterator[str]:
     """Yield unmarked texts of three or more words below a node."""
-    if isinstance(node, ast.Call) and name_of(node.func) in {*MARKS, "Column"}:  # of recordings
+    if isinstance(node, ast.Call) and name_of(node.func) in {*MARKS, "Column"}:
         return
     parts = node.values if isinstance(node, ast.JoinedStr) else [node]
     text = "".join(str(part.value) if isinstance(part, ast.Constant) else "{}" for part in parts)
     is_text = isinstance(node, ast.JoinedStr | ast.Constant)
-    is_comment = text.startswith("# ")  # in a file, whose comments are in English
+    is_comment = text.startswith("# ")  # comments in files stay in English
     if is_text and len(WORD.findall(text)) > 2 and not is_comment:
         yield text
     elif not isinstance(node, ast.JoinedStr):
@@ -195,7 +195,7 @@ def test_language_is_one_translation_file(
     assert QCoreApplication.translate("QPlatformTheme", "Cancel") == "Abbrechen"
     error = TrexNoReplyError(ErrorCode.NO_REPLY, "get status")
     assert error_text(error) == "Stumm: get status"
-    # English formats of numbers, too, for the tests that follow.
+    # Reset the number formats for later tests.
     for translator in (*translators, *install_translations(qapp, ENGLISH)):
         qapp.removeTranslator(translator)
     monkeypatch.undo()

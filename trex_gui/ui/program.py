@@ -37,8 +37,8 @@ class Program:
         }
         self.device_manager = manager = DeviceManager(makers, scanner)
         # Connect before the window, which needs the workspace of the device.
-        manager.changed.connect(self._use_current)
-        manager.current_changed.connect(self._use_current)
+        manager.changed.connect(self._add_current_workspace)
+        manager.current_changed.connect(self._add_current_workspace)
         self._workspaces: dict[str, Workspace] = {}
         self._is_complete = False
         self.window = MainWindow(manager, self.ports, notifier, lambda: self.workspaces)
@@ -52,17 +52,17 @@ class Program:
 
     def _add_workspace(self, controller: Controller) -> Workspace:
         plugin = controller.plugin
-        added: Workspace = plugin.workspace.load()(controller, self.window)
-        self._workspaces[plugin.key] = added
-        self.window.add_workspace(added)
-        return added
+        workspace: Workspace = plugin.workspace.load()(controller, self.window)
+        self._workspaces[plugin.key] = workspace
+        self.window.add_workspace(workspace)
+        return workspace
 
     def complete(self) -> None:
         """Create the missing pages. Call this once the window is painted."""
         self._is_complete = True
-        self._use_current()
+        self._add_current_workspace()
 
-    def _use_current(self) -> None:
+    def _add_current_workspace(self) -> None:
         if not self._workspaces:  # the window is still being created
             return
         workspace = self.workspace(self.device_manager.current.plugin.key)
@@ -111,7 +111,8 @@ class Program:
             self.window.files.open_file(path)
 
     def _file_kind(self, path: Path) -> tuple[str, FileKind]:
-        kinds = [(key, kind) for key, space in self.workspaces.items() for kind in space.file_kinds]
+        workspaces = self.workspaces.items()
+        kinds = [(key, kind) for key, workspace in workspaces for kind in workspace.file_kinds]
         suffix = path.suffix.lower()
         return next((found for found in kinds if suffix in found[1].suffixes), kinds[0])
 

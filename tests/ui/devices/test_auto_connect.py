@@ -41,7 +41,7 @@ class Bench:
         self.boards = [start_simulator("--unpaced"), start_simulator("--unpaced")]
         self.adapters = [adapter(b.url, f"A500000{i}") for i, b in enumerate(self.boards)]
         self.plug(*self.adapters)
-        for board in self.boards:  # the second was used last
+        for board in self.boards:  # the second board was used last
             ports = window.program.ports
             port = ports.find(board.url)
             assert port is not None

@@ -99,7 +99,7 @@ def devices(qapp: QObject) -> Devices:
     return Devices()
 
 
-def test_device_that_is_made_during_a_stop_does_not_end_it(
+def test_creating_a_device_does_not_end_a_stop(
     qapp: QObject, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The stop comes from another thread."""
@@ -148,7 +148,7 @@ def test_last_chosen_port_is_connected(devices: Devices) -> None:
     assert devices.second.done == ["with 9600 baud", "connect c"]
 
 
-def test_another_kind_is_used_once_the_current_one_is_disconnected(devices: Devices) -> None:
+def test_switch_waits_for_disconnection(devices: Devices) -> None:
     used: list[str] = []
 
     def record_kind() -> None:
@@ -170,12 +170,12 @@ def test_another_kind_is_used_once_the_current_one_is_disconnected(devices: Devi
     assert devices.second.link is ConnectionState.DISCONNECTED
 
 
-def test_every_device_is_shut_down_when_one_does_not_end(devices: Devices) -> None:
+def test_all_devices_are_shut_down_after_a_timeout(devices: Devices) -> None:
     assert not devices.manager.shut_down()
     assert [done[-1] for done in devices.done] == ["shut down", "shut down"]
 
 
-def test_shutdown_begins_on_all_devices_before_waiting(
+def test_shutdown_starts_on_all_devices_before_waiting(
     devices: Devices, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     reports: list[list[str]] = []

@@ -82,7 +82,7 @@ def test_check_marks_survive_a_port_refresh_and_a_chosen_port_is_first(
     assert not dialog.is_enabled("findStartButton")
 
 
-def test_boards_stand_above_the_ports_without_one(dialog: FindBoardDialog, ports: Ports) -> None:
+def test_ports_with_boards_are_listed_first(dialog: FindBoardDialog, ports: Ports) -> None:
     port = ports.entries[0]
     failed = ScanFinding(port, "No TReX responds.", command="sudo give me the port")
     signature = Signature(device_table().model("trex"), "1.2")

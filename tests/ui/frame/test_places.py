@@ -23,7 +23,7 @@ def places(qtbot: QtBot) -> Iterator[Places]:
     window.close()
 
 
-def test_names_are_shown_where_there_is_room(places: Places) -> None:
+def test_names_are_shown_if_the_space_suffices(places: Places) -> None:
     places.resize(1300, 400)
     wide = places.bar.tabRect(0).width()
     assert places.bar.tabToolTip(0) == ""

@@ -37,7 +37,7 @@ def test_theme_and_font_size_change_at_once_and_stay(dialog: WidgetDriver) -> No
     label = QLabel("text")
     before = label.sizeHint().height()
     dialog.select("schemeBox", "high_contrast")
-    for percent in (90, 175):  # the dialog itself makes room for its text
+    for percent in (90, 175):  # the dialog fits its own text
         dialog.select("fontSizeBox", percent)
         for text in dialog.find_all(QLabel):
             assert text.height() >= text.heightForWidth(text.width()), text.text()

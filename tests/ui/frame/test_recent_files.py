@@ -37,7 +37,7 @@ def test_files_are_removed() -> None:
 
 
 @pytest.mark.parametrize("stored", ["", "trex", "trex settings", "\n\n", "@Invalid()"])
-def test_unusable_lines_are_left_out(stored: str) -> None:
+def test_unusable_lines_are_ignored(stored: str) -> None:
     Preferences().set("files/recent", f"{stored}\ntrex settings /a b.txt")
     assert names(RecentFiles()) == ["a b.txt"]
     RecentFiles().add("trex", "settings", FOLDER / "two\nlines.txt")

@@ -38,7 +38,7 @@ class HelpDriver(WidgetDriver):
         return [self.list.item(row).text() for row in range(self.list.count())]
 
     def follow(self, target: str) -> None:
-        self.text_browser.setSource(QUrl(target))  # as a click on a link does
+        self.text_browser.setSource(QUrl(target))  # like a click on a link
 
 
 @pytest.fixture
@@ -79,7 +79,7 @@ def test_links_and_history_lead_through_pages(help_window: HelpDriver) -> None:
     assert help_window.top_line == "Stopping"
 
 
-def test_link_out_of_the_help_is_left_to_the_desktop(
+def test_external_link_opens_on_the_desktop(
     help_window: HelpDriver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     opened: list[str] = []

@@ -32,7 +32,7 @@ def test_ticks_are_multiples_of_the_step() -> None:
         ([1, 2, 3], [50, 50, 50], None),
     ],
 )
-def test_labels_keep_their_place_as_far_as_there_is_room(
+def test_labels_move_only_if_space_is_short(
     centres: list[float], widths: list[float], placed: list[float] | None
 ) -> None:
     assert spread(centres, widths, 0, 100, 2) == placed

@@ -37,7 +37,7 @@ def test_times_stay_sorted_when_the_clock_steps_back() -> None:
     assert history.times.tolist() == [2.0, 2.0]
 
 
-def test_few_samples_are_drawn_with_one_beyond_each_edge() -> None:
+def test_few_samples_are_drawn_beyond_both_edges() -> None:
     history = SampleHistory(1)
     history.extend(np.arange(10.0) / 4, [np.arange(10.0)])
     times, values = history.points(0, 1.0, 2.0, 500)
@@ -156,7 +156,7 @@ def test_gap_is_drawn_in_a_long_history() -> None:
 
 def test_many_gaps_keep_the_points_few() -> None:
     history = SampleHistory(1)
-    history.extend(np.arange(20_000.0), [np.ones(20_000)])  # every interval is one
+    history.extend(np.arange(20_000.0), [np.ones(20_000)])  # every interval is a gap
     times, _ = history.points(0, 0, 100, 500)
     assert len(times) <= 1000
 
@@ -176,7 +176,7 @@ def test_scrolling_keeps_the_drawn_bins() -> None:
     history = filled(50_000)
     _, before = history.points(0, 0, 200, 100)
     _, after = history.points(0, 20, 220, 100)
-    # Each bin is found again, shifted; not so the newest one, which is not full.
+    # Each bin reappears, shifted, except the newest bin, which is incomplete.
     assert np.array_equal(before[20:-5], after[2 : len(before) - 23])
 
 

@@ -156,7 +156,7 @@ def drag(plot: TracePlot, times: tuple[float, float], modifiers: Qt.KeyboardModi
 def test_points_drawn_are_limited_however_long_the_history(plot: TracePlot) -> None:
     long = Source(seconds=0)
     for _ in range(10):
-        long.add(1250)  # in all a million samples
+        long.add(1250)  # a million samples in total
     plot.set_source(long)
     for length in (10, 60, 600, 3600, 12_500):
         plot.set_window(length)
@@ -341,7 +341,7 @@ def test_mouse_pans_zooms_and_sets_cursor_and_mark(plot: TracePlot, qapp: QAppli
 
 
 @pytest.mark.parametrize("is_navigable", [True, False])
-def test_wheel_over_a_fixed_plot_is_left_to_its_page(qtbot: QtBot, *, is_navigable: bool) -> None:
+def test_wheel_over_a_fixed_plot_scrolls_the_page(qtbot: QtBot, *, is_navigable: bool) -> None:
     canvas = PlotCanvas("Plot", is_navigable=is_navigable)
     qtbot.addWidget(canvas)
     canvas.resize(300, 200)
@@ -397,7 +397,7 @@ def test_table_shows_mean_rms_and_charge_of_the_shown_span(panel: TracePanelDriv
     panel.plot.show_span(10, 28)
     assert panel.cell("motor2", TraceColumn.CHARGE) == "15.00 mAh"
     assert panel.cell("motor1", TraceColumn.CHARGE) == "5.00 mAh"
-    assert panel.cell("setpoint1", TraceColumn.MEAN) == ""  # it is not shown
+    assert panel.cell("setpoint1", TraceColumn.MEAN) == ""  # hidden curve
 
 
 def test_cursor_shows_values_and_difference_from_the_mark(panel: TracePanelDriver) -> None:

@@ -33,7 +33,7 @@ def test_live_span_ends_at_the_newest_sample_unless_it_is_held(span: Span) -> No
     assert span.end == 200
 
 
-def test_zoom_keeps_the_place_under_the_mouse(span: Span) -> None:
+def test_zoom_does_not_move_the_time_under_the_mouse(span: Span) -> None:
     span.show(40, 80)
     span.zoom(0.5, 50)
     assert (span.start, span.end) == pytest.approx((45, 65))

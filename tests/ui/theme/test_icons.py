@@ -34,7 +34,7 @@ def test_button_that_clears_an_editor_follows_the_theme(qtbot: QtBot, scheme: st
     assert picture(action.icon().pixmap(16, 16)) == picture(icon("clear").pixmap(16, 16))
 
 
-@pytest.mark.qt_log_ignore("does not support raise")  # said by offscreen
+@pytest.mark.qt_log_ignore("does not support raise")  # message of the offscreen platform
 def test_dock_has_our_icons_also_when_it_floats(window: WindowDriver) -> None:
     window.connect_to_demo()
     dock = window.find(QDockWidget, "demoPanel")

@@ -164,7 +164,7 @@ def test_look_of_a_button_has_its_colour(
     qtbot.addWidget(button)
     set_look(button, "link")
     button.show()
-    set_look(button, look)  # also once it is shown
+    set_look(button, look)  # while the button is visible
     theme().set_scheme(scheme)
     button.resize(100, 30)
     button.setDown(down)
@@ -196,7 +196,7 @@ def test_icon_follows_the_theme(qtbot: QtBot) -> None:
     action = QAction()
     set_icon(action, "power")
     assert strongest(action.icon()) == theme().color("icon")
-    for mode in (QIcon.Mode.Active, QIcon.Mode.Selected):  # a highlighted row of a menu
+    for mode in (QIcon.Mode.Active, QIcon.Mode.Selected):  # highlighted row of a menu
         assert strongest(action.icon(), mode) == theme().color("highlighted_text")
     theme().set_scheme("dark")
     assert strongest(action.icon()) == theme().color("icon")
@@ -215,7 +215,7 @@ def test_theme_ignores_a_deleted_button(qtbot: QtBot) -> None:
     theme().set_scheme("dark")
 
 
-def test_frames_and_lines_of_menus_are_seen_in_high_contrast(qtbot: QtBot) -> None:
+def test_frames_and_lines_of_menus_are_visible_in_high_contrast(qtbot: QtBot) -> None:
     theme().set_scheme("high_contrast")
     box, banner, menu = ui.Card(), Banner(), QMenu()
     menu.addAction("one")

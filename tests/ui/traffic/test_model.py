@@ -68,7 +68,7 @@ def test_typed_poll_is_shown_once(setup: TrafficSetup) -> None:
     assert setup.traffic.everything.count == 3
 
 
-def test_failed_poll_is_listed_once_in_its_place(setup: TrafficSetup) -> None:
+def test_failed_poll_is_listed_once_in_order(setup: TrafficSetup) -> None:
     setup.log(WRITE, STORED)
     setup.log(POLL)
     assert len(setup.texts) == 1

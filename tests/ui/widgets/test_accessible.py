@@ -49,7 +49,7 @@ def test_live_label_is_read_with_its_name(qtbot: QtBot) -> None:
     assert interface_of(label).role() is Role.StaticText
 
 
-def test_sign_is_read_while_there_is_one(qtbot: QtBot) -> None:
+def test_sign_is_read_while_visible(qtbot: QtBot) -> None:
     sign = Sign()
     qtbot.addWidget(sign)
     sign.show_sign("warning", "warning")

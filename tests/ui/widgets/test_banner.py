@@ -17,7 +17,7 @@ from trex_gui.ui.widgets.messages import Banner
 FIND, AGAIN = Remedy.FIND, Remedy.RECONNECT
 
 
-def test_buttons_of_a_message_act_and_leave_with_it(qtbot: QtBot) -> None:
+def test_buttons_act_and_end_with_their_message(qtbot: QtBot) -> None:
     notifier = Notifier()
     banner = Banner(None, notifier)
     qtbot.addWidget(banner)
@@ -57,7 +57,7 @@ def test_message_that_offers_a_report_outlives_a_connection(qtbot: QtBot) -> Non
     assert not driver.has("bannerReport")
 
 
-def test_news_leave_by_themselves_and_problems_and_questions_stay(qtbot: QtBot) -> None:
+def test_only_news_disappear_automatically(qtbot: QtBot) -> None:
     window, notifier = QWidget(), Notifier()
     qtbot.addWidget(window)
     banner, editor = Banner(window, notifier), QLineEdit(window)

@@ -40,13 +40,13 @@ def test_dialog_opens_again_where_it_was_closed(qtbot: QtBot) -> None:
     assert (first.center() - parent.geometry().center()).manhattanLength() < 10
     for _ in range(3):
         dialog.close()
-        dialog.move(dialog.pos() + QPoint(2, 26))  # what a window manager may do meanwhile
+        dialog.move(dialog.pos() + QPoint(2, 26))  # a window manager may move the dialog
         dialog.show()
         assert dialog.geometry() == first
     dialog.close()
 
 
-def test_stored_place_is_restored_within_the_screen(qtbot: QtBot) -> None:
+def test_stored_position_is_restored_within_the_screen(qtbot: QtBot) -> None:
     def open_window() -> QMainWindow:
         window = QMainWindow()
         qtbot.addWidget(window)

@@ -102,7 +102,7 @@ def test_late_final_report_of_a_session_is_emitted(qtbot: QtBot) -> None:
     qtbot.waitUntil(line.shut_down)
 
 
-def test_final_report_of_old_session_does_not_close_the_new_one(
+def test_final_report_does_not_close_the_next_session(
     qtbot: QtBot, virtual_time: VirtualRuntime
 ) -> None:
     gate = Gate()
@@ -206,6 +206,6 @@ def test_halt_from_another_thread_also_closes_the_session(
     thread = threading.Thread(target=robot.halt_now, kwargs={"ending": True})
     thread.start()
     thread.join(15)
-    worker.submit(None)  # where nobody has closed it: the thread has to end
+    worker.submit(None)  # after a failure, so that the thread ends
     assert worker.wait(15_000)
     assert session.requests == [Halt(), Close()]

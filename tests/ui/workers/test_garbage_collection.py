@@ -39,7 +39,7 @@ def test_cycles_stay_until_collected_in_gui_thread(collector: GuiThreadCollector
     assert Cycle.alive < 2000
 
 
-def test_full_collection_leaves_out_what_is_exempt(collector: GuiThreadCollector) -> None:
+def test_full_collection_ignores_frozen_objects(collector: GuiThreadCollector) -> None:
     collector.freeze()
     assert len(gc.get_objects()) < gc.get_freeze_count() / 10
     kept = Cycle.alive

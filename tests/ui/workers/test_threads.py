@@ -29,7 +29,7 @@ class Held(WorkerThread):
 
 
 def test_orphaned_thread_outlives_parent_until_finished(qtbot: QtBot) -> None:
-    qtbot.waitUntil(have_orphans_ended)  # of the tests before
+    qtbot.waitUntil(have_orphans_ended)  # of earlier tests
     owner = QObject()
     thread = Held(owner)
     thread.start()
