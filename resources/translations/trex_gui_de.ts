@@ -129,9 +129,9 @@
         <translation>keine</translation></message>
     <message><source>another program</source>
         <translation>einem anderen Programm</translation></message>
-    <message><source>the server sends what is not RFC 2217</source>
+    <message><source>the server does not use RFC 2217</source>
         <translation>was der Server sendet, ist nicht RFC 2217</translation></message>
-    <message><source>the port takes nothing</source>
+    <message><source>the port accepts no data</source>
         <translation>der Port nimmt nichts an</translation></message>
     <message><source>the port cannot be set to {0}</source>
         <translation>der Port lässt sich nicht auf {0} einstellen</translation></message>
@@ -1001,7 +1001,7 @@
         <translation>Gerät {0} ausgewählt: {1}</translation></message>
     <message><source>{0} (doubtful)</source>
         <translation>{0} (zweifelhaft)</translation></message>
-    <message><source>What is kept here for this {0} (notes, calibrations, applied settings) is of {1}, when it was at another USB adapter or socket. If this is another board, give it a device number of its own: boards with the same number share what is kept.</source>
+    <message><source>The notes, calibrations and applied settings of this {0} on this computer are of {1}, when it was at another USB adapter or socket. If this is another board, give it a device number of its own: boards with the same number share these files.</source>
         <translation>Was hier für diesen {0} aufbewahrt wird (Notizen, Kalibrierungen, angewendete Einstellungen), stammt vom {1}, als er an einem anderen USB-Adapter oder einer anderen Buchse war. Wenn dies ein anderes Board ist, geben Sie ihm eine eigene Gerätenummer: Boards mit derselben Nummer teilen sich das Aufbewahrte.</translation></message>
     <message><source>Disconnected</source>
         <translation>Getrennt</translation></message>
@@ -1597,7 +1597,7 @@
         <translation>Diese Werte sind schon gespeichert.</translation></message>
     <message><source>The board accepted the stop, but {0}. Check the motors: if one turns, something else drives it, such as another controller on this line; cut its power. Continue only if they are not turning.</source>
         <translation>Das Board hat den Stopp angenommen, aber {0}. Prüfen Sie die Motoren: Dreht sich einer, treibt ihn etwas anderes an, etwa ein anderer Controller an dieser Leitung; trennen Sie dann die Motorversorgung. Fahren Sie nur fort, wenn sie sich nicht drehen.</translation></message>
-    <message><source>What was learned is stored.</source>
+    <message><source>The learned values are stored.</source>
         <translation>Das Eingelernte ist gespeichert.</translation></message>
     <message><source>The board is in {0} mode: the sticks drive the motors, and it rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
         <translation>Das Board ist im Modus {0}: Die Knüppel steuern die Motoren, und es lehnt Einstellungen ab. Schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es ein.</translation></message>
@@ -1845,8 +1845,8 @@
         <translation>Eingerichtet als {0}</translation></message>
     <message><source>Recording {0} ended: the board or its input source has changed.</source>
         <translation>Aufzeichnung {0} beendet: Das Board oder seine Eingangsquelle hat sich geändert.</translation></message>
-    <message><source>What was applied to this board cannot be remembered. {0}</source>
-        <translation>Was auf dieses Board angewendet wurde, lässt sich nicht merken. {0}</translation></message>
+    <message><source>Records of this board cannot be saved. {0}</source>
+        <translation>Die Daten zu diesem Board lassen sich nicht speichern. {0}</translation></message>
     <message><source>calibration of channel {0}: {1}</source>
         <translation>Kalibrierung von Kanal {0}: {1}</translation></message>
     <message><source>Setting</source>
@@ -2145,17 +2145,17 @@
         <translation>Diese Bytes können einen Motor eines anderen Boards bewegen, das ein Stopp über diese Verbindung nicht erreicht; es wurde nichts gesendet. Adressieren Sie darin das Gerät {0}, oder verbinden Sie mit dem kompakten Protokoll.</translation></message>
     <message><source>A stop came first; nothing was sent.</source>
         <translation>Ein Stopp kam zuvor; es wurde nichts gesendet.</translation></message>
-    <message><source>Other boards are not looked for while motors are armed or may be moving. Stop the motors first.</source>
+    <message><source>The program does not scan for other boards while motors are armed or may be moving. Stop the motors first.</source>
         <translation>Andere Boards werden nicht gesucht, solange Motoren freigegeben sind oder sich vielleicht bewegen. Stoppen Sie zuerst die Motoren.</translation></message>
-    <message><source>Board {0} was not selected, since no stop of the present one is confirmed. If a motor still turns, cut its power.</source>
+    <message><source>Board {0} was not selected, because the stop of the present board is not confirmed. If a motor still turns, cut its power.</source>
         <translation>Board {0} wurde nicht ausgewählt, da für das jetzige kein Stopp bestätigt ist. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
-    <message><source>Board {0} was not selected, since it does not respond. Check that it has power. The board that was selected before still is.</source>
+    <message><source>Board {0} was not selected, because it does not respond. Check that it has power. The previous board is still selected.</source>
         <translation>Board {0} wurde nicht ausgewählt, da es nicht antwortet. Prüfen Sie, ob es Strom hat. Das vorher ausgewählte Board bleibt ausgewählt.</translation></message>
     <message><source>Another board on this line has the device number {0}. Choose a number that is free.</source>
         <translation>Ein anderes Board an dieser Leitung hat die Gerätenummer {0}. Wählen Sie eine freie Nummer.</translation></message>
     <message><source>Board {0} no longer follows: it fell silent, was stopped or restarted.</source>
         <translation>Board {0} folgt nicht mehr: Es verstummte, wurde gestoppt oder startete neu.</translation></message>
-    <message><source>Board {0} is not one of those that are driven together here.</source>
+    <message><source>Board {0} does not belong to the boards driven together here.</source>
         <translation>Board {0} gehört nicht zu denen, die hier gemeinsam gefahren werden.</translation></message>
     <message><source>Boards that are driven together keep their numbers, none can be selected, and no typed packet can store anything. Connect to this board alone.</source>
         <translation>Boards, die gemeinsam gefahren werden, behalten ihre Nummern, keines kann ausgewählt werden, und kein eingegebenes Paket kann etwas speichern. Verbinden Sie sich mit diesem Board allein.</translation></message>
@@ -2183,13 +2183,13 @@
         <translation>Jetzt antwortet ein anderes Board: {0}. Es wurde nichts darauf geschrieben.</translation></message>
     <message><source>Another board responds now: {0}. Settings may have been written to it; compare it with its last snapshot.</source>
         <translation>Jetzt antwortet ein anderes Board: {0}. Vielleicht wurden Einstellungen darauf geschrieben; vergleichen Sie es mit seiner letzten Sicherungskopie.</translation></message>
-    <message><source>The board no longer stores the settings that were read from it: it is another one, or was changed meanwhile. Nothing was written.</source>
+    <message><source>The board no longer stores the settings that were read from it: it is another board, or its settings were changed meanwhile. Nothing was written.</source>
         <translation>Das Board speichert nicht mehr die Einstellungen, die von ihm gelesen wurden: Es ist ein anderes, oder es wurde inzwischen geändert. Es wurde nichts geschrieben.</translation></message>
     <message><source>The line corrupted bytes while {0} was written, and another setting may have been changed instead. Read the board again and compare it with the last snapshot. {1}</source>
         <translation>Die Leitung hat Bytes verfälscht, während {0} geschrieben wurde; vielleicht wurde stattdessen eine andere Einstellung geändert. Lesen Sie das Board erneut und vergleichen Sie es mit der letzten Sicherungskopie. {1}</translation></message>
     <message><source>{0} settings differ from what was read before, so none was restored: another board may be connected.</source>
         <translation>{0} Einstellungen weichen vom zuvor Gelesenen ab, daher wurde keine wiederhergestellt: Vielleicht ist ein anderes Board angeschlossen.</translation></message>
-    <message><source>The writing was cancelled before this was tried.</source>
+    <message><source>The write was cancelled before this setting was written.</source>
         <translation>Das Schreiben wurde abgebrochen, bevor dies versucht wurde.</translation></message>
     <message><source>{0} {1} may have gone back to the factory default: after a power cycle the board would run at {2}</source>
         <translation>{0} {1} wurde vielleicht auf die Werkseinstellung zurückgesetzt: Nach dem Aus- und Einschalten liefe das Board mit {2}</translation></message>
@@ -2329,7 +2329,7 @@
         <translation>„{0}“ ist keine Folge hexadezimaler Bytes wie 86 1F.</translation></message>
     <message><source>No board is served at {0}:{1}, or not to this user. Check that trexcmd serve runs there, the user in the address (trex://USER@…), and its secret (TREX_SECRET).</source>
         <translation>Bei {0}:{1} wird kein Board bereitgestellt, oder nicht für diesen Benutzer. Prüfen Sie, ob dort trexcmd serve läuft, den Benutzer in der Adresse (trex://USER@…) und sein Geheimnis (TREX_SECRET).</translation></message>
-    <message><source>{0} cannot be listened at: {1}</source>
+    <message><source>The server cannot listen at {0}: {1}</source>
         <translation>An {0} kann nicht gelauscht werden: {1}</translation></message>
     <message><source>{0} serves no board named {1} to this user.</source>
         <translation>{0} stellt diesem Benutzer kein Board namens {1} bereit.</translation></message>
@@ -2565,8 +2565,6 @@
         <translation>Führt den Prüflauf aus, solange sie mit der Maus oder der Leertaste gehalten wird</translation></message>
     <message><source>Test to compare with</source>
         <translation>Prüflauf zum Vergleichen</translation></message>
-    <message><source>Open a saved test</source>
-        <translation>Gespeicherten Prüflauf öffnen</translation></message>
     <message><source>Bench tests (*.csv);;All files (*)</source>
         <translation>Prüfläufe (*.csv);;Alle Dateien (*)</translation></message>
     <message><source>{0:%H:%M:%S}, motor {1}: {2}</source>
@@ -2613,6 +2611,8 @@
         <translation>Kennwerte des Prüflaufs</translation></message>
     <message><source>&amp;Bench test…</source>
         <translation>&amp;Prüflauf…</translation></message>
+    <message><source>Open a saved test</source>
+        <translation>Gespeicherten Prüflauf öffnen</translation></message>
     <message><source>Compar&amp;e with</source>
         <translation>&amp;Vergleichen mit</translation></message>
     <message><source>Save bench test</source>
@@ -2821,17 +2821,17 @@
         <translation>antwortet</translation></message>
     <message><source>reply unreadable</source>
         <translation>Antwort unlesbar</translation></message>
-    <message><source>not asked yet</source>
+    <message><source>not scanned yet</source>
         <translation>noch nicht abgefragt</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
         <translation>Klicken Sie auf ein Board oder drücken Sie Enter, um es auf jeder Seite zu zeigen. Zuvor werden die Motoren gestoppt.</translation></message>
-    <message><source>Ask for each device number which board has it; nothing is changed</source>
+    <message><source>Find the boards of all device numbers; nothing is changed</source>
         <translation>Für jede Gerätenummer abfragen, welches Board sie hat; es wird nichts geändert</translation></message>
-    <message><source>Give the board that is selected another device number</source>
+    <message><source>Give the selected board another device number</source>
         <translation>Dem ausgewählten Board eine andere Gerätenummer geben</translation></message>
     <message><source>Drive several boards as one robot, with one pad and one Stop</source>
         <translation>Mehrere Boards als einen Roboter fahren, mit einem Feld und einem Stopp</translation></message>
-    <message><source>Before it is written, the line is asked for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be noticed. The new number takes effect at once, and a snapshot is saved first.</source>
+    <message><source>The line is first searched for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be found. A snapshot is saved, then the new number takes effect at once.</source>
         <translation>Vor dem Schreiben wird die Leitung nach der neuen Nummer abgefragt: Hat ein anderes Board sie, wird nichts geschrieben. Ein ausgeschaltetes Board oder eines mit anderen seriellen Einstellungen kann nicht bemerkt werden. Die neue Nummer gilt sofort; vorher wird eine Sicherungskopie gespeichert.</translation></message>
     <message><source>Progress of the search</source>
         <translation>Fortschritt der Suche</translation></message>
@@ -2857,7 +2857,7 @@
         <translation>freigegeben</translation></message>
     <message><source>driven together</source>
         <translation>gemeinsam gefahren</translation></message>
-    <message><source>being left …</source>
+    <message><source>deselecting …</source>
         <translation>wird verlassen …</translation></message>
     <message><source>selected, not responding</source>
         <translation>ausgewählt, antwortet nicht</translation></message>
@@ -2965,8 +2965,8 @@
         <translation><numerusform>%n Wert aus {0} kopiert.</numerusform><numerusform>%n Werte aus {0} kopiert.</numerusform></translation></message>
     <message><source>For a {0}</source>
         <translation>Für einen {0}</translation></message>
-    <message><source>Every parameter, by the board's own command, at its next start</source>
-        <translation>Alle Parameter, durch den Befehl des Boards selbst, bei seinem nächsten Start</translation></message>
+    <message><source>Resets every parameter with the board's own command, at its next start</source>
+        <translation>Setzt alle Parameter durch den Befehl des Boards zurück, bei seinem nächsten Start</translation></message>
     <message><source>&amp;Let the board reset itself…</source>
         <translation>Das Board sich selbst &amp;zurücksetzen lassen…</translation></message>
     <message><source>At its next start the board will reset every parameter, including those cleared here. Its present settings are saved first (File, History). Unapplied changes are discarded; Undo restores them.</source>
@@ -3203,6 +3203,10 @@
         <translation>Ein Byte verfälschen</translation></message>
     <message><source>Stick of input {0}</source>
         <translation>Knüppel von Eingang {0}</translation></message>
+    <message><source>plugged in</source>
+        <translation>eingesteckt</translation></message>
+    <message><source>unplugged</source>
+        <translation>ausgesteckt</translation></message>
     <message><source>LEDs of the board</source>
         <translation>LEDs des Boards</translation></message>
     <message><source>The driver of motor {0} shuts down, as when hot or shorted</source>
@@ -3221,10 +3225,6 @@
         <translation>Stecker von Eingang {0}</translation></message>
     <message><source>Unplug input {0}: an RC input is invalid 0.1 s later</source>
         <translation>Eingang {0} abziehen: Ein RC-Eingang ist 0,1 s später ungültig</translation></message>
-    <message><source>plugged in</source>
-        <translation>eingesteckt</translation></message>
-    <message><source>unplugged</source>
-        <translation>ausgesteckt</translation></message>
     <message><source>switched off</source>
         <translation>ausgeschaltet</translation></message>
     <message><source>Fault</source>
@@ -3237,7 +3237,7 @@
         <translation>Übernehmen</translation></message>
     <message><source>Show line {0}</source>
         <translation>Zeile {0} zeigen</translation></message>
-    <message><source>One pad, one arming and one Stop drive these boards as one robot. A board that does not follow any more stops the others.</source>
+    <message><source>One pad, one arming and one Stop drive these boards as one robot. A board that no longer follows stops the others.</source>
         <translation>Ein Feld, eine Freigabe und ein Stopp fahren diese Boards als einen Roboter. Ein Board, das nicht mehr folgt, stoppt die anderen.</translation></message>
     <message><source>&amp;Drive together</source>
         <translation>Gemeinsam &amp;fahren</translation></message>
@@ -3251,7 +3251,7 @@
         <translation>Board {0}, Motor {1}</translation></message>
     <message><source>Search times, boards, adapters (Ctrl+F)</source>
         <translation>Zeiten, Boards, Adapter suchen (Strg+F)</translation></message>
-    <message><source>One with a name is kept, however many follow it; a double click, too</source>
+    <message><source>Name the snapshot (or double-click it): it is then never deleted automatically</source>
         <translation>Eine mit Namen bleibt, wie viele auch folgen; auch mit Doppelklick</translation></message>
     <message><source>Save a copy as a settings file</source>
         <translation>Eine Kopie als Einstellungsdatei speichern</translation></message>
@@ -3421,7 +3421,7 @@ bisher {1}</translation></message>
         <translation>Dies müssen die Einstellungen sein, die das Board jetzt hat. Ein neues Board kommuniziert mit 19200 Baud, ohne Fehlererkennung, mit einem Stoppbit. Änderungen hier ändern nichts im Board.</translation></message>
     <message><source>&amp;Address one board of several by its number (Pololu protocol)</source>
         <translation>Eines von mehreren Boards über seine &amp;Nummer ansprechen (Pololu-Protokoll)</translation></message>
-    <message><source>Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). With one, every packet is addressed, to none of these numbers, and no other baud rate is tried.</source>
+    <message><source>Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). If there are any, every packet is addressed, none to these numbers, and no other baud rate is tried.</source>
         <translation>Nummern anderer Geräte an dieser Leitung, etwa 0,1 (ältere Motor- und Servocontroller von Pololu). Ist eine angegeben, wird jedes Paket adressiert, an keine dieser Nummern, und keine andere Baudrate wird versucht.</translation></message>
     <message><source>&amp;Line:</source>
         <translation>&amp;Leitung:</translation></message>
@@ -3435,7 +3435,7 @@ bisher {1}</translation></message>
         <translation>Standard&amp;werte wiederherstellen</translation></message>
     <message><source>&amp;Line settings…</source>
         <translation>&amp;Leitungseinstellungen…</translation></message>
-    <message><source>Arming without one is remembered for this board. Cut the power by hand then if the cable falls out.</source>
+    <message><source>Arming without a timeout is remembered for this board. If the cable falls out, cut the power by hand.</source>
         <translation>Freigeben ohne Timeout wird für dieses Board gemerkt. Trennen Sie dann die Motorversorgung von Hand, wenn das Kabel herausfällt.</translation></message>
     <message><source>Arm with&amp;out a timeout</source>
         <translation>&amp;Ohne Timeout freigeben</translation></message>
@@ -3583,7 +3583,7 @@ bisher {1}</translation></message>
         <translation>St&amp;röme</translation></message>
     <message><source>One count of this board is {0:.0f} mA.</source>
         <translation>Ein Count entspricht bei diesem Board {0:.0f} mA.</translation></message>
-    <message><source>Set every count to zero, and forget when errors were seen</source>
+    <message><source>Set every count to zero, and clear the times of errors</source>
         <translation>Alle Zähler auf null setzen und vergessen, wann Fehler auftraten</translation></message>
     <message><source>The board came back in another mode, so its power was off meanwhile; it does not report a restart in the same mode. Returned after silence: {0}.</source>
         <translation>Das Board meldete sich in einem anderen Modus zurück, war also zwischendurch ohne Strom; einen Neustart im selben Modus meldet es nicht. Nach Stille zurückgekehrt: {0}.</translation></message>
@@ -3713,7 +3713,7 @@ bisher {1}</translation></message>
         <translation>Das Board ändert Geschwindigkeiten mit einer Rampe nach der Einstellung „Beschleunigung“ und wartet vor dem Umkehren die Bremsdauer ab</translation></message>
     <message><source>Bypasses ramp and brake duration, and for a moment also the current limit</source>
         <translation>Umgeht Rampe und Bremsdauer, kurzzeitig auch die Strombegrenzung</translation></message>
-    <message><source>How hard Brake and letting go of pad, keys and held sliders brake; Stop always brakes fully</source>
+    <message><source>Strength of Brake, and of releasing the pad, a key or a held slider; Stop always brakes fully</source>
         <translation>Wie stark „Bremsen“ und das Loslassen von Fahrfeld, Tasten und gehaltenen Schiebereglern bremsen; ein Stopp bremst immer voll</translation></message>
     <message><source>&amp;Brake strength</source>
         <translation>Bre&amp;msstärke</translation></message>
@@ -3751,8 +3751,8 @@ bisher {1}</translation></message>
         <translation>Stromgrenze</translation></message>
     <message><source>&amp;Open plot</source>
         <translation>Verla&amp;uf öffnen</translation></message>
-    <message><source>What the board does with them</source>
-        <translation>Was das Board damit macht</translation></message>
+    <message><source>How the board applies commands</source>
+        <translation>So führt das Board Befehle aus</translation></message>
     <message><source>Armed: these controls move the motors.</source>
         <translation>Freigegeben: Diese Bedienelemente bewegen die Motoren.</translation></message>
     <message><source>Left</source>
@@ -3771,9 +3771,9 @@ bisher {1}</translation></message>
         <translation>Die Seite „Motoren“ wurde verlassen.</translation></message>
     <message><source>keep turning</source>
         <translation>drehen weiter</translation></message>
-    <message><source>Make each change to one motor to the other, too, in one step</source>
+    <message><source>Apply each change of one motor to both motors, in one step</source>
         <translation>Jede Änderung an einem Motor im selben Schritt auch am anderen vornehmen</translation></message>
-    <message><source>No document confirms this limit. The board decides about other values.</source>
+    <message><source>No document confirms this limit. The board may accept other values.</source>
         <translation>Kein Dokument bestätigt diese Grenze. Über andere Werte entscheidet das Board.</translation></message>
     <message><source>Show the steps for switching the board off and on</source>
         <translation>Die Schritte zum Aus- und Einschalten des Boards zeigen</translation></message>
@@ -3841,12 +3841,12 @@ bisher {1}</translation></message>
         <translation>{0}: Die Motoren laufen weiter.</translation></message>
     <message><source>Speed over the stick, brake in the deadband: {0}</source>
         <translation>Geschwindigkeit über dem Knüppelweg, Bremse im Totbereich: {0}</translation></message>
-    <message><source>Try another &amp;wire value…</source>
-        <translation>Anderen Byte&amp;wert versuchen…</translation></message>
     <message><source>Und&amp;o edit</source>
         <translation>Ve&amp;rwerfen</translation></message>
     <message><source>Edit</source>
         <translation>Bearbeiten</translation></message>
+    <message><source>Try another &amp;wire value…</source>
+        <translation>Anderen Byte&amp;wert versuchen…</translation></message>
     <message><source>Defa&amp;ult</source>
         <translation>&amp;Standardwert</translation></message>
     <message><source>Leave out of the fi&amp;le</source>
@@ -3909,7 +3909,7 @@ bisher {1}</translation></message>
         <translation>Prüfen und anwenden…</translation></message>
     <message><source>There are unapplied changes.</source>
         <translation>Es gibt nicht angewendete Änderungen.</translation></message>
-    <message numerus="yes"><source>%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</source>
+    <message numerus="yes"><source>%n setting(s) of this {0} differ from the values applied last ({1}): lost, changed by another program, or this is another board.</source>
         <translation><numerusform>%n Einstellung dieses {0} weicht von der zuletzt angewendeten ab ({1}): verloren, von etwas anderem geändert, oder dies ist ein anderes Board.</numerusform><numerusform>%n Einstellungen dieses {0} weichen von den zuletzt angewendeten ab ({1}): verloren, von etwas anderem geändert, oder dies ist ein anderes Board.</numerusform></translation></message>
     <message><source>Keep the values of the board</source>
         <translation>Werte des Boards behalten</translation></message>
@@ -3931,7 +3931,7 @@ bisher {1}</translation></message>
         <translation>Verwerfen und schließen</translation></message>
     <message><source>Show…</source>
         <translation>Anzeigen…</translation></message>
-    <message><source>A new board: its device number is in no line of the record.</source>
+    <message><source>A new board: its device number is not in the record.</source>
         <translation>Ein neues Board: Seine Gerätenummer steht in keiner Zeile des Protokolls.</translation></message>
     <message><source>Known: its device number and its calibrations are in the record.</source>
         <translation>Bekannt: Seine Gerätenummer und seine Kalibrierungen stehen im Protokoll.</translation></message>
@@ -3941,9 +3941,9 @@ bisher {1}</translation></message>
         <translation>übersprungen</translation></message>
     <message><source>First device number</source>
         <translation>Erste Gerätenummer</translation></message>
-    <message><source>The profile is a settings file. Each board gets its settings, a device number that no other one has, and a line in the record: a CSV file, which is continued if it exists.</source>
+    <message><source>The profile is a settings file. Each board gets its settings, a device number that no other board has, and a line in the record: a CSV file, extended if it exists.</source>
         <translation>Das Profil ist eine Einstellungsdatei. Jedes Board erhält ihre Einstellungen, eine Gerätenummer, die kein anderes hat, und eine Zeile im Protokoll: einer CSV-Datei, die fortgesetzt wird, wenn es sie schon gibt.</translation></message>
-    <message><source>Boards have no serial number. One whose device number is in the record keeps it.</source>
+    <message><source>Boards have no serial number. A board whose device number is in the record keeps it.</source>
         <translation>Boards haben keine Seriennummer. Eines, dessen Gerätenummer im Protokoll steht, behält sie.</translation></message>
     <message><source>Select…</source>
         <translation>Auswählen…</translation></message>
@@ -4181,7 +4181,7 @@ bisher {1}</translation></message>
         <translation>Angewendet</translation></message>
     <message><source>&amp;New settings file…</source>
         <translation>&amp;Neue Einstellungsdatei…</translation></message>
-    <message><source>Beginnings</source>
+    <message><source>Initial contents</source>
         <translation>Vorlagen</translation></message>
     <message><source>Settings applied {0}</source>
         <translation>Angewendete Einstellungen, {0}</translation></message>
@@ -4209,7 +4209,7 @@ bisher {1}</translation></message>
         <translation>N&amp;ichts hat sich bewegt</translation></message>
     <message><source>Wir&amp;es swapped – test again</source>
         <translation>&amp;Drähte vertauscht – erneut testen</translation></message>
-    <message><source>Forget both answers and find out again which motor is which</source>
+    <message><source>Clear both answers and test the motors again</source>
         <translation>Beide Antworten vergessen und erneut herausfinden, welcher Motor welcher ist</translation></message>
     <message><source>Nothing has to change: the wheels follow the sticks.</source>
         <translation>Es muss nichts geändert werden: Die Räder folgen den Knüppeln.</translation></message>
@@ -4331,8 +4331,8 @@ bisher {1}</translation></message>
         <translation>Wenn sich das Kabel löst, stoppt das Board</translation></message>
     <message><source>What is left to do</source>
         <translation>Was noch zu tun ist</translation></message>
-    <message><source>Not as they have to be, or not checked.</source>
-        <translation>Nicht wie nötig oder nicht geprüft.</translation></message>
+    <message><source>Wrong positions, or not checked.</source>
+        <translation>Falsche Stellung oder nicht geprüft.</translation></message>
     <message><source>The directions of the sticks are not known.</source>
         <translation>Die Richtungen der Knüppel sind nicht bekannt.</translation></message>
     <message><source>Skipped, or its changes were undone.</source>
@@ -4357,10 +4357,6 @@ bisher {1}</translation></message>
         <translation>Der Mix-Jumper kann nur im seriellen Modus geprüft werden: Jetzt würde ein Knüppel die Motoren antreiben.</translation></message>
     <message><source>The board does not report the mix jumper. Push a stick to one side to see it.</source>
         <translation>Das Board meldet den Mix-Jumper nicht. Drücken Sie einen Knüppel zur Seite, um es zu sehen.</translation></message>
-    <message><source>The mix jumper is on.</source>
-        <translation>Der Mix-Jumper ist gesteckt.</translation></message>
-    <message><source>The mix jumper is off.</source>
-        <translation>Der Mix-Jumper ist abgezogen.</translation></message>
     <message><source>Current &amp;limit of each motor</source>
         <translation>&amp;Stromgrenze jedes Motors</translation></message>
     <message><source>&amp;Stop the motors after a silence of</source>
@@ -4369,6 +4365,10 @@ bisher {1}</translation></message>
         <translation>Zu diesem Schritt gehen</translation></message>
     <message><source>Then, by hand:</source>
         <translation>Danach von Hand:</translation></message>
+    <message><source>The mix jumper is on.</source>
+        <translation>Der Mix-Jumper ist gesteckt.</translation></message>
+    <message><source>The mix jumper is off.</source>
+        <translation>Der Mix-Jumper ist abgezogen.</translation></message>
     <message><source>{0} Then test the motors again.</source>
         <translation>{0} Testen Sie dann die Motoren erneut.</translation></message>
     <message><source>is not a readable settings file.</source>
@@ -4415,10 +4415,10 @@ bisher {1}</translation></message>
         <translation>Kein Board ist verbunden. Verbinden Sie eines, um eine Sicherungskopie wiederherzustellen.</translation></message>
     <message><source>Select one snapshot, or two to compare them.</source>
         <translation>Wählen Sie eine Sicherungskopie aus, oder zwei, um sie zu vergleichen.</translation></message>
-    <message><source>No setting differs.</source>
-        <translation>Keine Einstellung weicht ab.</translation></message>
     <message><source>Restore snapshot of {0}</source>
         <translation>Sicherungskopie von {0} wiederherstellen</translation></message>
+    <message><source>No setting differs.</source>
+        <translation>Keine Einstellung weicht ab.</translation></message>
     <message><source>Nothing was restored: {0}</source>
         <translation>Nichts wurde wiederhergestellt: {0}</translation></message>
     <message><source>Never connect RS-232 levels (±12 V) to SI and SO: they can destroy the board.</source>
@@ -4577,7 +4577,7 @@ bisher {1}</translation></message>
         <translation>Die Hilfe zur Meldung in der Zeile mit dem Cursor zeigen</translation></message>
     <message><source>Search (Ctrl+F)</source>
         <translation>Suchen (Strg+F)</translation></message>
-    <message><source>Copy the selected rows, or all that is shown</source>
+    <message><source>Copy the selected rows, or everything shown</source>
         <translation>Die ausgewählten Zeilen kopieren, oder alles Angezeigte</translation></message>
     <message><source>Save a report for support; it is shown before it is written</source>
         <translation>Einen Bericht für den Support speichern; er wird vorher angezeigt</translation></message>
@@ -4789,7 +4789,7 @@ bisher {1}</translation></message>
         <translation>Das Programm konnte die Motoren nicht selbst stoppen. Der Wächterprozess hat einen Stopp gesendet ({0}), den das Board nicht bestätigt hat. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>The program could not stop the motors itself. The guardian process stopped them at {0}, and the board confirmed that.</source>
         <translation>Das Programm konnte die Motoren nicht selbst stoppen. Der Wächterprozess hat sie gestoppt ({0}), und das Board hat das bestätigt.</translation></message>
-    <message><source>TReX Studio did not end properly the last time. If it crashed, a report for support says where.</source>
+    <message><source>TReX Studio did not end properly last time. If it crashed, a report for support shows where.</source>
         <translation>TReX Studio wurde beim letzten Mal nicht ordnungsgemäß beendet. Falls es abgestürzt ist, sagt ein Supportbericht, wo.</translation></message>
     <message><source>End the recording; motors and connection are not affected</source>
         <translation>Die Aufzeichnung beenden; Motoren und Verbindung sind nicht betroffen</translation></message>
@@ -4819,7 +4819,7 @@ bisher {1}</translation></message>
         <translation>Wieder die ganze Aufzeichnung zeigen</translation></message>
     <message><source>Save every sample in the plot as CSV or MCAP</source>
         <translation>Alle Messwerte im Diagramm als CSV oder MCAP speichern</translation></message>
-    <message><source>Keep this recording: the oldest ones of faults and stops are removed</source>
+    <message><source>Save a copy, since old recordings of faults and stops are removed</source>
         <translation>Diese Aufzeichnung behalten: Die ältesten von Störungen und Stopps werden entfernt</translation></message>
     <message><source>Stop loading or exporting</source>
         <translation>Laden oder Exportieren abbrechen</translation></message>
@@ -4901,7 +4901,7 @@ bisher {1}</translation></message>
         <translation>Grenze</translation></message>
     <message><source>In the visible span</source>
         <translation>Im sichtbaren Zeitbereich</translation></message>
-    <message><source>Choosing one shows its place in the plot.</source>
+    <message><source>Select an event to show it in the plot.</source>
         <translation>Ein ausgewähltes Ereignis wird im Diagramm gezeigt.</translation></message>
     <message><source>Curves and their figures</source>
         <translation>Kurven und ihre Kennwerte</translation></message>
@@ -4913,7 +4913,7 @@ bisher {1}</translation></message>
         <translation>Jetzt</translation></message>
     <message><source>Newest value; ⚠ means 80 % of the limit or more</source>
         <translation>Neuester Wert; ⚠ bedeutet 80 % der Grenze oder mehr</translation></message>
-    <message><source>Root mean square in the visible span: what heats wires</source>
+    <message><source>Root mean square in the visible span; determines the heat in wires</source>
         <translation>Effektivwert im sichtbaren Zeitbereich: was Drähte erwärmt</translation></message>
     <message><source>Current times time in the visible span, without gaps</source>
         <translation>Strom mal Zeit im sichtbaren Zeitbereich, ohne Lücken</translation></message>
@@ -4921,7 +4921,7 @@ bisher {1}</translation></message>
         <translation>Cursor</translation></message>
     <message><source>To mark</source>
         <translation>Zur Marke</translation></message>
-    <message><source>From the mark to the cursor; click into the plot or press M to set it</source>
+    <message><source>From the mark to the cursor; click the plot or press M to set the mark</source>
         <translation>Von der Marke bis zum Cursor; klicken Sie in das Diagramm oder drücken Sie M, um sie zu setzen</translation></message>
     <message><source>Held</source>
         <translation>Gehalten</translation></message>

@@ -129,9 +129,9 @@
         <translation>aucun</translation></message>
     <message><source>another program</source>
         <translation>un autre programme</translation></message>
-    <message><source>the server sends what is not RFC 2217</source>
+    <message><source>the server does not use RFC 2217</source>
         <translation>ce que le serveur envoie n'est pas du RFC 2217</translation></message>
-    <message><source>the port takes nothing</source>
+    <message><source>the port accepts no data</source>
         <translation>le port n'accepte rien</translation></message>
     <message><source>the port cannot be set to {0}</source>
         <translation>le port ne peut pas être réglé sur {0}</translation></message>
@@ -1001,7 +1001,7 @@
         <translation>Appareil {0} sélectionné : {1}</translation></message>
     <message><source>{0} (doubtful)</source>
         <translation>{0} (douteux)</translation></message>
-    <message><source>What is kept here for this {0} (notes, calibrations, applied settings) is of {1}, when it was at another USB adapter or socket. If this is another board, give it a device number of its own: boards with the same number share what is kept.</source>
+    <message><source>The notes, calibrations and applied settings of this {0} on this computer are of {1}, when it was at another USB adapter or socket. If this is another board, give it a device number of its own: boards with the same number share these files.</source>
         <translation>Ce qui est conservé ici pour ce {0} (notes, étalonnages, réglages appliqués) date de {1}, quand il était sur un autre adaptateur USB ou une autre prise. S'il s'agit d'une autre carte, donnez-lui son propre numéro d'appareil : les cartes de même numéro partagent ce qui est conservé.</translation></message>
     <message><source>Disconnected</source>
         <translation>Déconnecté</translation></message>
@@ -1597,7 +1597,7 @@
         <translation>Ces valeurs sont déjà enregistrées.</translation></message>
     <message><source>The board accepted the stop, but {0}. Check the motors: if one turns, something else drives it, such as another controller on this line; cut its power. Continue only if they are not turning.</source>
         <translation>La carte a accepté l'arrêt, mais {0}. Contrôlez les moteurs : si l'un d'eux tourne, autre chose le commande, par exemple un autre contrôleur sur cette liaison ; coupez l'alimentation de ce moteur. Ne continuez que s'ils ne tournent pas.</translation></message>
-    <message><source>What was learned is stored.</source>
+    <message><source>The learned values are stored.</source>
         <translation>Ce qui a été appris est enregistré.</translation></message>
     <message><source>The board is in {0} mode: the sticks drive the motors, and it rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
         <translation>La carte est en mode {0} : les manches commandent les moteurs, et elle rejette les réglages. Coupez son alimentation, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
@@ -1845,8 +1845,8 @@
         <translation>Configurée comme {0}</translation></message>
     <message><source>Recording {0} ended: the board or its input source has changed.</source>
         <translation>L'enregistrement {0} s'est terminé : la carte ou sa source des entrées a changé.</translation></message>
-    <message><source>What was applied to this board cannot be remembered. {0}</source>
-        <translation>Ce qui a été appliqué à cette carte ne peut pas être mémorisé. {0}</translation></message>
+    <message><source>Records of this board cannot be saved. {0}</source>
+        <translation>Les données de cette carte ne peuvent pas être enregistrées. {0}</translation></message>
     <message><source>calibration of channel {0}: {1}</source>
         <translation>étalonnage de la voie {0} : {1}</translation></message>
     <message><source>Setting</source>
@@ -2145,17 +2145,17 @@
         <translation>Ces octets peuvent faire tourner un moteur d'une autre carte, qu'un arrêt sur cette connexion n'atteint pas ; rien n'a été envoyé. Indiquez-y l'appareil {0} comme destinataire, ou connectez-vous avec le protocole compact.</translation></message>
     <message><source>A stop came first; nothing was sent.</source>
         <translation>Un arrêt est intervenu avant ; rien n'a été envoyé.</translation></message>
-    <message><source>Other boards are not looked for while motors are armed or may be moving. Stop the motors first.</source>
+    <message><source>The program does not scan for other boards while motors are armed or may be moving. Stop the motors first.</source>
         <translation>Aucune autre carte n'est recherchée tant que des moteurs sont activés ou tournent peut-être encore. Arrêtez d'abord les moteurs.</translation></message>
-    <message><source>Board {0} was not selected, since no stop of the present one is confirmed. If a motor still turns, cut its power.</source>
+    <message><source>Board {0} was not selected, because the stop of the present board is not confirmed. If a motor still turns, cut its power.</source>
         <translation>La carte {0} n'a pas été sélectionnée, car aucun arrêt de la carte actuelle n'est confirmé. Si un moteur tourne encore, coupez son alimentation.</translation></message>
-    <message><source>Board {0} was not selected, since it does not respond. Check that it has power. The board that was selected before still is.</source>
+    <message><source>Board {0} was not selected, because it does not respond. Check that it has power. The previous board is still selected.</source>
         <translation>La carte {0} n'a pas été sélectionnée, car elle ne répond pas. Vérifiez qu'elle est alimentée. La carte sélectionnée auparavant le reste.</translation></message>
     <message><source>Another board on this line has the device number {0}. Choose a number that is free.</source>
         <translation>Une autre carte de cette liaison a le numéro d'appareil {0}. Choisissez un numéro libre.</translation></message>
     <message><source>Board {0} no longer follows: it fell silent, was stopped or restarted.</source>
         <translation>La carte {0} ne suit plus : elle s'est tue, a été arrêtée ou a redémarré.</translation></message>
-    <message><source>Board {0} is not one of those that are driven together here.</source>
+    <message><source>Board {0} does not belong to the boards driven together here.</source>
         <translation>La carte {0} n'est pas de celles qui sont conduites ensemble ici.</translation></message>
     <message><source>Boards that are driven together keep their numbers, none can be selected, and no typed packet can store anything. Connect to this board alone.</source>
         <translation>Les cartes conduites ensemble gardent leurs numéros, aucune ne peut être choisie, et aucun paquet saisi ne peut rien enregistrer. Connectez-vous à cette carte seule.</translation></message>
@@ -2183,13 +2183,13 @@
         <translation>Une autre carte répond maintenant : {0}. Rien n'y a été écrit.</translation></message>
     <message><source>Another board responds now: {0}. Settings may have been written to it; compare it with its last snapshot.</source>
         <translation>Une autre carte répond maintenant : {0}. Des réglages y ont peut-être été écrits ; comparez-la à son dernier instantané.</translation></message>
-    <message><source>The board no longer stores the settings that were read from it: it is another one, or was changed meanwhile. Nothing was written.</source>
+    <message><source>The board no longer stores the settings that were read from it: it is another board, or its settings were changed meanwhile. Nothing was written.</source>
         <translation>La carte ne contient plus les réglages qui y ont été lus : c'est une autre carte, ou elle a été modifiée entre-temps. Rien n'a été écrit.</translation></message>
     <message><source>The line corrupted bytes while {0} was written, and another setting may have been changed instead. Read the board again and compare it with the last snapshot. {1}</source>
         <translation>La liaison a altéré des octets pendant l'écriture de {0} ; un autre réglage a peut-être été modifié à la place. Relisez la carte et comparez-la au dernier instantané. {1}</translation></message>
     <message><source>{0} settings differ from what was read before, so none was restored: another board may be connected.</source>
         <translation>{0} réglages diffèrent de ce qui avait été lu ; aucun n'a donc été restauré : une autre carte est peut-être connectée.</translation></message>
-    <message><source>The writing was cancelled before this was tried.</source>
+    <message><source>The write was cancelled before this setting was written.</source>
         <translation>L'écriture a été annulée avant d'en arriver là.</translation></message>
     <message><source>{0} {1} may have gone back to the factory default: after a power cycle the board would run at {2}</source>
         <translation>{0} « {1} » : retour possible à la valeur d'usine ; après avoir coupé et remis l'alimentation, la carte fonctionnerait à {2}</translation></message>
@@ -2329,7 +2329,7 @@
         <translation>« {0} » n'est pas une suite d'octets hexadécimaux comme 86 1F.</translation></message>
     <message><source>No board is served at {0}:{1}, or not to this user. Check that trexcmd serve runs there, the user in the address (trex://USER@…), and its secret (TREX_SECRET).</source>
         <translation>Aucune carte n'est servie à {0}:{1}, ou pas à cet utilisateur. Vérifiez que trexcmd serve y fonctionne, l'utilisateur dans l'adresse (trex://USER@…) et son secret (TREX_SECRET).</translation></message>
-    <message><source>{0} cannot be listened at: {1}</source>
+    <message><source>The server cannot listen at {0}: {1}</source>
         <translation>Impossible d'écouter à {0} : {1}</translation></message>
     <message><source>{0} serves no board named {1} to this user.</source>
         <translation>{0} ne sert aucune carte nommée {1} à cet utilisateur.</translation></message>
@@ -2565,8 +2565,6 @@
         <translation>Effectue l'essai tant qu'il est maintenu, avec la souris ou la barre d'espace</translation></message>
     <message><source>Test to compare with</source>
         <translation>Essai auquel comparer</translation></message>
-    <message><source>Open a saved test</source>
-        <translation>Ouvrir un essai enregistré</translation></message>
     <message><source>Bench tests (*.csv);;All files (*)</source>
         <translation>Essais au banc (*.csv);;Tous les fichiers (*)</translation></message>
     <message><source>{0:%H:%M:%S}, motor {1}: {2}</source>
@@ -2613,6 +2611,8 @@
         <translation>Résultats de l'essai</translation></message>
     <message><source>&amp;Bench test…</source>
         <translation>Essai au &amp;banc…</translation></message>
+    <message><source>Open a saved test</source>
+        <translation>Ouvrir un essai enregistré</translation></message>
     <message><source>Compar&amp;e with</source>
         <translation>&amp;Comparer avec</translation></message>
     <message><source>Save bench test</source>
@@ -2821,17 +2821,17 @@
         <translation>répond</translation></message>
     <message><source>reply unreadable</source>
         <translation>réponse illisible</translation></message>
-    <message><source>not asked yet</source>
+    <message><source>not scanned yet</source>
         <translation>pas encore interrogée</translation></message>
     <message><source>Click a board, or press Enter, to show it on every page. Motors stop first.</source>
         <translation>Cliquez sur une carte, ou appuyez sur Entrée, pour l'afficher sur toutes les pages. Les moteurs s'arrêtent d'abord.</translation></message>
-    <message><source>Ask for each device number which board has it; nothing is changed</source>
+    <message><source>Find the boards of all device numbers; nothing is changed</source>
         <translation>Demander pour chaque numéro d'appareil quelle carte le possède ; rien n'est modifié</translation></message>
-    <message><source>Give the board that is selected another device number</source>
+    <message><source>Give the selected board another device number</source>
         <translation>Donner un autre numéro d'appareil à la carte sélectionnée</translation></message>
     <message><source>Drive several boards as one robot, with one pad and one Stop</source>
         <translation>Conduire plusieurs cartes comme un seul robot, avec une zone et un arrêt</translation></message>
-    <message><source>Before it is written, the line is asked for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be noticed. The new number takes effect at once, and a snapshot is saved first.</source>
+    <message><source>The line is first searched for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be found. A snapshot is saved, then the new number takes effect at once.</source>
         <translation>Avant l'écriture, le nouveau numéro est demandé sur la liaison : si une autre carte le possède, rien n'est écrit. Une carte hors tension, ou qui a d'autres réglages série, ne peut pas être détectée. Le nouveau numéro prend effet immédiatement, et un instantané est enregistré d'abord.</translation></message>
     <message><source>Progress of the search</source>
         <translation>Progression de la recherche</translation></message>
@@ -2857,7 +2857,7 @@
         <translation>moteurs activés</translation></message>
     <message><source>driven together</source>
         <translation>conduite ensemble</translation></message>
-    <message><source>being left …</source>
+    <message><source>deselecting …</source>
         <translation>changement de carte …</translation></message>
     <message><source>selected, not responding</source>
         <translation>sélectionnée, ne répond pas</translation></message>
@@ -2965,8 +2965,8 @@
         <translation><numerusform>%n valeur copiée depuis {0}.</numerusform><numerusform>%n valeurs copiées depuis {0}.</numerusform></translation></message>
     <message><source>For a {0}</source>
         <translation>Pour un {0}</translation></message>
-    <message><source>Every parameter, by the board's own command, at its next start</source>
-        <translation>Tous les paramètres, par la commande propre de la carte, à son prochain démarrage</translation></message>
+    <message><source>Resets every parameter with the board's own command, at its next start</source>
+        <translation>Réinitialise tous les paramètres par la commande de la carte, à son prochain démarrage</translation></message>
     <message><source>&amp;Let the board reset itself…</source>
         <translation>&amp;Laisser la carte se réinitialiser…</translation></message>
     <message><source>At its next start the board will reset every parameter, including those cleared here. Its present settings are saved first (File, History). Unapplied changes are discarded; Undo restores them.</source>
@@ -3203,6 +3203,10 @@
         <translation>Altérer un octet</translation></message>
     <message><source>Stick of input {0}</source>
         <translation>Manche de l'entrée {0}</translation></message>
+    <message><source>plugged in</source>
+        <translation>branché</translation></message>
+    <message><source>unplugged</source>
+        <translation>débranché</translation></message>
     <message><source>LEDs of the board</source>
         <translation>LED de la carte</translation></message>
     <message><source>The driver of motor {0} shuts down, as when hot or shorted</source>
@@ -3221,10 +3225,6 @@
         <translation>Fiche de l'entrée {0}</translation></message>
     <message><source>Unplug input {0}: an RC input is invalid 0.1 s later</source>
         <translation>Débrancher l'entrée {0} : une entrée RC devient non valide 0,1 s plus tard</translation></message>
-    <message><source>plugged in</source>
-        <translation>branché</translation></message>
-    <message><source>unplugged</source>
-        <translation>débranché</translation></message>
     <message><source>switched off</source>
         <translation>coupée</translation></message>
     <message><source>Fault</source>
@@ -3237,7 +3237,7 @@
         <translation>Accepter</translation></message>
     <message><source>Show line {0}</source>
         <translation>Afficher la ligne {0}</translation></message>
-    <message><source>One pad, one arming and one Stop drive these boards as one robot. A board that does not follow any more stops the others.</source>
+    <message><source>One pad, one arming and one Stop drive these boards as one robot. A board that no longer follows stops the others.</source>
         <translation>Une zone, une activation et un arrêt conduisent ces cartes comme un seul robot. Une carte qui ne suit plus arrête les autres.</translation></message>
     <message><source>&amp;Drive together</source>
         <translation>&amp;Conduire ensemble</translation></message>
@@ -3251,7 +3251,7 @@
         <translation>Carte {0}, moteur {1}</translation></message>
     <message><source>Search times, boards, adapters (Ctrl+F)</source>
         <translation>Rechercher heures, cartes, adaptateurs (Ctrl+F)</translation></message>
-    <message><source>One with a name is kept, however many follow it; a double click, too</source>
+    <message><source>Name the snapshot (or double-click it): it is then never deleted automatically</source>
         <translation>Celui qui a un nom est conservé, quel que soit le nombre des suivants ; aussi avec un double clic</translation></message>
     <message><source>Save a copy as a settings file</source>
         <translation>Enregistrer une copie comme fichier de réglages</translation></message>
@@ -3421,7 +3421,7 @@ avant {1}</translation></message>
         <translation>Ce doivent être les réglages que la carte a actuellement. Une carte neuve communique à 19200 bauds, sans détection d'erreurs, avec un bit d'arrêt. Les modifier ici ne change rien dans la carte.</translation></message>
     <message><source>&amp;Address one board of several by its number (Pololu protocol)</source>
         <translation>Adresser une &amp;carte parmi plusieurs par son numéro (protocole Pololu)</translation></message>
-    <message><source>Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). With one, every packet is addressed, to none of these numbers, and no other baud rate is tried.</source>
+    <message><source>Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). If there are any, every packet is addressed, none to these numbers, and no other baud rate is tried.</source>
         <translation>Numéros d'autres appareils sur cette liaison, par exemple 0,1 (anciens contrôleurs de moteurs et de servos Pololu). Dès qu'il y en a un, chaque paquet est adressé, à aucun de ces numéros, et aucun autre débit n'est essayé.</translation></message>
     <message><source>&amp;Line:</source>
         <translation>&amp;Liaison :</translation></message>
@@ -3435,7 +3435,7 @@ avant {1}</translation></message>
         <translation>Restaurer les valeurs par &amp;défaut</translation></message>
     <message><source>&amp;Line settings…</source>
         <translation>Réglages de &amp;liaison…</translation></message>
-    <message><source>Arming without one is remembered for this board. Cut the power by hand then if the cable falls out.</source>
+    <message><source>Arming without a timeout is remembered for this board. If the cable falls out, cut the power by hand.</source>
         <translation>L'activation sans délai est mémorisée pour cette carte. Coupez alors l'alimentation à la main si le câble se débranche.</translation></message>
     <message><source>Arm with&amp;out a timeout</source>
         <translation>Activer &amp;sans délai</translation></message>
@@ -3583,7 +3583,7 @@ avant {1}</translation></message>
         <translation>&amp;Courants</translation></message>
     <message><source>One count of this board is {0:.0f} mA.</source>
         <translation>Un count de cette carte vaut {0:.0f} mA.</translation></message>
-    <message><source>Set every count to zero, and forget when errors were seen</source>
+    <message><source>Set every count to zero, and clear the times of errors</source>
         <translation>Remettre tous les compteurs à zéro et oublier quand les erreurs ont été vues</translation></message>
     <message><source>The board came back in another mode, so its power was off meanwhile; it does not report a restart in the same mode. Returned after silence: {0}.</source>
         <translation>La carte est revenue dans un autre mode, son alimentation a donc été coupée entre-temps ; elle ne signale pas un redémarrage dans le même mode. Retours après silence : {0}.</translation></message>
@@ -3713,7 +3713,7 @@ avant {1}</translation></message>
         <translation>La carte fait varier les vitesses selon le réglage « Accélération » et marque une pause de la durée de freinage avant d'inverser le sens</translation></message>
     <message><source>Bypasses ramp and brake duration, and for a moment also the current limit</source>
         <translation>Contourne la rampe et la durée de freinage, et aussi, un instant, la limite de courant</translation></message>
-    <message><source>How hard Brake and letting go of pad, keys and held sliders brake; Stop always brakes fully</source>
+    <message><source>Strength of Brake, and of releasing the pad, a key or a held slider; Stop always brakes fully</source>
         <translation>Force du freinage par « Freiner » et au relâchement du pavé, des touches et des curseurs maintenus ; l'arrêt freine toujours à fond</translation></message>
     <message><source>&amp;Brake strength</source>
         <translation>Intensité du freina&amp;ge</translation></message>
@@ -3751,8 +3751,8 @@ avant {1}</translation></message>
         <translation>Limite de courant</translation></message>
     <message><source>&amp;Open plot</source>
         <translation>Voir la cour&amp;be</translation></message>
-    <message><source>What the board does with them</source>
-        <translation>Ce que la carte en fait</translation></message>
+    <message><source>How the board applies commands</source>
+        <translation>Comment la carte applique les commandes</translation></message>
     <message><source>Armed: these controls move the motors.</source>
         <translation>Moteurs activés : ces commandes les font tourner.</translation></message>
     <message><source>Left</source>
@@ -3771,9 +3771,9 @@ avant {1}</translation></message>
         <translation>La page Moteurs a été quittée.</translation></message>
     <message><source>keep turning</source>
         <translation>continuent de tourner</translation></message>
-    <message><source>Make each change to one motor to the other, too, in one step</source>
+    <message><source>Apply each change of one motor to both motors, in one step</source>
         <translation>Reporter en une seule étape chaque modification d'un moteur sur l'autre</translation></message>
-    <message><source>No document confirms this limit. The board decides about other values.</source>
+    <message><source>No document confirms this limit. The board may accept other values.</source>
         <translation>Aucun document ne confirme cette limite. La carte décide des autres valeurs.</translation></message>
     <message><source>Show the steps for switching the board off and on</source>
         <translation>Afficher les étapes pour couper et remettre l'alimentation de la carte</translation></message>
@@ -3841,12 +3841,12 @@ avant {1}</translation></message>
         <translation>{0} : les moteurs continuent de tourner.</translation></message>
     <message><source>Speed over the stick, brake in the deadband: {0}</source>
         <translation>Vitesse selon le manche, freinage en zone morte : {0}</translation></message>
-    <message><source>Try another &amp;wire value…</source>
-        <translation>Essayer une autre valeur &amp;transmise…</translation></message>
     <message><source>Und&amp;o edit</source>
         <translation>Annule&amp;r</translation></message>
     <message><source>Edit</source>
         <translation>Modifier</translation></message>
+    <message><source>Try another &amp;wire value…</source>
+        <translation>Essayer une autre valeur &amp;transmise…</translation></message>
     <message><source>Defa&amp;ult</source>
         <translation>Valeur par défa&amp;ut</translation></message>
     <message><source>Leave out of the fi&amp;le</source>
@@ -3909,7 +3909,7 @@ avant {1}</translation></message>
         <translation>Vérifier et appliquer…</translation></message>
     <message><source>There are unapplied changes.</source>
         <translation>Il y a des modifications non appliquées.</translation></message>
-    <message numerus="yes"><source>%n setting(s) of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</source>
+    <message numerus="yes"><source>%n setting(s) of this {0} differ from the values applied last ({1}): lost, changed by another program, or this is another board.</source>
         <translation><numerusform>%n réglage de ce {0} diffère de ce qui a été appliqué en dernier ({1}) : perdu, modifié par autre chose, ou c'est une autre carte.</numerusform><numerusform>%n réglages de ce {0} diffèrent de ce qui a été appliqué en dernier ({1}) : perdus, modifiés par autre chose, ou c'est une autre carte.</numerusform></translation></message>
     <message><source>Keep the values of the board</source>
         <translation>Garder les valeurs de la carte</translation></message>
@@ -3931,7 +3931,7 @@ avant {1}</translation></message>
         <translation>Abandonner et fermer</translation></message>
     <message><source>Show…</source>
         <translation>Afficher…</translation></message>
-    <message><source>A new board: its device number is in no line of the record.</source>
+    <message><source>A new board: its device number is not in the record.</source>
         <translation>Une nouvelle carte : son numéro d'appareil ne figure dans aucune ligne du registre.</translation></message>
     <message><source>Known: its device number and its calibrations are in the record.</source>
         <translation>Connue : son numéro d'appareil et ses étalonnages figurent dans le registre.</translation></message>
@@ -3941,9 +3941,9 @@ avant {1}</translation></message>
         <translation>passée</translation></message>
     <message><source>First device number</source>
         <translation>Premier numéro d'appareil</translation></message>
-    <message><source>The profile is a settings file. Each board gets its settings, a device number that no other one has, and a line in the record: a CSV file, which is continued if it exists.</source>
+    <message><source>The profile is a settings file. Each board gets its settings, a device number that no other board has, and a line in the record: a CSV file, extended if it exists.</source>
         <translation>Le profil est un fichier de réglages. Chaque carte reçoit ses réglages, un numéro d'appareil qu'aucune autre n'a, et une ligne dans le registre : un fichier CSV, complété s'il existe déjà.</translation></message>
-    <message><source>Boards have no serial number. One whose device number is in the record keeps it.</source>
+    <message><source>Boards have no serial number. A board whose device number is in the record keeps it.</source>
         <translation>Les cartes n'ont pas de numéro de série. Celle dont le numéro d'appareil figure dans le registre le garde.</translation></message>
     <message><source>Select…</source>
         <translation>Choisir…</translation></message>
@@ -4181,7 +4181,7 @@ avant {1}</translation></message>
         <translation>Appliqué</translation></message>
     <message><source>&amp;New settings file…</source>
         <translation>&amp;Nouveau fichier de réglages…</translation></message>
-    <message><source>Beginnings</source>
+    <message><source>Initial contents</source>
         <translation>Points de départ</translation></message>
     <message><source>Settings applied {0}</source>
         <translation>Réglages appliqués {0}</translation></message>
@@ -4209,7 +4209,7 @@ avant {1}</translation></message>
         <translation>Rien n'a &amp;bougé</translation></message>
     <message><source>Wir&amp;es swapped – test again</source>
         <translation>Fils permutés – tester de &amp;nouveau</translation></message>
-    <message><source>Forget both answers and find out again which motor is which</source>
+    <message><source>Clear both answers and test the motors again</source>
         <translation>Oublier les deux réponses et chercher à nouveau quel moteur est lequel</translation></message>
     <message><source>Nothing has to change: the wheels follow the sticks.</source>
         <translation>Rien n'est à changer : les roues suivent les manches.</translation></message>
@@ -4331,8 +4331,8 @@ avant {1}</translation></message>
         <translation>Si le câble se débranche, la carte s'arrête</translation></message>
     <message><source>What is left to do</source>
         <translation>Ce qu'il reste à faire</translation></message>
-    <message><source>Not as they have to be, or not checked.</source>
-        <translation>Pas comme il faut, ou non vérifiés.</translation></message>
+    <message><source>Wrong positions, or not checked.</source>
+        <translation>Mauvaises positions, ou non vérifiées.</translation></message>
     <message><source>The directions of the sticks are not known.</source>
         <translation>Les sens des manches ne sont pas connus.</translation></message>
     <message><source>Skipped, or its changes were undone.</source>
@@ -4357,10 +4357,6 @@ avant {1}</translation></message>
         <translation>Le cavalier Mix ne peut être vérifié qu'en mode série : maintenant, un manche ferait tourner les moteurs.</translation></message>
     <message><source>The board does not report the mix jumper. Push a stick to one side to see it.</source>
         <translation>La carte ne signale pas le cavalier Mix. Poussez un manche d'un côté pour le voir.</translation></message>
-    <message><source>The mix jumper is on.</source>
-        <translation>Le cavalier Mix est en place.</translation></message>
-    <message><source>The mix jumper is off.</source>
-        <translation>Le cavalier Mix est retiré.</translation></message>
     <message><source>Current &amp;limit of each motor</source>
         <translation>&amp;Limite de courant de chaque moteur</translation></message>
     <message><source>&amp;Stop the motors after a silence of</source>
@@ -4369,6 +4365,10 @@ avant {1}</translation></message>
         <translation>Aller à cette étape</translation></message>
     <message><source>Then, by hand:</source>
         <translation>Ensuite, à la main :</translation></message>
+    <message><source>The mix jumper is on.</source>
+        <translation>Le cavalier Mix est en place.</translation></message>
+    <message><source>The mix jumper is off.</source>
+        <translation>Le cavalier Mix est retiré.</translation></message>
     <message><source>{0} Then test the motors again.</source>
         <translation>{0} Testez ensuite à nouveau les moteurs.</translation></message>
     <message><source>is not a readable settings file.</source>
@@ -4415,10 +4415,10 @@ avant {1}</translation></message>
         <translation>Aucune carte n'est connectée. Connectez-en une pour restaurer un instantané.</translation></message>
     <message><source>Select one snapshot, or two to compare them.</source>
         <translation>Sélectionnez un instantané, ou deux pour les comparer.</translation></message>
-    <message><source>No setting differs.</source>
-        <translation>Aucun réglage ne diffère.</translation></message>
     <message><source>Restore snapshot of {0}</source>
         <translation>Restaurer l'instantané ({0})</translation></message>
+    <message><source>No setting differs.</source>
+        <translation>Aucun réglage ne diffère.</translation></message>
     <message><source>Nothing was restored: {0}</source>
         <translation>Rien n'a été restauré : {0}</translation></message>
     <message><source>Never connect RS-232 levels (±12 V) to SI and SO: they can destroy the board.</source>
@@ -4577,7 +4577,7 @@ avant {1}</translation></message>
         <translation>Afficher l'aide sur le message de la ligne où se trouve le curseur</translation></message>
     <message><source>Search (Ctrl+F)</source>
         <translation>Rechercher (Ctrl+F)</translation></message>
-    <message><source>Copy the selected rows, or all that is shown</source>
+    <message><source>Copy the selected rows, or everything shown</source>
         <translation>Copier les lignes sélectionnées, ou tout ce qui est affiché</translation></message>
     <message><source>Save a report for support; it is shown before it is written</source>
         <translation>Enregistrer un rapport pour l'assistance ; il est d'abord affiché</translation></message>
@@ -4789,7 +4789,7 @@ avant {1}</translation></message>
         <translation>Le programme n'a pas pu arrêter les moteurs lui-même. Le processus gardien a envoyé à {0} un ordre d'arrêt que la carte n'a pas confirmé. Si un moteur tourne encore, coupez son alimentation.</translation></message>
     <message><source>The program could not stop the motors itself. The guardian process stopped them at {0}, and the board confirmed that.</source>
         <translation>Le programme n'a pas pu arrêter les moteurs lui-même. Le processus gardien les a arrêtés à {0} et la carte l'a confirmé.</translation></message>
-    <message><source>TReX Studio did not end properly the last time. If it crashed, a report for support says where.</source>
+    <message><source>TReX Studio did not end properly last time. If it crashed, a report for support shows where.</source>
         <translation>TReX Studio ne s'est pas terminé correctement la dernière fois. S'il a planté, un rapport d'assistance indique où.</translation></message>
     <message><source>End the recording; motors and connection are not affected</source>
         <translation>Terminer l'enregistrement ; les moteurs et la connexion ne sont pas touchés</translation></message>
@@ -4819,7 +4819,7 @@ avant {1}</translation></message>
         <translation>Afficher de nouveau tout l'enregistrement</translation></message>
     <message><source>Save every sample in the plot as CSV or MCAP</source>
         <translation>Enregistrer chaque échantillon du graphique en CSV ou MCAP</translation></message>
-    <message><source>Keep this recording: the oldest ones of faults and stops are removed</source>
+    <message><source>Save a copy, since old recordings of faults and stops are removed</source>
         <translation>Conserver cet enregistrement : les plus anciens enregistrements de défauts et d'arrêts sont supprimés</translation></message>
     <message><source>Stop loading or exporting</source>
         <translation>Arrêter le chargement ou l'exportation</translation></message>
@@ -4901,7 +4901,7 @@ avant {1}</translation></message>
         <translation>Limite</translation></message>
     <message><source>In the visible span</source>
         <translation>Sur la plage visible</translation></message>
-    <message><source>Choosing one shows its place in the plot.</source>
+    <message><source>Select an event to show it in the plot.</source>
         <translation>En choisir un montre sa place dans le graphique.</translation></message>
     <message><source>Curves and their figures</source>
         <translation>Courbes et leurs valeurs</translation></message>
@@ -4913,7 +4913,7 @@ avant {1}</translation></message>
         <translation>Maintenant</translation></message>
     <message><source>Newest value; ⚠ means 80 % of the limit or more</source>
         <translation>Valeur la plus récente ; ⚠ signifie 80 % de la limite ou plus</translation></message>
-    <message><source>Root mean square in the visible span: what heats wires</source>
+    <message><source>Root mean square in the visible span; determines the heat in wires</source>
         <translation>Valeur efficace sur la plage visible : c'est elle qui chauffe les fils</translation></message>
     <message><source>Current times time in the visible span, without gaps</source>
         <translation>Courant multiplié par le temps sur la plage visible, sans les trous</translation></message>
@@ -4921,7 +4921,7 @@ avant {1}</translation></message>
         <translation>Curseur</translation></message>
     <message><source>To mark</source>
         <translation>Δ repère</translation></message>
-    <message><source>From the mark to the cursor; click into the plot or press M to set it</source>
+    <message><source>From the mark to the cursor; click the plot or press M to set the mark</source>
         <translation>Du repère au curseur ; cliquez dans le graphique ou appuyez sur M pour le placer</translation></message>
     <message><source>Held</source>
         <translation>Tenue</translation></message>
