@@ -172,7 +172,7 @@ def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
     from PySide6.QtCore import Qt, QTimer, qVersion  # noqa: PLC0415
     from PySide6.QtWidgets import QApplication  # noqa: PLC0415
 
-    from trex_gui.core.run_file import RunFile  # noqa: PLC0415
+    from trex_gui.core.crash_detection import RunFile  # noqa: PLC0415
     from trex_gui.core.timing import Timeouts  # noqa: PLC0415
     from trex_gui.supervisor import UNCONFIRMED_STOP, SafetySupervisor  # noqa: PLC0415
     from trex_gui.system.process_exit import skip_exit_handlers  # noqa: PLC0415

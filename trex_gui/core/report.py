@@ -17,11 +17,11 @@ from pathlib import Path
 
 from serial.tools import list_ports
 
+from trex_gui.core.crash_detection import crash_file
 from trex_gui.core.errors import StudioError
 from trex_gui.core.files import open_ordinary, save
 from trex_gui.core.guardian import log as guardian
 from trex_gui.core.log_file import log_files
-from trex_gui.core.run_file import crash_file
 from trex_gui.version import __version__
 
 _PACKAGES = ("PySide6-Essentials", "pyserial", "numpy", "pyqtgraph", "ruamel.yaml", "pygame-ce")

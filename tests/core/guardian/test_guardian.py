@@ -16,10 +16,10 @@ from threading import Thread
 import pytest
 
 from tests.support.simulator import StartSimulator
+from trex_gui.core.crash_detection import is_locked
 from trex_gui.core.guardian import process
 from trex_gui.core.guardian.guardian import GuardianProcess, SharedPort, StopSequence
 from trex_gui.core.guardian.log import StopResult, log_file, logged_stops
-from trex_gui.core.run_file import is_locked
 from trex_gui.core.transport.guarded import GuardedTransport
 from trex_gui.core.transport.serial_port import SerialTransport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat

@@ -15,11 +15,11 @@ from serial.tools import list_ports
 from serial.tools.list_ports_common import ListPortInfo
 
 from tests.support.simulator import StartSimulator
+from trex_gui.core.crash_detection import is_locked
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.guardian.guardian import GuardianProcess, SharedPort, StopSequence, _message
 from trex_gui.core.guardian.log import StopResult, logged_stops
 from trex_gui.core.guardian.process import StopMessage, maintain_file
-from trex_gui.core.run_file import is_locked
 from trex_gui.core.transport import serial_port
 from trex_gui.core.transport.driven import (
     driven_at,

@@ -18,11 +18,11 @@ from urllib.parse import urlsplit
 
 from serial.tools import list_ports
 
+from trex_gui.core.crash_detection import is_locked
 from trex_gui.core.errors import PortFault, PortUnavailable
 from trex_gui.core.files import data_folder, open_ordinary
 from trex_gui.core.guardian.guardian import StopSequence
 from trex_gui.core.guardian.process import StopMessage
-from trex_gui.core.run_file import is_locked
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.core.transport.adapters import adapter_key
 from trex_gui.core.transport.settings import Parity, PortSettings, SerialFormat

@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtWidgets import QFileDialog, QSizePolicy, QWidget
 
 from trex_gui.core.errors import StudioError
-from trex_gui.core.recording.kept import kept_folder
+from trex_gui.core.recording.automatic import automatic_folder
 from trex_gui.core.recording.kinds import RecordingFormat
 from trex_gui.core.recording.store import SUFFIX, Recording, copy_recording
 from trex_gui.core.texts import title_of
@@ -190,7 +190,7 @@ class RecordingManager(QObject, Generic[WindowT]):
             return
         window = self.create_window(recording)
         self._notifier.log_also(window.notifier)
-        if recording.path.parent == kept_folder():
+        if recording.path.parent == automatic_folder():
             window.copy_button.clicked.connect(lambda: self._save_copy(window))
             window.copy_button.show()
         else:

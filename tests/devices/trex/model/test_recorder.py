@@ -14,9 +14,9 @@ from pytestqt.qtbot import QtBot
 from tests.devices.trex.recording.samples import open_recording, read_file
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.core.events import EventKind
+from trex_gui.core.recording.automatic import automatic_path, create_automatic_folder, free_space
 from trex_gui.core.recording.backlog import Backlog
 from trex_gui.core.recording.export import export_span
-from trex_gui.core.recording.kept import create_kept_folder, free_space, kept_path
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped, Sample
 from trex_gui.devices.trex.model import recorder
@@ -306,8 +306,8 @@ def test_bits_before_the_connection_are_not_recorded(session: RecorderSetup, kep
 
 
 def test_oldest_recordings_are_removed_except_renamed() -> None:
-    folder = create_kept_folder()
-    names = [kept_path(datetime(2026, 1, day, tzinfo=UTC), "stop").name for day in range(1, 5)]
+    folder = create_automatic_folder()
+    names = [automatic_path(datetime(2026, 1, day, tzinfo=UTC), "stop").name for day in range(1, 5)]
     for name in (*names, "my crash.trexrec"):
         (folder / name).write_bytes(bytes(1000))
     (folder / f"{names[0]}-wal").touch()

@@ -8,7 +8,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Slot
 
 from trex_gui.core.events import Event, EventKind
-from trex_gui.core.recording.kept import free_space, kept_path
+from trex_gui.core.recording.automatic import automatic_path, free_space
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import ModeSample
@@ -235,7 +235,7 @@ class EventRecorder(Recorder):
         if before.auxiliary is not None:
             first.append(AuxiliarySetpointRecord(start, before.auxiliary))
         when = datetime.now().astimezone() - timedelta(seconds=now() - event.time)
-        path = kept_path(when, event.kind.value)
+        path = automatic_path(when, event.kind.value)
         self.start_recording(path, FORMAT, header, (*first, *self._recent), prepare=free_space)
 
     @Slot()

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QWidget
 
-from trex_gui.core.recording.kept import create_kept_folder
+from trex_gui.core.recording.automatic import create_automatic_folder
 from trex_gui.core.recording.store import Recording
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
@@ -71,7 +71,7 @@ class Recordings(RecordingManager["PlaybackWindow"]):
     def _select_and_open_kept(self) -> None:
         in_background(
             self,
-            create_kept_folder,
+            create_automatic_folder,
             partial(self.select_and_open, title_of(tr("Open fa&ult or stop…"))),
             lambda error: self._notifier.error.emit(str(error)),
         )

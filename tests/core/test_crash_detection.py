@@ -7,14 +7,14 @@ import sys
 
 import pytest
 
+from trex_gui.core.crash_detection import RunFile, crash_file
 from trex_gui.core.files import log_folder
-from trex_gui.core.run_file import RunFile, crash_file
 
 pytestmark = pytest.mark.realtime
 
 _SCRIPT = """
 import faulthandler, signal, sys, time
-from trex_gui.core.run_file import RunFile
+from trex_gui.core.crash_detection import RunFile
 run_file = RunFile()
 print(run_file.found_crash, flush=True)
 def crash_here():

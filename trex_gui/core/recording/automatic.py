@@ -16,19 +16,19 @@ _NOT_USED = tr_noop("It cannot be used: {0}.")
 _NAME = re.compile(r"\d{4}-\d\d-\d\d_\d\d-\d\d-\d\d\.\d{3}_[a-z-]+" + re.escape(SUFFIX))
 
 
-def kept_folder() -> Path:
+def automatic_folder() -> Path:
     return data_folder() / "faults and stops"
 
 
-def kept_path(begun: datetime, kind: str) -> Path:
+def automatic_path(begun: datetime, kind: str) -> Path:
     """Return the path of a recording. `kind`: a word such as `fault`."""
     stamp = begun.strftime("%Y-%m-%d_%H-%M-%S.%f")[:-3]
-    return kept_folder() / f"{stamp}_{kind}{SUFFIX}"
+    return automatic_folder() / f"{stamp}_{kind}{SUFFIX}"
 
 
-def create_kept_folder() -> Path:
+def create_automatic_folder() -> Path:
     """Create the folder if necessary. Raises RecordingError."""
-    folder = kept_folder()
+    folder = automatic_folder()
     with reported(folder, _NOT_USED):
         folder.mkdir(parents=True, exist_ok=True)
     return folder
@@ -39,7 +39,7 @@ def free_space(most_files: int = MOST_FILES, most_bytes: int = MOST_BYTES) -> No
 
     Never removes the newest recording or a file that the user has renamed. Raises RecordingError.
     """
-    folder = create_kept_folder()
+    folder = create_automatic_folder()
     with reported(folder, _NOT_USED):
         found = sorted(path for path in folder.iterdir() if _NAME.fullmatch(path.name))
     used = 0
