@@ -168,7 +168,7 @@ def run_case(
     )
 
     def inject() -> None:
-        scene.begin_to_watch()
+        scene.start_watching()
         fault.inject(scene)
 
     healed = False

@@ -218,7 +218,7 @@ class Scene:
 
     # --- What the user sees -------------------------------------------------------------
 
-    def begin_to_watch(self) -> None:
+    def start_watching(self) -> None:
         self.said.clear()
         self.gaps.clear()
         self._due = now() + LOOK_MS / 1000

@@ -15,7 +15,7 @@ def _own_settings() -> None:
 
 @pytest.fixture(params=in_gate(VARIANTS), ids=str)
 def trex(request: pytest.FixtureRequest) -> Iterator[Trex]:
-    """A board as new, in serial mode; in each of the variants that the test does not narrow."""
+    """A new board in serial mode, in each variant that the test allows."""
     variant: Variant = request.param
     end: End
     if variant.end == "wire":

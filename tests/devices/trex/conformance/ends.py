@@ -18,7 +18,7 @@ _ON_ITS_WAY = 0.05
 
 
 class End(Protocol):
-    """Where bytes go in and come out, and where people turn the knobs of the board."""
+    """Wires and controls of a board under test."""
 
     def now(self) -> float:
         """Seconds on the clock by which the board lives."""

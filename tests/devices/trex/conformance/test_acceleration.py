@@ -61,7 +61,7 @@ def test_update_sets_lower_target_speed_at_once(trex: Trex) -> None:
 def test_reversal_brakes_fully_for_brake_duration(
     trex: Trex, motor: int, set_: str, forward: str, reverse: str
 ) -> None:
-    """CMD10 0xC4: "brake the motor at 100% duty cycle"; in 10 ms (forum thread 624)."""
+    """CMD10 0xC4: "brake the motor at 100% duty cycle", in 10 ms (forum thread 624)."""
     trex.set_up(**{f"motor{motor}_brake_duration": 8})
     trex.report(f"{set_} 40")
     trex.report(f"{reverse} 30")

@@ -17,21 +17,21 @@ GIVEN = {
 
 def stored(trex: Trex, channel: int) -> tuple[int, ...]:
     """Return minimum, neutral, maximum and deadband of a channel."""
-    return tuple(words(trex.ask(f"{0x90 + channel - 1:02X}")))
+    return tuple(words(trex.request(f"{0x90 + channel - 1:02X}")))
 
 
 def test_low_byte_of_each_value_is_sent_first(trex: Trex) -> None:
     """CMD10 0x90."""
-    assert trex.ask(calibration(1, 0x0102, 0x0304, 0x0506, 0x0108)) == "00"
-    assert trex.ask("90") == "02 01 04 03 06 05 08 01"
+    assert trex.request(calibration(1, 0x0102, 0x0304, 0x0506, 0x0108)) == "00"
+    assert trex.request("90") == "02 01 04 03 06 05 08 01"
 
 
 def test_calibration_read_is_that_of_active_input_source(trex: Trex) -> None:
     """CMD10 0x90: by the mode, in serial mode by the channel input source."""
     rc, analog = (2501, 3701, 5001, 31), (101, 501, 901, 11)
-    assert trex.ask(calibration(2, *rc)) == "00"
+    assert trex.request(calibration(2, *rc)) == "00"
     trex.set_up(channel_input_source=1)
-    assert trex.ask(calibration(2, *analog)) == "00"
+    assert trex.request(calibration(2, *analog)) == "00"
     for jumper, source, values in (
         ("serial", 0, rc),
         ("serial", 1, analog),
@@ -50,17 +50,17 @@ def test_calibration_write_applies_to_channel_input_source(trex: Trex) -> None:
     """
     before = stored(trex, 1)
     trex.set_up(channel_input_source=1)
-    assert trex.ask(calibration(1, 101, 501, 901, 11)) == "00"
+    assert trex.request(calibration(1, 101, 501, 901, 11)) == "00"
     assert stored(trex, 1) == (101, 501, 901, 11)
     trex.set_up(channel_input_source=0)
     assert stored(trex, 1) == before
 
 
 def test_calibration_command_sets_bit_of_its_channel(trex: Trex) -> None:
-    """CMD10 0x95: bit n is channel n+1; "via commands 0xA0 - 0xA4"."""
+    """CMD10 0x95: bit n is channel n+1. "via commands 0xA0 - 0xA4"."""
     learned = 0
     for channel in CHANNELS:
-        assert trex.ask(calibration(channel, *GIVEN[channel])) == "00"
+        assert trex.request(calibration(channel, *GIVEN[channel])) == "00"
         learned |= 1 << channel - 1
         assert trex.number("95") == learned
 
@@ -68,15 +68,15 @@ def test_calibration_command_sets_bit_of_its_channel(trex: Trex) -> None:
 def test_channel_with_default_values_has_its_bit_clear(trex: Trex) -> None:
     """CMD10 0x95: "that differ from the defaults"."""
     default = stored(trex, 3)
-    assert trex.ask(calibration(3, *GIVEN[3])) == "00"
-    assert trex.ask("95") == "04"
-    assert trex.ask(calibration(3, *default)) == "00"
-    assert trex.ask("95") == "00"
+    assert trex.request(calibration(3, *GIVEN[3])) == "00"
+    assert trex.request("95") == "04"
+    assert trex.request(calibration(3, *default)) == "00"
+    assert trex.request("95") == "00"
 
 
 @only(end="parser")  # learning takes 15 seconds, in which nothing is on the wire
 def test_automatic_calibration_sets_bits_of_its_channels(trex: Trex) -> None:
-    """CMD10 0x95; how it is done: manual page 11."""
+    """CMD10 0x95. How it is done: manual page 11."""
     trex.do("jumper mix on")
     trex.do("jumper so-ground on")
     trex.do("channel 1 1500us")
@@ -93,7 +93,7 @@ def test_automatic_calibration_sets_bits_of_its_channels(trex: Trex) -> None:
     trex.wait(10.0)
     trex.do("jumper so-ground off")
     trex.restart_in("serial")
-    assert trex.ask("95") == "05"
+    assert trex.request("95") == "05"
     minimum, neutral, maximum, _ = stored(trex, 1)
     assert (minimum, neutral, maximum) == (2625, 3750, 4875)
 
@@ -102,7 +102,7 @@ def test_calibration_command_sets_only_its_channel(trex: Trex) -> None:
     """CMD10 0xA0: 0xA0 refers to channel 1, ... 0xA4 to channel 5."""
     expected = {channel: stored(trex, channel) for channel in CHANNELS}
     for channel in (3, 5, 1, 4, 2):
-        assert trex.ask(calibration(channel, *GIVEN[channel])) == "00"
+        assert trex.request(calibration(channel, *GIVEN[channel])) == "00"
         expected[channel] = GIVEN[channel]
         assert {other: stored(trex, other) for other in CHANNELS} == expected
 
@@ -110,7 +110,7 @@ def test_calibration_command_sets_only_its_channel(trex: Trex) -> None:
 def test_values_at_edge_of_restrictions_are_accepted(trex: Trex) -> None:
     """CMD10 0xA0: minimum <= neutral AND neutral <= maximum AND minimum < maximum."""
     for values in ((1000, 1000, 1001, 0), (1000, 1001, 1001, 0), (0, 8000, 16383, 127)):
-        assert trex.ask(calibration(1, *values)) == "00"
+        assert trex.request(calibration(1, *values)) == "00"
         assert stored(trex, 1) == values
 
 
@@ -124,23 +124,23 @@ def test_values_beyond_restrictions_are_rejected_and_not_set(
 ) -> None:
     """CMD10 0xA0: 2 = bad value (e.g. maximum = minimum); "the calibration values were not set"."""
     before = stored(trex, 4)
-    assert trex.ask(calibration(4, *values)) == "02"
+    assert trex.request(calibration(4, *values)) == "02"
     assert stored(trex, 4) == before
-    assert trex.ask("95") == "00"
+    assert trex.request("95") == "00"
 
 
 def test_set_commands_are_rejected_with_3_in_serial_override(trex: Trex) -> None:
     """CMD10, note before 0xA0: "must be in serial mode for commands 0xA0 - 0xAF to work"."""
     trex.start("rc")
     trex.connect(c5="1000us")
-    assert trex.ask("83") == "01"
-    assert trex.ask(calibration(1, *GIVEN[1])) == "03"
-    assert trex.ask("AF 0E 05 55 2A") == "03"
+    assert trex.request("83") == "01"
+    assert trex.request(calibration(1, *GIVEN[1])) == "03"
+    assert trex.request("AF 0E 05 55 2A") == "03"
 
 
 def test_calibration_is_confirmed_after_about_32_ms(trex: Trex) -> None:
     """CMD10 0xA0: "approximately 32ms if the command packet format is correct"."""
-    assert trex.ask(calibration(1, 2500, 3750, 5000, 75)) == "00"
+    assert trex.request(calibration(1, 2500, 3750, 5000, 75)) == "00"
     assert 0.030 <= trex.took < 0.036
     assert stored(trex, 1)[2] == 5000
 
@@ -148,26 +148,26 @@ def test_calibration_is_confirmed_after_about_32_ms(trex: Trex) -> None:
 def test_board_is_ready_for_next_command_after_reply(trex: Trex) -> None:
     """CMD10 0xA0: "an indication that the TReX is now ready"."""
     for channel in CHANNELS:
-        assert trex.ask(calibration(channel, *GIVEN[channel])) == "00"
-        assert trex.ask("82") == "72"
-    assert trex.ask("85") == "00"
+        assert trex.request(calibration(channel, *GIVEN[channel])) == "00"
+        assert trex.request("82") == "72"
+    assert trex.request("85") == "00"
 
 
 def test_wrong_format_bytes_get_no_reply_within_100_ms(trex: Trex) -> None:
-    """CMD10 0xA0: "made it untrustworthy"; the UART error byte has "useful information"."""
+    """CMD10 0xA0: "made it untrustworthy". The UART error byte has "useful information"."""
     before = stored(trex, 1)
     packet = calibration(1, *GIVEN[1])
     for ending in ("2A 55", "55 55", "00 00", "55 2B"):
         trex.report(packet.replace("55 2A", ending))
-        assert trex.ask("85") == "40", ending
+        assert trex.request("85") == "40", ending
     assert trex.unanswered(packet.replace("55 2A", "54 2A"), seconds=0.1)
-    assert trex.ask("85") == "40"
+    assert trex.request("85") == "40"
     assert stored(trex, 1) == before
 
 
 def test_calibration_survives_power_cycle(trex: Trex) -> None:
     """CMD10 0xA0: set as parameters are, "saved, so it will never need to be set again"."""
-    assert trex.ask(calibration(5, *GIVEN[5])) == "00"
+    assert trex.request(calibration(5, *GIVEN[5])) == "00"
     trex.do("power off")
     trex.do("power on")
     assert stored(trex, 5) == GIVEN[5]

@@ -23,18 +23,18 @@ EXAMPLES = [
 def test_packets_with_example_crc_are_accepted(trex: Trex, packet: str, crc: int) -> None:
     """User's Guide 5.e."""
     trex.everything(bytes.fromhex(packet) + bytes([crc]))
-    assert trex.ask("85") == "00"
+    assert trex.request("85") == "00"
 
 
 @only(crc=True)
 def test_crc_follows_reply_to_set_command(trex: Trex) -> None:
-    """CMD10 General Overview: "at the end of all data packets"; `Trex.ask` checks each."""
+    """CMD10 General Overview: "at the end of all data packets". `Trex.request` checks each."""
     assert trex.everything("AF 0E 05 55 2A") == bytes([0, remainder(b"\x00", 0x89)])
 
 
 @only(crc=True)
 def test_packet_with_flipped_data_bit_is_discarded(trex: Trex) -> None:
-    """CMD10 0x85: a CRC that does not match is an error; no single flipped bit goes unseen."""
+    """CMD10 0x85: a CRC that does not match is an error. No single flipped bit goes unseen."""
     packet = trex.packet("F0 7F")
     for index in range(1, len(packet)):
         for bit in range(7):
@@ -48,7 +48,7 @@ def test_packet_with_flipped_data_bit_is_discarded(trex: Trex) -> None:
 def test_packet_without_crc_is_accepted_if_crc_is_disabled(trex: Trex) -> None:
     """CMD10 General Overview: "if cyclic redundancy check is enabled"."""
     assert trex.everything(trex.head("82")) == b"r"
-    assert trex.ask("85") == "00"
+    assert trex.request("85") == "00"
 
 
 @only(crc=True)
@@ -58,4 +58,4 @@ def test_polynomial_parameter_has_implied_top_bit(trex: Trex, value: int) -> Non
     trex.set_up(crc7_polynomial=value)
     trex.polynomial = 0x80 | value
     assert trex.number("9F 7D") == value
-    assert bytes.fromhex(trex.ask("81")) == b"TReX1.2"
+    assert bytes.fromhex(trex.request("81")) == b"TReX1.2"

@@ -25,9 +25,9 @@ def test_motor_current_is_in_units_of_150_ma(trex: Trex, query: str, motor: int)
 def test_motor_current_ranges_from_0_to_255(trex: Trex) -> None:
     """CMD10 0x8D, 0x8E."""
     draw(trex, 0, 60)
-    assert (trex.ask("8D"), trex.ask("8E")) == ("00", "FF")
+    assert (trex.request("8D"), trex.request("8E")) == ("00", "FF")
     draw(trex, 38.25, 0)
-    assert (trex.ask("8D"), trex.ask("8E")) == ("FF", "00")
+    assert (trex.request("8D"), trex.request("8E")) == ("FF", "00")
 
 
 def test_running_motor_draws_current_of_its_load(trex: Trex) -> None:
@@ -40,28 +40,28 @@ def test_running_motor_draws_current_of_its_load(trex: Trex) -> None:
 
 
 def test_current_reads_0_in_joint_motor_mode(trex: Trex) -> None:
-    """CMD10 0x8D; inferred: it reads 0 then."""
+    """CMD10 0x8D. Inferred: it reads 0 then."""
     trex.set_up(motor_mode=1)
     trex.do("load 1 6")
     draw(trex, 8.25, 8.25)
     trex.report("C2 7F")
     trex.wait(0.03)
-    assert [trex.ask(query) for query in ("8D", "8E", "8F")] == ["00", "00", "00 00"]
+    assert [trex.request(query) for query in ("8D", "8E", "8F")] == ["00", "00", "00 00"]
 
 
 @pytest.mark.parametrize(("source", "period"), SOURCES)
 def test_current_is_updated_at_rate_of_input_source(trex: Trex, source: int, period: float) -> None:
-    """CMD10 0x8D; while the motors gain speed no two readings are alike."""
+    """CMD10 0x8D. While the motors gain speed no two readings are alike."""
     trex.do("load 1 10")
     trex.do("load 2 10")
     trex.set_up(channel_input_source=source, motor1_acceleration=40, motor2_acceleration=40)
     trex.report("EA 7F 7F")
     trex.wait(0.03)
     begun = trex.now()
-    readings = [trex.ask("8F")]
+    readings = [trex.request("8F")]
     while trex.now() < begun + 0.1:
         trex.wait(0.002)
-        if (reading := trex.ask("8F")) != readings[-1]:
+        if (reading := trex.request("8F")) != readings[-1]:
             readings.append(reading)
     updates = (trex.now() - begun) / period
     assert updates <= len(readings) <= updates + 2  # one is older than the first update
@@ -71,4 +71,4 @@ def test_both_currents_are_sent_motor_1_first(trex: Trex) -> None:
     """CMD10 0x8F."""
     draw(trex, 1.5, 15)
     assert trex.everything("8F")[:2] == bytes([10, 100])
-    assert trex.ask("8F") == "0A 64"
+    assert trex.request("8F") == "0A 64"

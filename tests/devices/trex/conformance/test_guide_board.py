@@ -1,4 +1,4 @@
-"""What else is sourced of the board and can be seen at the wire: models, safety, channels."""
+"""Other sourced facts that are visible on the wire: models, safety, channels."""
 
 import pytest
 
@@ -10,7 +10,7 @@ from tests.devices.trex.conformance.trex import Trex, only
 @only(model="trexjr")
 def test_trex_jr_signature_has_nine_bytes(trex: Trex) -> None:
     """F2170 and two clients."""
-    assert trex.ask("81") == "54 52 65 58 4A 72 31 2E 32"
+    assert trex.request("81") == "54 52 65 58 4A 72 31 2E 32"
     trex.nothing_more_comes(0.02)
 
 
@@ -20,14 +20,14 @@ def test_trex_jr_current_is_in_units_of_40_ma(trex: Trex) -> None:
     trex.do("current 1 2")
     trex.do("current 2 0.4")
     trex.wait(0.02)
-    assert trex.ask("8F") == "32 0A"
+    assert trex.request("8F") == "32 0A"
 
 
 @only(model="trexjr", firmware="1.3")
 def test_trex_jr_firmware_1_3_has_parameter_17(trex: Trex) -> None:
     """F12089, F20957: it marks a change of the board only."""
-    assert bytes.fromhex(trex.ask("81")) == b"TReXJr1.3"
-    assert trex.ask("9F 17") == "00"
+    assert bytes.fromhex(trex.request("81")) == b"TReXJr1.3"
+    assert trex.request("9F 17") == "00"
 
 
 # Parameters
@@ -43,7 +43,7 @@ def test_current_limit_is_twice_its_parameter(
         trex.do(f"current 2 {counts * 0.150:.3f}")
         trex.report("CE 01")
         trex.wait(0.025)
-        assert trex.ask("84") == status
+        assert trex.request("84") == status
 
 
 def test_serial_timeout_counts_tenths_of_a_second(trex: Trex) -> None:
@@ -62,13 +62,13 @@ def test_serial_timeout_counts_tenths_of_a_second(trex: Trex) -> None:
 def test_ignored_channel_is_held_at_neutral(trex: Trex) -> None:
     """User's Guide 4.c: parameter 0x02."""
     trex.connect(c1="2000us", c2="2000us", c3="2000us")
-    assert trex.ask("AF 02 05 55 2A") == "00"
-    assert trex.ask("87 07") == "00 7F 00"
+    assert trex.request("AF 02 05 55 2A") == "00"
+    assert trex.request("87 07") == "00 7F 00"
 
 
 def test_new_board_requires_only_channel_1(trex: Trex) -> None:
-    """User's Guide 4.c; inferred: bit n is channel n+1."""
-    assert trex.ask("9F 01") == "01"
+    """User's Guide 4.c. Inferred: bit n is channel n+1."""
+    assert trex.request("9F 01") == "01"
     for channel in (2, 3, 4, 5):
         trex.do(f"channel {channel} silent")
     trex.start("rc")
@@ -146,12 +146,12 @@ def test_silent_required_channel_starts_safe_start_after_500_ms(
 
 
 def test_mix_jumper_never_alters_serial_motor_commands(trex: Trex) -> None:
-    """FV9053; it does alter remapped values in serial mode."""
+    """FV9053. It does alter remapped values in serial mode."""
     trex.do("jumper mix on")
     trex.report("D6 30 40")
     trex.connect(c2="2000us")
     assert (trex.motor(1), trex.motor(2)) == (("forward", 0x30), ("reverse", 0x40))
-    assert trex.ask("87 03") == "7F 7F"
+    assert trex.request("87 03") == "7F 7F"
 
 
 def test_mix_jumper_can_be_changed_while_running(trex: Trex) -> None:
@@ -159,11 +159,11 @@ def test_mix_jumper_can_be_changed_while_running(trex: Trex) -> None:
     trex.connect(c2="2000us")
     for state, answer in (("off", "00 7F"), ("on", "7F 7F"), ("off", "00 7F")):
         trex.do(f"jumper mix {state}")
-        assert trex.ask("87 03") == answer
+        assert trex.request("87 03") == answer
 
 
 def test_joint_mode_accepts_motor_1_and_auxiliary_commands(trex: Trex) -> None:
-    """Manual of the TReX Jr, page 6; the auxiliary motor still works, and motor 2 is no more."""
+    """Manual of the TReX Jr, page 6. The auxiliary motor still works, and motor 2 is no more."""
     trex.set_up(motor_mode=1)
     trex.report("C2 44", "CA 33", "F0 22")
     assert trex.motor(1) == ("forward", 0x44)
@@ -176,6 +176,6 @@ def test_joint_mode_does_not_mix_channels(trex: Trex) -> None:
     trex.do("jumper mix on")
     trex.set_up(motor_mode=1)
     trex.connect(c1="2000us", c2="1500us")
-    assert trex.ask("87 01") == "7F"
+    assert trex.request("87 01") == "7F"
     trex.connect(c1="1500us", c2="2000us")
-    assert trex.ask("87 01") == "00"
+    assert trex.request("87 01") == "00"

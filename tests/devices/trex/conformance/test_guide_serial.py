@@ -23,16 +23,16 @@ def test_example_packets_set_auxiliary_motor_to_full_speed(trex: Trex, example: 
 def test_board_responds_to_both_protocols_on_the_fly(trex: Trex) -> None:
     """User's Guide 5.b: no jumper or parameter says which."""
     for packet in ("82", "80 07 02", "82", "82", "80 07 02", "80 07 02"):
-        assert trex.ask(trex.signed(bytes.fromhex(packet)), 1) == "72"
+        assert trex.request(trex.signed(bytes.fromhex(packet)), 1) == "72"
 
 
 @pytest.mark.parametrize("number", [0, 8, 127])
 def test_compact_packet_is_accepted_with_any_device_number(trex: Trex, number: int) -> None:
     """F20957: a board with number 8 answered a plain 0x81."""
     trex.set_up(device_number=number)
-    assert trex.ask(trex.signed(b"\x82"), 1) == "72"
+    assert trex.request(trex.signed(b"\x82"), 1) == "72"
     trex.device = number
-    assert trex.ask("82") == "72"
+    assert trex.request("82") == "72"
 
 
 # 5.b, errors
@@ -85,7 +85,7 @@ def test_serial_error_keeps_motors_if_shutdown_is_disabled(trex: Trex, error: st
     trex.wait(0.012)
     assert (trex.motor(1), trex.motor(2)) == (("forward", 0x30), ("reverse", 0x40))
     assert trex.show()["aux"]["speed"] == 0x50
-    assert trex.ask("85") != "00"
+    assert trex.request("85") != "00"
 
 
 @pytest.mark.parametrize("error", ERRORS)
@@ -93,10 +93,10 @@ def test_board_accepts_commands_after_serial_error(trex: Trex, error: str) -> No
     """User's Guide 5.b."""
     trex.set_up(uart_error_shutdown=1)
     corrupt(trex, error)
-    assert trex.ask("82") == "72"
+    assert trex.request("82") == "72"
     trex.report("C2 22")
     assert trex.motor(1) == ("forward", 0x22)
-    assert trex.ask("AF 0E 05 55 2A") == "00"
+    assert trex.request("AF 0E 05 55 2A") == "00"
 
 
 # 5, answers
@@ -113,11 +113,11 @@ def test_board_never_sends_unsolicited_bytes(trex: Trex) -> None:
 
 
 def test_null_command_has_no_reply_and_no_effect(trex: Trex) -> None:
-    """C-SHARP; inferred: that it raises no error."""
+    """C-SHARP. Inferred: that it raises no error."""
     trex.report("D6 30 40")
     assert trex.unanswered(b"\xff" * 20)
     assert (trex.motor(1), trex.motor(2)) == (("forward", 0x30), ("reverse", 0x40))
-    assert trex.ask("84") == "00"
+    assert trex.request("84") == "00"
 
 
 @only(end="wire")
@@ -129,7 +129,7 @@ def test_bytes_sent_during_a_reply_are_lost(trex: Trex, baud: int) -> None:
         signature = trex.everything("81", missed)
         assert len(signature) == 7 + trex.variant.crc
     assert trex.motor(1) == ("brake", 0)
-    assert trex.ask("82") == "72"
+    assert trex.request("82") == "72"
 
 
 # 5.a, the line. Neither protocol nor CRC has to do with rates, a CRC only proves the bytes.
@@ -147,9 +147,9 @@ def test_new_board_uses_19200_baud_without_error_detection(trex: Trex) -> None:
 @only(end="wire", expanded=False, crc=True)
 @pytest.mark.parametrize("baud", [1200, 9600, 14400, 19200, 28800, 38400, 57600, 115200])
 def test_board_runs_at_each_of_its_baud_rates(trex: Trex, baud: int) -> None:
-    """User's Guide 5.a: 1200 to 115200; those of the eleven that are sourced."""
+    """User's Guide 5.a: 1200 to 115200 baud. Only the sourced rates are tested."""
     trex.run_at(baud)
-    assert trex.ask("82") == "72"
+    assert trex.request("82") == "72"
     assert trex.show()["active_uart"]["baud"] == baud
 
 
@@ -161,7 +161,7 @@ def test_old_firmware_halves_two_baud_rates(trex: Trex, chosen: int, real: int) 
     assert trex.everything("82")[:1] != b"r"
     trex.run_at(chosen)
     trex.host_at(real)
-    assert trex.ask("82") == "72"
+    assert trex.request("82") == "72"
 
 
 @only(end="wire", expanded=False, crc=True, firmware="1.0")
@@ -169,7 +169,7 @@ def test_old_firmware_halves_two_baud_rates(trex: Trex, chosen: int, real: int) 
 def test_old_firmware_keeps_all_other_baud_rates(trex: Trex, baud: int) -> None:
     """F1491."""
     trex.run_at(baud)
-    assert trex.ask("82") == "72"
+    assert trex.request("82") == "72"
 
 
 # Response delay
@@ -178,24 +178,24 @@ def test_old_firmware_keeps_all_other_baud_rates(trex: Trex, baud: int) -> None:
 @only(firmware="1.2")
 def test_response_delay_holds_replies_back_for_1_ms(trex: Trex) -> None:
     """F1491: for slow hosts."""
-    assert trex.ask("AF 17 01 55 2A") == "00"
-    assert trex.ask("9F 17") == "01"
-    trex.ask("82")
+    assert trex.request("AF 17 01 55 2A") == "00"
+    assert trex.request("9F 17") == "01"
+    trex.request("82")
     assert trex.took == pytest.approx(0.001)
 
 
 @only(firmware="1.2")
 def test_replies_without_response_delay_come_at_once(trex: Trex) -> None:
     """F1491: it is an option."""
-    assert trex.ask("AF 17 00 55 2A") == "00"
-    trex.ask("82")
+    assert trex.request("AF 17 00 55 2A") == "00"
+    trex.request("82")
     assert trex.took < 0.001
 
 
 @only(firmware="1.0")
 def test_old_firmware_has_no_parameter_17(trex: Trex) -> None:
-    """F1491 and a client's list; inferred: the code is that of a bad number."""
-    assert trex.ask("AF 17 01 55 2A") == "01"
+    """F1491 and a client's list. Inferred: the code is that of a bad number."""
+    assert trex.request("AF 17 01 55 2A") == "01"
 
 
 # RS-232, and several boards
@@ -203,7 +203,7 @@ def test_old_firmware_has_no_parameter_17(trex: Trex) -> None:
 
 @only(end="wire", echo=True)
 def test_rs_232_echoes_everything_sent(trex: Trex) -> None:
-    """MH 15; the answer follows."""
+    """MH 15. The answer follows."""
     query, drive = trex.packet("82"), trex.packet("C2 20")
     assert trex.everything(drive) == drive
     reply = trex.everything(query)

@@ -77,7 +77,7 @@ def test_accelerate_sets_target_speed_and_direction_of_its_motor(trex: Trex, mot
 
 
 def test_accelerate_both_sets_two_target_directions_and_speeds(trex: Trex) -> None:
-    """CMD10 0xE0 - 0xEF, as heading and list say; the 0xD0 of its formula is a slip."""
+    """CMD10 0xE0 - 0xEF, as heading and list say. The 0xD0 of its formula is a slip."""
     for bits in range(16):
         trex.report(*START)
         trex.report(f"{0xE0 | bits:02X} 21 43")
@@ -97,7 +97,7 @@ def test_accelerate_commands_act_with_next_update(trex: Trex) -> None:
 
 
 def test_accelerate_both_is_subject_to_acceleration(trex: Trex) -> None:
-    """CMD10 0xE0: target speeds, not speeds; 0xD0 in its place would set them."""
+    """CMD10 0xE0: target speeds, not speeds. 0xD0 in its place would set them."""
     trex.set_up(motor1_acceleration=1, motor2_acceleration=1)
     trex.report("EA 7F 7F")
     assert outputs(trex)[0][1] < 127  # type: ignore[index]  # a motor is a pair

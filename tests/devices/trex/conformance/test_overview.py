@@ -24,11 +24,11 @@ MOTOR_COMMANDS = [
 def test_bytes_without_top_bit_are_not_commands(trex: Trex) -> None:
     """CMD10 General Overview: 128 - 255."""
     assert trex.unanswered(b"\x01", b"\x02", b"\x7f")
-    assert len(trex.ask("81")) == 7 * 3 - 1
+    assert len(trex.request("81")) == 7 * 3 - 1
 
 
 def test_each_reply_has_its_documented_size(trex: Trex) -> None:
-    """CMD10 0x81 - 0x9F, each: "returns" so many bytes; a CRC follows them."""
+    """CMD10 0x81 - 0x9F, each: "returns" so many bytes. A CRC follows them."""
     for query in QUERIES:
         reply = trex.everything(query)
         assert len(reply) == documented_size(query, trex.variant) + trex.variant.crc, query
@@ -39,19 +39,19 @@ def test_queries_are_answered_in_every_mode(trex: Trex, mode: str) -> None:
     """CMD10 General Overview: 0x81 - 0x9F."""
     trex.restart_in(mode)
     for query in QUERIES:
-        assert trex.ask(query), query
-    assert trex.ask("85") == "00"
+        assert trex.request(query), query
+    assert trex.request("85") == "00"
 
 
 @pytest.mark.parametrize("mode", ["rc", "analog"])
 def test_set_commands_are_rejected_outside_serial_mode(trex: Trex, mode: str) -> None:
-    """CMD10 General Overview: 0xA0 - 0xAF; the code is that of 0xA0 and 0xAF."""
+    """CMD10 General Overview: 0xA0 - 0xAF. The code is that of 0xA0 and 0xAF."""
     trex.restart_in(mode)
-    before = [trex.ask(f"{command:02X}") for command in range(0x90, 0x95)]
-    assert trex.ask(PARAMETER) == "03"
-    assert [trex.ask(packet) for packet in CALIBRATIONS] == ["03"] * 5
-    assert trex.ask("9F 0E") == "00"
-    assert [trex.ask(f"{command:02X}") for command in range(0x90, 0x95)] == before
+    before = [trex.request(f"{command:02X}") for command in range(0x90, 0x95)]
+    assert trex.request(PARAMETER) == "03"
+    assert [trex.request(packet) for packet in CALIBRATIONS] == ["03"] * 5
+    assert trex.request("9F 0E") == "00"
+    assert [trex.request(f"{command:02X}") for command in range(0x90, 0x95)] == before
 
 
 @pytest.mark.parametrize("mode", ["serial", "rc", "analog"])
@@ -59,7 +59,7 @@ def test_motor_commands_have_no_reply_in_any_mode(trex: Trex, mode: str) -> None
     """CMD10 General Overview: 0xC0 - 0xF1."""
     trex.restart_in(mode)
     assert trex.unanswered(*MOTOR_COMMANDS)
-    assert trex.ask("84") == "00"
+    assert trex.request("84") == "00"
 
 
 @pytest.mark.parametrize("mode", ["rc", "analog"])
@@ -74,7 +74,7 @@ def test_motors_ignore_commands_without_serial_control(trex: Trex, mode: str) ->
 
 @pytest.mark.parametrize(("mode", "low"), [("rc", "1000us"), ("analog", "0.5V")])
 def test_motors_respond_during_serial_override(trex: Trex, mode: str, low: str) -> None:
-    """CMD10 General Overview; that channel 5 acts when it is low: User's Guide 4.a."""
+    """CMD10 General Overview. Channel 5 acts when it is low (User's Guide 4.a)."""
     trex.start(mode)
     trex.connect(c5=low)
     trex.report("D6 30 40", "F0 50")
@@ -96,21 +96,21 @@ def test_both_example_packets_read_all_five_raw_channels(trex: Trex) -> None:
     """CMD10 0x80: 0x80, 0x07, 0x06, 0x1F and 0x86, 0x1F."""
     trex.connect(c1="1200us", c5="1900us")
     for packet in (b"\x80\x07\x06\x1f", b"\x86\x1f"):
-        assert trex.ask(trex.signed(packet), 10) == "B8 0B A6 0E A6 0E A6 0E 8E 12"
+        assert trex.request(trex.signed(packet), 10) == "B8 0B A6 0E A6 0E A6 0E 8E 12"
 
 
 def test_default_device_number_is_7(trex: Trex) -> None:
     """CMD10 0x80."""
-    assert trex.ask("9F 00") == "07"
-    assert trex.ask(trex.signed(b"\x80\x07\x02"), 1) == "72"
+    assert trex.request("9F 00") == "07"
+    assert trex.request(trex.signed(b"\x80\x07\x02"), 1) == "72"
 
 
 def test_device_number_parameter_takes_effect_at_once(trex: Trex) -> None:
     """CMD10 0x80."""
-    assert trex.ask("AF 00 09 55 2A") == "00"
+    assert trex.request("AF 00 09 55 2A") == "00"
     trex.device = 9
-    assert trex.ask("9F 00") == "09"
-    assert trex.ask(trex.signed(b"\x80\x09\x02"), 1) == "72"
+    assert trex.request("9F 00") == "09"
+    assert trex.request(trex.signed(b"\x80\x09\x02"), 1) == "72"
     assert trex.unanswered(trex.signed(b"\x80\x07\x02"))
 
 
@@ -128,4 +128,4 @@ def test_packet_for_other_device_number_is_ignored(trex: Trex, number: int) -> N
         foreign + b"\x11\x22\x33\x44\x55\x66\x77",
     )
     assert trex.motor(1)[1] == 0
-    assert trex.ask("84") == "00"
+    assert trex.request("84") == "00"

@@ -17,10 +17,10 @@ def write(number: int, value: int) -> str:
 
 
 def test_written_parameters_read_back(trex: Trex) -> None:
-    """CMD10 0x9F; every one that acts at once gets a value of its own."""
+    """CMD10 0x9F. Every parameter that acts at once gets a value of its own."""
     for number, value in IMMEDIATE.items():
         trex.report(b"\xff")
-        assert trex.ask(write(number, value)) == "00", f"{number:02X}"
+        assert trex.request(write(number, value)) == "00", f"{number:02X}"
         if number == 0x00:
             trex.device = value
     assert {number: trex.number(f"9F {number:02X}") for number in IMMEDIATE} == IMMEDIATE
@@ -28,34 +28,34 @@ def test_written_parameters_read_back(trex: Trex) -> None:
 
 @pytest.mark.parametrize("number", [0x18, 0x40, 0x7A])
 def test_unknown_parameter_write_returns_1(trex: Trex, number: int) -> None:
-    """CMD10 0xAF; that nothing lies between 0x17 and 0x7B: the lists of two clients."""
-    assert trex.ask(write(number, 0)) == "01"
-    assert trex.ask("84") == "00"
+    """CMD10 0xAF. No parameter lies between 0x17 and 0x7B (lists of two clients)."""
+    assert trex.request(write(number, 0)) == "01"
+    assert trex.request("84") == "00"
 
 
 @pytest.mark.parametrize(
     ("number", "value"), [(0x09, 4), (0x7B, 2), (0x7E, 0x0B), (0x7E, 0x0F), (0x7F, 0x00)]
 )
 def test_invalid_value_write_returns_2(trex: Trex, number: int, value: int) -> None:
-    """CMD10 0xAF; inferred: which values these parameters may have."""
-    assert trex.ask(write(number, value)) == "02"
-    assert trex.ask("84") == "00"
+    """CMD10 0xAF. Inferred: which values these parameters may have."""
+    assert trex.request(write(number, value)) == "02"
+    assert trex.request("84") == "00"
 
 
 def test_rejected_write_changes_no_parameter(trex: Trex) -> None:
     """CMD10 0xAF: "the TReX has rejected the command packet"."""
     before = trex.show()["parameters"]
     for number, value in ((0x09, 4), (0x18, 1), (0x7B, 2), (0x7E, 0x0B)):
-        assert trex.ask(write(number, value)) != "00"
+        assert trex.request(write(number, value)) != "00"
     trex.restart_in("rc")
-    assert trex.ask(write(0x0E, 5)) == "03"
+    assert trex.request(write(0x0E, 5)) == "03"
     trex.restart_in("serial")
     assert trex.show()["parameters"] == before
 
 
 def test_parameter_write_is_confirmed_after_about_4_ms(trex: Trex) -> None:
     """CMD10 0xAF: "approximately 4ms if the command packet format is correct"."""
-    assert trex.ask(write(0x0E, 1)) == "00"
+    assert trex.request(write(0x0E, 1)) == "00"
     assert 0.0035 <= trex.took < 0.006
     assert trex.number("9F 0E") == 1
 
@@ -63,25 +63,25 @@ def test_parameter_write_is_confirmed_after_about_4_ms(trex: Trex) -> None:
 def test_board_is_ready_for_next_command_after_reply(trex: Trex) -> None:
     """CMD10 0xAF."""
     for value in range(1, 11):
-        assert trex.ask(write(0x0E, value)) == "00"
+        assert trex.request(write(0x0E, value)) == "00"
         assert trex.number("9F 0E") == value
-    assert trex.ask("85") == "00"
+    assert trex.request("85") == "00"
 
 
 def test_wrong_format_bytes_get_no_reply_within_50_ms(trex: Trex) -> None:
-    """CMD10 0xAF: "made it untrustworthy"; the UART error byte has "useful information"."""
+    """CMD10 0xAF: "made it untrustworthy". The UART error byte has "useful information"."""
     for ending in ("2A 55", "55 55", "2A 2A", "00 00"):
         trex.report(f"AF 0E 05 {ending}")
-        assert trex.ask("85") == "40", ending
+        assert trex.request("85") == "40", ending
     assert trex.unanswered("AF 0E 05 55 2B", seconds=0.05)
-    assert trex.ask("85") == "40"
-    assert trex.ask("9F 0E") == "00"
+    assert trex.request("85") == "40"
+    assert trex.request("9F 0E") == "00"
 
 
 def test_parameter_survives_power_cycles(trex: Trex) -> None:
     """CMD10 0xAF: "it will never need to be set again"."""
-    assert trex.ask(write(0x07, 99)) == "00"
-    assert trex.ask(write(0x11, 3)) == "00"
+    assert trex.request(write(0x07, 99)) == "00"
+    assert trex.request(write(0x11, 3)) == "00"
     for _ in range(2):
         trex.do("power off")
         trex.do("power on")
@@ -91,67 +91,67 @@ def test_parameter_survives_power_cycles(trex: Trex) -> None:
 def test_parameters_0_to_16_take_effect_at_once(trex: Trex) -> None:
     """CMD10 0xAF: those whose effect the documents name."""
     trex.connect(c1="1800us", c2="1800us")
-    before = trex.ask("87 03")
-    assert trex.ask(write(0x03, 0b11)) == "00"
-    assert trex.ask("87 03") != before
-    assert trex.ask(write(0x0E, 10)) == "00"
+    before = trex.request("87 03")
+    assert trex.request(write(0x03, 0b11)) == "00"
+    assert trex.request("87 03") != before
+    assert trex.request(write(0x0E, 10)) == "00"
     trex.report("C6 7F")
     trex.wait(0.03)
     assert 0 < trex.motor(1)[1] <= trex.most_updates
-    assert trex.ask(write(0x07, 1)) == "00"
+    assert trex.request(write(0x07, 1)) == "00"
     trex.wait(0.12)
-    assert trex.ask("85") == "80"
-    assert trex.ask(write(0x00, 12)) == "00"
-    assert trex.ask(trex.signed(b"\x80\x0c\x02"), 1) == "72"
+    assert trex.request("85") == "80"
+    assert trex.request(write(0x00, 12)) == "00"
+    assert trex.request(trex.signed(b"\x80\x0c\x02"), 1) == "72"
 
 
 def test_motor_mode_7b_takes_effect_after_restart(trex: Trex) -> None:
-    """CMD10 0xAF; 1 is joint mode, which has no current (0x8D)."""
-    assert trex.ask(write(0x7B, 1)) == "00"
+    """CMD10 0xAF. 1 is joint mode, which has no current (0x8D)."""
+    assert trex.request(write(0x7B, 1)) == "00"
     trex.do("current 1 15")
     trex.wait(0.02)
-    assert trex.ask("8D") == "64"
+    assert trex.request("8D") == "64"
     trex.restart()
     trex.wait(0.02)
-    assert trex.ask("8D") == "00"
+    assert trex.request("8D") == "00"
 
 
 def test_channel_input_source_7c_takes_effect_after_restart(trex: Trex) -> None:
     """CMD10 0xAF."""
-    assert trex.ask(write(0x7C, 1)) == "00"
-    assert trex.ask("82") == "72"
+    assert trex.request(write(0x7C, 1)) == "00"
+    assert trex.request("82") == "72"
     trex.restart()
-    assert trex.ask("82") == "61"
+    assert trex.request("82") == "61"
 
 
 @only(crc=True)
 def test_crc_polynomial_7d_takes_effect_after_restart(trex: Trex) -> None:
-    """CMD10 0xAF; the polynomial is eight bits of which the first is 1 (User's Guide 5.e)."""
-    assert trex.ask(write(0x7D, 0x65)) == "00"
-    assert trex.ask("82") == "72"
+    """CMD10 0xAF. The polynomial is eight bits of which the first is 1 (User's Guide 5.e)."""
+    assert trex.request(write(0x7D, 0x65)) == "00"
+    assert trex.request("82") == "72"
     trex.restart()
     assert trex.unanswered(trex.packet("82"))
     assert trex.unanswered(trex.packet("82"))
     trex.polynomial = 0xE5
-    assert trex.ask("85") == "20"
-    assert trex.ask("86 1F")
+    assert trex.request("85") == "20"
+    assert trex.request("86 1F")
 
 
 @only(end="wire")  # bytes have no rate in the parser
 def test_uart_settings_7e_take_effect_after_restart(trex: Trex) -> None:
-    """CMD10 0xAF; 57600 baud: one of the rates of User's Guide 5.a."""
+    """CMD10 0xAF. 57600 baud: one of the rates of User's Guide 5.a."""
     crc = WITH_CRC if trex.variant.crc else 0
-    assert trex.ask(write(0x7E, RATES.index(57600) | crc)) == "00"
-    assert trex.ask("82") == "72"
+    assert trex.request(write(0x7E, RATES.index(57600) | crc)) == "00"
+    assert trex.request("82") == "72"
     trex.restart()
     trex.host_at(57600)
-    assert trex.ask("82") == "72"
+    assert trex.request("82") == "72"
 
 
 def test_factory_reset_7f_takes_effect_after_restart(trex: Trex) -> None:
-    """CMD10 0xAF; that 0x7F is written to it: forum thread 4631."""
-    assert trex.ask(write(0x0E, 5)) == "00"
-    assert trex.ask(write(0x7F, 0x7F)) == "00"
-    assert trex.ask("9F 0E") == "05"
+    """CMD10 0xAF. The value 0x7F is of forum thread 4631."""
+    assert trex.request(write(0x0E, 5)) == "00"
+    assert trex.request(write(0x7F, 0x7F)) == "00"
+    assert trex.request("9F 0E") == "05"
     trex.restart()
     assert trex.show()["parameters"]["motor1_acceleration"] == 0

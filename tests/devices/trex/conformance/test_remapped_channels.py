@@ -15,7 +15,7 @@ REMAPPED = {1: 0x7F, 2: 0xFF, 3: 0x00, 4: 0x7F, 5: 0xFF}
 
 def calibrate(trex: Trex) -> None:
     """Let channel 1 go from 1 ms by 1.5 ms to 2 ms with a deadband of 40 µs."""
-    assert trex.ask(calibration(1, 2500, 3750, 5000, 100)) == "00"
+    assert trex.request(calibration(1, 2500, 3750, 5000, 100)) == "00"
 
 
 def value(trex: Trex, channel: int = 1) -> int:
@@ -25,17 +25,17 @@ def value(trex: Trex, channel: int = 1) -> int:
 
 
 def test_remapped_reply_has_one_byte_of_each_masked_channel(trex: Trex) -> None:
-    """CMD10 0x87: bit n is channel n+1; lower channels are transmitted before higher ones."""
+    """CMD10 0x87: bit n is channel n+1. Lower channels are transmitted before higher ones."""
     trex.connect(**{f"c{channel}": stick for channel, stick in STICKS.items()})
     for mask in range(1, 0x20):
         expected = [REMAPPED[channel] for channel in channels(mask)]
-        assert list(bytes.fromhex(trex.ask(f"87 {mask:02X}"))) == expected
+        assert list(bytes.fromhex(trex.request(f"87 {mask:02X}"))) == expected
 
 
 def test_empty_mask_gets_no_reply(trex: Trex) -> None:
     """CMD10 0x87: "will return 0 - 5 bytes"."""
     assert trex.unanswered("87 00")
-    assert trex.ask("85") == "00"
+    assert trex.request("85") == "00"
 
 
 def test_rc_and_analog_ends_give_the_same_remapped_values(trex: Trex) -> None:
@@ -43,7 +43,7 @@ def test_rc_and_analog_ends_give_the_same_remapped_values(trex: Trex) -> None:
     for source, ends in ((0, ("1000us", "1500us", "2000us")), (1, ("0V", "2.5V", "5V"))):
         trex.set_up(channel_input_source=source)
         trex.connect(**{f"c{index + 1}": position for index, position in enumerate(ends)})
-        assert trex.ask("87 07") == "FF 00 7F"
+        assert trex.request("87 07") == "FF 00 7F"
 
 
 @pytest.mark.parametrize(
@@ -55,31 +55,31 @@ def test_rc_and_analog_ends_give_the_same_remapped_values(trex: Trex) -> None:
     ],
 )
 def test_value_at_ends_and_within_deadband(trex: Trex, widths: tuple[int, ...], byte: str) -> None:
-    """CMD10 0x87: "greater than or equal to the channel maximum"; bit 7 is the direction."""
+    """CMD10 0x87: "greater than or equal to the channel maximum". Bit 7 is the direction."""
     calibrate(trex)
     for width in widths:
         trex.connect(c1=f"{width}us")
-        assert trex.ask("87 01") == byte, width
+        assert trex.request("87 01") == byte, width
 
 
 def test_mix_jumper_affects_only_channels_1_and_2(trex: Trex) -> None:
-    """CMD10 0x87; one channel turns, the other drives (User's Guide 4.a)."""
+    """CMD10 0x87. One channel turns, the other drives (User's Guide 4.a)."""
     trex.connect(c2="2000us", c3="2000us")
-    assert trex.ask("87 07") == "00 7F 7F"
+    assert trex.request("87 07") == "00 7F 7F"
     trex.do("jumper mix on")
-    assert trex.ask("87 07") == "7F 7F 7F"
+    assert trex.request("87 07") == "7F 7F 7F"
     trex.connect(c1="2000us", c2="1500us")
-    first, second, third = bytes.fromhex(trex.ask("87 07"))
+    first, second, third = bytes.fromhex(trex.request("87 07"))
     assert first ^ second == 0x80
     assert third == 0x7F
 
 
 def test_flip_channel_affects_only_channels_1_and_2(trex: Trex) -> None:
-    """CMD10 0x87: channel 4; motors and directions change places (User's Guide 4.a)."""
+    """CMD10 0x87: channel 4. Motors and directions change places (User's Guide 4.a)."""
     trex.connect(c1="2000us", c3="2000us", c4="1500us")
-    assert trex.ask("87 07") == "7F 00 7F"
+    assert trex.request("87 07") == "7F 00 7F"
     trex.connect(c4="1000us")
-    assert trex.ask("87 07") == "00 FF 7F"
+    assert trex.request("87 07") == "00 FF 7F"
 
 
 @pytest.mark.parametrize(("mix", "flip"), [*product(("off", "on"), ("1500us", "1000us"))])
@@ -88,7 +88,7 @@ def test_remapped_values_match_motor_targets(trex: Trex, mix: str, flip: str) ->
     trex.do(f"jumper mix {mix}")
     trex.start("rc")
     trex.connect(c1="1700us", c2="1400us", c3="1800us", c4=flip)
-    first, second, third = bytes.fromhex(trex.ask("87 07"))
+    first, second, third = bytes.fromhex(trex.request("87 07"))
     for number, byte in ((1, first), (2, second)):
         assert trex.target(number) == ("reverse" if byte & 0x80 else "forward", byte & 0x7F)
     assert trex.show()["aux"]["target_speed"] == third & 0x7F  # "lower six bits", a slip
@@ -98,7 +98,7 @@ def test_inverted_robot_applies_raw_channel_1_to_motor_2(trex: Trex) -> None:
     """CMD10 0x87: "in contrast to the raw value for channel 1"."""
     trex.start("rc")
     trex.connect(c1="2000us", c4="1000us")
-    assert trex.ask("86 01") == "88 13"
+    assert trex.request("86 01") == "88 13"
     assert trex.target(1)[0] == "brake"
     assert trex.target(2) == ("reverse", 127)
 
@@ -111,7 +111,7 @@ def test_serial_program_can_mimic_rc_mode(trex: Trex) -> None:
         trex.start(mode)
         trex.connect(c1="1700us", c2="1300us", c3="1900us")
         if mode == "serial":
-            first, second, third = bytes.fromhex(trex.ask("87 07"))
+            first, second, third = bytes.fromhex(trex.request("87 07"))
             trex.report(f"{0xC5 if first & 0x80 else 0xC6:02X} {first & 0x7F:02X}")
             trex.report(f"{0xCD if second & 0x80 else 0xCE:02X} {second & 0x7F:02X}")
             trex.report(f"F1 {third & 0x7F:02X}")

@@ -7,7 +7,7 @@ from tests.devices.trex.conformance.trex import Trex
 
 def test_signature_is_name_and_firmware_version(trex: Trex) -> None:
     """CMD10 0x81: major byte, '.', minor byte, such as "TReX1.0"."""
-    assert bytes.fromhex(trex.ask("81")) == b"TReX" + trex.variant.firmware.encode()
+    assert bytes.fromhex(trex.request("81")) == b"TReX" + trex.variant.firmware.encode()
 
 
 @pytest.mark.parametrize(
@@ -20,21 +20,21 @@ def test_mode_letter_follows_jumper_and_input_source(
     """CMD10 0x82: 'R', 'A', 'r', 'a'."""
     trex.set_up(channel_input_source=source)
     trex.restart_in(jumper)
-    assert trex.ask("82") == letter
+    assert trex.request("82") == letter
 
 
 def test_serial_is_always_in_control_in_serial_mode(trex: Trex) -> None:
     """CMD10 0x82."""
     for position in ("1000us", "1500us", "2000us", "silent"):
         trex.connect(c5=position)
-        assert trex.ask("83") == "01"
+        assert trex.request("83") == "01"
 
 
 def test_channels_can_be_read_in_serial_mode(trex: Trex) -> None:
     """CMD10 0x82: "it can choose to read and use the channel inputs as it sees fit"."""
     trex.connect(c1="2000us", c2="1000us")
-    assert trex.ask("86 03") == "88 13 C4 09"
-    assert trex.ask("87 03") == "7F FF"
+    assert trex.request("86 03") == "88 13 C4 09"
+    assert trex.request("87 03") == "7F FF"
     assert trex.motor(1)[1] == trex.motor(2)[1] == 0
 
 
@@ -44,7 +44,7 @@ def test_channel_input_source_selects_inputs_in_serial_mode(trex: Trex) -> None:
     for source, raw in ((0, "FF FF"), (1, "FF 03"), (0, "FF FF")):
         trex.set_up(channel_input_source=source)
         trex.wait(0.03)
-        assert trex.ask("86 01") == raw
+        assert trex.request("86 01") == raw
 
 
 @pytest.mark.parametrize(
@@ -60,15 +60,15 @@ def test_channel_input_source_is_ignored_in_rc_and_analog_mode(
         trex.set_up(channel_input_source=source)
         trex.restart_in(jumper)
         trex.wait(0.025)
-        assert trex.ask("82") == letter
-        assert trex.ask("86 01") == raw
+        assert trex.request("82") == letter
+        assert trex.request("86 01") == raw
 
 
 @pytest.mark.parametrize(("jumper", "answer"), [("serial", "01"), ("rc", "00"), ("analog", "00")])
 def test_serial_is_in_control_only_in_serial_mode(trex: Trex, jumper: str, answer: str) -> None:
     """CMD10 0x83: 0 = serial is not in control, 1 = serial is in control."""
     trex.restart_in(jumper)
-    assert trex.ask("83") == answer
+    assert trex.request("83") == answer
 
 
 @pytest.mark.parametrize(
@@ -81,4 +81,4 @@ def test_low_channel_5_puts_serial_in_control(
     trex.start(jumper)
     for position, answer in ((low, "01"), (middle, "00")):
         trex.connect(c5=position)
-        assert trex.ask("83") == answer
+        assert trex.request("83") == answer

@@ -42,10 +42,10 @@ def test_motor_fault_sets_its_status_bit(trex: Trex, motor: int, bit: int) -> No
 
 def test_status_bit_0_is_a_uart_error(trex: Trex) -> None:
     """CMD10 0x84: "read UART error byte for more information"."""
-    assert trex.ask("84") == "00"
+    assert trex.request("84") == "00"
     trex.report(b"\x88")
-    assert trex.ask("84") == "01"
-    assert trex.ask("85") == "40"
+    assert trex.request("84") == "01"
+    assert trex.request("85") == "40"
 
 
 def test_status_bits_are_latched_until_read(trex: Trex) -> None:
@@ -56,20 +56,20 @@ def test_status_bits_are_latched_until_read(trex: Trex) -> None:
     trex.do("fault 1 off")
     trex.wait(0.05)
     for query in ("81", "82", "83", "85", "86 1F", "87 1F", "8F", "95", "9F 00"):
-        trex.ask(query)
-    assert trex.ask("84") == "11"
+        trex.request(query)
+    assert trex.request("84") == "11"
 
 
 def test_reading_status_byte_clears_all_its_bits(trex: Trex) -> None:
-    """CMD10 0x84; every used bit is set here, bits 3 to 1 are not used."""
+    """CMD10 0x84. Every used bit is set here, bits 3 to 1 are not used."""
     drive_with_limits(trex)
     for motor in (1, 2):
         exceed_the_limit(trex, motor)
         trex.do(f"fault {motor} on")
         trex.do(f"fault {motor} off")
     trex.report(b"\x88")
-    assert trex.ask("84") == "F1"
-    assert trex.ask("84") == "00"
+    assert trex.request("84") == "F1"
+    assert trex.request("84") == "00"
 
 
 def test_lasting_fault_sets_its_bit_again(trex: Trex) -> None:
@@ -77,4 +77,4 @@ def test_lasting_fault_sets_its_bit_again(trex: Trex) -> None:
     trex.do("fault 2 on")
     for _ in range(2):
         trex.wait(0.03)
-        assert trex.ask("84") == "40"
+        assert trex.request("84") == "40"

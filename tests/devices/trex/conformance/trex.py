@@ -46,7 +46,7 @@ VARIANTS = [
 
 
 def in_gate(variants: Sequence[Variant]) -> list[Any]:
-    """Mark variants slow whose traits are an odd combination; each pair of traits is left."""
+    """Mark rare combinations of traits as slow. Each pair of traits remains."""
     unexpected = [(one.end == "wire") ^ one.expanded ^ one.crc for one in variants]
     return [
         pytest.param(one, marks=pytest.mark.slow) if is_unexpected and not all(unexpected) else one
@@ -142,10 +142,10 @@ class Trex:
 
     # Exchanges
 
-    def ask(self, packet: str | bytes, size: int | None = None) -> str:
-        """Send a packet, return the answer without its CRC; "" if none comes.
+    def request(self, packet: str | bytes, size: int | None = None) -> str:
+        """Send a packet. Return the reply without its CRC, or "" without a reply.
 
-        That nothing comes behind the answer is proved at the next exchange and at the end.
+        The next exchange and the end check that no byte follows the reply.
         """
         if isinstance(packet, str):
             if size is None:
@@ -161,13 +161,13 @@ class Trex:
         return text_of(self._checked(reply))
 
     def number(self, packet: str) -> int:
-        """Send a packet whose answer is one byte; return that."""
-        reply = self.ask(packet)
+        """Send a packet whose answer is one byte. Return that."""
+        reply = self.request(packet)
         assert len(reply) == 2, f"{packet}: {reply!r}"
         return int(reply, 16)
 
     def report(self, *packets: str | bytes) -> None:
-        """Send packets that have no answer; the board has heard them when this returns."""
+        """Send packets that have no answer. The board has heard them when this returns."""
         begun = self._end.now()
         self._end.write(
             b"".join(self.packet(each) if isinstance(each, str) else each for each in packets)
@@ -176,7 +176,7 @@ class Trex:
         self._reports = begun, self._end.now()
 
     def unanswered(self, *packets: str | bytes, seconds: float = QUIET) -> bool:
-        """Send packets and wait; return whether the board stays silent."""
+        """Send packets and wait. Return whether the board stays silent."""
         self.nothing_more_comes(0.0)
         self.report(*packets)
         return self._end.read(1, seconds) == b""
@@ -206,7 +206,7 @@ class Trex:
     # The board
 
     def do(self, text: str) -> str:
-        """Send a control line; return what follows `ok`."""
+        """Send a control line. Return what follows `ok`."""
         answer = self._end.do(text)
         assert answer.startswith("ok"), f"{text}: {answer}"
         return answer.removeprefix("ok").strip()
@@ -240,7 +240,7 @@ class Trex:
         self.restart()
 
     def start(self, mode: str) -> None:
-        """Restart with this mode jumper and sticks at rest; safe-start is over then."""
+        """Restart with this mode jumper and sticks at rest. Safe-start is over then."""
         self.restart_in(mode)
         self.wait(0.025)
         end = self.now() + LONG_TIMEOUT
@@ -253,7 +253,7 @@ class Trex:
         self.do("power cycle")
 
     def run_at(self, baud: int, settings: int = 0) -> None:
-        """Run board and host at a rate; `settings` are more bits of UART settings."""
+        """Run board and host at a rate. `settings` are more bits of UART settings."""
         crc = WITH_CRC if self.variant.crc else 0
         self.set_up(uart_settings=RATES.index(baud) | crc | settings)
         self._end.run_at(baud)
@@ -263,7 +263,7 @@ class Trex:
         self._end.run_at(baud)
 
     def connect(self, **signals: str) -> None:
-        """Connect signals (`c1="1500us"`) to channels; the board has acted on them then."""
+        """Connect signals (`c1="1500us"`) to channels. The board has acted on them then."""
         for channel, signal in signals.items():
             self.do(f"channel {channel[1:]} {signal}")
         analog = self.show()["mode"] in {"A", "a"}
@@ -290,12 +290,12 @@ class Trex:
 
     @property
     def fewest_updates(self) -> int:
-        """How many updates of 10 ms there were at least between the last tell and show."""
+        """Fewest possible updates, of 10 ms each, between the last control line and `show`."""
         return max(0, math.floor(round((self._shown[0] - self._reports[1]) / 0.01, 6)))
 
     @property
     def most_updates(self) -> int:
-        """How many updates of 10 ms there were at most between the last tell and show."""
+        """Most possible updates, of 10 ms each, between the last control line and `show`."""
         return math.ceil(round((self._shown[1] - self._reports[0]) / 0.01, 6))
 
 

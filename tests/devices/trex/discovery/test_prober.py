@@ -514,7 +514,7 @@ def _sent_to_nobody(settings: ConnectionSettings) -> list[bytes]:
 
 
 def _moves(line: SimulatedBoards, board: Board, packets: list[bytes]) -> list[str]:
-    """Send packets with gaps; return those on which a motor is told to run, however briefly."""
+    """Send packets with gaps. Return those on which a motor is told to run, however briefly."""
     moving = []
     for packet in packets:
         line.send(packet)

@@ -1,4 +1,4 @@
-"""What a TReX answers: every query and every write, without motors, loads or time."""
+"""Replies of a TReX to every query and write, without motors, loads or time."""
 
 import tomllib
 from collections.abc import Iterator, Mapping, Sequence
@@ -86,7 +86,7 @@ class Oracle:
         calibrations: Mapping[tuple[str, int], Calibration] | None = None,
         raw: Sequence[int | None] = (None,) * 5,
     ) -> None:
-        """`calibrations` by ("rc" or "analog", channel 1-5); None in `raw` is no valid signal."""
+        """`calibrations` by ("rc" or "analog", channel 1-5). None in `raw` is no valid signal."""
         self.model = model
         self.firmware = firmware
         self.mode = mode
@@ -123,7 +123,7 @@ class Oracle:
 
     @property
     def polynomial(self) -> int | None:
-        """What the CRC of a packet must fit now; None where there is none."""
+        """Polynomial of the CRC of packets. None without a CRC."""
         return self._framer.polynomial
 
     @property
@@ -141,7 +141,7 @@ class Oracle:
             self._latch(UartError.TIMEOUT)
 
     def feed(self, byte: int) -> bytes:
-        """Take one byte; return the whole reply, if it completes a packet that has one."""
+        """Take one byte. Return the whole reply, if it completes a packet that has one."""
         self._silent = 0.0
         self.wrote = False
         packet, error = self._framer.feed(byte)

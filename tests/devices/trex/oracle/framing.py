@@ -22,7 +22,7 @@ class Packet(NamedTuple):
 
 
 class Heard(NamedTuple):
-    """What one byte brought about; a byte can end one packet in error and be another."""
+    """Effect of one byte. A byte can end one packet in error and be another packet."""
 
     packet: Packet | None = None
     error: UartError = UartError.NONE
@@ -40,7 +40,7 @@ def remainder(message: bytes, polynomial: int) -> int:
 
 
 def data_bytes(command: int) -> int | None:
-    """How many data bytes follow this command byte; None for a command that does not exist."""
+    """Return the number of data bytes after a command byte. None for an unknown command."""
     if 0x81 <= command <= 0x85 or 0x8D <= command <= 0x95 or command == NULL:
         return 0
     if command in {0x86, 0x87, 0x9F} or 0xC0 <= command <= 0xCF or command in {0xF0, 0xF1}:
@@ -64,7 +64,7 @@ def sealed(packet: bytes, polynomial: int | None) -> bytes:
 
 
 class Framer:
-    """Takes a stream apart; `polynomial` is None while packets carry no CRC."""
+    """Takes a stream apart. `polynomial` is None while packets carry no CRC."""
 
     def __init__(self, device_number: int, polynomial: int | None) -> None:
         self.device_number = device_number

@@ -54,14 +54,14 @@ def remapped(
 
 
 def coded(value: int) -> int:
-    """Bit 7 the direction, bits 6:0 the magnitude; zero has no direction (inferred)."""
+    """Bit 7 the direction, bits 6:0 the magnitude. Zero has no direction (inferred)."""
     return -value | 0x80 if value < 0 else value
 
 
 def switched_on(
     raw: int, calibration: Calibration, *, ignored: bool = False, reverse: bool = False
 ) -> bool:
-    """Whether channel 4 or 5, a switch, is active: beyond half-way from neutral to its end."""
+    """Return whether a switch (channel 4 or 5) is beyond half-way from neutral to its end."""
     if ignored or raw == INVALID:
         return False
     if reverse:
@@ -70,7 +70,7 @@ def switched_on(
 
 
 def motors(first: int, second: int, *, mix: bool, joint: bool, flip: bool) -> tuple[int, int]:
-    """What channels 1 and 2 mean for motors 1 and 2."""
+    """Return the commands of motors 1 and 2 for the values of channels 1 and 2."""
     if joint:
         return (-first if flip else first), second
     if mix:

@@ -37,7 +37,7 @@ SETTLE = 0.22  # until every signal has been measured
 
 @dataclass
 class Setup:
-    """How a board is before the first byte."""
+    """State of a board before the first byte."""
 
     model: str = "trex"
     firmware: str = "1.2"
@@ -92,7 +92,7 @@ class Duel:
             self._learn_who_controls()
 
     def _learn_who_controls(self) -> None:
-        """Whether safe-start has ended depends on sticks and time, so ask the board itself."""
+        """Ask the board who controls, as the end of safe-start depends on sticks and time."""
         if self.setup.mode == "serial":
             return
         packet = sealed(b"\x83", self.oracle.polynomial)
@@ -278,7 +278,7 @@ class Cook:
 
 
 def pour(random: Random, size: int) -> int:
-    """Pour soup over one board until it has heard so many bytes; return how many it were."""
+    """Pour soup over one board until it has heard so many bytes. Return how many it were."""
     cook = Cook(random)
     duel = Duel(cook.setup())
     while len(duel.stream) < size:
@@ -296,7 +296,7 @@ WITHIN_TIME = examples(
 
 
 def poured(examples: int, length: int) -> int:
-    """Let hypothesis choose soups, others each time; return how many bytes were compared."""
+    """Let hypothesis choose soups, others each time. Return how many bytes were compared."""
     total = 0
 
     @settings(WITHIN_TIME, max_examples=examples)

@@ -111,7 +111,7 @@ def an_hour(seconds: float = 3600.0, begin: float = HEADER.clock) -> Iterator[Re
 
 
 def write(path: Path, records: list[Record], *, step: int = 500, finish: bool = True) -> int:
-    """Write a recording, a commit every `step` records; return its size."""
+    """Write a recording, a commit every `step` records. Return its size."""
     writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
     for first in range(0, len(records), step):
         writer.write(records[first : first + step])

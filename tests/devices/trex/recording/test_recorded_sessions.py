@@ -20,7 +20,7 @@ from trex_gui.devices.trex.simulator.firmware import Board
 
 
 def record_virtually(seconds: int, path: Path) -> list[Record]:
-    """Record a session that drives and stops once a minute; return its records."""
+    """Record a session that drives and stops once a minute. Return its records."""
     what: list[Record] = []
     writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
 
@@ -29,12 +29,12 @@ def record_virtually(seconds: int, path: Path) -> list[Record]:
         writer.write(records)
 
     class Recorded(Stage):
-        def take(self, report: Report) -> None:
+        def record(self, report: Report) -> None:
             if isinstance(report, Batch):
                 put(*report.samples)
 
     stage = Recorded(Board())
-    stage.reports = _Sink(stage.take)  # type: ignore[assignment] # batches of an hour are not kept
+    stage.reports = _Sink(stage.record)  # type: ignore[assignment] # batches of an hour are not kept
     for minute in range(-(-seconds // 60)):
         begin = 60.0 * minute + 5
         drive = Drive.at(127 if minute % 2 else -90)

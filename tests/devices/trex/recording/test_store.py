@@ -1,4 +1,4 @@
-"""The recording as a database: read as written; a crash or damage loses little."""
+"""The recording as a database: read as written. A crash or damage loses little."""
 
 import contextlib
 import errno
@@ -110,7 +110,7 @@ def test_committed_records_survive_a_crash(tmp_path: Path) -> None:
 @examples(15)
 @given(share=st.floats(0, 1))
 def test_power_failure_keeps_records_up_to_the_last_sync(folder: Path, share: float) -> None:
-    """The log may end anywhere; the main file is complete up to the last sync."""
+    """The log may end anywhere. The main file is complete up to the last sync."""
     what = list(an_hour(3))
     writer = RecordingWriter[Header, Record](folder / "power.trexrec", FORMAT, HEADER)
     writer.write(what[:200])

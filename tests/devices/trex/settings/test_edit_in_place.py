@@ -20,7 +20,7 @@ from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibra
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_in_place import amend
-from trex_gui.devices.trex.settings.notes import note_lines
+from trex_gui.devices.trex.settings.notes import lines_of_note
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import calibration_text, parameter_text, write_settings
 
@@ -355,7 +355,7 @@ def any_written(draw: st.DrawFn, given_settings: Settings) -> Written:
     head = draw(st.sampled_from([[], ["# head"], ["---"], ["%YAML 1.1", "---"], [""]]))
     order = draw(st.permutations(list(groups)))
     lines = [*head, f"{margin}product: {quote}{given_settings.product.name}{quote}"]
-    notes = {key: note_lines(key, given_settings.notes) for key in given_settings.notes}
+    notes = {key: lines_of_note(key, given_settings.notes) for key in given_settings.notes}
     for key in [*order, *(key for key in notes if key not in groups)]:
         lines += draw(st.lists(st.just("") | words.map("# {}".format), max_size=2))
         lines += [margin + line for line in notes.get(key, [])]

@@ -239,11 +239,11 @@ def _cells(row: ComparisonRow) -> Iterator[tuple[str, str, str]]:
         wires = f"{wire_text(row.before, missing)} → {wire_text(row.after, missing)}"
         texts = f"{row.text_before or missing} → {row.text_after or missing}"
         yield row.key, wires, "" if texts == wires else texts
-    if text := note_text(row.note_before, row.note_after):
+    if text := text_of_notes(row.note_before, row.note_after):
         yield tr("{0} note").format(row.key), "", text
 
 
-def note_text(before: str, after: str) -> str:
+def text_of_notes(before: str, after: str) -> str:
     """Return a note on one line, old → new if it differs."""
     notes = (note.replace("\n", " / ") for note in (before, after))
     return " → ".join(dict.fromkeys(filter(None, notes)))

@@ -18,7 +18,7 @@ from trex_gui.core.translation import in_english, tr
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
 from trex_gui.devices.trex.protocol.parameters import ParameterKind
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.notes import note_line_key, note_lines
+from trex_gui.devices.trex.settings.notes import lines_of_note, noted_key
 from trex_gui.devices.trex.settings.reader import BYTE_ORDER_MARK, read_settings
 from trex_gui.devices.trex.settings.writer import (
     calibration_line,
@@ -102,7 +102,7 @@ class _Document:
         self._removed: set[int] = set()  # line numbers
         self.notes: dict[str, list[int]] = defaultdict(list)  # line numbers of the notes by key
         for number, line in enumerate(LINE_END.split(self.body)):
-            if key := note_line_key(line):
+            if key := noted_key(line):
                 self.notes[key].append(number)
 
     def text(self) -> str:
@@ -256,7 +256,7 @@ def _change_notes(
 ) -> dict[str, str]:
     """Change, add or remove notes. Return the notes on settings that the text lacks."""
     changed = [key for key in {**old, **new} if old.get(key) != new.get(key)]
-    return {key: new[key] for key in changed if not document.set_note(key, note_lines(key, new))}
+    return {key: new[key] for key in changed if not document.set_note(key, lines_of_note(key, new))}
 
 
 def _missing_lines(
@@ -273,7 +273,7 @@ def _missing_lines(
     for key, line in lines:
         is_rejected = line.startswith("#")
         if line not in present if is_rejected else key not in document.entries:
-            yield from note_lines(key, notes)
+            yield from lines_of_note(key, notes)
             yield line
     for key in sorted(notes.keys() - {key for key, _ in lines}):
-        yield from note_lines(key, notes)
+        yield from lines_of_note(key, notes)

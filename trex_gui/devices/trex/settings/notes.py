@@ -16,7 +16,7 @@ LONGEST_NOTE = 1000  # characters; a file with such notes on all settings is sti
 _NOTE = re.compile(r"[ \t]*# Note on ([a-z0-9_]+): .*\S[ \t]*")
 
 
-def note_line_key(line: str) -> str:
+def noted_key(line: str) -> str:
     """Return the setting key of a note line. Empty for other lines."""
     key = found[1] if (found := _NOTE.fullmatch(line)) else ""
     known = key in CALIBRATION_KEYS or any(row["key"] == key for row in device_table().rows)
@@ -27,13 +27,13 @@ def read_notes(text: str) -> dict[str, str]:
     """Return the notes in a text by key. The lines of a note are joined."""
     notes: dict[str, list[str]] = {}
     for line in LINE_END.split(text):
-        key = note_line_key(line)
+        key = noted_key(line)
         if key and (note := clean_note(line.partition(":")[2])):
             notes.setdefault(key, []).append(note)
     return {key: "\n".join(notes[key]) for key in sorted(notes)}
 
 
-def note_lines(key: str, notes: Mapping[str, str]) -> list[str]:
+def lines_of_note(key: str, notes: Mapping[str, str]) -> list[str]:
     """Return a note as lines of a settings file. Empty if the setting has no note."""
     return [f"# Note on {key}: {line}" for line in clean_note(notes.get(key, "")).splitlines()]
 

@@ -15,7 +15,7 @@ from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, pwm_keys
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.notes import note_lines
+from trex_gui.devices.trex.settings.notes import lines_of_note
 
 _CALIBRATION_TITLES = {
     InputSource.RC: "# Calibrations for RC pulses, in counts of 0.4 µs",
@@ -45,7 +45,7 @@ def _text(settings: Settings, title_lines: Sequence[str]) -> str:
         head.append(f"firmware: {settings.firmware}")
     blocks = [head, *_parameter_blocks(settings), *_calibration_blocks(settings)]
     if left := sorted(settings.notes.keys() - settings.keys):
-        blocks.append(list(chain.from_iterable(note_lines(key, settings.notes) for key in left)))
+        blocks.append(list(chain.from_iterable(lines_of_note(key, settings.notes) for key in left)))
     return "\n\n".join("\n".join(block) for block in blocks) + "\n"
 
 
@@ -64,7 +64,8 @@ def _parameter_blocks(settings: Settings) -> Iterator[list[str]]:
     for group, members in groupby(items, key=lambda item: item[0].group):
         lines = [f"# {group.capitalize()}"]
         for spec, wire in members:
-            lines += [*note_lines(spec.key, settings.notes), parameter_line(spec, wire, settings)]
+            lines += lines_of_note(spec.key, settings.notes)
+            lines.append(parameter_line(spec, wire, settings))
         yield lines
 
 
@@ -118,7 +119,7 @@ def _calibration_blocks(settings: Settings) -> Iterator[list[str]]:
         width = max(len(_calibration_setting(*item)) for item in items)
         lines = [_CALIBRATION_TITLES[source]]
         for key, calibration in items:
-            lines += note_lines(key, settings.notes)
+            lines += lines_of_note(key, settings.notes)
             lines.append(calibration_line(key, calibration, width))
         yield lines
 

@@ -21,7 +21,7 @@ from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibra
 from trex_gui.devices.trex.settings.comparison import (
     Comparison,
     ComparisonRow,
-    note_text,
+    text_of_notes,
     wire_text,
 )
 from trex_gui.ui.theme.icons import icon
@@ -197,7 +197,7 @@ class ComparisonTable(QAbstractTableModel):
 
     def _cells(self, row: ComparisonRow) -> tuple[str, ...]:
         outcome = self._outcomes.get(row.key)
-        note = note_text(row.note_before, row.note_after)
+        note = text_of_notes(row.note_before, row.note_after)
         return (
             f"{row.name}\n{tr('Note: {0}').format(note)}" if note else row.name,
             self._side_text(row, row.before, row.text_before),
