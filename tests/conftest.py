@@ -32,7 +32,7 @@ from tests.support.matrix import LONG_FACTOR
 from tests.support.patient import PatientQtBot
 from tests.support.program import trex
 from tests.support.simulator import SimulatedDevice, SimulatorProcess, StartSimulator
-from tests.support.virtual import Stage
+from tests.support.virtual import SessionHarness
 from tests.support.virtual_devices import VirtualProcess, VirtualSimulator
 from tests.support.virtual_time import VirtualQtBot, VirtualRuntime
 from tests.support.window import WindowDriver
@@ -204,8 +204,8 @@ def board() -> Board:
 
 
 @pytest.fixture
-def stage(board: Board) -> Stage:
-    return Stage(board)
+def harness(board: Board) -> SessionHarness:
+    return SessionHarness(board)
 
 
 _ORGANIZATION, _APPLICATION = "TReX Studio tests", "TReX Studio"

@@ -13,7 +13,7 @@ from pytestqt.qtbot import QtBot
 from tests.benchmarks.conftest import ReportFigure, fast_board
 from tests.support.program import trex
 from tests.support.simulator import StartSimulator
-from tests.support.virtual import Stage
+from tests.support.virtual import SessionHarness
 from trex_gui.devices.trex.client.telemetry import Control, Currents, Raw, Remapped
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
@@ -36,12 +36,12 @@ def _possible(settings: ConnectionSettings) -> dict[str, float]:
     """Return the rates of the schedule if only the wire takes time."""
     eeprom = Eeprom()
     eeprom.write("uart_settings", settings.line.to_wire())
-    stage = Stage(Board(eeprom=eeprom))
-    stage.script.at(_SECONDS, lambda: None)
-    stage.run(settings)
-    times = [s.time for r in stage.reports if isinstance(r, Batch) for s in r.samples]
+    harness = SessionHarness(Board(eeprom=eeprom))
+    harness.script.at(_SECONDS, lambda: None)
+    harness.run(settings)
+    times = [s.time for r in harness.reports if isinstance(r, Batch) for s in r.samples]
     span = times[-1] - times[0]
-    return {name: count / span for name, count in _count(stage.reports).items()}
+    return {name: count / span for name, count in _count(harness.reports).items()}
 
 
 @pytest.mark.parametrize("painting", [False, True], ids=["idle", "all pages painting"])

@@ -25,7 +25,7 @@ from trex_gui.version import __version__
 needs_pty = pytest.mark.skipif(sys.platform == "win32", reason="has no pseudo-terminals")
 
 
-class Sim:
+class RunningSimulator:
     """Running trex-sim."""
 
     def __init__(self, arguments: list[str], stdin: Any = subprocess.PIPE) -> None:
@@ -80,15 +80,15 @@ class Sim:
                 pipe.close()
 
 
-Start = Callable[..., Sim]
+Start = Callable[..., RunningSimulator]
 
 
 @pytest.fixture
 def start() -> Iterator[Start]:
-    running: list[Sim] = []
+    running: list[RunningSimulator] = []
 
-    def starter(*arguments: str, stdin: Any = subprocess.PIPE) -> Sim:
-        running.append(Sim(list(arguments), stdin))
+    def starter(*arguments: str, stdin: Any = subprocess.PIPE) -> RunningSimulator:
+        running.append(RunningSimulator(list(arguments), stdin))
         return running[-1]
 
     yield starter
@@ -105,7 +105,7 @@ def request(url: str, packet: str, size: int, **settings: Any) -> bytes:
         return data
 
 
-def is_silent(sim: Sim, packet: str, **settings: Any) -> bool:
+def is_silent(sim: RunningSimulator, packet: str, **settings: Any) -> bool:
     """Send a packet. Return whether no reply arrives."""
 
     def carried() -> bool:

@@ -97,7 +97,7 @@ def name_of(widget: QWidget | None) -> str:
     return (widget.objectName() if widget is not None else "") or text.replace("&", "")
 
 
-class Walk:
+class ButtonWalk:
     """Presses each button once with either key. Only stop buttons act.
 
     Attributes:
@@ -288,7 +288,7 @@ def test_text_beside_the_view_of_a_page_is_found(qtbot: QtBot) -> None:
 
 @pytest.mark.timeout(120)
 def test_trex(pseudo_window: WindowDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    found, walk = Findings(), Walk(pseudo_window.motors.stop_requested)
+    found, walk = Findings(), ButtonWalk(pseudo_window.motors.stop_requested)
     for shown in every_trex_window(pseudo_window, tmp_path, monkeypatch):
         found.look(shown)
         walk.through(shown)
@@ -299,7 +299,7 @@ def test_trex(pseudo_window: WindowDriver, tmp_path: Path, monkeypatch: pytest.M
 
 
 def test_aracna(pseudo_window: WindowDriver, tmp_path: Path) -> None:
-    found, walk = Findings(), Walk(pseudo_window.robot.halted)
+    found, walk = Findings(), ButtonWalk(pseudo_window.robot.halted)
     for shown in every_aracna_window(pseudo_window, tmp_path):
         found.look(shown)
         walk.through(shown)

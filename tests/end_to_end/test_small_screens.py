@@ -171,7 +171,7 @@ LOW = (960, 500)
 HIGH = (960, 800)
 
 
-class AskingWindow(WindowDriver):
+class PromptingWindow(WindowDriver):
     """Window with a prompt and a stop button.
 
     Attributes:
@@ -238,8 +238,8 @@ class AskingWindow(WindowDriver):
 @pytest.fixture
 def asking(
     connected_window: WindowDriver, quick_simulator: VirtualSimulator
-) -> Iterator[AskingWindow]:
-    asking = AskingWindow(connected_window, quick_simulator)
+) -> Iterator[PromptingWindow]:
+    asking = PromptingWindow(connected_window, quick_simulator)
     yield asking
     asking.may_store = True
 
@@ -247,7 +247,7 @@ def asking(
 # --- Low screens ------------------------------------------------------------------------
 
 
-def test_stop_button_is_visible_on_low_screen(asking: AskingWindow) -> None:
+def test_stop_button_is_visible_on_low_screen(asking: PromptingWindow) -> None:
     asking.edit()
     for page in asking.each_page():
         asking.window.resize(*HIGH)
@@ -260,7 +260,7 @@ def test_stop_button_is_visible_on_low_screen(asking: AskingWindow) -> None:
     asking.check_that_stop_is_in_sight("message and question")
 
 
-def test_pages_scroll_on_low_screen_and_wheel_moves_no_slider(asking: AskingWindow) -> None:
+def test_pages_scroll_on_low_screen_and_wheel_moves_no_slider(asking: PromptingWindow) -> None:
     asking.window.resize(*LOW)
     asking.trigger("trex_parameters")
     assert asking.find(QWidget, "parametersView").height() > 100
@@ -286,7 +286,7 @@ def test_pages_scroll_on_low_screen_and_wheel_moves_no_slider(asking: AskingWind
 # --- Reload and close -------------------------------------------------------------------
 
 
-def test_reload_and_close_with_edits_show_a_prompt(asking: AskingWindow) -> None:
+def test_reload_and_close_with_edits_show_a_prompt(asking: PromptingWindow) -> None:
     asking.edit()
     asking.trigger("reload")
     assert "discard the edits" in asking.question.text
@@ -317,7 +317,7 @@ def test_reload_and_close_with_edits_show_a_prompt(asking: AskingWindow) -> None
 
 
 def test_closing_with_edits_offers_to_save_them(
-    asking: AskingWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    asking: PromptingWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     asking.edit()
     path = tmp_path / "kept.txt"
@@ -334,12 +334,12 @@ def test_closing_with_edits_offers_to_save_them(
 # --- While settings are being written ---------------------------------------------------
 
 
-def disconnect_in_find_dialog(asking: AskingWindow) -> None:
+def disconnect_in_find_dialog(asking: PromptingWindow) -> None:
     asking.trigger("find")
     asking.dialog("findDialog").click("findDisconnectButton")
 
 
-def test_disconnecting_during_write_asks_for_confirmation(asking: AskingWindow) -> None:
+def test_disconnecting_during_write_asks_for_confirmation(asking: PromptingWindow) -> None:
     count = asking.start_writing()
     ways: list[Gesture] = [
         lambda: asking.click("connectButton"),
@@ -361,7 +361,7 @@ def test_disconnecting_during_write_asks_for_confirmation(asking: AskingWindow) 
     assert 0 < asking.device.draft.pending <= count
 
 
-def test_writing_continues_while_prompt_is_open(asking: AskingWindow) -> None:
+def test_writing_continues_while_prompt_is_open(asking: PromptingWindow) -> None:
     asking.start_writing()
     asking.click("connectButton")
     asking.click("questionCancel")

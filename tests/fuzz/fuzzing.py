@@ -93,7 +93,7 @@ def attempt(target: Target, data: bytes, origin: str) -> Finding | None:
     try:
         with _watchdog(), tempfile.TemporaryDirectory(prefix="fuzz-") as folder:
             target.check(data, Path(folder).resolve())
-    except (Exception, Hang):  # noqa: BLE001 - any is a finding
+    except (Exception, CaseTimeout):  # noqa: BLE001 - any is a finding
         errors.append(traceback.format_exc())
     finally:
         sys.excepthook = hook
@@ -118,7 +118,7 @@ class _Catcher(logging.Handler):
         self._errors.append("".join(traceback.format_exception(kind, error, trace)))
 
 
-class Hang(BaseException):
+class CaseTimeout(BaseException):
     """Exceeded `LONGEST_CASE` seconds of processor time. No `except Exception` catches it."""
 
 
@@ -133,7 +133,7 @@ def _watchdog() -> Iterator[None]:
         return
 
     def expire(*_: object) -> None:
-        raise Hang
+        raise CaseTimeout
 
     before = signal.signal(signal.SIGPROF, expire)
     signal.setitimer(signal.ITIMER_PROF, LONGEST_CASE)

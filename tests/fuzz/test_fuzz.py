@@ -135,7 +135,7 @@ def test_hang_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(fuzzing, "LONGEST_CASE", 0.05)
     finding = attempt(Target("nothing", lambda random: b"", check), b"x", "once")
     assert finding is not None
-    assert finding.error.rstrip().endswith("Hang")
+    assert finding.error.rstrip().endswith("CaseTimeout")
 
 
 # --- Objects that live as long as the program -------------------------------------------

@@ -7,8 +7,8 @@ from typing import Any, Protocol
 from tests.devices.aracna.session.scripted_session import ScriptedSession
 from tests.devices.trex.session.helpers import packet
 from tests.fuzz.fuzzing import InputFactory, Target, mutations
-from tests.support.aracna import AracnaStage
-from tests.support.virtual import Stage, VirtualTransport
+from tests.support.aracna import AracnaHarness
+from tests.support.virtual import SessionHarness, VirtualTransport
 from trex_gui.composition import PLUGINS
 from trex_gui.core.discovery.scan import scan_port
 from trex_gui.core.errors import PortUnavailable
@@ -142,20 +142,20 @@ def check_board_replies(data: bytes, folder: Path) -> None:
     line = LineSettings(19200, Detection.CRC7 if how & 1 else Detection.NONE)
     eeprom = Eeprom()
     eeprom.write("uart_settings", line.to_wire())
-    stage = Stage(Board(eeprom=eeprom), echo=bool(how & 2))
+    harness = SessionHarness(Board(eeprom=eeprom), echo=bool(how & 2))
     disturbance = Disturbance(data[1:])
     if how & 8:  # else from the beginning
-        stage.script.at(0.5, lambda: _disturb(stage.transport, disturbance))
+        harness.script.at(0.5, lambda: _disturb(harness.transport, disturbance))
     else:
-        _disturb(stage.transport, disturbance)
+        _disturb(harness.transport, disturbance)
     for time, request in BOARD_REQUESTS:
-        stage.script.at(time, request)
-    reports = stage.run(ConnectionSettings("virtual", line, 7 if how & 4 else None))
-    late = [request for _, request in stage.script._steps]
+        harness.script.at(time, request)
+    reports = harness.run(ConnectionSettings("virtual", line, 7 if how & 4 else None))
+    late = [request for _, request in harness.script._steps]
     taken = [one for _, one in BOARD_REQUESTS if one not in late]
     _check_session(reports, taken, ErrorCode.INTERNAL)
-    assert stage.transport.closed
-    assert stage.line.now < 60
+    assert harness.transport.closed
+    assert harness.line.now < 60
 
 
 def _check_session(reports: Sequence[Any], taken: Sequence[Any], internal: object) -> None:
@@ -196,7 +196,7 @@ def check_scan(data: bytes, folder: Path) -> None:
     """Scan for every kind of device on a line with random replies."""
     transport: Any = VirtualTransport(SimulatedBoards([Board()]))
     if data[:1] > b"\x80":
-        transport = AracnaStage().transport
+        transport = AracnaHarness().transport
     _disturb(transport, Disturbance(data[1:]))
     probers = {plugin.key: plugin.prober.load() for plugin in PLUGINS}
     result = scan_port(PortSettings("virtual"), probers, open_wire=lambda _: transport)
@@ -340,18 +340,18 @@ def check_network_port(data: bytes, folder: Path) -> None:
 def check_robot_requests(data: bytes, folder: Path) -> None:
     """Send blocks with pauses. After a reset the robot answers."""
     how = data[0] if data else 0
-    stage = AracnaStage(booted=bool(how & 1), paced=bool(how & 2), keeps_last=bool(how & 4))
+    harness = AracnaHarness(booted=bool(how & 1), paced=bool(how & 2), keeps_last=bool(how & 4))
     for at in range(1, len(data), 70):
-        stage.line.send(data[at : at + 70])
-        stage.line.advance(data[at] / 200)
-        assert len(stage.line.station.held) <= HOLDS
-        assert len(stage.line.receive()) < LONGEST_REPLIES
-    stage.line.drop_unsent()
-    stage.do("reset")
-    stage.line.advance(1.1)
-    stage.line.receive()
-    assert stage.request(b".q\n", 0.1) == b".q1,8\r\n"
-    for servo in stage.line.servos:
+        harness.line.send(data[at : at + 70])
+        harness.line.advance(data[at] / 200)
+        assert len(harness.line.station.held) <= HOLDS
+        assert len(harness.line.receive()) < LONGEST_REPLIES
+    harness.line.drop_unsent()
+    harness.do("reset")
+    harness.line.advance(1.1)
+    harness.line.receive()
+    assert harness.request(b".q\n", 0.1) == b".q1,8\r\n"
+    for servo in harness.line.servos:
         assert 0 <= servo.goal <= 1023
         assert 0 <= servo.speed <= 1023
         assert -1 < servo.position < 1024

@@ -19,7 +19,7 @@ SOURCE = ROOT / "packaging" / "bootstrap.py"
 bootstrap = load_script("bootstrap")
 
 
-class Script:
+class FakeMachine:
     """Replaces the machine. Answers commands by keyword and records the commands."""
 
     def __init__(self, **outcomes: Any) -> None:
@@ -56,15 +56,15 @@ def test_installed_packages_are_listed_under_each_name() -> None:
 
 
 def test_packages_are_missing_if_dpkg_fails_and_only_missing_ones_are_installed() -> None:
-    debian = bootstrap.Debian(Script(dpkg_query=bootstrap.Outcome(127)), is_root=True)
+    debian = bootstrap.Debian(FakeMachine(dpkg_query=bootstrap.Outcome(127)), is_root=True)
     assert debian.missing(["libegl1"]) == ["libegl1"]
-    script = Script(dpkg_query=LIBEGL_ONLY)
+    script = FakeMachine(dpkg_query=LIBEGL_ONLY)
     bootstrap.Debian(script, is_root=True).supply(["libegl1"])
     assert script.apt_commands == []
 
 
 def test_root_updates_apt_once_and_installs_missing_packages() -> None:
-    script = Script(dpkg_query=LIBEGL_ONLY)
+    script = FakeMachine(dpkg_query=LIBEGL_ONLY)
     bootstrap.Debian(script, is_root=True).supply(["libegl1", "libgl1", "libdbus-1-3"])
     apt = ["env", "DEBIAN_FRONTEND=noninteractive", "apt-get", "--quiet"]
     assert script.apt_commands == [
@@ -74,13 +74,13 @@ def test_root_updates_apt_once_and_installs_missing_packages() -> None:
 
 
 def test_passwordless_sudo_is_used_without_root() -> None:
-    script = Script(dpkg_query=LIBEGL_ONLY)
+    script = FakeMachine(dpkg_query=LIBEGL_ONLY)
     bootstrap.Debian(script, is_root=False).supply(["libgl1"])
     assert [command[:3] for command in script.apt_commands] == [["sudo", "-n", "env"]] * 2
 
 
 def test_install_command_is_printed_without_rights(capsys: pytest.CaptureFixture[str]) -> None:
-    script = Script(dpkg_query=LIBEGL_ONLY, sudo=REFUSED)
+    script = FakeMachine(dpkg_query=LIBEGL_ONLY, sudo=REFUSED)
     bootstrap.Debian(script, is_root=False).supply(["libgl1", "libegl1", "libdbus-1-3"])
     said = capsys.readouterr().out
     assert said.count("\n") == 1
@@ -90,7 +90,7 @@ def test_install_command_is_printed_without_rights(capsys: pytest.CaptureFixture
 
 def test_failed_installation_reports_cause_and_command(capsys: pytest.CaptureFixture[str]) -> None:
     failed = bootstrap.Outcome(100, errors="E: Unable to locate package libgl1")
-    script = Script(dpkg_query=LIBEGL_ONLY, install=failed)
+    script = FakeMachine(dpkg_query=LIBEGL_ONLY, install=failed)
     bootstrap.Debian(script, is_root=True).supply(["libgl1"])
     said = capsys.readouterr().out
     assert "Unable to locate package libgl1" in said
@@ -131,8 +131,8 @@ def test_failed_start_of_qt_has_a_reason(status: int, errors: str, reason: str) 
 def test_setup_needs_qt_and_reports_missing_fonts(capsys: pytest.CaptureFixture[str]) -> None:
     errors = "ImportError: libGL.so.1: cannot open shared object file: No such file"
     with pytest.raises(bootstrap.BootstrapError, match=r"libGL\.so\.1"):
-        bootstrap.require_qt(Script(**{"-c": bootstrap.Outcome(1, errors=errors)}))
-    bootstrap.require_qt(Script(**{"-c": bootstrap.Outcome(0, "started offscreen 0\n")}))
+        bootstrap.require_qt(FakeMachine(**{"-c": bootstrap.Outcome(1, errors=errors)}))
+    bootstrap.require_qt(FakeMachine(**{"-c": bootstrap.Outcome(0, "started offscreen 0\n")}))
     assert "font" in capsys.readouterr().out
 
 
@@ -158,7 +158,7 @@ def test_unopenable_display_is_explained(monkeypatch: pytest.MonkeyPatch) -> Non
     monkeypatch.setenv("DISPLAY", ":77")
     monkeypatch.delenv("QT_QPA_PLATFORM", raising=False)
     monkeypatch.setattr(bootstrap, "find_debian", lambda: None)
-    script = Script(**{"-c": bootstrap.Outcome(-6, errors="could not connect to display :77")})
+    script = FakeMachine(**{"-c": bootstrap.Outcome(-6, errors="could not connect to display :77")})
     assert "cannot be opened" in bootstrap.why_no_window(script)
 
 
@@ -200,7 +200,7 @@ class Project:
     """Project in a temporary folder. Its set-up only prints the installations."""
 
     def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-        self.script = Script()
+        self.script = FakeMachine()
         self.installations = 0
         self.venv = folder / ".venv"
         self.stamp_file = self.venv / "bootstrap.json"

@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from operator import itemgetter
 
 from tests.devices.trex.session.helpers import among, run_for, staged
-from tests.support.virtual import Stage
+from tests.support.virtual import SessionHarness
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, MotorsStopped, SetMotor
 from trex_gui.devices.trex.protocol.driving import Drive
@@ -41,16 +41,16 @@ def drive(
     seed: int, seconds: float, *, noise: float = 0.01, baud: int = 19200, shutdown: bool = False
 ) -> DriveResult:
     """Drive both motors on a line that corrupts bytes. `shutdown`: the board stops at errors."""
-    stage, settings = staged(baud)
-    stage.board.eeprom.write("uart_error_shutdown", int(shutdown))
-    stage.board.power_cycle()
-    stage.transport.latency = latency_of("/dev/ttyUSB0")
-    stage.line.faults._random.seed(seed)
+    harness, settings = staged(baud)
+    harness.board.eeprom.write("uart_error_shutdown", int(shutdown))
+    harness.board.power_cycle()
+    harness.transport.latency = latency_of("/dev/ttyUSB0")
+    harness.line.faults._random.seed(seed)
     result = DriveResult()
-    wanted = _watch(stage, result.turned)
+    wanted = _watch(harness, result.turned)
     chance = random.Random(seed)
     steps: list[tuple[float, Arm | Heartbeat | SetMotor | Callable[[], object]]] = [
-        (0.9, lambda: setattr(stage.line.faults, "noise", noise)),
+        (0.9, lambda: setattr(harness.line.faults, "noise", noise)),
         (BEGIN, Arm()),
     ]
     moment = BEGIN
@@ -61,30 +61,30 @@ def drive(
         moment += chance.uniform(0.3, 2.0)
     steps += [(BEGIN + beat * 0.1, Heartbeat()) for beat in range(round(seconds * 10))]
     for at, step in sorted(steps, key=itemgetter(0)):
-        stage.script.at(at, step)
-    reports = run_for(stage, BEGIN + seconds, settings)
+        harness.script.at(at, step)
+    reports = run_for(harness, BEGIN + seconds, settings)
     result.stopped = among(reports, MotorsStopped)
     return result
 
 
-def _watch(stage: Stage, turned: list[float]) -> Callable[[SetMotor], None]:
+def _watch(harness: SessionHarness, turned: list[float]) -> Callable[[SetMotor], None]:
     """Measure the time in which motors do not follow the two newest setpoints."""
-    control = stage.board.serial
+    control = harness.board.serial
     execute, shut_down = control.drive, control._shut_down
     newest: dict[int, list[int]] = {1: [0, 0], 2: [0, 0]}
     since: dict[int, float] = {}
 
     def end(number: int) -> None:
-        began = since.pop(number, stage.line.now)
-        if stage.line.now > began >= _SETTLED:
-            turned.append(stage.line.now - began)
+        began = since.pop(number, harness.line.now)
+        if harness.line.now > began >= _SETTLED:
+            turned.append(harness.line.now - began)
 
     def record_drive(
         number: int, direction: MotorDirection, speed: int, *, accelerate: bool = False
     ) -> None:
         sign = {MotorDirection.FORWARD: 1, MotorDirection.REVERSE: -1}.get(direction, 0)
         if sign and sign * speed not in newest[number][-2:]:
-            since.setdefault(number, stage.line.now)
+            since.setdefault(number, harness.line.now)
         else:
             end(number)
         execute(number, direction, speed, accelerate=accelerate)

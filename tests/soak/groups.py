@@ -2,7 +2,7 @@
 
 import time
 
-from tests.devices.trex.session.group_stage import run_sequences, stop_delays
+from tests.devices.trex.session.group_harness import run_sequences, stop_delays
 
 _AT_ONCE = 500
 _LEFT, _CONFIRMED = 0.020, 0.060  # most seconds to the last byte of a stop, and to its confirmation

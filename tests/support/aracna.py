@@ -10,7 +10,7 @@ BOOT = 1.1
 """Seconds after which a switched-on board listens."""
 
 
-class AracnaStage:
+class AracnaHarness:
     """Robot and its wire in virtual time.
 
     `options` are `AracnaLine`'s: `motors`, `positions`, `boot_loader` …

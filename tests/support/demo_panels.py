@@ -7,7 +7,7 @@ from trex_gui.devices.trex.plugin import TREX
 from trex_gui.ui.devices.simulator import Simulator
 
 
-class Overheard(Simulator):
+class RecordingSimulator(Simulator):
     """Simulator that records its control lines."""
 
     def __init__(self, plugin: DevicePlugin = TREX) -> None:

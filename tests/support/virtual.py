@@ -50,7 +50,7 @@ class Script:
             step()
 
 
-class Stage:
+class SessionHarness:
     """Board, wire, and a session that runs from a script. `others` share the wire."""
 
     def __init__(self, board: Board, *others: Board, echo: bool = False) -> None:

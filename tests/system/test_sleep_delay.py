@@ -25,7 +25,7 @@ def buses() -> Iterator[tuple[QDBusConnection, QDBusConnection]]:
         yield theirs, ours
 
 
-class Asleep:
+class SleepHarness:
     """Computer that may sleep, with a program whose motors may move."""
 
     def __init__(self, theirs: QDBusConnection, ours: QDBusConnection, qtbot: QtBot) -> None:
@@ -48,50 +48,50 @@ class Asleep:
 
 
 @pytest.fixture
-def asleep(buses: tuple[QDBusConnection, QDBusConnection], qtbot: QtBot) -> Iterator[Asleep]:
-    asleep = Asleep(*buses, qtbot)
-    yield asleep
-    asleep.delay.release()
-    asleep.logind.close()
+def harness(buses: tuple[QDBusConnection, QDBusConnection], qtbot: QtBot) -> Iterator[SleepHarness]:
+    harness = SleepHarness(*buses, qtbot)
+    yield harness
+    harness.delay.release()
+    harness.logind.close()
 
 
-def test_sleep_delay_is_requested_and_held(asleep: Asleep) -> None:
-    [(what, who, why, mode)] = asleep.logind.requested
+def test_sleep_delay_is_requested_and_held(harness: SleepHarness) -> None:
+    [(what, who, why, mode)] = harness.logind.requested
     assert (what, who, mode) == ("sleep", "TReX Studio", "delay")
     assert "Motors" in why
-    assert asleep.logind.held == 1
+    assert harness.logind.held == 1
 
 
-def test_sleep_is_delayed_only_until_motors_stop(asleep: Asleep, qtbot: QtBot) -> None:
-    asleep.start_sleep()
-    qtbot.waitUntil(lambda: asleep.waited_ms >= 100, timeout=15_000)
-    assert asleep.logind.held == 1
-    asleep.may_move = False
-    qtbot.waitUntil(lambda: asleep.logind.held == 0, timeout=15_000)
-    assert asleep.waited_ms < 500, "not for its second"
+def test_sleep_is_delayed_only_until_motors_stop(harness: SleepHarness, qtbot: QtBot) -> None:
+    harness.start_sleep()
+    qtbot.waitUntil(lambda: harness.waited_ms >= 100, timeout=15_000)
+    assert harness.logind.held == 1
+    harness.may_move = False
+    qtbot.waitUntil(lambda: harness.logind.held == 0, timeout=15_000)
+    assert harness.waited_ms < 500, "not for its second"
 
 
-def test_sleep_delay_times_out_if_motors_keep_moving(asleep: Asleep, qtbot: QtBot) -> None:
-    asleep.start_sleep()
+def test_sleep_delay_times_out_if_motors_keep_moving(harness: SleepHarness, qtbot: QtBot) -> None:
+    harness.start_sleep()
     begun = time.monotonic()
-    qtbot.waitUntil(lambda: asleep.logind.held == 0, timeout=15_000)
+    qtbot.waitUntil(lambda: harness.logind.held == 0, timeout=15_000)
     assert time.monotonic() - begun > 0.8
-    assert asleep.waited_ms == 1000
+    assert harness.waited_ms == 1000
 
 
-def test_sleep_delay_is_requested_again_after_wake(asleep: Asleep, qtbot: QtBot) -> None:
-    asleep.may_move = False
-    asleep.start_sleep()
-    qtbot.waitUntil(lambda: asleep.logind.held == 0)
-    asleep.logind.say_sleep(begins=False)
-    qtbot.waitUntil(lambda: asleep.logind.held == 1)
-    assert len(asleep.logind.requested) == 2
+def test_sleep_delay_is_requested_again_after_wake(harness: SleepHarness, qtbot: QtBot) -> None:
+    harness.may_move = False
+    harness.start_sleep()
+    qtbot.waitUntil(lambda: harness.logind.held == 0)
+    harness.logind.say_sleep(begins=False)
+    qtbot.waitUntil(lambda: harness.logind.held == 1)
+    assert len(harness.logind.requested) == 2
 
 
-def test_sleep_delay_is_released_on_close(asleep: Asleep) -> None:
-    asleep.delay.release()
-    assert asleep.logind.held == 0
-    assert not asleep.delay.holds
+def test_sleep_delay_is_released_on_close(harness: SleepHarness) -> None:
+    harness.delay.release()
+    assert harness.logind.held == 0
+    assert not harness.delay.holds
 
 
 def test_sleep_delay_without_logind_holds_nothing(

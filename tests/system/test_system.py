@@ -91,7 +91,7 @@ def test_stop_from_other_thread_during_report_is_reported(qtbot: QtBot) -> None:
 # --- Signals ----------------------------------------------------------------------------
 
 
-class Ending:
+class RecordingSignalWatch:
     """Signal watch that records its actions."""
 
     def __init__(self, grace: float = 0.05) -> None:
@@ -125,14 +125,14 @@ class Ending:
 
 
 @pytest.fixture
-def ending() -> Iterator[Ending]:
-    ending = Ending()
+def ending() -> Iterator[RecordingSignalWatch]:
+    ending = RecordingSignalWatch()
     yield ending
     ending.watch.close()
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
-def test_signal_acts_while_gui_thread_is_blocked(ending: Ending) -> None:
+def test_signal_acts_while_gui_thread_is_blocked(ending: RecordingSignalWatch) -> None:
     os.kill(os.getpid(), signal.SIGTERM)
     assert ending.acted.wait(15), "this thread waits and returns to no event loop"
 
@@ -140,7 +140,7 @@ def test_signal_acts_while_gui_thread_is_blocked(ending: Ending) -> None:
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 @pytest.mark.parametrize("fails", [False, True])
 def test_signals_end_window_that_does_not_close_even_if_their_action_fails(
-    ending: Ending, qtbot: QtBot, *, fails: bool
+    ending: RecordingSignalWatch, qtbot: QtBot, *, fails: bool
 ) -> None:
     ending.fails = fails
     for number in (signal.SIGTERM, signal.SIGHUP):
@@ -154,7 +154,7 @@ def test_signals_end_window_that_does_not_close_even_if_their_action_fails(
 
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 def test_second_ctrl_c_stops_again_and_ends_closing_window(qtbot: QtBot) -> None:
-    ending = Ending(grace=60)
+    ending = RecordingSignalWatch(grace=60)
 
     def pass_one_on(
         _: int,
@@ -176,14 +176,14 @@ def test_second_ctrl_c_stops_again_and_ends_closing_window(qtbot: QtBot) -> None
         ending.watch.close()
 
 
-def test_closing_restores_sigint_handler(ending: Ending) -> None:
+def test_closing_restores_sigint_handler(ending: RecordingSignalWatch) -> None:
     ending.watch.close()
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
     ending.watch = SignalWatch(lambda: None, lambda: None)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
-def test_ctrl_z_stops_motors_before_it_suspends(ending: Ending) -> None:
+def test_ctrl_z_stops_motors_before_it_suspends(ending: RecordingSignalWatch) -> None:
     for _ in range(2):  # again after the process was resumed
         ending.stops.clear()
         ending.stood_still.clear()

@@ -27,7 +27,7 @@ from trex_gui.devices.trex.protocol.line_settings import LineSettings
 VIRTUAL = PortSettings("virtual", SerialFormat(9600))
 
 
-class Deaf:
+class RecordingProber:
     """Prober that finds nothing and records its calls."""
 
     parts = (2, 3)
@@ -61,9 +61,11 @@ class Deaf:
 
 def nobody(noted: list[str], name: str, evidence: Evidence = Evidence.SILENCE) -> ProberInfo:
     diagnosis = Diagnosis(evidence, f"No {name}.")
-    announces_at = SerialFormat(38400) if name == "Talker" else None
+    announces_at = SerialFormat(38400) if name == "TextDevice" else None
     return ProberInfo(
-        name, lambda _settings, *, full, known: Deaf(noted, name, diagnosis), announces_at
+        name,
+        lambda _settings, *, full, known: RecordingProber(noted, name, diagnosis),
+        announces_at,
     )
 
 
@@ -127,7 +129,7 @@ def test_trex_at_unlikely_rate_is_found_after_other_probes() -> None:
 
 def test_unsolicited_data_is_received_at_rate_of_kind() -> None:
     noted: list[str] = []
-    probers = {"trex": TREX_PROBER, "talker": nobody(noted, "Talker")}
+    probers = {"trex": TREX_PROBER, "talker": nobody(noted, "TextDevice")}
     board = a_board()
     board.power_off()
     wire = wire_of(board)
@@ -184,7 +186,7 @@ def test_unopened_port_reports_only_its_error() -> None:
 def test_port_loss_is_reported_before_evidence(evidence: Evidence) -> None:
     wire = wire_of(a_board())
 
-    class Puller(Deaf):
+    class Puller(RecordingProber):
         def probe(
             self,
             wire: Transport,

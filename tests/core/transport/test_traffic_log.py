@@ -5,7 +5,7 @@ from collections.abc import Callable
 import pytest
 
 from tests.devices.trex.session.helpers import run_for
-from tests.support.virtual import Stage, VirtualTransport
+from tests.support.virtual import SessionHarness, VirtualTransport
 from trex_gui.core.errors import PortUnavailable
 from trex_gui.core.session import Closed
 from trex_gui.core.transport.settings import PortSettings
@@ -35,34 +35,38 @@ def texts_of(pieces: list[TrafficEvent]) -> list[str]:
     return [piece.text for piece in pieces if piece.direction is TrafficDirection.LINE]
 
 
-def run_taped(stage: Stage, seconds: float) -> list[TrafficEvent]:
+def run_taped(harness: SessionHarness, seconds: float) -> list[TrafficEvent]:
     """Run a session on a logged line. Return the log."""
     log = TrafficLog()
-    stage.script.at(seconds, lambda: None)
-    open_taped = logged(log.record, lambda _settings: stage.transport, stage.transport.clock)
-    TrexSession(SETTINGS, stage.script, stage.reports.append, open_taped).run()
+    harness.script.at(seconds, lambda: None)
+    open_taped = logged(log.record, lambda _settings: harness.transport, harness.transport.clock)
+    TrexSession(SETTINGS, harness.script, harness.reports.append, open_taped).run()
     return log.pop()
 
 
-def test_sent_and_received_bytes_are_logged_in_order(stage: Stage) -> None:
-    stage.script.at(1.0, SetMotor(1, Drive.at(40)))
-    pieces = run_taped(stage, 2.0)
-    assert bytes_of(pieces, TrafficDirection.SENT) == bytes(stage.transport.sent)
+def test_sent_and_received_bytes_are_logged_in_order(harness: SessionHarness) -> None:
+    harness.script.at(1.0, SetMotor(1, Drive.at(40)))
+    pieces = run_taped(harness, 2.0)
+    assert bytes_of(pieces, TrafficDirection.SENT) == bytes(harness.transport.sent)
     assert b"TReX1.2" in bytes_of(pieces, TrafficDirection.RECEIVED)
     assert [piece.time for piece in pieces] == sorted(piece.time for piece in pieces)
     assert texts_of(pieces)[0] == f"Opened {SETTINGS.text()}."
     assert texts_of(pieces)[-1] == "Closed."
-    assert stage.transport.closed
+    assert harness.transport.closed
 
 
 def test_logging_does_not_change_session() -> None:
-    def run(note: Callable[[Stage], object]) -> bytes:
-        stage = Stage(Board())
-        note(stage)
-        assert [type(report) for report in stage.reports if isinstance(report, Connected | Closed)]
-        return bytes(stage.transport.sent)
+    def run(note: Callable[[SessionHarness], object]) -> bytes:
+        harness = SessionHarness(Board())
+        note(harness)
+        assert [
+            type(report) for report in harness.reports if isinstance(report, Connected | Closed)
+        ]
+        return bytes(harness.transport.sent)
 
-    assert run(lambda stage: run_taped(stage, 2.0)) == run(lambda stage: run_for(stage, 2.0))
+    assert run(lambda harness: run_taped(harness, 2.0)) == run(
+        lambda harness: run_for(harness, 2.0)
+    )
 
 
 def test_failed_opening_of_port_is_logged() -> None:
@@ -76,18 +80,18 @@ def test_failed_opening_of_port_is_logged() -> None:
 
 
 @pytest.mark.parametrize("act", ["write", "read"])
-def test_port_loss_is_logged(stage: Stage, act: str) -> None:
+def test_port_loss_is_logged(harness: SessionHarness, act: str) -> None:
     log = TrafficLog()
-    line = LoggingTransport(stage.transport, SETTINGS, log.record)
-    stage.transport.fail = PortUnavailable("The line is gone.")
+    line = LoggingTransport(harness.transport, SETTINGS, log.record)
+    harness.transport.fail = PortUnavailable("The line is gone.")
     with pytest.raises(PortUnavailable):
         line.write(b"\x81") if act == "write" else line.read(1, 0.1)
     assert texts_of(log.pop()) == ["The line is gone."]
 
 
-def test_new_line_settings_are_logged_once(stage: Stage) -> None:
+def test_new_line_settings_are_logged_once(harness: SessionHarness) -> None:
     log = TrafficLog()
-    line = LoggingTransport(stage.transport, SETTINGS, log.record)
+    line = LoggingTransport(harness.transport, SETTINGS, log.record)
     other = LineSettings(57600, Detection.CRC7)
     line.reconfigure(SETTINGS.line)
     line.reconfigure(other)

@@ -1,12 +1,12 @@
 import pytest
 
-from tests.support.aracna import AracnaStage
+from tests.support.aracna import AracnaHarness
 from tests.support.simulator import SimulatedDevice, StartSimulator
 
 
 @pytest.fixture
-def stage() -> AracnaStage:
-    return AracnaStage()
+def harness() -> AracnaHarness:
+    return AracnaHarness()
 
 
 @pytest.fixture

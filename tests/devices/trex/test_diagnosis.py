@@ -5,7 +5,7 @@ from itertools import chain, product
 
 import pytest
 
-from tests.support.virtual import Stage, VirtualTransport
+from tests.support.virtual import SessionHarness, VirtualTransport
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable, StudioError
 from trex_gui.devices.trex.diagnosis import _plans, diagnose, explain
 from trex_gui.devices.trex.discovery import attempts
@@ -46,18 +46,18 @@ def test_port_error_is_returned_unchanged() -> None:
 # --- What some probes recognise ---------------------------------------------------------
 
 
-def stage_of(uart: LineSettings, *, polynomial: int = 0x89, echo: bool = False) -> Stage:
+def stage_of(uart: LineSettings, *, polynomial: int = 0x89, echo: bool = False) -> SessionHarness:
     eeprom = Eeprom()
     eeprom.write("uart_settings", uart.to_wire())
     eeprom.write("crc7_polynomial", polynomial & 0x7F)
-    return Stage(Board(eeprom=eeprom), echo=echo)
+    return SessionHarness(Board(eeprom=eeprom), echo=echo)
 
 
-def diagnosed(stage: Stage, settings: ConnectionSettings) -> StudioError:
+def diagnosed(harness: SessionHarness, settings: ConnectionSettings) -> StudioError:
     """Return the diagnosis of a failed connection."""
-    stage.line.host = settings.line
-    cause = diagnose(stage.client(settings), NoReply("No reply."))
-    assert stage.line.host == settings.line, "the line is as it was"
+    harness.line.host = settings.line
+    cause = diagnose(harness.client(settings), NoReply("No reply."))
+    assert harness.line.host == settings.line, "the line is as it was"
     return cause
 
 
@@ -98,10 +98,10 @@ def test_board_at_other_settings_is_recognised(
 
 
 def test_other_polynomials_are_not_tried_in_a_hurry() -> None:
-    stage = stage_of(CRC.line, polynomial=0x9D)
-    cause = diagnose(stage.client(CRC), NoReply("No reply."), quick=True)
+    harness = stage_of(CRC.line, polynomial=0x9D)
+    cause = diagnose(harness.client(CRC), NoReply("No reply."), quick=True)
     assert "No TReX responds" in str(cause)
-    assert stage.line.now < 2
+    assert harness.line.now < 2
 
 
 def test_board_that_responds_now_has_an_unsteady_line() -> None:
@@ -119,23 +119,23 @@ def start_in_boot_mode(board: Board, mode: str) -> None:
 
 @pytest.mark.parametrize("used", [NONE, CRC, EVEN])
 def test_boot_loader_is_recognised(used: ConnectionSettings) -> None:
-    stage = stage_of(NONE.line)
-    start_in_boot_mode(stage.board, "serial")
-    stage.board.mix = False
-    stage.line.advance(0.1)
-    stage.board.so_ground = False
-    stage.line.advance(0.1)
-    assert stage.board.boot_mode is not None
-    cause = diagnosed(stage, used)
+    harness = stage_of(NONE.line)
+    start_in_boot_mode(harness.board, "serial")
+    harness.board.mix = False
+    harness.line.advance(0.1)
+    harness.board.so_ground = False
+    harness.line.advance(0.1)
+    assert harness.board.boot_mode is not None
+    cause = diagnosed(harness, used)
     assert "is in its boot loader, waiting for new firmware" in str(cause)
     assert "SO–G jumpers are off, then switch the board off and on" in str(cause)
 
 
 @pytest.mark.parametrize("used", [NONE, replace(NONE, device_number=7)])
 def test_learning_mode_is_silent_and_named_among_the_checks(used: ConnectionSettings) -> None:
-    stage = stage_of(NONE.line)
-    start_in_boot_mode(stage.board, "rc")
-    cause = diagnosed(stage, used)
+    harness = stage_of(NONE.line)
+    start_in_boot_mode(harness.board, "rc")
+    cause = diagnosed(harness, used)
     assert isinstance(cause, NoReply)
     assert "both LEDs blink together" in str(cause)
 
@@ -150,21 +150,21 @@ class Qik(VirtualTransport):
 
 
 def test_qik_is_recognised() -> None:
-    stage = stage_of(NONE.line)
-    stage.board.power_off()
-    stage.transport = Qik(stage.line)
+    harness = stage_of(NONE.line)
+    harness.board.power_off()
+    harness.transport = Qik(harness.line)
     settings = ConnectionSettings("virtual", LineSettings(38400))
-    stage.line.host = settings.line
-    cause = diagnose(stage.client(settings), NoReply("No reply."))
+    harness.line.host = settings.line
+    cause = diagnose(harness.client(settings), NoReply("No reply."))
     assert "responds like a Pololu qik" in str(cause)
 
 
 def test_several_boards_that_reply_at_once_are_recognised() -> None:
-    stage = stage_of(NONE.line)
+    harness = stage_of(NONE.line)
     other = Board(eeprom=Eeprom("trexjr"), model="trexjr")
-    stage.line = SimulatedBoards([stage.board, other])
-    stage.transport = VirtualTransport(stage.line)
-    assert "Several boards reply at once" in str(diagnosed(stage, NONE))
+    harness.line = SimulatedBoards([harness.board, other])
+    harness.transport = VirtualTransport(harness.line)
+    assert "Several boards reply at once" in str(diagnosed(harness, NONE))
 
 
 def test_no_probe_moves_a_motor() -> None:

@@ -206,18 +206,18 @@ def _provision(window: WindowDriver, folder: Path) -> Iterator[QWidget]:
     """Set up the board as the first of several."""
     (folder / "profile.txt").write_text("product: TReX\nmotor1_acceleration: 20\n", "utf-8")
     window.trigger("provision")
-    shop = window.dialog("provisionDialog")
-    yield shop.root
+    harness = window.dialog("provisionDialog")
+    yield harness.root
     for name in ("profile.txt", "record.csv"):
         field = f"provision{name.split('.')[0].title()}"
-        shop.find(QLineEdit, field).setText(str(folder / name))
-    shop.find(QCheckBox, "provisionMotors").setChecked(True)
+        harness.find(QLineEdit, field).setText(str(folder / name))
+    harness.find(QCheckBox, "provisionMotors").setChecked(True)
     for page in ("provisionBoardPage", "provisionMotorsPage", "provisionWiring"):
-        shop.wait(lambda: shop.is_enabled("provisionNextButton"))
-        shop.click("provisionNextButton")
-        shop.wait(lambda: shop.has(page))  # noqa: B023 - within the loop
-        yield shop.root
-    shop.click("provisionCloseButton")
+        harness.wait(lambda: harness.is_enabled("provisionNextButton"))
+        harness.click("provisionNextButton")
+        harness.wait(lambda: harness.has(page))  # noqa: B023 - within the loop
+        yield harness.root
+    harness.click("provisionCloseButton")
 
 
 def _bench(window: WindowDriver, folder: Path) -> Iterator[QWidget]:

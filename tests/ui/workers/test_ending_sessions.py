@@ -175,14 +175,14 @@ def test_shutdown_closes_the_line_before_waiting_for_a_scan(
 
 
 def test_request_is_accepted_while_the_session_ends() -> None:
-    class Ending(SessionThread):
+    class EndingSessionThread(SessionThread):
         """Line whose session ends while a request is submitted."""
 
         def moves(self, request: object) -> bool:
             self._worker = None
             return False
 
-    line, session = Ending(), RecordingSession(Closed(None))
+    line, session = EndingSessionThread(), RecordingSession(Closed(None))
     line.start(session.create, may_move=False)
     worker = line._worker
     assert worker is not None

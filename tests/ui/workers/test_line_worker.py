@@ -25,7 +25,7 @@ if sys.platform == "win32":
     pytest.skip("has no pseudo-terminals", allow_module_level=True)
 
 
-class Watched:
+class WorkerHarness:
     """Worker and its reports."""
 
     def __init__(self, url: str, qtbot: QtBot) -> None:
@@ -77,16 +77,16 @@ class Watched:
         return closed
 
 
-Watch = Callable[[str], Watched]
+Watch = Callable[[str], WorkerHarness]
 
 
 @pytest.fixture
 def watch(qtbot: QtBot) -> Iterator[Watch]:
     """Yield a function that creates workers. All workers must have ended after the test."""
-    watched: list[Watched] = []
+    watched: list[WorkerHarness] = []
 
-    def create(url: str) -> Watched:
-        watched.append(Watched(url, qtbot))
+    def create(url: str) -> WorkerHarness:
+        watched.append(WorkerHarness(url, qtbot))
         return watched[-1]
 
     yield create
@@ -94,7 +94,7 @@ def watch(qtbot: QtBot) -> Iterator[Watch]:
         assert one.worker.close(15_000), "the thread lives on"
 
 
-def connected(watch: Watch, url: str) -> Watched:
+def connected(watch: Watch, url: str) -> WorkerHarness:
     """Return a worker that is connected to a simulated board."""
     watched = watch(url)
     watched.worker.start()
@@ -104,19 +104,19 @@ def connected(watch: Watch, url: str) -> Watched:
 
 
 @pytest.fixture
-def line(quick_simulator: SimulatedDevice, watch: Watch) -> Watched:
+def line(quick_simulator: SimulatedDevice, watch: Watch) -> WorkerHarness:
     """Worker on a simulated board without transmission time."""
     return connected(watch, quick_simulator.url)
 
 
 @pytest.fixture
-def paced_line(simulator: SimulatedDevice, watch: Watch) -> Watched:
+def paced_line(simulator: SimulatedDevice, watch: Watch) -> WorkerHarness:
     """Worker on a simulated board with real transmission time."""
     return connected(watch, simulator.url)
 
 
 @pytest.mark.realtime
-def test_reports_arrive_in_gui_thread_and_requests_from_any(line: Watched) -> None:
+def test_reports_arrive_in_gui_thread_and_requests_from_any(line: WorkerHarness) -> None:
     line.wait(Batch)
     (connected,) = [one for one in line.reports if isinstance(one, Connected)]
     assert str(connected.state.signature) == "TReX 1.2"
@@ -152,7 +152,9 @@ def test_closing_right_after_start_ends_thread(
     assert watched.worker.isFinished()
 
 
-def test_closing_brakes_running_motor(paced_line: Watched, simulator: SimulatedDevice) -> None:
+def test_closing_brakes_running_motor(
+    paced_line: WorkerHarness, simulator: SimulatedDevice
+) -> None:
     def motor() -> tuple[str, int]:
         shown = simulator.show()["motors"][0]
         return shown["direction"], shown["speed"]

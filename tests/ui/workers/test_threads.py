@@ -17,7 +17,7 @@ from trex_gui.ui.workers.threads import (
 pytestmark = pytest.mark.realtime
 
 
-class Held(WorkerThread):
+class HeldThread(WorkerThread):
     """Thread that runs until `go` is set."""
 
     def __init__(self, parent: QObject | None = None) -> None:
@@ -31,7 +31,7 @@ class Held(WorkerThread):
 def test_orphaned_thread_outlives_parent_until_finished(qtbot: QtBot) -> None:
     qtbot.waitUntil(have_orphans_ended)  # of earlier tests
     owner = QObject()
-    thread = Held(owner)
+    thread = HeldThread(owner)
     thread.start()
     adopt_orphan(thread)
     adopt_orphan(thread)
@@ -43,7 +43,7 @@ def test_orphaned_thread_outlives_parent_until_finished(qtbot: QtBot) -> None:
 
 
 def test_orphaned_thread_can_be_released(qtbot: QtBot) -> None:
-    thread = Held()
+    thread = HeldThread()
     thread.start()
     adopt_orphan(thread)
     thread.go.set()

@@ -6,8 +6,8 @@ from dataclasses import replace
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.support.aracna import AracnaStage
-from tests.support.demo_panels import Overheard
+from tests.support.aracna import AracnaHarness
+from tests.support.demo_panels import RecordingSimulator
 from trex_gui.devices.aracna.model.demo import (
     DemoRobot,
     DemoServo,
@@ -22,15 +22,15 @@ from trex_gui.devices.aracna.views.demo import power_text, servo_text, state_tex
 GOALS = b".c300,300,300,300,300,300,300,300\n"
 
 
-def snapshot_of(stage: AracnaStage) -> RobotSnapshot:
-    return read_snapshot(control(stage.line, "show").removeprefix("ok "))
+def snapshot_of(harness: AracnaHarness) -> RobotSnapshot:
+    return read_snapshot(control(harness.line, "show").removeprefix("ok "))
 
 
 # --- Snapshots --------------------------------------------------------------------------
 
 
 def test_new_robot_is_idle_limp_and_centred() -> None:
-    snapshot = snapshot_of(AracnaStage())
+    snapshot = snapshot_of(AracnaHarness())
     assert snapshot.power
     assert snapshot.servo_power
     assert snapshot.state is FirmwareState.IDLE
@@ -43,69 +43,69 @@ def test_new_robot_is_idle_limp_and_centred() -> None:
 
 
 def test_faults_and_missing_power_are_read_for_each_servo() -> None:
-    stage = AracnaStage()
-    stage.do("servo 1 dead", "servo 2 block", "servo 3 load 0.25", "line noise 0.5")
-    snapshot = snapshot_of(stage)
+    harness = AracnaHarness()
+    harness.do("servo 1 dead", "servo 2 block", "servo 3 load 0.25", "line noise 0.5")
+    snapshot = snapshot_of(harness)
     assert [servo.dead for servo in snapshot.servos] == [False, True, *[False] * 6]
     assert [servo.blocked for servo in snapshot.servos] == [False, False, True, *[False] * 5]
     assert [servo.load for servo in snapshot.servos] == [0, 0, 0, 0.25, 0, 0, 0, 0]
     assert snapshot.line.noise == 0.5
-    stage.do("servo power off")
-    snapshot = snapshot_of(stage)
+    harness.do("servo power off")
+    snapshot = snapshot_of(harness)
     assert (snapshot.power, snapshot.servo_power) == (True, False)
     assert [servo.dead for servo in snapshot.servos] == [False, True, *[False] * 6], "no power only"
 
 
 def test_blocked_or_unpowered_servos_do_not_count_as_moving() -> None:
-    stage = AracnaStage()
-    stage.line.send(GOALS)
-    stage.line.advance(0.1)
-    assert snapshot_of(stage).is_moving
+    harness = AracnaHarness()
+    harness.line.send(GOALS)
+    harness.line.advance(0.1)
+    assert snapshot_of(harness).is_moving
     for motor in range(8):
-        stage.do(f"servo {motor} block")
-    assert not snapshot_of(stage).is_moving
-    stage.do("servo 4 free")
-    assert snapshot_of(stage).is_moving
-    stage.do("servo power off")
-    assert not snapshot_of(stage).is_moving
+        harness.do(f"servo {motor} block")
+    assert not snapshot_of(harness).is_moving
+    harness.do("servo 4 free")
+    assert snapshot_of(harness).is_moving
+    harness.do("servo power off")
+    assert not snapshot_of(harness).is_moving
 
 
 # --- Texts ------------------------------------------------------------------------------
 
 
 def test_firmware_state_is_described_as_text() -> None:
-    stage = AracnaStage(booted=False)
-    assert "Booting" in state_text(snapshot_of(stage))
-    stage.line.advance(1.1)
-    assert state_text(snapshot_of(stage)) == "Idle: waiting for commands."
-    stage.line.send(b".v90,90,90,90,90,90,90,90\n")
-    stage.line.advance(0.02)
-    assert "Setting speeds" in state_text(snapshot_of(stage))
-    stage.line.advance(1)
-    stage.line.send(GOALS)
-    stage.line.advance(0.2)
-    assert "every servo has arrived" in state_text(snapshot_of(stage))
-    stage.do("servo 5 block")
-    stage.line.advance(2)
-    assert "a servo that is blocked" in state_text(snapshot_of(stage))
-    stage.do("servo power off")
-    assert "servos that have no power" in state_text(snapshot_of(stage))
-    stage.do("power off")
-    assert "power is off" in state_text(snapshot_of(stage))
+    harness = AracnaHarness(booted=False)
+    assert "Booting" in state_text(snapshot_of(harness))
+    harness.line.advance(1.1)
+    assert state_text(snapshot_of(harness)) == "Idle: waiting for commands."
+    harness.line.send(b".v90,90,90,90,90,90,90,90\n")
+    harness.line.advance(0.02)
+    assert "Setting speeds" in state_text(snapshot_of(harness))
+    harness.line.advance(1)
+    harness.line.send(GOALS)
+    harness.line.advance(0.2)
+    assert "every servo has arrived" in state_text(snapshot_of(harness))
+    harness.do("servo 5 block")
+    harness.line.advance(2)
+    assert "a servo that is blocked" in state_text(snapshot_of(harness))
+    harness.do("servo power off")
+    assert "servos that have no power" in state_text(snapshot_of(harness))
+    harness.do("power off")
+    assert "power is off" in state_text(snapshot_of(harness))
 
 
 def test_servo_power_text_is_urgent_in_motion_and_when_off() -> None:
-    stage = AracnaStage()
-    text, urgent = power_text(snapshot_of(stage))
+    harness = AracnaHarness()
+    text, urgent = power_text(snapshot_of(harness))
     assert "only way to stop a motion" in text
     assert not urgent
-    stage.line.send(GOALS)
-    stage.line.advance(0.1)
-    assert power_text(snapshot_of(stage)) == (text, True)
-    stage.do("servo power off")
-    assert power_text(snapshot_of(stage)) == ("Off: no servo moves, holds or replies.", True)
-    stage.do("power off")
-    assert "switch is off" in power_text(snapshot_of(stage))[0]
+    harness.line.send(GOALS)
+    harness.line.advance(0.1)
+    assert power_text(snapshot_of(harness)) == (text, True)
+    harness.do("servo power off")
+    assert power_text(snapshot_of(harness)) == ("Off: no servo moves, holds or replies.", True)
+    harness.do("power off")
+    assert "switch is off" in power_text(snapshot_of(harness))[0]
 
 
 WHOLE = DemoServo(512, 600, 0, True, True, True, False, 0.0)
@@ -133,7 +133,7 @@ def test_servo_state_is_described_as_text(servo: DemoServo, powered: bool, words
 
 @pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 def test_each_loss_sends_its_line(qtbot: QtBot) -> None:
-    simulator = Overheard(ARACNA)
+    simulator = RecordingSimulator(ARACNA)
     with qtbot.waitSignal(simulator.ready, timeout=15_000):
         simulator.start()
     robot = DemoRobot(simulator)

@@ -4,7 +4,7 @@ from collections import deque
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-from tests.support.aracna import AracnaStage
+from tests.support.aracna import AracnaHarness
 from trex_gui.core.session import Close
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.session.messages import LineStats, Report, Request
@@ -22,7 +22,7 @@ class ScriptedSession:
     """
 
     def __init__(self, *, booted: bool = True, **options: Any) -> None:
-        self.stage = AracnaStage(booted=booted, **options)
+        self.stage = AracnaHarness(booted=booted, **options)
         self.line = self.stage.line
         self.begun = self.line.now
         self.reports: list[Report] = []

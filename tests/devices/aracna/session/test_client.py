@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.support.aracna import AracnaStage
+from tests.support.aracna import AracnaHarness
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol.replies import Positions, Version
@@ -19,8 +19,8 @@ from trex_gui.devices.aracna.session.messages import Passed, Stuck
 THERE = (600,) * 8
 
 
-def client_of(stage: AracnaStage, motors: int = 8) -> AracnaClient:
-    client = AracnaClient(stage.transport, PortSettings("virtual"))
+def client_of(harness: AracnaHarness, motors: int = 8) -> AracnaClient:
+    client = AracnaClient(harness.transport, PortSettings("virtual"))
     client.motors = motors
     return client
 
@@ -35,8 +35,8 @@ def received(client: AracnaClient, seconds: float) -> list[CommandEvent]:
 
 
 def test_second_command_is_rejected_until_first_is_answered() -> None:
-    stage = AracnaStage()
-    client = client_of(stage)
+    harness = AracnaHarness()
+    client = client_of(harness)
     client.query()
     with pytest.raises(BadRequest, match="One command at a time"):
         client.move(THERE, 5.0)
@@ -44,28 +44,28 @@ def test_second_command_is_rejected_until_first_is_answered() -> None:
     assert isinstance(answered, Answered)
     assert answered.reply == Version(1, 8)
     client.move(THERE, 5.0)
-    assert bytes(stage.transport.sent).count(b"\n") == 2
+    assert bytes(harness.transport.sent).count(b"\n") == 2
 
 
 def test_move_is_not_sent_before_motor_count_is_known() -> None:
-    stage = AracnaStage()
+    harness = AracnaHarness()
     with pytest.raises(BadRequest):
-        client_of(stage, 0).move(THERE, 5.0)
-    assert not stage.transport.sent
+        client_of(harness, 0).move(THERE, 5.0)
+    assert not harness.transport.sent
 
 
 def test_only_queries_follow_late_move_until_it_is_answered() -> None:
-    stage = AracnaStage()
-    stage.do("servo 1 block")
-    client = client_of(stage)
+    harness = AracnaHarness()
+    harness.do("servo 1 block")
+    client = client_of(harness)
     client.move(THERE, 1.0)
     events = received(client, 30.0)
     assert [type(one) for one in events if not isinstance(one, Passed)] == [Stuck]
     assert client.awaited_motor == 1
-    behind = bytes(stage.transport.sent).partition(b"600\n")[2]
+    behind = bytes(harness.transport.sent).partition(b"600\n")[2]
     assert behind == b".q\n" * behind.count(b".q\n")
     assert 1 < behind.count(b".q\n") <= 2 + 29 / QUERY_RETRY
-    stage.do("servo 1 free")
+    harness.do("servo 1 free")
     first, second = [one for one in received(client, 2.0) if not isinstance(one, Passed)]
     assert isinstance(first, Answered)
     assert isinstance(first.reply, Positions)
@@ -75,12 +75,12 @@ def test_only_queries_follow_late_move_until_it_is_answered() -> None:
 
 
 def test_line_is_busy_until_query_after_late_move_is_answered() -> None:
-    stage = AracnaStage()
-    stage.do("servo 1 block")
-    client = client_of(stage)
+    harness = AracnaHarness()
+    harness.do("servo 1 block")
+    client = client_of(harness)
     client.move(THERE, 0.5)
     received(client, 2.0)
-    stage.do("servo 1 free")
+    harness.do("servo 1 free")
     while not any(isinstance(one, Answered) for one in client.listen(0.001)):
         pass
     with pytest.raises(BadRequest):
@@ -88,12 +88,12 @@ def test_line_is_busy_until_query_after_late_move_is_answered() -> None:
 
 
 def test_lost_move_ends_when_following_query_is_answered() -> None:
-    stage = AracnaStage()
-    stage.do("line drop 50 sent")
-    client = client_of(stage)
+    harness = AracnaHarness()
+    harness.do("line drop 50 sent")
+    client = client_of(harness)
     client.move(THERE, 0.5)
-    stage.line.advance(0.2)
-    stage.do("line drop 0 sent")
+    harness.line.advance(0.2)
+    harness.do("line drop 0 sent")
     late, lost = received(client, 2.0)
     assert isinstance(late, Stuck)
     assert late.motor is None

@@ -7,7 +7,7 @@ import pytest
 from tests.devices.trex.conftest import orders
 from tests.devices.trex.discovery.test_prober import BOARDS, OWN, State, Wire, hear
 from tests.devices.trex.simulator.ports import a_board
-from tests.support.aracna import AracnaStage
+from tests.support.aracna import AracnaHarness
 from tests.support.matrix import sampled
 from trex_gui.core.discovery.prober import FLUSH_BYTE, FLUSH_LINE
 from trex_gui.core.discovery.scan import PortScan, scan_port
@@ -27,23 +27,23 @@ TREX, ARACNA = {"trex": TREX_PROBER}, {"aracna": ARACNA_PROBER}
 __all__ = ["orders"]  # a fixture
 
 
-def search(stage: AracnaStage) -> PortScan:
+def search(harness: AracnaHarness) -> PortScan:
     settings = ConnectionSettings("virtual", LineSettings(9600, Detection.ODD), device_number=9)
-    return scan_port(settings, ARACNA, open_wire=lambda _settings: stage.transport)
+    return scan_port(settings, ARACNA, open_wire=lambda _settings: harness.transport)
 
 
 def search_both(wire: Transport, first: str | None = None) -> PortScan:
     return scan_port(VIRTUAL, TREX | ARACNA, first=first, open_wire=lambda _settings: wire)
 
 
-def unpowered() -> AracnaStage:
-    stage = AracnaStage()
-    stage.do("power off")
-    return stage
+def unpowered() -> AracnaHarness:
+    harness = AracnaHarness()
+    harness.do("power off")
+    return harness
 
 
-def diagnosis(stage: AracnaStage) -> str:
-    [found] = search(stage).diagnoses
+def diagnosis(harness: AracnaHarness) -> str:
+    [found] = search(harness).diagnoses
     return found.text
 
 
@@ -51,9 +51,9 @@ def diagnosis(stage: AracnaStage) -> str:
 
 
 def test_robot_is_found_at_its_only_line_setting() -> None:
-    stage = AracnaStage()
-    begun = stage.now
-    result = search(stage)
+    harness = AracnaHarness()
+    begun = harness.now
+    result = search(harness)
     [found] = result.found
     assert isinstance(found, FoundRobot)
     assert found.settings == PortSettings("virtual", SerialFormat(38_400))
@@ -63,19 +63,19 @@ def test_robot_is_found_at_its_only_line_setting() -> None:
         None,
         False,
     )
-    assert stage.now - begun < 0.6
-    assert stage.transport.closed
+    assert harness.now - begun < 0.6
+    assert harness.transport.closed
 
 
 def test_aracna_is_found_before_long_trex_search_and_answers_first_query() -> None:
-    stage = AracnaStage()
-    begun = stage.now
-    result = search_both(stage.transport)
+    harness = AracnaHarness()
+    begun = harness.now
+    result = search_both(harness.transport)
     assert (result.device, result.found[0].name) == ("aracna", "Aracna 1")
-    assert stage.now - begun < 3.0
-    assert stage.transport.closed
-    stage.line.host = LINE
-    assert stage.request(b".q\n") == b".q1,8\r\n", "the probes leave nothing in its line buffer"
+    assert harness.now - begun < 3.0
+    assert harness.transport.closed
+    harness.line.host = LINE
+    assert harness.request(b".q\n") == b".q1,8\r\n", "the probes leave nothing in its line buffer"
 
 
 def test_trex_is_found_on_port_of_earlier_aracna() -> None:
@@ -90,19 +90,19 @@ def test_trex_is_found_on_port_of_earlier_aracna() -> None:
 def test_aracna_reset_by_opening_port_is_found_after_boot(
     first: str | None, seconds: float, ago: float, *, keeps_last: bool
 ) -> None:
-    stage = AracnaStage(booted=False, keeps_last=keeps_last)
-    stage.line.advance(ago)
+    harness = AracnaHarness(booted=False, keeps_last=keeps_last)
+    harness.line.advance(ago)
     if ago:
-        stage.line.receive()  # opening a port usually discards earlier bytes
-    result = search_both(stage.transport, first)
+        harness.line.receive()  # opening a port usually discards earlier bytes
+    result = search_both(harness.transport, first)
     assert result.device == "aracna"
     assert ("has reset the board" in result.found[0].note) == (ago == 0.0)
-    assert stage.now < seconds
-    assert stage.line.station.firmware.boots == 1, "the port was opened once"
+    assert harness.now < seconds
+    assert harness.line.station.firmware.boots == 1, "the port was opened once"
 
 
 def test_early_build_with_two_motors_is_found() -> None:
-    [found] = search(AracnaStage(motors=2, reports_motors=False)).found
+    [found] = search(AracnaHarness(motors=2, reports_motors=False)).found
     assert isinstance(found, FoundRobot)
     assert (found.name, found.motors) == ("Aracna 0", 2)
 
@@ -111,11 +111,11 @@ def test_early_build_with_two_motors_is_found() -> None:
 
 
 def test_silent_port_is_reported_for_both_devices() -> None:
-    stage = unpowered()
-    begun = stage.now
-    assert not search(stage).found
-    assert stage.now - begun < 3.0
-    trex, aracna = search_both(stage.transport).lines
+    harness = unpowered()
+    begun = harness.now
+    assert not search(harness).found
+    assert harness.now - begun < 3.0
+    trex, aracna = search_both(harness.transport).lines
     assert trex.startswith("No TReX responds on virtual at any baud rate")
     assert aracna.startswith("No Aracna responds on virtual at 38400 baud")
     assert "does not listen while it moves" in aracna
@@ -123,15 +123,15 @@ def test_silent_port_is_reported_for_both_devices() -> None:
 
 
 def test_booting_robot_without_reply_is_reported() -> None:
-    stage = unpowered()
-    stage.line.inject(b".h\r\n")
-    assert "restarting repeatedly" in diagnosis(stage)
+    harness = unpowered()
+    harness.line.inject(b".h\r\n")
+    assert "restarting repeatedly" in diagnosis(harness)
 
 
 def test_noise_is_not_reported_as_echo() -> None:
-    stage = unpowered()
-    stage.line.inject(b"\xff\x00\xff")
-    assert "not like an Aracna: FF 00 FF" in diagnosis(stage)
+    harness = unpowered()
+    harness.line.inject(b"\xff\x00\xff")
+    assert "not like an Aracna: FF 00 FF" in diagnosis(harness)
 
 
 def test_echo_is_reported_for_both_devices() -> None:
@@ -146,35 +146,35 @@ def test_echo_is_reported_for_both_devices() -> None:
 
 def test_reply_to_aracna_probe_is_reported_first() -> None:
     """A moving robot replies after its motion, perhaps between probes for a TReX."""
-    stage = unpowered()
+    harness = unpowered()
     sent = 0
-    write = stage.transport.write
+    write = harness.transport.write
 
     def writes(data: bytes) -> None:
         nonlocal sent
         write(data)
         if data == PROBE:
             sent += 1
-            stage.line.inject(b"ERR 7\r\n")
+            harness.line.inject(b"ERR 7\r\n")
 
-    stage.transport.write = writes  # type: ignore[method-assign]
-    aracna, trex = search_both(stage.transport).lines
+    harness.transport.write = writes  # type: ignore[method-assign]
+    aracna, trex = search_both(harness.transport).lines
     assert sent == 5
     assert "not like an Aracna" in aracna
     assert trex.startswith("No TReX responds")
 
 
 def test_fixed_rate_port_is_probed_for_aracna_only_if_known() -> None:
-    stage = AracnaStage()
-    stage.transport.is_configurable = False
-    assert "--device aracna --port virtual" in diagnosis(stage)
-    assert not stage.transport.sent
-    stage.line.host = LINE
-    stage.transport.reconfigure = lambda line: None  # type: ignore[method-assign]
-    trex, aracna = search_both(stage.transport).lines
+    harness = AracnaHarness()
+    harness.transport.is_configurable = False
+    assert "--device aracna --port virtual" in diagnosis(harness)
+    assert not harness.transport.sent
+    harness.line.host = LINE
+    harness.transport.reconfigure = lambda line: None  # type: ignore[method-assign]
+    trex, aracna = search_both(harness.transport).lines
     assert "set at the other end" in trex
     assert "No probe for an Aracna was sent" in aracna
-    assert search_both(stage.transport, "aracna").device == "aracna"
+    assert search_both(harness.transport, "aracna").device == "aracna"
 
 
 # --- Motion ---------------------------------------------------------------------------------
@@ -183,19 +183,19 @@ def test_fixed_rate_port_is_probed_for_aracna_only_if_known() -> None:
 @pytest.mark.parametrize("mute", [False, True])
 def test_search_does_not_move_aracna(*, mute: bool) -> None:
     """The search may be for a TReX or for both devices."""
-    stage = AracnaStage(positions=tuple(range(100, 900, 100)))
-    stage.line.faults.mute = mute
-    wire = stage.transport
+    harness = AracnaHarness(positions=tuple(range(100, 900, 100)))
+    harness.line.faults.mute = mute
+    wire = harness.transport
     for full in (False, True):
         assert not scan_port(VIRTUAL, TREX, full=full, open_wire=lambda _settings: wire).found
     for first in ("trex", "aracna"):
-        stage.line.advance(5.0)
-        stage.line.receive()
+        harness.line.advance(5.0)
+        harness.line.receive()
         wire.closed = False
         assert bool(search_both(wire, first).found) != mute
-    stage.line.advance(5.0)
-    assert not any(servo.torque for servo in stage.line.servos)
-    assert stage.speeds == (0,) * 8
+    harness.line.advance(5.0)
+    assert not any(servo.torque for servo in harness.line.servos)
+    assert harness.speeds == (0,) * 8
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,6 @@
 """Control lines: replies, effects and errors."""
 
-from tests.support.aracna import AracnaStage
+from tests.support.aracna import AracnaHarness
 from trex_gui.core.simulator.control_lines import GOODBYE
 from trex_gui.devices.aracna.simulator.control import control, state
 
@@ -24,10 +24,10 @@ ACCEPTED = [
 ]
 
 
-def test_valid_control_line_is_confirmed(stage: AracnaStage) -> None:
+def test_valid_control_line_is_confirmed(harness: AracnaHarness) -> None:
     for text, answer in ACCEPTED:
-        assert control(stage.line, text) == f"ok {answer}"
-    assert control(stage.line, "QUIT") == GOODBYE
+        assert control(harness.line, text) == f"ok {answer}"
+    assert control(harness.line, "QUIT") == GOODBYE
 
 
 COMMANDS = "commands are reset, power, servo, line, show, quit"
@@ -60,25 +60,25 @@ REJECTED = [
 ]
 
 
-def test_invalid_control_line_is_explained_and_ignored(stage: AracnaStage) -> None:
-    before = state(stage.line)
+def test_invalid_control_line_is_explained_and_ignored(harness: AracnaHarness) -> None:
+    before = state(harness.line)
     for text, message in REJECTED:
-        assert control(stage.line, text).startswith(f"error {message}")
-        assert state(stage.line) == before
+        assert control(harness.line, text).startswith(f"error {message}")
+        assert state(harness.line) == before
 
 
-def test_unpowered_board_rejects_reset(stage: AracnaStage) -> None:
-    stage.do("power off")
-    assert control(stage.line, "reset") == "error the board has no power; power on starts it"
+def test_unpowered_board_rejects_reset(harness: AracnaHarness) -> None:
+    harness.do("power off")
+    assert control(harness.line, "reset") == "error the board has no power; power on starts it"
 
 
-def test_show_reports_current_led_and_servo_states(stage: AracnaStage) -> None:
-    stage.request(b".v50,50,50,50,50,50,50,50\n.l1\n.c\n", 3)
-    stage.request(b".l1\n")
-    stage.do("servo 2 dead")
-    stage.line.send(b".c740,740,740,740,740,740,740,740\n")
-    stage.line.advance(0.5)
-    shown = state(stage.line)
+def test_show_reports_current_led_and_servo_states(harness: AracnaHarness) -> None:
+    harness.request(b".v50,50,50,50,50,50,50,50\n.l1\n.c\n", 3)
+    harness.request(b".l1\n")
+    harness.do("servo 2 dead")
+    harness.line.send(b".c740,740,740,740,740,740,740,740\n")
+    harness.line.advance(0.5)
+    shown = state(harness.line)
     assert (shown["aracna"], shown["version"], shown["motors"]) == (True, 1, 8)
     assert shown["counters"]["board"]["restarts"] == 0
     assert shown["state"] == "moving"

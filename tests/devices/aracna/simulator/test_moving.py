@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.support.aracna import AracnaStage
+from tests.support.aracna import AracnaHarness
 
 UNITS_A_SECOND = 2.28
 """For each unit of speed: 0.1114 rpm."""
@@ -16,25 +16,25 @@ def line(letter: str, values: list[int]) -> bytes:
     return f".{letter}{','.join(map(str, values))}\n".encode()
 
 
-def stamps(stage: AracnaStage, goals: list[int]) -> tuple[list[float], bytes]:
+def stamps(harness: AracnaHarness, goals: list[int]) -> tuple[list[float], bytes]:
     """Send goals. Return when each motor's value was complete, and the reply."""
     request = line("c", goals)
-    stage.line.send(request)
-    begun = stage.now + len(request) * stage.line.byte_time
+    harness.line.send(request)
+    begun = harness.now + len(request) * harness.line.byte_time
     reply, times = b"", []
-    while not reply.endswith(b"\n") and stage.now < begun + 60:
-        reply += stage.line.read(1, 1)
+    while not reply.endswith(b"\n") and harness.now < begun + 60:
+        reply += harness.line.read(1, 1)
         if reply[-1:] in {b",", b"\r"}:
-            times.append(stage.now - begun)
+            times.append(harness.now - begun)
     return times, reply
 
 
 def test_reply_gives_each_value_once_motor_has_arrived() -> None:
     goals = [600, 550, 900, 512, 100, 700, 20, 1023]
     speeds = [100, 50, 200, 10, 150, 100, 300, 400]
-    stage = AracnaStage()
-    stage.request(line("v", speeds))
-    times, reply = stamps(stage, goals)
+    harness = AracnaHarness()
+    harness.request(line("v", speeds))
+    times, reply = stamps(harness, goals)
 
     travels = [
         abs(goal - 512) / (UNITS_A_SECOND * speed)
@@ -59,9 +59,9 @@ def test_reply_gives_each_value_once_motor_has_arrived() -> None:
     ],
 )
 def test_travel_takes_documented_time(speed: int, start: int, seconds: float) -> None:
-    stage = AracnaStage(positions=[start] * 8)
-    stage.request(line("v", [speed] * 8))
-    times, _ = stamps(stage, [1023] * 8)
+    harness = AracnaHarness(positions=[start] * 8)
+    harness.request(line("v", [speed] * 8))
+    times, _ = stamps(harness, [1023] * 8)
     assert times[-1] == pytest.approx(seconds, rel=0.01, abs=2 * BUS)
 
 
@@ -72,35 +72,35 @@ def test_travel_takes_documented_time(speed: int, start: int, seconds: float) ->
 def test_round_trip_without_motion_takes_documented_time(
     letter: str, value: int, least: float, most: float
 ) -> None:
-    stage = AracnaStage(positions=[value] * 8)
+    harness = AracnaHarness(positions=[value] * 8)
     request = line(letter, [value] * 8)
-    begun = stage.now
-    stage.line.send(request)
-    assert stage.line.read(len(request) + 1, 1) == request.replace(b"\n", b"\r\n")
-    assert least <= (stage.now - begun) * 1000 <= most
+    begun = harness.now
+    harness.line.send(request)
+    assert harness.line.read(len(request) + 1, 1) == request.replace(b"\n", b"\r\n")
+    assert least <= (harness.now - begun) * 1000 <= most
 
 
 def test_first_reply_bytes_precede_any_arrival() -> None:
-    stage = AracnaStage()
-    stage.request(line("v", [1] * 8))
-    assert stage.request(line("c", [1023] * 8), 1) == b".c"
+    harness = AracnaHarness()
+    harness.request(line("v", [1] * 8))
+    assert harness.request(line("c", [1023] * 8), 1) == b".c"
 
 
 def test_moving_servo_keeps_old_goal_when_new_one_is_rejected() -> None:
-    stage = AracnaStage()
-    stage.request(line("v", [50] * 8))
-    stage.line.send(line("c", [700] * 8))
-    stage.line.advance(0.2)
-    stage.do("reset")
-    stage.line.advance(1.1)
-    stage.line.receive()
-    assert stage.request(line("c", [1024] * 8)) == line("c", [700] * 8).replace(b"\n", b"\r\n")
+    harness = AracnaHarness()
+    harness.request(line("v", [50] * 8))
+    harness.line.send(line("c", [700] * 8))
+    harness.line.advance(0.2)
+    harness.do("reset")
+    harness.line.advance(1.1)
+    harness.line.receive()
+    assert harness.request(line("c", [1024] * 8)) == line("c", [700] * 8).replace(b"\n", b"\r\n")
 
 
 def test_load_slows_servo() -> None:
-    stage = AracnaStage()
-    stage.request(line("v", [100] * 8))
-    stage.do("servo 2 load 0.5")
-    times, _ = stamps(stage, [740] * 8)
+    harness = AracnaHarness()
+    harness.request(line("v", [100] * 8))
+    harness.do("servo 2 load 0.5")
+    times, _ = stamps(harness, [740] * 8)
     assert times[1] == pytest.approx(1, abs=BUS)
     assert times[2] == pytest.approx(2, abs=BUS)

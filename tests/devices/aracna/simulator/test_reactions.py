@@ -6,7 +6,7 @@ bytes, and the goals or speeds of the servos afterwards.
 
 import pytest
 
-from tests.support.aracna import AracnaStage
+from tests.support.aracna import AracnaHarness
 
 HELLO = b".h\r\n"
 SILENCE = b""
@@ -75,8 +75,8 @@ CUT = [
 
 
 @pytest.fixture
-def stage() -> AracnaStage:
-    return AracnaStage(positions=[START] * 8)
+def harness() -> AracnaHarness:
+    return AracnaHarness(positions=[START] * 8)
 
 
 @pytest.mark.parametrize(
@@ -84,12 +84,12 @@ def stage() -> AracnaStage:
     [pytest.param(line, reply, id=name) for name, line, reply in [*QUERIES, *SILENT, *LED, *CUT]],
 )
 def test_line_gets_reply_without_changing_servos(
-    stage: AracnaStage, line: bytes, reply: bytes
+    harness: AracnaHarness, line: bytes, reply: bytes
 ) -> None:
-    assert stage.request(line) == reply
-    assert stage.goals == (START,) * 8
-    assert stage.speeds == (0,) * 8
-    assert not any(servo.torque for servo in stage.line.servos)
+    assert harness.request(line) == reply
+    assert harness.goals == (START,) * 8
+    assert harness.speeds == (0,) * 8
+    assert not any(servo.torque for servo in harness.line.servos)
 
 
 RESTARTING = [
@@ -107,12 +107,12 @@ RESTARTING = [
 
 
 @pytest.mark.parametrize("line", [pytest.param(line, id=name) for name, line in RESTARTING])
-def test_too_few_values_or_long_field_restart_firmware(stage: AracnaStage, line: bytes) -> None:
-    assert stage.request(line) == HELLO
-    assert stage.goals == (START,) * 8
-    assert stage.speeds == (0,) * 8
-    assert stage.line.station.firmware.boots == 2
-    assert stage.request(b"\n.q\n") == VERSION  # the newline ends the rest of a cut line
+def test_too_few_values_or_long_field_restart_firmware(harness: AracnaHarness, line: bytes) -> None:
+    assert harness.request(line) == HELLO
+    assert harness.goals == (START,) * 8
+    assert harness.speeds == (0,) * 8
+    assert harness.line.station.firmware.boots == 2
+    assert harness.request(b"\n.q\n") == VERSION  # the newline ends the rest of a cut line
 
 
 FIELDS = [
@@ -141,15 +141,15 @@ FIELDS = [
     ("field", "goal"), [pytest.param(field, goal, id=name) for name, field, goal in FIELDS]
 )
 def test_field_sets_goal_and_speed_or_is_rejected(
-    stage: AracnaStage, field: str, goal: int
+    harness: AracnaHarness, field: str, goal: int
 ) -> None:
-    stage.request(f".v{values(START)}\n".encode())
-    assert stage.request(f".v{values(field)}\n".encode()) == f".v{values(goal)}\r\n".encode()
-    assert stage.speeds == row_of(goal, START)
-    stage.request(f".v{values(0, 0)}\n".encode())
-    assert stage.request(f".c{values(field)}\n".encode()) == f".c{values(goal)}\r\n".encode()
-    assert stage.goals == row_of(goal, START)
-    last = stage.request(f".c{values(START)[:-3]}{field}\n".encode())
+    harness.request(f".v{values(START)}\n".encode())
+    assert harness.request(f".v{values(field)}\n".encode()) == f".v{values(goal)}\r\n".encode()
+    assert harness.speeds == row_of(goal, START)
+    harness.request(f".v{values(0, 0)}\n".encode())
+    assert harness.request(f".c{values(field)}\n".encode()) == f".c{values(goal)}\r\n".encode()
+    assert harness.goals == row_of(goal, START)
+    last = harness.request(f".c{values(START)[:-3]}{field}\n".encode())
     assert last == f".c{values(START)[:-3]}{goal}\r\n".encode()
 
 
@@ -170,17 +170,17 @@ WHOLE = [
 @pytest.mark.parametrize(
     ("line", "reply"), [pytest.param(line, reply, id=name) for name, line, reply in WHOLE]
 )
-def test_only_first_eight_values_count(stage: AracnaStage, line: str, reply: str) -> None:
-    assert stage.request(line.encode()) == f".c{reply}\r\n".encode()
-    assert stage.goals == tuple(map(int, reply.split(",")))
-    assert stage.line.station.firmware.boots == 1
+def test_only_first_eight_values_count(harness: AracnaHarness, line: str, reply: str) -> None:
+    assert harness.request(line.encode()) == f".c{reply}\r\n".encode()
+    assert harness.goals == tuple(map(int, reply.split(",")))
+    assert harness.line.station.firmware.boots == 1
 
 
-def test_first_accepted_goal_enables_torque(stage: AracnaStage) -> None:
-    stage.request(f".v{values(100)}\n".encode())
-    assert not stage.line.servos[0].torque
-    stage.request(f".c{values(1024)}\n".encode())
-    assert [servo.torque for servo in stage.line.servos] == [False] + [True] * 7
+def test_first_accepted_goal_enables_torque(harness: AracnaHarness) -> None:
+    harness.request(f".v{values(100)}\n".encode())
+    assert not harness.line.servos[0].torque
+    harness.request(f".c{values(1024)}\n".encode())
+    assert [servo.torque for servo in harness.line.servos] == [False] + [True] * 7
 
 
 OF_TWO = [
@@ -197,9 +197,9 @@ OF_TWO = [
     ("line", "reply"), [pytest.param(line, reply, id=name) for name, line, reply in OF_TWO]
 )
 def test_version_0_has_two_motors(line: bytes, reply: bytes) -> None:
-    stage = AracnaStage(motors=2, positions=[START] * 2)
-    assert stage.request(line) == reply
+    harness = AracnaHarness(motors=2, positions=[START] * 2)
+    assert harness.request(line) == reply
 
 
 def test_old_builds_omit_motor_count() -> None:
-    assert AracnaStage(motors=2, reports_motors=False).request(b".q\n") == b".q0\r\n"
+    assert AracnaHarness(motors=2, reports_motors=False).request(b".q\n") == b".q0\r\n"

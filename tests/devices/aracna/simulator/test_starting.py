@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.support.aracna import AracnaStage
+from tests.support.aracna import AracnaHarness
 
 HELLO = b".h\r\n"
 VERSION = b".q1,8\r\n"
@@ -11,101 +11,101 @@ GOALS = b".c800,800,800,800,800,800,800,800\n"
 
 
 def test_board_sends_hello_then_ignores_host_for_a_second() -> None:
-    stage = AracnaStage(booted=False)
-    assert stage.line.read(4, 1) == HELLO
-    assert stage.now == pytest.approx(0.001, abs=0.0005)
-    stage.line.send(b".q\n")
-    assert stage.line.read(len(VERSION), 2) == VERSION
-    assert stage.now == pytest.approx(1.003, abs=0.002)
+    harness = AracnaHarness(booted=False)
+    assert harness.line.read(4, 1) == HELLO
+    assert harness.now == pytest.approx(0.001, abs=0.0005)
+    harness.line.send(b".q\n")
+    assert harness.line.read(len(VERSION), 2) == VERSION
+    assert harness.now == pytest.approx(1.003, abs=0.002)
 
 
 def test_led_blinks_during_boot_then_turns_off() -> None:
-    stage = AracnaStage(booted=False)
+    harness = AracnaHarness(booted=False)
     seen = []
-    while stage.now < 1.1:
-        stage.line.advance(0.05)
-        seen.append(stage.line.station.firmware.led)
+    while harness.now < 1.1:
+        harness.line.advance(0.05)
+        seen.append(harness.line.station.firmware.led)
     assert True in seen[:19]
     assert False in seen[:19]
     assert seen[-1] is False
 
 
 def test_boot_loader_delays_hello() -> None:
-    stage = AracnaStage(booted=False, boot_loader=2.0)
-    assert stage.line.read(4, 1.9) == b""
-    assert stage.line.read(4, 0.2) == HELLO
+    harness = AracnaHarness(booted=False, boot_loader=2.0)
+    assert harness.line.read(4, 1.9) == b""
+    assert harness.line.read(4, 0.2) == HELLO
 
 
-def test_led_is_off_after_restart(stage: AracnaStage) -> None:
-    stage.request(b".l1\n")
-    stage.request(b".c\n")
-    assert stage.request(b".l\n") == b".l0\r\n"
+def test_led_is_off_after_restart(harness: AracnaHarness) -> None:
+    harness.request(b".l1\n")
+    harness.request(b".c\n")
+    assert harness.request(b".l\n") == b".l0\r\n"
 
 
-def test_servos_keep_moving_during_board_reset(stage: AracnaStage) -> None:
-    stage.request(SPEEDS)
-    stage.line.send(GOALS)
-    stage.line.advance(1)
-    before = stage.positions
-    stage.do("reset")
-    stage.line.advance(0.5)
-    assert all(now > then for now, then in zip(stage.positions, before, strict=True))
-    stage.line.advance(5)
-    assert stage.positions == (800,) * 8
-    assert stage.line.receive() == b".c" + HELLO
-    assert stage.speeds == (50,) * 8
-    assert all(servo.torque for servo in stage.line.servos)
+def test_servos_keep_moving_during_board_reset(harness: AracnaHarness) -> None:
+    harness.request(SPEEDS)
+    harness.line.send(GOALS)
+    harness.line.advance(1)
+    before = harness.positions
+    harness.do("reset")
+    harness.line.advance(0.5)
+    assert all(now > then for now, then in zip(harness.positions, before, strict=True))
+    harness.line.advance(5)
+    assert harness.positions == (800,) * 8
+    assert harness.line.receive() == b".c" + HELLO
+    assert harness.speeds == (50,) * 8
+    assert all(servo.torque for servo in harness.line.servos)
 
 
-def test_restart_by_invalid_line_keeps_servo_settings(stage: AracnaStage) -> None:
-    stage.request(SPEEDS)
-    stage.request(GOALS, 10)
-    stage.request(b".c\n")
-    assert (stage.speeds, stage.goals) == ((50,) * 8, (800,) * 8)
+def test_restart_by_invalid_line_keeps_servo_settings(harness: AracnaHarness) -> None:
+    harness.request(SPEEDS)
+    harness.request(GOALS, 10)
+    harness.request(b".c\n")
+    assert (harness.speeds, harness.goals) == ((50,) * 8, (800,) * 8)
 
 
-def test_unpowered_servos_lose_all_but_position(stage: AracnaStage) -> None:
-    stage.request(SPEEDS)
-    stage.line.send(GOALS)
-    stage.line.advance(1)
-    stage.do("servo power off")
-    stopped = stage.positions
-    stage.line.advance(1)
-    stage.do("servo power on")
-    stage.line.advance(1)
-    assert stage.positions == stopped
+def test_unpowered_servos_lose_all_but_position(harness: AracnaHarness) -> None:
+    harness.request(SPEEDS)
+    harness.line.send(GOALS)
+    harness.line.advance(1)
+    harness.do("servo power off")
+    stopped = harness.positions
+    harness.line.advance(1)
+    harness.do("servo power on")
+    harness.line.advance(1)
+    assert harness.positions == stopped
     assert 512 < stopped[0] < 800
-    assert stage.speeds == (0,) * 8
-    assert not any(servo.torque for servo in stage.line.servos)
+    assert harness.speeds == (0,) * 8
+    assert not any(servo.torque for servo in harness.line.servos)
 
 
-def test_reset_truncates_reply(stage: AracnaStage) -> None:
-    stage.line.send(b".q\n")
-    assert stage.line.read(3, 1) == b".q1"
-    stage.line.advance(stage.line.byte_time / 2)  # within a byte
-    stage.do("reset")
-    assert stage.request(b"") == HELLO
+def test_reset_truncates_reply(harness: AracnaHarness) -> None:
+    harness.line.send(b".q\n")
+    assert harness.line.read(3, 1) == b".q1"
+    harness.line.advance(harness.line.byte_time / 2)  # within a byte
+    harness.do("reset")
+    assert harness.request(b"") == HELLO
 
 
-def test_reset_discards_partial_line(stage: AracnaStage) -> None:
-    stage.request(b".c500,")
-    stage.do("reset")
-    stage.line.advance(1.1)
-    stage.line.receive()
-    assert stage.request(b".q\n") == VERSION
+def test_reset_discards_partial_line(harness: AracnaHarness) -> None:
+    harness.request(b".c500,")
+    harness.do("reset")
+    harness.line.advance(1.1)
+    harness.line.receive()
+    assert harness.request(b".q\n") == VERSION
 
 
-def test_unpowered_board_is_silent_and_boots_with_hello(stage: AracnaStage) -> None:
-    stage.request(SPEEDS)
-    stage.do("power off")
-    assert stage.request(b".q\n") == b""
-    stage.do("power on")
-    assert stage.request(b"") == HELLO
-    assert stage.request(b".q\n") == VERSION
-    assert stage.speeds == (0,) * 8
+def test_unpowered_board_is_silent_and_boots_with_hello(harness: AracnaHarness) -> None:
+    harness.request(SPEEDS)
+    harness.do("power off")
+    assert harness.request(b".q\n") == b""
+    harness.do("power on")
+    assert harness.request(b"") == HELLO
+    assert harness.request(b".q\n") == VERSION
+    assert harness.speeds == (0,) * 8
 
 
-def test_power_on_while_powered_does_not_restart_board(stage: AracnaStage) -> None:
-    stage.do("power on")
-    assert stage.request(b".q\n") == VERSION
-    assert stage.line.station.firmware.boots == 1
+def test_power_on_while_powered_does_not_restart_board(harness: AracnaHarness) -> None:
+    harness.do("power on")
+    assert harness.request(b".q\n") == VERSION
+    assert harness.line.station.firmware.boots == 1

@@ -32,7 +32,7 @@ from trex_gui.ui.widgets.labels import ElidedLabel
 EIGHT = (100, 200, 101, 201, 102, 202, 103, 203)
 
 
-class StagedRobot(Robot):
+class ScriptedRobot(Robot):
     """Robot whose state is set by a test and that records requests.
 
     Attributes:
@@ -57,7 +57,7 @@ class StagedRobot(Robot):
         self.scales.append(factor)
 
 
-class StagedPageDriver(WidgetDriver):
+class PosesPageDriver(WidgetDriver):
     """Page with a library and a staged robot.
 
     Attributes:
@@ -66,7 +66,7 @@ class StagedPageDriver(WidgetDriver):
 
     def __init__(self, qtbot: QtBot) -> None:
         self.library = Library()
-        self.robot = StagedRobot()
+        self.robot = ScriptedRobot()
         self.page = PosesPage(self.robot, self.library)
         self.robot.setParent(self.page)
         super().__init__(self.page, qtbot)
@@ -148,8 +148,8 @@ class StagedPageDriver(WidgetDriver):
 
 
 @pytest.fixture
-def driver(qtbot: QtBot) -> Iterator[StagedPageDriver]:
-    driver = StagedPageDriver(qtbot)
+def driver(qtbot: QtBot) -> Iterator[PosesPageDriver]:
+    driver = PosesPageDriver(qtbot)
     yield driver
     driver.page.close()
     driver.page.deleteLater()
@@ -158,7 +158,7 @@ def driver(qtbot: QtBot) -> Iterator[StagedPageDriver]:
 # --- Poses ----------------------------------------------------------------------------------
 
 
-def test_positions_are_captured_and_named_once_they_are_known(driver: StagedPageDriver) -> None:
+def test_positions_are_captured_and_named_once_they_are_known(driver: PosesPageDriver) -> None:
     before = driver.pose_names()
     assert not driver.button("aracnaCapture").isEnabled()
     driver.show_present(None, *EIGHT[1:])
@@ -176,7 +176,7 @@ def test_positions_are_captured_and_named_once_they_are_known(driver: StagedPage
     assert driver.library.project.poses[-1].positions == EIGHT
 
 
-def test_keys_rename_and_delete_pose_and_undo_restores_it(driver: StagedPageDriver) -> None:
+def test_keys_rename_and_delete_pose_and_undo_restores_it(driver: PosesPageDriver) -> None:
     driver.select_row("aracnaPoses", "flat")
     view = driver.names("aracnaPoses")
     QTest.keyClick(view, Qt.Key.Key_F2)
@@ -200,7 +200,7 @@ def test_keys_rename_and_delete_pose_and_undo_restores_it(driver: StagedPageDriv
     assert view.currentIndex().data() == "self-test a"
 
 
-def test_pose_is_moved_with_alt_arrow_keys(driver: StagedPageDriver) -> None:
+def test_pose_is_moved_with_alt_arrow_keys(driver: PosesPageDriver) -> None:
     driver.select_row("aracnaPoses", "flat")
     view = driver.names("aracnaPoses")
     for _ in range(2):
@@ -211,7 +211,7 @@ def test_pose_is_moved_with_alt_arrow_keys(driver: StagedPageDriver) -> None:
     assert driver.pose_names()[:3] == ["half-stand", "flat", "stand"]
 
 
-def test_go_to_requests_positions_when_robot_is_connected(driver: StagedPageDriver) -> None:
+def test_go_to_requests_positions_when_robot_is_connected(driver: PosesPageDriver) -> None:
     driver.select_row("aracnaPoses", "stand")
     assert not driver.button("aracnaGoTo").isEnabled()
     driver.connect()
@@ -219,7 +219,7 @@ def test_go_to_requests_positions_when_robot_is_connected(driver: StagedPageDriv
     assert driver.robot.goals == [(512, 550) * 4]
 
 
-def test_position_field_edits_pose_and_shows_clamped_value(driver: StagedPageDriver) -> None:
+def test_position_field_edits_pose_and_shows_clamped_value(driver: PosesPageDriver) -> None:
     driver.library.set_positions("stand", (512, 680) * 4)
     driver.select_row("aracnaPoses", "stand")
     field = driver.spin("aracnaPosition3")
@@ -235,7 +235,7 @@ def test_position_field_edits_pose_and_shows_clamped_value(driver: StagedPageDri
 # --- Sequences ------------------------------------------------------------------------------
 
 
-def test_add_step_appends_selected_pose_to_new_sequence(driver: StagedPageDriver) -> None:
+def test_add_step_appends_selected_pose_to_new_sequence(driver: PosesPageDriver) -> None:
     driver.click("aracnaNewSequence")
     driver.type_name("aracnaMotions", "bob")
     driver.select_row("aracnaPoses", "stand")
@@ -251,7 +251,7 @@ def test_add_step_appends_selected_pose_to_new_sequence(driver: StagedPageDriver
     assert [step.pose_name for step in driver.library.project.sequences[0].steps] == ["stand"]
 
 
-def test_step_pose_and_time_are_edited_in_table(driver: StagedPageDriver, qtbot: QtBot) -> None:
+def test_step_pose_and_time_are_edited_in_table(driver: PosesPageDriver, qtbot: QtBot) -> None:
     driver.library.add_sequence("bob", [SequenceStep("gone", 500)])
     driver.select_row("aracnaMotions", "bob")
     view = driver.steps
@@ -271,7 +271,7 @@ def test_step_pose_and_time_are_edited_in_table(driver: StagedPageDriver, qtbot:
     qtbot.waitUntil(lambda: driver.library.project.sequences[0].steps == changed)
 
 
-def test_play_requests_clamped_steps_with_chosen_options(driver: StagedPageDriver) -> None:
+def test_play_requests_clamped_steps_with_chosen_options(driver: PosesPageDriver) -> None:
     driver.library.set_positions("flat", (770, 40) * 4)
     driver.library.add_sequence("up", [SequenceStep("flat", 3000), SequenceStep("stand", 2000)])
     driver.connect()
@@ -281,14 +281,14 @@ def test_play_requests_clamped_steps_with_chosen_options(driver: StagedPageDrive
     driver.spin("aracnaSpeedScale").setValue(50)
     driver.check("aracnaBlendOut", True)
     driver.click("aracnaPlay")
-    flat, stand = (600, 40) * 4, (512, 550) * 4
+    flat, harness = (600, 40) * 4, (512, 550) * 4
     assert driver.robot.plays == [
         Play(
             0,
-            (Step(flat, 3.0, "flat"), Step(stand, 2.0, "stand")),
+            (Step(flat, 3.0, "flat"), Step(harness, 2.0, "stand")),
             rounds=3,
             blend_in=(Step(flat, 3.0, "flat"),),
-            blend_out=(Step(stand, 3.0, "stand"),),
+            blend_out=(Step(harness, 3.0, "stand"),),
             time_scale=2.0,
         )
     ]
@@ -296,7 +296,7 @@ def test_play_requests_clamped_steps_with_chosen_options(driver: StagedPageDrive
     assert "cropped" in driver.summary
 
 
-def test_loop_without_blending_plays_only_steps_endlessly(driver: StagedPageDriver) -> None:
+def test_loop_without_blending_plays_only_steps_endlessly(driver: PosesPageDriver) -> None:
     driver.connect()
     driver.select_row("aracnaMotions", "push-ups (built in)")
     driver.spin("aracnaRounds").setValue(0)
@@ -307,7 +307,7 @@ def test_loop_without_blending_plays_only_steps_endlessly(driver: StagedPageDriv
     assert driver.robot.plays[0].blend_in == driver.robot.plays[0].blend_out == ()
 
 
-def test_late_motors_are_named_at_their_step(driver: StagedPageDriver) -> None:
+def test_late_motors_are_named_at_their_step(driver: PosesPageDriver) -> None:
     driver.library.add_sequence("hasty", [SequenceStep("flat", 3000), SequenceStep("stand", 100)])
     driver.select_row("aracnaMotions", "hasty")
     assert "too slow" in driver.summary
@@ -317,7 +317,7 @@ def test_late_motors_are_named_at_their_step(driver: StagedPageDriver) -> None:
     assert "cannot make it" not in driver.summary
 
 
-def test_sequence_is_playable_only_with_all_poses_defined(driver: StagedPageDriver) -> None:
+def test_sequence_is_playable_only_with_all_poses_defined(driver: PosesPageDriver) -> None:
     driver.connect()
     driver.library.add_sequence("gait", [SequenceStep("p1", 500)])
     driver.select_row("aracnaMotions", "gait")
@@ -328,7 +328,7 @@ def test_sequence_is_playable_only_with_all_poses_defined(driver: StagedPageDriv
     assert driver.button("aracnaPlay").isEnabled()
 
 
-def test_during_playback_step_is_marked_and_only_speed_can_change(driver: StagedPageDriver) -> None:
+def test_during_playback_step_is_marked_and_only_speed_can_change(driver: PosesPageDriver) -> None:
     driver.select_row("aracnaMotions", "push-ups (built in)")
     driver.page.play()
     assert driver.robot.plays == [], "there is no robot"
@@ -348,7 +348,7 @@ def test_during_playback_step_is_marked_and_only_speed_can_change(driver: Staged
     assert driver.button("aracnaPlay").isEnabled()
 
 
-def test_disabled_buttons_show_reason_in_tooltip(driver: StagedPageDriver) -> None:
+def test_disabled_buttons_show_reason_in_tooltip(driver: PosesPageDriver) -> None:
     driver.select_row("aracnaPoses", "stand")
     driver.robot.state.stuck = Stuck(0.0, 3)
     driver.connect()
@@ -357,7 +357,7 @@ def test_disabled_buttons_show_reason_in_tooltip(driver: StagedPageDriver) -> No
         assert driver.button(name).toolTip().startswith("The robot is waiting for motor 3")
 
 
-def test_duplicated_gait_becomes_editable_sequence(driver: StagedPageDriver) -> None:
+def test_duplicated_gait_becomes_editable_sequence(driver: PosesPageDriver) -> None:
     driver.select_row("aracnaMotions", "star 6 (built in)")
     assert not driver.button("aracnaDeleteSequence").isEnabled()
     assert not driver.names("aracnaMotions").currentIndex().flags() & Qt.ItemFlag.ItemIsEditable
@@ -369,14 +369,14 @@ def test_duplicated_gait_becomes_editable_sequence(driver: StagedPageDriver) -> 
     assert not driver.library.modified
 
 
-def test_panel_survives_deletion_of_library(driver: StagedPageDriver, qtbot: QtBot) -> None:
+def test_panel_survives_deletion_of_library(driver: PosesPageDriver, qtbot: QtBot) -> None:
     driver.library.add_pose(EIGHT)
     with qtbot.waitSignal(driver.library.destroyed):
         driver.library.deleteLater()
     assert driver.page.isVisible()
 
 
-def test_play_uses_typed_values_before_enter(driver: StagedPageDriver, qtbot: QtBot) -> None:
+def test_play_uses_typed_values_before_enter(driver: PosesPageDriver, qtbot: QtBot) -> None:
     driver.library.add_sequence("bob", [SequenceStep("stand", 500)])
     driver.select_row("aracnaMotions", "bob")
     driver.connect()
@@ -418,7 +418,7 @@ def answering(monkeypatch: pytest.MonkeyPatch, answer: file_questions.SaveAnswer
 
 
 def test_file_is_saved_and_reopened_and_folder_remembered(
-    driver: StagedPageDriver, tmp_path: Path
+    driver: PosesPageDriver, tmp_path: Path
 ) -> None:
     path = tmp_path / "mine.ppr"
     driver.library.add_pose(EIGHT, "mine")
@@ -434,7 +434,7 @@ def test_file_is_saved_and_reopened_and_folder_remembered(
 
 
 def test_open_asks_about_unsaved_edits(
-    driver: StagedPageDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    driver: PosesPageDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = tmp_path / "other.ppr"
     path.write_text("Aracna:8\nPose=only:1\n", encoding="utf-8")
@@ -449,7 +449,7 @@ def test_open_asks_about_unsaved_edits(
 
 
 def test_save_asks_before_overwriting_external_change(
-    driver: StagedPageDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    driver: PosesPageDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = tmp_path / "mine.ppr"
     driver.save_to(path)
@@ -461,9 +461,7 @@ def test_save_asks_before_overwriting_external_change(
     assert path.read_text(encoding="utf-8") == "Aracna:8\n"
 
 
-def test_unreadable_or_unwritable_file_is_reported(
-    driver: StagedPageDriver, tmp_path: Path
-) -> None:
+def test_unreadable_or_unwritable_file_is_reported(driver: PosesPageDriver, tmp_path: Path) -> None:
     driver.open_file(tmp_path / "none.ppr")
     assert "no such file" in driver.messages[-1]
     driver.save_to(tmp_path / "gone" / "a.ppr")
@@ -471,7 +469,7 @@ def test_unreadable_or_unwritable_file_is_reported(
 
 
 def test_slow_disk_loses_no_edits(
-    driver: StagedPageDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    driver: PosesPageDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path, other = tmp_path / "mine.ppr", tmp_path / "other.ppr"
     other.write_text("Aracna:8\nPose=only:1\n", encoding="utf-8")
@@ -491,7 +489,7 @@ def test_slow_disk_loses_no_edits(
 
 
 def test_second_save_writes_its_own_file(
-    driver: StagedPageDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    driver: PosesPageDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     path = tmp_path / "mine.ppr"
     questions: list[str] = []
@@ -517,7 +515,7 @@ def test_second_save_writes_its_own_file(
 
 
 def test_only_first_findings_of_invalid_file_are_reported(
-    driver: StagedPageDriver, tmp_path: Path
+    driver: PosesPageDriver, tmp_path: Path
 ) -> None:
     path = tmp_path / "novel.ppr"
     path.write_text("It was a dark night\n" * 1000, encoding="utf-8")
@@ -527,7 +525,7 @@ def test_only_first_findings_of_invalid_file_are_reported(
 
 
 def test_save_as_adds_suffix_and_asks_before_overwriting(
-    driver: StagedPageDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    driver: PosesPageDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     chosen = str(tmp_path / "mine")
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (chosen, ""))
@@ -545,7 +543,7 @@ def test_save_as_adds_suffix_and_asks_before_overwriting(
     ("name", "renamed"), [("a, b", "a b"), ("sp", "")], ids=["comma", "blanks around it"]
 )
 def test_new_step_uses_a_valid_pose_name(
-    driver: StagedPageDriver, tmp_path: Path, name: str, renamed: str
+    driver: PosesPageDriver, tmp_path: Path, name: str, renamed: str
 ) -> None:
     path = tmp_path / "names.ppr"
     lines = f"Aracna:8\nPose= {name} :512\nPose=c:512\nSeq=s: c|500\n"

@@ -22,7 +22,7 @@ NEW = replace(factory(), calibrations=SHOWN)
 ONE, OTHER = "0403:6001-A500001", "0403:6001-B700002"
 
 
-class Shelf:
+class MemoryHarness:
     """Files in memory, and a board."""
 
     def __init__(self) -> None:
@@ -89,84 +89,86 @@ def with_values(stored: Settings, **values: int) -> Settings:
 
 
 @pytest.fixture
-def shelf() -> Shelf:
-    return Shelf()
+def harness() -> MemoryHarness:
+    return MemoryHarness()
 
 
-def test_record_of_a_board_at_another_adapter_is_doubted(shelf: Shelf) -> None:
+def test_record_of_a_board_at_another_adapter_is_doubted(harness: MemoryHarness) -> None:
     """Two new boards share a record."""
     for adapter, count in ((ONE, 0), (ONE, 0), (OTHER, 1), (OTHER, 1), ("", 1), (ONE, 2)):
-        shelf.connect(NEW, adapter)
-        assert len(shelf.doubts) == count, adapter
+        harness.connect(NEW, adapter)
+        assert len(harness.doubts) == count, adapter
     # The record of the other board remains, whichever board gets a new number.
-    shelf.write(device_number=8)
-    assert sorted(shelf.records) == ["trex-1.2-7", "trex-1.2-8"]
-    shelf.write(device_number=9)
-    assert sorted(shelf.records) == ["trex-1.2-7", "trex-1.2-9"], "this one is its own"
+    harness.write(device_number=8)
+    assert sorted(harness.records) == ["trex-1.2-7", "trex-1.2-8"]
+    harness.write(device_number=9)
+    assert sorted(harness.records) == ["trex-1.2-7", "trex-1.2-9"], "this one is its own"
 
 
-def test_board_without_its_number_differs_from_applied_settings(shelf: Shelf) -> None:
-    assert not shelf.connect(NEW, ONE), "nothing was applied before"
-    shelf.write(device_number=12, serial_timeout=15)
-    assert not shelf.connect(NEW, OTHER), "another adapter"
-    assert shelf.connect(NEW, ONE) == {"device_number", "serial_timeout"}
-    assert shelf.memory.applied is not None
-    assert shelf.memory.applied.parameters["device_number"] == 12
-    shelf.memory.accept(NOW)
-    assert not shelf.memory.differing.rows
-    assert not shelf.connect(NEW, ONE), "the user said so"
-    assert shelf.connect(with_values(NEW, serial_timeout=3), ONE) == {"serial_timeout"}
+def test_board_without_its_number_differs_from_applied_settings(harness: MemoryHarness) -> None:
+    assert not harness.connect(NEW, ONE), "nothing was applied before"
+    harness.write(device_number=12, serial_timeout=15)
+    assert not harness.connect(NEW, OTHER), "another adapter"
+    assert harness.connect(NEW, ONE) == {"device_number", "serial_timeout"}
+    assert harness.memory.applied is not None
+    assert harness.memory.applied.parameters["device_number"] == 12
+    harness.memory.accept(NOW)
+    assert not harness.memory.differing.rows
+    assert not harness.connect(NEW, ONE), "the user said so"
+    assert harness.connect(with_values(NEW, serial_timeout=3), ONE) == {"serial_timeout"}
 
 
 @pytest.mark.parametrize(("adapter", "number"), [("", 7), (ONE, 3)])
 def test_only_a_board_as_new_at_a_known_adapter_may_have_lost_its_number(
-    shelf: Shelf, adapter: str, number: int
+    harness: MemoryHarness, adapter: str, number: int
 ) -> None:
-    shelf.connect(NEW, adapter)
-    shelf.write(device_number=12)
-    assert not shelf.connect(with_values(NEW, device_number=number), adapter)
+    harness.connect(NEW, adapter)
+    harness.write(device_number=12)
+    assert not harness.connect(with_values(NEW, device_number=number), adapter)
 
 
-def test_board_that_gets_its_number_back_gets_its_notes_back(shelf: Shelf) -> None:
+def test_board_that_gets_its_number_back_gets_its_notes_back(harness: MemoryHarness) -> None:
     notes = {"serial_timeout": "The radio drops out."}
-    shelf.connect(NEW, ONE)
-    shelf.memory.set_notes(notes)
-    shelf.write(device_number=12)
-    assert shelf.notes == notes
-    assert shelf.connect(NEW, ONE) == {"device_number"}
-    assert not shelf.notes
-    shelf.write(device_number=12)
-    assert shelf.notes == notes
-    assert list(shelf.records) == ["trex-1.2-12"]
+    harness.connect(NEW, ONE)
+    harness.memory.set_notes(notes)
+    harness.write(device_number=12)
+    assert harness.notes == notes
+    assert harness.connect(NEW, ONE) == {"device_number"}
+    assert not harness.notes
+    harness.write(device_number=12)
+    assert harness.notes == notes
+    assert list(harness.records) == ["trex-1.2-12"]
 
 
-def test_values_of_a_write_without_an_end_are_not_expected(shelf: Shelf) -> None:
-    shelf.connect(NEW, ONE)
-    shelf.write(serial_timeout=15, motor1_current_limit=3)
-    shelf.memory.start_writing({"serial_timeout"})
-    shelf.memory.close_board()
-    found = with_values(shelf.stored, serial_timeout=3, motor1_current_limit=0)
-    assert shelf.connect(found, ONE) == {"motor1_current_limit"}
+def test_values_of_a_write_without_an_end_are_not_expected(harness: MemoryHarness) -> None:
+    harness.connect(NEW, ONE)
+    harness.write(serial_timeout=15, motor1_current_limit=3)
+    harness.memory.start_writing({"serial_timeout"})
+    harness.memory.close_board()
+    found = with_values(harness.stored, serial_timeout=3, motor1_current_limit=0)
+    assert harness.connect(found, ONE) == {"motor1_current_limit"}
 
 
 @pytest.mark.parametrize("is_simulated", [False, True])
-def test_simulated_board_does_not_affect_real_boards(shelf: Shelf, *, is_simulated: bool) -> None:
-    shelf.memory.set_board(NEW, RC, NOW, opened=True, is_simulated=is_simulated)
+def test_simulated_board_does_not_affect_real_boards(
+    harness: MemoryHarness, *, is_simulated: bool
+) -> None:
+    harness.memory.set_board(NEW, RC, NOW, opened=True, is_simulated=is_simulated)
     kind = Signature(NEW.product, "1.2")
-    shelf.memory.record_accepted(kind, {"uart_error_shutdown": 2})
-    shelf.memory.record_accepted(kind, {})
-    assert shelf.accepted == ([] if is_simulated else [{"uart_error_shutdown": 2}])
+    harness.memory.record_accepted(kind, {"uart_error_shutdown": 2})
+    harness.memory.record_accepted(kind, {})
+    assert harness.accepted == ([] if is_simulated else [{"uart_error_shutdown": 2}])
 
 
-def test_changes_before_the_record_is_found_are_recorded(shelf: Shelf) -> None:
-    memory, shelf.is_slow = shelf.memory, True
-    shelf.connect(NEW, "")
-    shelf.write(serial_timeout=5)
+def test_changes_before_the_record_is_found_are_recorded(harness: MemoryHarness) -> None:
+    memory, harness.is_slow = harness.memory, True
+    harness.connect(NEW, "")
+    harness.write(serial_timeout=5)
     assert (memory.record, memory.applied) == (None, None)
     assert memory.hidden_calibration(2, RC) == (None, None)
     assert memory.with_hidden(NEW) == (NEW, [])
-    assert shelf.wanted is not None
-    memory.handle_record(shelf.wanted, None)
+    assert harness.wanted is not None
+    memory.handle_record(harness.wanted, None)
     assert memory.applied is not None
     assert memory.applied.parameters["serial_timeout"] == 5
     calibration, known = memory.hidden_calibration(2, RC)
@@ -177,12 +179,14 @@ def test_changes_before_the_record_is_found_are_recorded(shelf: Shelf) -> None:
 
 
 @pytest.mark.parametrize("is_reset", [True, False])
-def test_number_after_a_reset_is_that_of_the_same_board(shelf: Shelf, *, is_reset: bool) -> None:
-    shelf.connect(with_values(NEW, device_number=12), "")
-    shelf.memory.set_notes({"serial_timeout": "why"})
+def test_number_after_a_reset_is_that_of_the_same_board(
+    harness: MemoryHarness, *, is_reset: bool
+) -> None:
+    harness.connect(with_values(NEW, device_number=12), "")
+    harness.memory.set_notes({"serial_timeout": "why"})
     if is_reset:
-        shelf.memory.record_reset()
-    shelf.memory.set_board(NEW, RC, NOW, opened=False)
-    assert (shelf.notes == {"serial_timeout": "why"}) is is_reset
+        harness.memory.record_reset()
+    harness.memory.set_board(NEW, RC, NOW, opened=False)
+    assert (harness.notes == {"serial_timeout": "why"}) is is_reset
     expected = {"trex-1.2-7"} if is_reset else {"trex-1.2-7", "trex-1.2-12"}
-    assert shelf.records.keys() == expected
+    assert harness.records.keys() == expected

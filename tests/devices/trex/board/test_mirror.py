@@ -6,7 +6,7 @@ from datetime import UTC, datetime
 
 import pytest
 
-from tests.devices.trex.board.test_memory import Shelf
+from tests.devices.trex.board.test_memory import MemoryHarness
 from trex_gui.core.events import Event
 from trex_gui.core.session import Closed
 from trex_gui.devices.trex.board.mirror import (
@@ -60,11 +60,11 @@ def state(mode: Mode = Mode.SERIAL_RC, **parameters: int) -> DeviceState:
     return DeviceState(Signature(model, "1.2"), mode, mode.is_serial, stored, curves, calibrated=0)
 
 
-class Watched:
+class MirrorHarness:
     """A mirror and its events."""
 
     def __init__(self) -> None:
-        self.shelf = Shelf()
+        self.shelf = MemoryHarness()
         self.board = BoardMirror(self.shelf.memory)
         self.now = 0.0
         self.events: list[BoardEvent] = []
@@ -118,14 +118,14 @@ class Watched:
 
 
 @pytest.fixture
-def watched() -> Watched:
-    return Watched()
+def watched() -> MirrorHarness:
+    return MirrorHarness()
 
 
 # --- Connections ------------------------------------------------------------------------
 
 
-def test_connection_is_logged_from_its_beginning_to_its_end(watched: Watched) -> None:
+def test_connection_is_logged_from_its_beginning_to_its_end(watched: MirrorHarness) -> None:
     watched.close()
     assert not watched.logged, "it was never connected"
     watched.now = 5
@@ -142,7 +142,7 @@ def test_connection_is_logged_from_its_beginning_to_its_end(watched: Watched) ->
     ]
 
 
-def test_returns_and_restarts_are_counted_since_the_line_was_opened(watched: Watched) -> None:
+def test_returns_and_restarts_are_counted_since_the_line_was_opened(watched: MirrorHarness) -> None:
     watched.now = 2.0
     watched.read(state())
     watched.now = 9.0
@@ -155,7 +155,7 @@ def test_returns_and_restarts_are_counted_since_the_line_was_opened(watched: Wat
     assert watched.connection() == (9.0, 0, 0)
 
 
-def test_nothing_is_stored_or_measured_without_a_board(watched: Watched) -> None:
+def test_nothing_is_stored_or_measured_without_a_board(watched: MirrorHarness) -> None:
     watched.read(state())
     watched.sample(Currents(1.0, (1, 2)))
     watched.lose()
@@ -179,7 +179,7 @@ def test_nothing_is_stored_or_measured_without_a_board(watched: Watched) -> None
     ],
 )
 def test_error_counts_continue_if_the_board_may_be_the_same(
-    watched: Watched,
+    watched: MirrorHarness,
     occasion: ReadReason,
     other: DeviceState,
     line: ConnectionSettings,
@@ -196,7 +196,7 @@ def test_error_counts_continue_if_the_board_may_be_the_same(
     assert watched.board.errors.entries[0].count == (0 if is_new else 1)
 
 
-def test_selected_board_has_counts_of_its_own(watched: Watched) -> None:
+def test_selected_board_has_counts_of_its_own(watched: MirrorHarness) -> None:
     first, second = state(device_number=7), state(device_number=8, motor_mode=1)
     watched.read(first)
     watched.sample(LatchedStatus(1.0, Status.MOTOR1_FAULT, NO_UART))
@@ -206,7 +206,7 @@ def test_selected_board_has_counts_of_its_own(watched: Watched) -> None:
         assert watched.board.is_joint is is_joint
 
 
-def test_joint_mode_begins_with_the_next_start(watched: Watched) -> None:
+def test_joint_mode_begins_with_the_next_start(watched: MirrorHarness) -> None:
     watched.read(state())
     watched.read(state(motor_mode=1), ReadReason.RELOADED)
     assert not watched.joint()
@@ -216,7 +216,9 @@ def test_joint_mode_begins_with_the_next_start(watched: Watched) -> None:
     assert not watched.joint()
 
 
-def test_joint_mode_waits_for_the_next_start_beyond_the_end_of_the_line(watched: Watched) -> None:
+def test_joint_mode_waits_for_the_next_start_beyond_the_end_of_the_line(
+    watched: MirrorHarness,
+) -> None:
     watched.read(state())
     watched.board.record_written(Written((), state(motor_mode=1), LINE))
     watched.close()
@@ -227,7 +229,7 @@ def test_joint_mode_waits_for_the_next_start_beyond_the_end_of_the_line(watched:
     assert watched.joint(), "it is another board"
 
 
-def test_record_follows_the_board(watched: Watched) -> None:
+def test_record_follows_the_board(watched: MirrorHarness) -> None:
     watched.board.adapter = "0403:6001-A"
     watched.read(state(serial_timeout=5))
     (record,) = watched.shelf.records.values()
@@ -237,7 +239,7 @@ def test_record_follows_the_board(watched: Watched) -> None:
 # --- Status bits ------------------------------------------------------------------------
 
 
-def test_lasting_fault_is_one_event_and_recurring_fault_two(watched: Watched) -> None:
+def test_lasting_fault_is_one_event_and_recurring_fault_two(watched: MirrorHarness) -> None:
     for tenth in range(30):
         watched.sample(LatchedStatus(tenth / 10, Status.MOTOR1_FAULT, NO_UART))
     both = Status.MOTOR1_FAULT | Status.MOTOR2_OVER_LIMIT
@@ -249,7 +251,7 @@ def test_lasting_fault_is_one_event_and_recurring_fault_two(watched: Watched) ->
     ]
 
 
-def test_serial_error_is_one_event_until_it_is_cleared(watched: Watched) -> None:
+def test_serial_error_is_one_event_until_it_is_cleared(watched: MirrorHarness) -> None:
     for second in range(1, 8):
         watched.sample(LatchedStatus(second, Status.UART_ERROR, UartError.FRAMING))
         if second == 5:
@@ -262,32 +264,34 @@ def test_serial_error_is_one_event_until_it_is_cleared(watched: Watched) -> None
     ]
 
 
-def test_repeated_motor_commands_are_an_event(watched: Watched) -> None:
+def test_repeated_motor_commands_are_an_event(watched: MirrorHarness) -> None:
     watched.read(state())
     watched.handle(CommandsRepeated())
     assert "motor commands are repeated" in watched.logged[-1][2]
 
 
-def shut_down(watched: Watched, status: Status, uart: UartError) -> str:
+def shut_down(watched: MirrorHarness, status: Status, uart: UartError) -> str:
     found = watched.sample(LatchedStatus(1.0, status, uart))
     return " ".join(event.reason for event in found if isinstance(event, MotorsShutDown))
 
 
 @pytest.mark.parametrize("shutdown", [0, 1])
-def test_serial_timeout_always_stops_the_motors(watched: Watched, shutdown: int) -> None:
+def test_serial_timeout_always_stops_the_motors(watched: MirrorHarness, shutdown: int) -> None:
     watched.read(state(uart_error_shutdown=shutdown))
     assert "Serial Timeout" in shut_down(watched, Status.UART_ERROR, UartError.TIMEOUT)
 
 
 @pytest.mark.parametrize("bit", LINE_ERRORS)
-def test_line_error_stops_the_motors_only_if_errors_do(watched: Watched, bit: UartError) -> None:
+def test_line_error_stops_the_motors_only_if_errors_do(
+    watched: MirrorHarness, bit: UartError
+) -> None:
     watched.read(state(uart_error_shutdown=0))
     assert shut_down(watched, Status.UART_ERROR, bit) == ""
     watched.read(state(uart_error_shutdown=1), ReadReason.RELOADED)
     assert "error on the line" in shut_down(watched, Status.UART_ERROR, bit)
 
 
-def test_motor_status_bits_are_no_stop(watched: Watched) -> None:
+def test_motor_status_bits_are_no_stop(watched: MirrorHarness) -> None:
     watched.read(state(uart_error_shutdown=1))
     both = Status.MOTOR1_FAULT | Status.MOTOR2_OVER_LIMIT
     assert shut_down(watched, both, NO_UART) == ""
@@ -299,14 +303,14 @@ def lost(found: Sequence[BoardEvent]) -> list[str]:
 
 @pytest.mark.parametrize(("is_earlier", "reasons"), [(False, 1), (True, 0)])
 def test_new_motor_fault_ends_the_drive(
-    watched: Watched, *, is_earlier: bool, reasons: int
+    watched: MirrorHarness, *, is_earlier: bool, reasons: int
 ) -> None:
     watched.read(state())
     fault = LatchedStatus(1.0, Status.MOTOR1_FAULT, NO_UART, is_earlier)
     assert lost(watched.sample(fault)) == ["The board reports: Motor 1 fault."] * reasons
 
 
-def test_second_reply_that_channels_control_ends_the_drive(watched: Watched) -> None:
+def test_second_reply_that_channels_control_ends_the_drive(watched: MirrorHarness) -> None:
     watched.read(state(Mode.RC))
     replies = [False, True, False, False, False]
     found = [lost(watched.sample(Control(1.0, by_serial=reply))) for reply in replies]
@@ -314,14 +318,14 @@ def test_second_reply_that_channels_control_ends_the_drive(watched: Watched) -> 
     assert "RC channels control" in found[3][0]
 
 
-def test_stop_of_the_board_precedes_the_samples_that_show_it(watched: Watched) -> None:
+def test_stop_of_the_board_precedes_the_samples_that_show_it(watched: MirrorHarness) -> None:
     timeout = LatchedStatus(2.0, Status.UART_ERROR, UartError.TIMEOUT)
     found = watched.sample(Currents(1.0, (9, 9)), timeout)
     kinds = [type(event) for event in found]
     assert kinds.index(MotorsShutDown) < kinds.index(Currents)
 
 
-def test_bits_after_a_corrupted_reply_are_doubtful_without_a_crc(watched: Watched) -> None:
+def test_bits_after_a_corrupted_reply_are_doubtful_without_a_crc(watched: MirrorHarness) -> None:
     watched.read(state())
     watched.sample(LatchedStatus(1.0, Status.MOTOR2_FAULT, NO_UART))
     watched.sample(
@@ -336,7 +340,9 @@ def test_bits_after_a_corrupted_reply_are_doubtful_without_a_crc(watched: Watche
 # --- The line ---------------------------------------------------------------------------
 
 
-def test_current_that_no_sample_confirms_is_dropped_on_a_failing_line(watched: Watched) -> None:
+def test_current_that_no_sample_confirms_is_dropped_on_a_failing_line(
+    watched: MirrorHarness,
+) -> None:
     def currents(*counts: tuple[int, int], **failed: int) -> list[tuple[int, int]]:
         samples = (Currents(float(time), pair) for time, pair in enumerate(counts))
         found = watched.sample(*samples, **failed)
@@ -355,7 +361,7 @@ def test_current_that_no_sample_confirms_is_dropped_on_a_failing_line(watched: W
     assert currents(*peak, missing=2) == peak
 
 
-def test_noisy_line_is_an_event_at_its_beginning_and_its_end(watched: Watched) -> None:
+def test_noisy_line_is_an_event_at_its_beginning_and_its_end(watched: MirrorHarness) -> None:
     watched.read(state())
     requests, lost = 0, 0
     for second in range(60):
@@ -376,7 +382,7 @@ def test_noisy_line_is_an_event_at_its_beginning_and_its_end(watched: Watched) -
 # --- Motors -----------------------------------------------------------------------------
 
 
-def test_serial_controls_since_the_board_was_read(watched: Watched) -> None:
+def test_serial_controls_since_the_board_was_read(watched: MirrorHarness) -> None:
     assert watched.controls() is None
     watched.read(state(Mode.RC))
     assert watched.controls() is False
@@ -385,7 +391,7 @@ def test_serial_controls_since_the_board_was_read(watched: Watched) -> None:
     assert "channel 5 overrides" in watched.board.control_text
 
 
-def test_silence_is_judged_also_after_the_line_was_lost(watched: Watched) -> None:
+def test_silence_is_judged_also_after_the_line_was_lost(watched: MirrorHarness) -> None:
     assert watched.silence() is TimeoutStop.OFF
     assert watched.board.silence_remedy == "Cut the power."
     watched.read(state(serial_timeout=5, uart_error_shutdown=1))
@@ -395,7 +401,7 @@ def test_silence_is_judged_also_after_the_line_was_lost(watched: Watched) -> Non
     assert watched.silence() is TimeoutStop.TRIED
 
 
-def test_recent_errors_decide_whether_motors_run(watched: Watched) -> None:
+def test_recent_errors_decide_whether_motors_run(watched: MirrorHarness) -> None:
     watched.read(state(serial_timeout=5))
     watched.sample(
         Raw(1.0, (1500,) * 5), LatchedStatus(1.0, Status.MOTOR2_FAULT, UartError.TIMEOUT)
@@ -408,7 +414,7 @@ def test_recent_errors_decide_whether_motors_run(watched: Watched) -> None:
     assert inputs.faults == ()
 
 
-def test_steps_of_the_set_up_are_those_that_are_stored(watched: Watched) -> None:
+def test_steps_of_the_set_up_are_those_that_are_stored(watched: MirrorHarness) -> None:
     found = [watched.board.set_up]
     watched.read(state(serial_timeout=0, motor1_current_limit=5, motor2_current_limit=9))
     found.append(watched.board.set_up)
@@ -419,7 +425,7 @@ def test_steps_of_the_set_up_are_those_that_are_stored(watched: Watched) -> None
     assert found == [None, SetUp(False, True, False), *[SetUp(True, False, True)] * 2]
 
 
-def test_replies_show_that_so_is_not_grounded(watched: Watched) -> None:
+def test_replies_show_that_so_is_not_grounded(watched: MirrorHarness) -> None:
     returned_by_rs_232 = Connected(state(), True, ReadReason.RETURNED, LINE)
     found = [watched.board.so_ground]
     for report in (
@@ -436,26 +442,26 @@ def test_replies_show_that_so_is_not_grounded(watched: Watched) -> None:
 # --- Safe-start -------------------------------------------------------------------------
 
 
-def may_hold(watched: Watched) -> bool:
+def may_hold(watched: MirrorHarness) -> bool:
     inputs = watched.board.inputs(0.0)
     assert inputs is not None
     return inputs.is_held
 
 
-def drive(watched: Watched, value: int, *, counts: int = 0, signal: bool = True) -> None:
+def drive(watched: MirrorHarness, value: int, *, counts: int = 0, signal: bool = True) -> None:
     pulse = (3000 if signal else None, *(1500,) * 4)
     watched.sample(Raw(1.0, pulse), Remapped(1.0, (value, 0, 0, 0, 0)), Currents(1.0, (counts, 0)))
 
 
 @pytest.fixture
-def pushed(watched: Watched) -> Watched:
+def pushed(watched: MirrorHarness) -> MirrorHarness:
     """A board that was connected while channel 1 commands a speed."""
     watched.read(state(Mode.RC, required_channels=1))
     drive(watched, 100)
     return watched
 
 
-def test_motor_current_shows_that_safe_start_is_over(pushed: Watched) -> None:
+def test_motor_current_shows_that_safe_start_is_over(pushed: MirrorHarness) -> None:
     drive(pushed, 100, counts=1)
     assert may_hold(pushed), "one count may be noise"
     drive(pushed, 100, counts=2)
@@ -465,7 +471,7 @@ def test_motor_current_shows_that_safe_start_is_over(pushed: Watched) -> None:
     assert may_hold(pushed)
 
 
-def test_required_channel_losing_signal_begins_safe_start_again(pushed: Watched) -> None:
+def test_required_channel_losing_signal_begins_safe_start_again(pushed: MirrorHarness) -> None:
     drive(pushed, NEARLY_NEUTRAL)
     drive(pushed, 100)
     assert not may_hold(pushed)
@@ -474,7 +480,7 @@ def test_required_channel_losing_signal_begins_safe_start_again(pushed: Watched)
     assert may_hold(pushed)
 
 
-def test_joint_motors_are_not_reported_as_held(pushed: Watched) -> None:
+def test_joint_motors_are_not_reported_as_held(pushed: MirrorHarness) -> None:
     pushed.read(state(Mode.RC, motor_mode=1), ReadReason.RESTARTED)
     drive(pushed, 100)
     assert not may_hold(pushed)

@@ -32,7 +32,7 @@ STATE = DeviceState(
 LINK = ConnectionSettings("/dev/ttyUSB0")
 
 
-class Kept(Keeper):
+class RecordingKeeper(Keeper):
     """A keeper with a list of its messages."""
 
     def __init__(self, state: DeviceState = STATE) -> None:
@@ -53,7 +53,7 @@ def record_of(name: str) -> str:
 
 
 def test_snapshot_has_reason_and_adapter() -> None:
-    kept = Kept()
+    kept = RecordingKeeper()
     kept.prepare(STATE, LINK, "a test", [("serial_timeout", 5)])
     (snapshot,) = (data_folder() / "snapshots").glob("*.txt")
     assert {"# reason: a test", "# adapter: /dev/ttyUSB0"} <= {*snapshot.read_text().splitlines()}
@@ -66,7 +66,7 @@ def test_only_verified_values_are_expected_and_accepted() -> None:
         WriteResult("uart_error_shutdown", 2),  # beyond its limit
         WriteResult("motor_mode", 1),
     ]
-    kept = Kept()
+    kept = RecordingKeeper()
     kept.finish(results)
     record = kept.memory.record
     assert record is not None
@@ -78,7 +78,7 @@ def test_only_verified_values_are_expected_and_accepted() -> None:
 
 
 def test_reset_expects_nothing_of_the_parameters() -> None:
-    kept = Kept()
+    kept = RecordingKeeper()
     kept.finish([WriteResult("serial_timeout", 5)])
     kept.finish([WriteResult(ParameterKey.FACTORY_RESET, 1)])
     assert kept.memory.record is not None
@@ -86,7 +86,7 @@ def test_reset_expects_nothing_of_the_parameters() -> None:
 
 
 def test_record_of_another_board_with_the_number_is_put_aside() -> None:
-    kept = Kept()
+    kept = RecordingKeeper()
     other = BoardRecords().folder / "trex-1.2-9.txt"
     other.write_text("of another board", "utf-8")
     kept.finish([WriteResult("device_number", 9)])
@@ -102,7 +102,7 @@ def test_failed_save_is_reported_once(tmp_path: Path) -> None:
     folder = BoardRecords().folder
     folder.parent.mkdir(parents=True, exist_ok=True)
     folder.write_text("not a folder")
-    kept = Kept()
+    kept = RecordingKeeper()
     kept.finish([WriteResult("serial_timeout", 5)])
     assert [text.partition(".")[0] for text in kept.warned] == [
         "The applied settings were not saved"
@@ -111,10 +111,10 @@ def test_failed_save_is_reported_once(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("tried", [3, 4])
 def test_board_with_many_differences_is_not_restored(tried: int) -> None:
-    stage, settings = staged()
-    client = stage.client(settings)
+    harness, settings = staged()
+    client = harness.client(settings)
     state = read_everything(client.request)
-    kept, is_restored = Kept(state), tried < 4
+    kept, is_restored = RecordingKeeper(state), tried < 4
     before = kept.memory.record
     keys = ("serial_timeout", "motor_mode", "motor1_acceleration", "motor2_acceleration")
     with kept.restored_afterwards(client, state, "a trial") as store:
@@ -130,6 +130,6 @@ def test_damaged_record_is_not_used(text: str) -> None:
     path = BoardRecords().folder / "trex-1.2-7.txt"
     path.parent.mkdir(parents=True)
     path.write_text(text, "utf-8")
-    kept = Kept()
+    kept = RecordingKeeper()
     assert kept.warned[0].startswith("The settings applied to this board before are not known. ")
     assert kept.memory.record is not None

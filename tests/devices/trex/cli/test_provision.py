@@ -34,7 +34,7 @@ def rows_of(file: Path) -> list[dict[str, str]]:
         return list(csv.DictReader(stream))
 
 
-class Shop:
+class ProvisionHarness:
     """Cable, boards and their record."""
 
     def __init__(self, board: SimulatedDevice, start: StartCommand, profile: Path) -> None:
@@ -63,19 +63,23 @@ class Shop:
 
 
 @pytest.fixture
-def shop(quick_simulator: SimulatedDevice, start: StartCommand, profile: Path) -> Shop:
-    return Shop(quick_simulator, start, profile)
+def harness(
+    quick_simulator: SimulatedDevice, start: StartCommand, profile: Path
+) -> ProvisionHarness:
+    return ProvisionHarness(quick_simulator, start, profile)
 
 
-def test_boards_are_set_up_with_a_key_press_each(virtual_time: VirtualRuntime, shop: Shop) -> None:
-    command = shop.start_command("\r" * 5, "--first", "5")
+def test_boards_are_set_up_with_a_key_press_each(
+    virtual_time: VirtualRuntime, harness: ProvisionHarness
+) -> None:
+    command = harness.start_command("\r" * 5, "--first", "5")
     for done in range(1, 6):
-        shop.wait_for_rows(virtual_time, done)
-        stored = shop.board.show()["parameters"]
+        harness.wait_for_rows(virtual_time, done)
+        stored = harness.board.show()["parameters"]
         assert (stored["serial_timeout"], stored["motor1_acceleration"]) == (5, 20)
-        shop.bring_a_new_board(virtual_time)
+        harness.bring_a_new_board(virtual_time)
     assert command.wait() == 0, command.result.output
-    rows = shop.rows
+    rows = harness.rows
     assert [row["number"] for row in rows] == ["5", "6", "8", "9", "10"], "7 is that of new boards"
     assert [row["name"] for row in rows][:2] == ["robot 5", "robot 6"]
     assert {row["result"] for row in rows} == {"ok"}
@@ -84,11 +88,11 @@ def test_boards_are_set_up_with_a_key_press_each(virtual_time: VirtualRuntime, s
     assert rows[0]["board"] == "TReX 1.2"
 
 
-def test_known_board_keeps_number_and_name(shop: Shop) -> None:
-    assert shop.start_command("\r", "--name", "arm {number}").wait() == 0
-    assert shop.rows[-1]["name"] == "arm 1"
-    assert shop.start_command("s").wait() == 0
-    again = shop.rows[-1]
+def test_known_board_keeps_number_and_name(harness: ProvisionHarness) -> None:
+    assert harness.start_command("\r", "--name", "arm {number}").wait() == 0
+    assert harness.rows[-1]["name"] == "arm 1"
+    assert harness.start_command("s").wait() == 0
+    again = harness.rows[-1]
     assert (again["name"], again["number"]) == ("arm 1", "1")
     assert (again["result"], again["certainty"]) == ("skipped", "known")
     assert not again["differences"]
@@ -129,31 +133,31 @@ def test_other_file_is_not_overwritten(
 
 
 def test_board_that_was_skipped_gives_its_number_to_none(
-    virtual_time: VirtualRuntime, shop: Shop
+    virtual_time: VirtualRuntime, harness: ProvisionHarness
 ) -> None:
-    command = shop.start_command("s\r\r")
+    command = harness.start_command("s\r\r")
     for count in (1, 2, 3):
-        shop.wait_for_rows(virtual_time, count)
-        shop.bring_a_new_board(virtual_time)
+        harness.wait_for_rows(virtual_time, count)
+        harness.bring_a_new_board(virtual_time)
     assert command.wait() == 0, command.result.output
-    found = [(row["name"], row["number"], row["result"]) for row in shop.rows]
+    found = [(row["name"], row["number"], row["result"]) for row in harness.rows]
     assert found == [("robot 1", "7", "skipped"), ("robot 1", "1", "ok"), ("robot 2", "2", "ok")]
-    assert {row["certainty"] for row in shop.rows} == {"new"}
+    assert {row["certainty"] for row in harness.rows} == {"new"}
 
 
 def test_number_of_a_board_that_was_lost_while_written_is_reserved(
-    virtual_time: VirtualRuntime, shop: Shop
+    virtual_time: VirtualRuntime, harness: ProvisionHarness
 ) -> None:
-    command = shop.start_command("\r")
+    command = harness.start_command("\r")
     assert virtual_time.run_until(
-        lambda: shop.board.show()["parameters"]["serial_timeout"] == 5, 60
+        lambda: harness.board.show()["parameters"]["serial_timeout"] == 5, 60
     )
-    shop.board.do("power off")
+    harness.board.do("power off")
     assert command.wait() == 0, command.result.output
-    (row,) = shop.rows
+    (row,) = harness.rows
     assert row["number"] == "1"
     assert row["result"] not in {"ok", "begun"}
-    assert ProvisionRecord(shop.record).free_number() == 2
+    assert ProvisionRecord(harness.record).free_number() == 2
 
 
 def test_record_that_another_program_changed_is_not_overwritten(tmp_path: Path) -> None:

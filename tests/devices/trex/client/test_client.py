@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from tests.devices.trex.session.helpers import staged
 from tests.support.matrix import examples
-from tests.support.virtual import Stage
+from tests.support.virtual import SessionHarness
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.core.timing import Timeouts
 from trex_gui.devices.trex.client.client import TrexClient
@@ -48,17 +48,17 @@ REAL_TIME = 0.06
 # --- Replies ----------------------------------------------------------------------------
 
 
-def test_out_of_range_value_is_rejected_before_sending(stage: Stage) -> None:
+def test_out_of_range_value_is_rejected_before_sending(harness: SessionHarness) -> None:
     with pytest.raises(BadRequest, match="0 to 127, not 300"):
-        stage.client().request(DriveAuxiliary(300))
-    assert stage.transport.sent == b""
+        harness.client().request(DriveAuxiliary(300))
+    assert harness.transport.sent == b""
 
 
 @pytest.mark.parametrize("number", [None, 7])
 @pytest.mark.parametrize("detection", list(Detection))
 def test_every_packet_format_is_understood(number: int | None, detection: Detection) -> None:
-    stage, settings = staged(detection=detection)
-    client = stage.client(ConnectionSettings("virtual", settings.line, device_number=number))
+    harness, settings = staged(detection=detection)
+    client = harness.client(ConnectionSettings("virtual", settings.line, device_number=number))
     assert client.request(GetParameter(0x7E)) == settings.line.to_wire()
 
 
@@ -79,74 +79,74 @@ def test_every_packet_format_is_understood(number: int | None, detection: Detect
 def test_timeout_is_wire_time_plus_allowance(
     baud: int, command: Command[object], size: int, board_needs: float
 ) -> None:
-    stage, settings = staged(baud)
-    stage.board.power_off()
-    client = stage.client(settings)
-    begun = stage.line.now
+    harness, settings = staged(baud)
+    harness.board.power_off()
+    client = harness.client(settings)
+    begun = harness.line.now
     with pytest.raises(NoReply, match="No reply to"):
         client.request(command)
-    took = stage.line.now - begun
+    took = harness.line.now - begun
     wire = settings.line.seconds(size)
-    assert wire + board_needs <= took <= wire + board_needs + stage.transport.latency + 0.01
+    assert wire + board_needs <= took <= wire + board_needs + harness.transport.latency + 0.01
 
 
-def test_extra_timeout_is_added_to_deadline(stage: Stage) -> None:
-    stage.board.power_off()
-    client = stage.client(ConnectionSettings("virtual", timeouts=Timeouts(extra=2.0)))
+def test_extra_timeout_is_added_to_deadline(harness: SessionHarness) -> None:
+    harness.board.power_off()
+    client = harness.client(ConnectionSettings("virtual", timeouts=Timeouts(extra=2.0)))
     with pytest.raises(NoReply):
         client.request(GetMode())
-    assert 2.0 < stage.line.now < 2.1
+    assert 2.0 < harness.line.now < 2.1
 
 
 @pytest.mark.parametrize("baud", [1200, 2400, 9600, 115200])
 def test_longest_reply_arrives_before_timeout(baud: int) -> None:
-    stage, settings = staged(baud)
-    stage.transport.latency = 0.0
-    assert len(stage.client(settings).request(GetRawChannels())) == 5
+    harness, settings = staged(baud)
+    harness.transport.latency = 0.0
+    assert len(harness.client(settings).request(GetRawChannels())) == 5
 
 
 def test_delayed_reply_within_allowance_is_accepted() -> None:
-    stage, settings = staged()
-    stage.board.eeprom.write("uart_response_delay", 1)
-    stage.board.power_cycle()
-    stage.transport.latency = 0.0
-    assert stage.client(settings).request(GetMode()) is Mode.SERIAL_RC
+    harness, settings = staged()
+    harness.board.eeprom.write("uart_response_delay", 1)
+    harness.board.power_cycle()
+    harness.transport.latency = 0.0
+    assert harness.client(settings).request(GetMode()) is Mode.SERIAL_RC
 
 
 # --- Late and unsolicited bytes -------------------------------------------------
 
 
-def silenced(stage: Stage, questions: int) -> TrexClient:
+def silenced(harness: SessionHarness, questions: int) -> TrexClient:
     """Return a client with a number of unanswered requests."""
-    stage.transport.latency = REAL_TIME
-    client = stage.client()
-    stage.line.faults.mute = True
+    harness.transport.latency = REAL_TIME
+    client = harness.client()
+    harness.line.faults.mute = True
     for _ in range(questions):
         with pytest.raises(NoReply):
             client.request(GetParameter(0x7E))
-    stage.line.faults.mute = False
+    harness.line.faults.mute = False
     return client
 
 
-def test_late_reply_before_next_request_is_discarded(stage: Stage) -> None:
-    client = silenced(stage, 1)
-    stage.line.inject(b"\x05")  # delayed by the adapter
-    stage.line.advance(0.1)
+def test_late_reply_before_next_request_is_discarded(harness: SessionHarness) -> None:
+    client = silenced(harness, 1)
+    harness.line.inject(b"\x05")  # delayed by the adapter
+    harness.line.advance(0.1)
     assert client.request(GetParameter(0)) == 7
 
 
-def test_late_reply_during_next_request_is_discarded(stage: Stage) -> None:
-    client = silenced(stage, 1)
-    stage.line.timeline.at(stage.line.now + 0.03, lambda: stage.line.inject(b"\x05"))
+def test_late_reply_during_next_request_is_discarded(harness: SessionHarness) -> None:
+    client = silenced(harness, 1)
+    harness.line.timeline.at(harness.line.now + 0.03, lambda: harness.line.inject(b"\x05"))
     assert client.request(GetParameter(0)) == 7
     assert client.counters.unsolicited == 1
 
 
-def test_burst_of_late_replies_is_rejected(stage: Stage) -> None:
-    client = silenced(stage, 3)
+def test_burst_of_late_replies_is_rejected(harness: SessionHarness) -> None:
+    client = silenced(harness, 3)
     # A stalled adapter delivers all replies while the next request waits.
-    stage.line.timeline.at(
-        stage.line.now + REAL_TIME + 0.0005, lambda: stage.line.inject(b"\x05\x05\x05")
+    harness.line.timeline.at(
+        harness.line.now + REAL_TIME + 0.0005, lambda: harness.line.inject(b"\x05\x05\x05")
     )
     with pytest.raises(BadReply, match="Late replies"):
         client.request(GetParameter(0))
@@ -154,88 +154,88 @@ def test_burst_of_late_replies_is_rejected(stage: Stage) -> None:
     assert client.counters.unsolicited >= 3
 
 
-def test_reply_after_lost_replies_is_accepted(stage: Stage) -> None:
-    client = silenced(stage, 3)
+def test_reply_after_lost_replies_is_accepted(harness: SessionHarness) -> None:
+    client = silenced(harness, 3)
     assert client.request(GetParameter(0)) == 7
-    begun = stage.line.now
+    begun = harness.line.now
     assert client.request(GetParameter(0)) == 7
-    assert stage.line.now - begun < REAL_TIME, "whose the answers are is known again"
+    assert harness.line.now - begun < REAL_TIME, "whose the answers are is known again"
 
 
-def test_motor_command_does_not_wait_for_late_reply(stage: Stage) -> None:
-    client = silenced(stage, 1)
-    begun = stage.line.now
+def test_motor_command_does_not_wait_for_late_reply(harness: SessionHarness) -> None:
+    client = silenced(harness, 1)
+    begun = harness.line.now
     client.send(DriveMotor(1, Drive.brake(127)))
-    assert stage.line.now == begun
+    assert harness.line.now == begun
 
 
-def test_reply_through_slow_port_is_in_time(stage: Stage) -> None:
-    write = stage.transport.write
+def test_reply_through_slow_port_is_in_time(harness: SessionHarness) -> None:
+    write = harness.transport.write
 
     def write_slowly(data: bytes) -> None:
-        stage.line.advance(0.2)
+        harness.line.advance(0.2)
         write(data)
 
-    stage.transport.write = write_slowly  # type: ignore[method-assign]
-    assert stage.client().request(GetMode()) is Mode.SERIAL_RC
+    harness.transport.write = write_slowly  # type: ignore[method-assign]
+    assert harness.client().request(GetMode()) is Mode.SERIAL_RC
 
 
-def test_incomplete_reply_is_reported_with_its_bytes(stage: Stage) -> None:
-    stage.line.faults.to_drop = 3
+def test_incomplete_reply_is_reported_with_its_bytes(harness: SessionHarness) -> None:
+    harness.line.faults.to_drop = 3
     with pytest.raises(NoReply, match=r"Incomplete reply to 81: only 58 31 2E 32 arrived\."):
-        stage.client().request(GetSignature())
+        harness.client().request(GetSignature())
 
 
 def test_reply_with_wrong_crc_raises_bad_reply() -> None:
-    stage, settings = staged(detection=Detection.CRC7)
-    client = stage.client(settings)
-    stage.board.power_off()
-    stage.line.inject(b"\x07\x00")
+    harness, settings = staged(detection=Detection.CRC7)
+    client = harness.client(settings)
+    harness.board.power_off()
+    harness.line.inject(b"\x07\x00")
     with pytest.raises(BadReply, match="CRC is 00"):
         client.request(GetParameter(0))
 
 
-def test_remaining_bytes_of_bad_reply_are_discarded(stage: Stage) -> None:
-    client = stage.client()
-    stage.board.power_off()
-    stage.line.inject(b"Hello there")
+def test_remaining_bytes_of_bad_reply_are_discarded(harness: SessionHarness) -> None:
+    client = harness.client()
+    harness.board.power_off()
+    harness.line.inject(b"Hello there")
     with pytest.raises(BadReply, match="48"):
         client.request(GetMode())
-    stage.board.power_on()
+    harness.board.power_on()
     assert client.request(GetMode()) is Mode.SERIAL_RC
 
 
 # --- Motor commands ---------------------------------------------------------------------
 
 
-def test_motor_command_returns_immediately(stage: Stage) -> None:
-    stage.client().request(DriveMotor(1, Drive.at(50)))
-    assert stage.line.now == 0.0
-    stage.line.advance(0.01)
-    assert stage.board.motors[0].speed == 50
+def test_motor_command_returns_immediately(harness: SessionHarness) -> None:
+    harness.client().request(DriveMotor(1, Drive.at(50)))
+    assert harness.line.now == 0.0
+    harness.line.advance(0.01)
+    assert harness.board.motors[0].speed == 50
 
 
 @pytest.mark.parametrize("baud", [1200, 115200])
 def test_request_waits_until_motor_command_is_sent(baud: int) -> None:
-    stage, settings = staged(baud)
-    client = stage.client(settings)
+    harness, settings = staged(baud)
+    client = harness.client(settings)
     client.request(DriveBoth(Drive.at(50), Drive.at(-50)))
     client.request(GetMode())
-    assert stage.line.now == pytest.approx(settings.line.seconds(3 + 2))
+    assert harness.line.now == pytest.approx(settings.line.seconds(3 + 2))
 
 
-def test_motor_commands_do_not_queue_up_in_port(stage: Stage) -> None:
-    client = stage.client()
+def test_motor_commands_do_not_queue_up_in_port(harness: SessionHarness) -> None:
+    client = harness.client()
     for speed in range(100):
         client.request(DriveMotor(1, Drive.at(speed)))
-        assert stage.line.backlog <= 0.0011
+        assert harness.line.backlog <= 0.0011
 
 
-def test_drain_waits_for_last_bit(stage: Stage) -> None:
-    client = stage.client()
+def test_drain_waits_for_last_bit(harness: SessionHarness) -> None:
+    client = harness.client()
     client.request(DriveMotor(2, Drive(Direction.REVERSE, 100)))
     client.drain()
-    assert stage.board.motors[1].speed == 100
+    assert harness.board.motors[1].speed == 100
 
 
 # --- Echo -------------------------------------------------------------------------------
@@ -243,54 +243,54 @@ def test_drain_waits_for_last_bit(stage: Stage) -> None:
 
 @pytest.mark.parametrize("echo", [True, False])
 def test_rs232_side_is_detected_by_its_echo(board: Board, *, echo: bool) -> None:
-    stage = Stage(board, echo=echo)
-    client = stage.client()
+    harness = SessionHarness(board, echo=echo)
+    client = harness.client()
     client.echo = not echo
     assert client.detect_echo() is echo
     assert client.echo is echo
-    assert set(stage.transport.sent) == {0xFF}
+    assert set(harness.transport.sent) == {0xFF}
 
 
-def test_echo_detection_ignores_old_bytes(stage: Stage) -> None:
-    stage.line.inject(b"\xff\xff")
-    stage.line.advance(0.1)
-    assert stage.client().detect_echo() is False
+def test_echo_detection_ignores_old_bytes(harness: SessionHarness) -> None:
+    harness.line.inject(b"\xff\xff")
+    harness.line.advance(0.1)
+    assert harness.client().detect_echo() is False
 
 
 def test_echo_of_motor_command_is_consumed(board: Board) -> None:
-    stage = Stage(board, echo=True)
-    client = stage.client()
+    harness = SessionHarness(board, echo=True)
+    client = harness.client()
     client.request(DriveBoth(Drive.at(1), Drive.at(2)))
     assert client.request(GetSerialControl()) is True
     assert client.counters.unsolicited == 0
 
 
 def test_corrupted_echo_raises_bad_reply(board: Board) -> None:
-    stage = Stage(board, echo=True)
-    stage.line.faults.to_drop = 1
+    harness = SessionHarness(board, echo=True)
+    harness.line.faults.to_drop = 1
     with pytest.raises(BadReply, match="echo should be 9F 07"):
-        stage.client().request(GetParameter(7))
+        harness.client().request(GetParameter(7))
 
 
 # --- Device numbers ---------------------------------------------------------------------
 
 
-def test_client_follows_new_device_number(stage: Stage) -> None:
-    client = stage.client(ConnectionSettings("virtual", device_number=7))
+def test_client_follows_new_device_number(harness: SessionHarness) -> None:
+    client = harness.client(ConnectionSettings("virtual", device_number=7))
     assert client.request(SetParameter(0, 42)) is ResultCode.OK
     assert client.settings.device_number == 42
     assert client.request(GetParameter(0)) == 42
 
 
 def test_client_ignores_rejected_device_number() -> None:
-    stage, _ = staged(mode="rc")
-    client = stage.client(ConnectionSettings("virtual", device_number=7))
+    harness, _ = staged(mode="rc")
+    client = harness.client(ConnectionSettings("virtual", device_number=7))
     assert client.request(SetParameter(0, 42)) is ResultCode.NOT_SERIAL_MODE
     assert client.request(GetParameter(0)) == 7
 
 
-def test_compact_protocol_is_kept_after_number_change(stage: Stage) -> None:
-    client = stage.client()
+def test_compact_protocol_is_kept_after_number_change(harness: SessionHarness) -> None:
+    client = harness.client()
     client.request(SetParameter(0, 42))
     assert client.settings.device_number is None
     assert client.request(GetParameter(0)) == 42
@@ -299,14 +299,14 @@ def test_compact_protocol_is_kept_after_number_change(stage: Stage) -> None:
 # --- Counters ---------------------------------------------------------------------------
 
 
-def test_counters_count_requests_timeouts_and_bad_replies(stage: Stage) -> None:
-    client = stage.client()
+def test_counters_count_requests_timeouts_and_bad_replies(harness: SessionHarness) -> None:
+    client = harness.client()
     client.request(GetMode())
-    stage.line.inject(b"\x00")
-    stage.line.advance(0.1)
+    harness.line.inject(b"\x00")
+    harness.line.advance(0.1)
     client.request(GetMode())
-    stage.board.power_off()
-    stage.line.inject(b"\x00")
+    harness.board.power_off()
+    harness.line.inject(b"\x00")
     with pytest.raises(BadReply):
         client.request(GetMode())
     with pytest.raises(NoReply):
@@ -316,15 +316,15 @@ def test_counters_count_requests_timeouts_and_bad_replies(stage: Stage) -> None:
     assert counters.unsolicited == 1
 
 
-def test_slowest_round_trip_ignores_timeouts(stage: Stage) -> None:
-    client = stage.client()
+def test_slowest_round_trip_ignores_timeouts(harness: SessionHarness) -> None:
+    client = harness.client()
     client.request(GetMode())
     quick = client.counters.slowest
     assert quick == pytest.approx(client.settings.line.seconds(2))
     client.request(SetParameter(7, 5))
     slow = client.counters.slowest
     assert slow == pytest.approx(client.settings.line.seconds(6) + 0.004, abs=1e-4)
-    stage.board.power_off()
+    harness.board.power_off()
     with pytest.raises(NoReply):
         client.request(SetParameter(7, 5))
     assert client.counters.slowest == slow
@@ -370,29 +370,29 @@ def test_crc_rejects_replies_with_few_corrupted_bytes(
     quiet.line.advance(0.1)  # every channel receives its first pulse
     expected = [quiet.client(settings).request(question) for question in questions]
 
-    stage, _ = staged(detection=Detection.CRC7, echo=echo)
-    stage.line.advance(0.1)
-    stage.line.faults._random.seed(seed)
-    stage.line.faults.noise = noise
-    client = stage.client(ConnectionSettings("virtual", settings.line, device_number=number))
+    harness, _ = staged(detection=Detection.CRC7, echo=echo)
+    harness.line.advance(0.1)
+    harness.line.faults._random.seed(seed)
+    harness.line.faults.noise = noise
+    client = harness.client(ConnectionSettings("virtual", settings.line, device_number=number))
     for question, right, drop, miss in zip(questions, expected, drops, lost, strict=False):
-        stage.line.faults.to_drop, stage.line.faults.to_drop_sent = drop, miss
-        corrupted = stage.line.faults.counters["corrupted"]
+        harness.line.faults.to_drop, harness.line.faults.to_drop_sent = drop, miss
+        corrupted = harness.line.faults.counters["corrupted"]
         try:
             answer = client.request(question)
         except (NoReply, BadReply):
             continue
         # CRC-7 detects one or two wrong bits, and all but one in 128 of other errors.
-        assert answer == right or stage.line.faults.counters["corrupted"] - corrupted > 2
+        assert answer == right or harness.line.faults.counters["corrupted"] - corrupted > 2
 
 
 @modest
 @given(garbage=st.binary(max_size=40), question=st.sampled_from(QUESTIONS))
 def test_client_recovers_from_unsolicited_bytes(garbage: bytes, question: Command[object]) -> None:
-    stage = Stage(Board(eeprom=Eeprom()))
-    client = stage.client()
-    stage.line.inject(garbage)
+    harness = SessionHarness(Board(eeprom=Eeprom()))
+    client = harness.client()
+    harness.line.inject(garbage)
     with contextlib.suppress(NoReply, BadReply):
         client.request(question)
-    stage.line.advance(0.1)
+    harness.line.advance(0.1)
     assert client.request(GetMode()) is Mode.SERIAL_RC

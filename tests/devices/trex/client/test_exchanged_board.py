@@ -6,7 +6,7 @@ import pytest
 
 from tests.devices.trex.session.helpers import commands, staged
 from tests.support.matrix import sampled
-from tests.support.virtual import Stage
+from tests.support.virtual import SessionHarness
 from trex_gui.devices.trex.client.client import TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState, read_everything
 from trex_gui.devices.trex.client.writing import WriteResult, write_all
@@ -31,19 +31,19 @@ def _calibrate(board: Board) -> None:
     board.eeprom.write_calibration(InputSource.RC, 5, Calibration(2400, 3700, 5100, 80))
 
 
-def known() -> tuple[Stage, TrexClient, DeviceState]:
+def known() -> tuple[SessionHarness, TrexClient, DeviceState]:
     """Return the state of the board."""
-    stage, settings = staged()
-    client = stage.client(settings)
-    return stage, client, read_everything(client.request)
+    harness, settings = staged()
+    client = harness.client(settings)
+    return harness, client, read_everything(client.request)
 
 
-def _exchange(stage: Stage, board: Board) -> Board:
+def _exchange(harness: SessionHarness, board: Board) -> Board:
     """Let another board reply from now on."""
     board.memory.load()
     line = SimulatedBoards([board])
-    line.advance(stage.line.now)
-    stage.transport.line = line
+    line.advance(harness.line.now)
+    harness.transport.line = line
     return board
 
 
@@ -66,14 +66,14 @@ def _was_written(board: Board) -> bool:
 def test_board_with_other_settings_is_not_written(
     board: Board, prepare: Prepare, code: ErrorCode
 ) -> None:
-    stage, client, before = known()
+    harness, client, before = known()
     prepare(board)
-    other = _exchange(stage, board)
+    other = _exchange(harness, board)
     with pytest.raises(OtherBoard) as caught:
         write_all(client.request, SPECS, WANTED, before=before)
     assert caught.value.code is code
     assert not _was_written(other)
-    assert not _was_written(stage.board)
+    assert not _was_written(harness.board)
 
 
 @pytest.mark.parametrize("writes", range(1, len(WANTED) + 1))
@@ -83,7 +83,7 @@ def test_board_with_other_settings_is_not_written(
 def test_board_that_replaces_silent_board_is_not_written(
     writes: int, model: str, number: int
 ) -> None:
-    stage, client, before = known()
+    harness, client, before = known()
     other = Board(model)
     _store("device_number", number)(other)
     sent = 0
@@ -92,25 +92,25 @@ def test_board_that_replaces_silent_board_is_not_written(
         """Lose the reply to a write, and exchange the board."""
         nonlocal sent
         sent += isinstance(command, SetParameter)
-        if sent < writes or stage.transport.line is not stage.line:
+        if sent < writes or harness.transport.line is not harness.line:
             return client.request(command)
-        stage.board.power_off()
+        harness.board.power_off()
         try:
             return client.request(command)
         finally:
-            _exchange(stage, other)
+            _exchange(harness, other)
 
     with pytest.raises(OtherBoard) as caught:
         write_all(request, SPECS, WANTED, before=before)
     assert caught.value.code is ErrorCode.OTHER_BOARD_AFTER_WRITING
     assert not _was_written(other)
-    assert stage.board.memory.writes == writes - 1
+    assert harness.board.memory.writes == writes - 1
 
 
 @pytest.mark.parametrize("replies", [1, 5, 20, 36])
 def test_board_exchanged_during_comparison_is_not_written(replies: int) -> None:
     """Otherwise the values of two boards would count as those of one board."""
-    stage, client, before = known()
+    harness, client, before = known()
     other = Board("trexjr")
     requests = 0
 
@@ -118,7 +118,7 @@ def test_board_exchanged_during_comparison_is_not_written(replies: int) -> None:
         nonlocal requests
         requests += 1
         if requests == replies + 1:
-            _exchange(stage, other)
+            _exchange(harness, other)
         return client.request(command)
 
     with pytest.raises(OtherBoard):
@@ -127,13 +127,13 @@ def test_board_exchanged_during_comparison_is_not_written(replies: int) -> None:
 
 
 def test_board_that_replies_at_the_end_is_compared() -> None:
-    stage, client, before = known()
+    harness, client, before = known()
     stored: list[WriteResult] = []
 
     def record(result: WriteResult) -> None:
         stored.append(result)
         if len(stored) == len(WANTED):
-            _exchange(stage, Board("trexjr"))
+            _exchange(harness, Board("trexjr"))
 
     with pytest.raises(OtherBoard) as caught:
         write_all(client.request, SPECS, WANTED, before=before, stored=record)
@@ -142,19 +142,19 @@ def test_board_that_replies_at_the_end_is_compared() -> None:
 
 @pytest.mark.parametrize("seed", sampled(range(20), every=4))
 def test_corrupted_readings_are_not_taken_for_another_board(seed: int) -> None:
-    stage, client, before = known()
-    stage.transport.line = SimulatedBoards([stage.board], seed=seed)
-    stage.transport.line.faults.noise = 0.005
+    harness, client, before = known()
+    harness.transport.line = SimulatedBoards([harness.board], seed=seed)
+    harness.transport.line.faults.noise = 0.005
     results = write_all(client.request, SPECS, WANTED, before=before)
     assert {result.key for result in results} == dict(WANTED).keys()
 
 
 def test_board_that_cannot_be_compared_is_not_written() -> None:
-    stage, client, before = known()
-    stage.board.power_off()
+    harness, client, before = known()
+    harness.board.power_off()
     results = write_all(client.request, SPECS, WANTED, before=before)
     assert [type(result.error) for result in results] == [TrexNoReplyError] * len(WANTED)
-    assert not any(isinstance(one, SetParameter) for one in commands(stage.transport.sent))
+    assert not any(isinstance(one, SetParameter) for one in commands(harness.transport.sent))
 
 
 def test_changed_device_number_does_not_mean_other_board() -> None:
@@ -165,8 +165,8 @@ def test_changed_device_number_does_not_mean_other_board() -> None:
 
 
 def test_board_without_writes_is_not_compared_at_the_end() -> None:
-    stage, client, before = known()
-    _exchange(stage, Board("trexjr"))
+    harness, client, before = known()
+    _exchange(harness, Board("trexjr"))
     results = write_all(client.request, SPECS, WANTED, before=before, cancelled=lambda: True)
     assert all(isinstance(result.error, Skipped) for result in results)
     assert len(results) == len(WANTED)

@@ -12,7 +12,7 @@ import pytest
 
 from tests.devices.trex.session.helpers import commands
 from tests.support.matrix import sampled
-from tests.support.virtual import Stage
+from tests.support.virtual import SessionHarness
 from trex_gui.core.discovery.scan import scan_port
 from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
 from trex_gui.devices.trex.client.client import TrexClient
@@ -197,20 +197,20 @@ every_case = pytest.mark.parametrize(
 
 
 @dataclass
-class Attempt:
+class InterruptedWrite:
     """One write to a board that may be disturbed."""
 
     case: Case
     results: tuple[WriteResult, ...] = ()
     board: Board = field(init=False)
-    stage: Stage = field(init=False)
+    harness: SessionHarness = field(init=False)
 
     def __post_init__(self) -> None:
         self.board = Board("trex", self.case.firmware, eeprom=self.case.eeprom())
-        self.stage = Stage(self.board)
+        self.stage = SessionHarness(self.board)
         self.stage.transport.latency = 0.0
 
-    def run(self, device_number: int | None = None) -> "Attempt":
+    def run(self, device_number: int | None = None) -> "InterruptedWrite":
         case = self.case
         settings = case.link(case.before)
         if case.expanded and device_number is not None:
@@ -220,7 +220,7 @@ class Attempt:
         self.results = write_all(client.request, case.specs, case.parameters, case.calibrations)
         return self
 
-    def at(self, moment: float, action: Callable[[], None]) -> "Attempt":
+    def at(self, moment: float, action: Callable[[], None]) -> "InterruptedWrite":
         self.stage.line.timeline.at(moment, action)
         return self
 
@@ -247,7 +247,7 @@ class Attempt:
 @cache
 def moments(name: str) -> tuple[float, ...]:
     """Return the times after each byte, and times within the writes to the EEPROM."""
-    attempt = Attempt(CASES[name])
+    attempt = InterruptedWrite(CASES[name])
     line, memory = attempt.stage.line, attempt.board.memory
     found: list[float] = []
     seen = 0
@@ -274,11 +274,11 @@ def some(found: tuple[float, ...]) -> tuple[float, ...]:
     return found[:: 1 + len(found) // 100]
 
 
-def answers(stage: Stage, settings: ConnectionSettings) -> bool:
+def answers(harness: SessionHarness, settings: ConnectionSettings) -> bool:
     """Return whether the board replies at these settings."""
-    stage.line.host = settings.line
-    stage.line.advance(1.0)
-    client = TrexClient(stage.transport, settings)
+    harness.line.host = settings.line
+    harness.line.advance(1.0)
+    client = TrexClient(harness.transport, settings)
     for _ in range(2):  # the first request may follow bytes at another rate
         try:
             client.request(GetSignature())
@@ -302,29 +302,29 @@ def places(case: Case) -> Iterator[ConnectionSettings]:
 _reached: set[object] = set()
 
 
-def require_reachable(attempt: Attempt) -> None:
+def require_reachable(attempt: InterruptedWrite) -> None:
     """Find the board in each state that an interruption leaves."""
-    case, stage, memory = attempt.case, attempt.stage, attempt.board.memory
+    case, harness, memory = attempt.case, attempt.stage, attempt.board.memory
     polynomial, number = memory.crc_polynomial, memory.active["device_number"]
     state = (case, memory.line_settings, polynomial, number)
     if state in _reached:
         return
     assert attempt.board.powered
     if polynomial in {None, DEFAULT_POLYNOMIAL}:  # others need a full scan
-        stage.line.advance(1.0)
+        harness.line.advance(1.0)
         (found,) = scan_port(
             ConnectionSettings("virtual"),
             {"trex": TREX_PROBER},
-            open_wire=lambda _settings: stage.transport,
+            open_wire=lambda _settings: harness.transport,
         ).found
         assert isinstance(found, FoundBoard)
         assert found.device_number == number
-        assert answers(stage, found.settings)
-    assert any(answers(stage, place) for place in places(case)), state
+        assert answers(harness, found.settings)
+    assert any(answers(harness, place) for place in places(case)), state
     _reached.add(state)
 
 
-def require_order(attempt: Attempt, *, lost: int) -> None:
+def require_order(attempt: InterruptedWrite, *, lost: int) -> None:
     """Check that values are old or new, except for a limited number of defaults."""
     case, stored = attempt.case, attempt.stored
     before, after = case.before, case.after
@@ -352,7 +352,7 @@ def passes_the_factory_line(case: Case) -> bool:
 @every_case
 def test_power_cut_loses_only_values_being_written(name: str, first: int) -> None:
     for moment in moments(name)[first::3]:
-        attempt = Attempt(CASES[name])
+        attempt = InterruptedWrite(CASES[name])
         attempt.at(moment, attempt.board.power_off).run()
         require_order(attempt, lost=2 if passes_the_factory_line(attempt.case) else 1)
         attempt.board.power_on()
@@ -363,7 +363,7 @@ def test_power_cut_loses_only_values_being_written(name: str, first: int) -> Non
 def test_brief_power_cut_loses_only_values_being_written(name: str) -> None:
     """Writing may continue after the board has returned."""
     for moment in some(moments(name)):
-        attempt = Attempt(CASES[name])
+        attempt = InterruptedWrite(CASES[name])
         attempt.at(moment, attempt.board.power_off)
         attempt.at(moment + 0.01, attempt.board.power_on).run()
         require_order(attempt, lost=2 if passes_the_factory_line(attempt.case) else 1)
@@ -379,7 +379,7 @@ def test_brief_power_cut_loses_only_values_being_written(name: str) -> None:
 @every_case
 def test_unplugged_cable_leaves_every_value_valid(name: str) -> None:
     for moment in some(moments(name)):
-        attempt = Attempt(CASES[name])
+        attempt = InterruptedWrite(CASES[name])
         attempt.at(moment, attempt.stage.line.unplug).run()
         attempt.stage.line.advance(0.1)
         require_order(attempt, lost=int(passes_the_factory_line(attempt.case)))
@@ -395,7 +395,7 @@ def test_unplugged_cable_leaves_every_value_valid(name: str) -> None:
 @every_case
 def test_interrupted_write_completes_after_replugging(name: str) -> None:
     for moment in some(moments(name))[::5]:
-        attempt = Attempt(CASES[name])
+        attempt = InterruptedWrite(CASES[name])
         attempt.at(moment, attempt.stage.line.unplug).run()
         attempt.stage.line.advance(0.1)
         attempt.stage.line.plug()
@@ -407,9 +407,9 @@ def test_interrupted_write_completes_after_replugging(name: str) -> None:
 @every_case
 def test_port_loss_is_reported_for_all_remaining_settings(name: str) -> None:
     for moment in some(moments(name)):
-        attempt = Attempt(CASES[name])
+        attempt = InterruptedWrite(CASES[name])
 
-        def pull(attempt: Attempt = attempt) -> None:
+        def pull(attempt: InterruptedWrite = attempt) -> None:
             attempt.stage.line.unplug()
             attempt.stage.transport.fail = PortUnavailable("The port is gone.")
 
@@ -428,7 +428,7 @@ def test_changed_input_source_keeps_its_calibrations() -> None:
     """The stored input source may differ from the active input source."""
     refused = 0
     for moment in some(moments("calibrations")):
-        attempt = Attempt(CASES["calibrations"])
+        attempt = InterruptedWrite(CASES["calibrations"])
         attempt.board.eeprom.write("channel_input_source", 1)
         attempt.at(moment, attempt.board.power_off)
         attempt.at(moment + 0.01, attempt.board.power_on).run()
@@ -442,7 +442,7 @@ def test_changed_input_source_keeps_its_calibrations() -> None:
 
 
 def test_write_ends_when_board_returns_in_rc_mode() -> None:
-    attempt = Attempt(CASES["everything"])
+    attempt = InterruptedWrite(CASES["everything"])
     attempt.board.mode_jumper = "rc"
     attempt.at(0.2, attempt.board.power_off).at(0.21, attempt.board.power_on).run()
     assert "not in serial mode" in str(attempt.results[-1].error)
@@ -452,31 +452,31 @@ def test_write_ends_when_board_returns_in_rc_mode() -> None:
 # --- Cancelled writes -------------------------------------------------------------------
 
 
-def ended_after(case: Case, count: int) -> tuple[Stage, tuple[WriteResult, ...]]:
+def ended_after(case: Case, count: int) -> tuple[SessionHarness, tuple[WriteResult, ...]]:
     """Write, and cancel after a number of settings."""
-    attempt = Attempt(case)
-    stage, settings = attempt.stage, case.link(case.before)
+    attempt = InterruptedWrite(case)
+    harness, settings = attempt.stage, case.link(case.before)
     tried: list[int] = []
     results = write_all(
-        stage.client(settings).request,
+        harness.client(settings).request,
         case.specs,
         case.parameters,
         case.calibrations,
         lambda done, _total, _what: tried.append(done),
         cancelled=lambda: len(tried) >= count,
     )
-    return stage, results
+    return harness, results
 
 
 @pytest.mark.parametrize("count", [0, 1, 4, 5, 6, 20])
 def test_cancelled_write_ends_between_settings(count: int) -> None:
     case = CASES["everything"]
-    stage, results = ended_after(case, count)
+    harness, results = ended_after(case, count)
     assert [result.error is None for result in results] == [
         number < count for number in range(len(results))
     ]
     assert all(isinstance(one.error, Skipped) for one in results[count:])
-    stored = contents(stage.board.eeprom, case.specs)
+    stored = contents(harness.board.eeprom, case.specs)
     changed = {name for name in stored if stored[name] != case.before[name]}
     assert len({name.rsplit(" ", 1)[0] for name in changed}) == count
 
@@ -484,9 +484,9 @@ def test_cancelled_write_ends_between_settings(count: int) -> None:
 @pytest.mark.parametrize("name", ["CRC on", "CRC off", "CRC stays on"])
 def test_line_settings_and_polynomial_stay_together(name: str) -> None:
     case = CASES[name]
-    stage, results = ended_after(case, 1)
+    harness, results = ended_after(case, 1)
     assert [result.error for result in results] == [None, None]
-    assert contents(stage.board.eeprom, case.specs) == case.after
+    assert contents(harness.board.eeprom, case.specs) == case.after
 
 
 # --- Default settings in between ---------------------------------------------------
@@ -494,7 +494,7 @@ def test_line_settings_and_polynomial_stay_together(name: str) -> None:
 
 def test_line_change_with_crc_goes_via_factory_settings() -> None:
     case = CASES["CRC stays on"]
-    attempt = Attempt(case).run()
+    attempt = InterruptedWrite(case).run()
     sent = commands(attempt.stage.transport.sent, 0x80 | case.before["crc7_polynomial"])
     assert [one for one in sent if isinstance(one, SetParameter)] == [
         SetParameter(0x7E, 0x05),
@@ -504,7 +504,7 @@ def test_line_change_with_crc_goes_via_factory_settings() -> None:
 
 
 def test_possible_factory_line_settings_are_reported() -> None:
-    attempt = Attempt(CASES["CRC stays on"])
+    attempt = InterruptedWrite(CASES["CRC stays on"])
     writes = moments("CRC stays on")
     attempt.at(writes[len(writes) // 2], attempt.stage.line.unplug).run()
     assert attempt.board.eeprom["uart_settings"] == 0x05
@@ -519,7 +519,7 @@ def test_possible_factory_line_settings_are_reported() -> None:
 
 def test_unwritable_line_settings_skip_factory_detour() -> None:
     case = line_and_polynomial(FAST, 0x33, 0x0F, 0x44)
-    attempt = Attempt(case).run()
+    attempt = InterruptedWrite(case).run()
     errors = {result.key: result.error for result in attempt.results}
     assert errors["crc7_polynomial"] is None
     assert isinstance(errors["uart_settings"], BadRequest)

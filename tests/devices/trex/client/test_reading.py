@@ -5,7 +5,7 @@ from collections.abc import Callable
 import pytest
 
 from tests.devices.trex.session.helpers import commands, replying, staged
-from tests.support.virtual import Stage
+from tests.support.virtual import SessionHarness
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
 from trex_gui.devices.trex.client.client import Requester, TrexClient
 from trex_gui.devices.trex.client.reading import DeviceState, agreed, query, read_everything
@@ -25,9 +25,9 @@ _GET_TIMEOUT = GetParameter(0x07)
 )
 @pytest.mark.parametrize("mode", ["serial", "rc", "analog"])
 def test_every_board_is_read_completely(model: str, firmware: str, mode: str) -> None:
-    stage, settings = staged(model=model, firmware=firmware, mode=mode)
-    state = read_everything(stage.client(settings).request)
-    board = stage.board
+    harness, settings = staged(model=model, firmware=firmware, mode=mode)
+    state = read_everything(harness.client(settings).request)
+    board = harness.board
     assert state.signature.model.key == model
     assert state.signature.firmware == firmware
     assert state.mode is board.mode
@@ -40,26 +40,28 @@ def test_every_board_is_read_completely(model: str, firmware: str, mode: str) ->
 
 
 @pytest.mark.parametrize("reply", [b"", b"\xff"])
-def test_unknown_parameter_is_omitted_after_any_reply(stage: Stage, reply: bytes) -> None:
+def test_unknown_parameter_is_omitted_after_any_reply(
+    harness: SessionHarness, reply: bytes
+) -> None:
     """A board may lack a parameter of its firmware. The qik 2s12v10 replies FF."""
-    board = stage.board
+    board = harness.board
     board.unknown_reply, board.memory.parameters = reply, parameters_of("trex", "1.1")
-    state = read_everything(stage.client().request)
+    state = read_everything(harness.client().request)
     assert set(state.unread) == {"uart_response_delay"}
     assert state.parameters == board.memory.stored()
 
 
-def test_learned_channels_are_reported(stage: Stage) -> None:
+def test_learned_channels_are_reported(harness: SessionHarness) -> None:
     wanted = Calibration(2400, 3750, 5000, 75)
-    stage.board.eeprom.write_calibration(InputSource.RC, 3, wanted)
-    state = read_everything(stage.client().request)
+    harness.board.eeprom.write_calibration(InputSource.RC, 3, wanted)
+    state = read_everything(harness.client().request)
     assert state.calibrated == 0b00100
     assert state.calibrations[3] == wanted
 
 
-def test_progress_increases_to_total(stage: Stage) -> None:
+def test_progress_increases_to_total(harness: SessionHarness) -> None:
     steps: list[tuple[int, int, str]] = []
-    read_everything(stage.client().request, lambda *step: steps.append(step))
+    read_everything(harness.client().request, lambda *step: steps.append(step))
     done = [step[0] for step in steps]
     assert done == sorted(set(done))
     assert steps[-1][0] == steps[-1][1]
@@ -67,81 +69,81 @@ def test_progress_increases_to_total(stage: Stage) -> None:
     assert "Serial Timeout" in [what for _, _, what in steps]
 
 
-def test_lost_reply_costs_one_retry(stage: Stage) -> None:
-    stage.line.faults.to_drop = 1
-    client = stage.client()
+def test_lost_reply_costs_one_retry(harness: SessionHarness) -> None:
+    harness.line.faults.to_drop = 1
+    client = harness.client()
     state = read_everything(client.request)
-    assert state.parameters == stage.board.memory.stored()
+    assert state.parameters == harness.board.memory.stored()
     assert client.counters.missing == 1
 
 
 def test_noisy_line_with_crc_yields_no_wrong_value() -> None:
     for seed in range(10):
-        stage, settings = staged(detection=Detection.CRC7)
-        stage.line.faults._random.seed(seed)
-        stage.line.faults.noise = 0.01
+        harness, settings = staged(detection=Detection.CRC7)
+        harness.line.faults._random.seed(seed)
+        harness.line.faults.noise = 0.01
         try:
-            state = read_everything(stage.client(settings).request)
+            state = read_everything(harness.client(settings).request)
         except NoReply:
             continue
         for key, value in state.parameters.items():
-            assert value == stage.board.memory.stored()[key]
+            assert value == harness.board.memory.stored()[key]
 
 
 @pytest.mark.parametrize(
     ("readings", "value"), [([5, 5], 5), ([9, 5, 5], 5), ([5, 9, 5, 5], 5), ([9, 8, 5, 5], 5)]
 )
 def test_value_counts_when_two_readings_in_a_row_agree(
-    stage: Stage, readings: list[int], value: int
+    harness: SessionHarness, readings: list[int], value: int
 ) -> None:
-    request = replying(stage, GetParameter, readings)
+    request = replying(harness, GetParameter, readings)
     assert agreed(request, _GET_TIMEOUT) == value
 
 
-def test_readings_that_never_agree_are_an_error(stage: Stage) -> None:
-    request = replying(stage, GetParameter, [5, 9, 5, 9, 9])
+def test_readings_that_never_agree_are_an_error(harness: SessionHarness) -> None:
+    request = replying(harness, GetParameter, [5, 9, 5, 9, 9])
     with pytest.raises(BadReply, match="replies to 9F 07 differ each time") as caught:
         agreed(request, _GET_TIMEOUT)
     assert is_unsteady(caught.value)
 
 
 def test_one_reading_suffices_with_crc() -> None:
-    stage, settings = staged(detection=Detection.CRC7)
-    client = stage.client(settings)
+    harness, settings = staged(detection=Detection.CRC7)
+    client = harness.client(settings)
     state = read_everything(client.request, has_crc=True)
     assert client.counters.requests == 4 + len(state.specs.readable) + len(CHANNELS)
 
 
 def test_corrupted_reply_is_read_again() -> None:
     """Each of the first replies is corrupted once, and a share of later replies."""
-    whole = Stage(Board())
+    whole = SessionHarness(Board())
     stored = read_everything(whole.client().request)
     count = len(commands(whole.transport.sent))
     for number in (*range(8), *range(8, count, 5), count - 1):
-        stage = Stage(Board())
-        client = stage.client()
+        harness = SessionHarness(Board())
+        client = harness.client()
 
         def corrupt(
             command: Command[ReplyT_co],
-            stage: Stage = stage,
+            harness: SessionHarness = harness,
             client: TrexClient = client,
             number: int = number,
         ) -> ReplyT_co:
-            stage.line.faults.to_corrupt = int(client.counters.requests == number)
+            harness.line.faults.to_corrupt = int(client.counters.requests == number)
             return client.request(command)
 
         assert read_everything(corrupt) == stored, number
-        assert stage.line.faults.counters["corrupted"] == 1
+        assert harness.line.faults.counters["corrupted"] == 1
 
 
 @pytest.mark.parametrize("read", [read_everything, lambda request: agreed(request, _GET_TIMEOUT)])
 def test_request_corrupted_into_other_request_changes_no_value(
-    stage: Stage, read: Callable[[Requester], DeviceState | int]
+    harness: SessionHarness, read: Callable[[Requester], DeviceState | int]
 ) -> None:
     """9F 07 becomes 8F (both currents), whose second byte is taken for the next reply."""
-    stage.board.eeprom.write("serial_timeout", 5)
-    client = stage.client()
-    write = stage.transport.write
+    harness.board.eeprom.write("serial_timeout", 5)
+    client = harness.client()
+    write = harness.transport.write
     to_damage = [b"\x9f\x07"]
 
     def damage(data: bytes) -> None:
@@ -150,17 +152,17 @@ def test_request_corrupted_into_other_request_changes_no_value(
             data = b"\x8f\x07"
         write(data)
 
-    stage.transport.write = damage  # type: ignore[method-assign]
+    harness.transport.write = damage  # type: ignore[method-assign]
     found = read(client.request)
     assert not to_damage
     assert (found if isinstance(found, int) else found.parameters["serial_timeout"]) == 5
 
 
-def test_unreadable_parameter_does_not_block_remaining_ones(stage: Stage) -> None:
-    client = stage.client()
+def test_unreadable_parameter_does_not_block_remaining_ones(harness: SessionHarness) -> None:
+    client = harness.client()
 
     def without_replies_to_one(command: Command[ReplyT_co]) -> ReplyT_co:
-        stage.line.faults.mute = command == GetParameter(0x07)
+        harness.line.faults.mute = command == GetParameter(0x07)
         return client.request(command)
 
     state = read_everything(without_replies_to_one)
@@ -170,26 +172,26 @@ def test_unreadable_parameter_does_not_block_remaining_ones(stage: Stage) -> Non
     assert len(state.parameters) == len(state.specs.readable) - 1
 
 
-def test_power_loss_while_reading_raises_no_reply(stage: Stage) -> None:
+def test_power_loss_while_reading_raises_no_reply(harness: SessionHarness) -> None:
     def switch_off(done: int, _total: int, _what: str) -> None:
         if done == 10:
-            stage.board.power_off()
+            harness.board.power_off()
 
     with pytest.raises(NoReply):
-        read_everything(stage.client().request, switch_off)
+        read_everything(harness.client().request, switch_off)
 
 
-def test_request_without_reply_is_sent_three_times(stage: Stage) -> None:
-    stage.board.power_off()
-    client = stage.client()
+def test_request_without_reply_is_sent_three_times(harness: SessionHarness) -> None:
+    harness.board.power_off()
+    client = harness.client()
     with pytest.raises(NoReply):
         query(client.request, GetMode())
     assert client.counters.requests == 3
 
 
-def test_request_on_lost_port_is_not_retried(stage: Stage) -> None:
-    client = stage.client()
-    stage.transport.fail = PortUnavailable("gone")
+def test_request_on_lost_port_is_not_retried(harness: SessionHarness) -> None:
+    client = harness.client()
+    harness.transport.fail = PortUnavailable("gone")
     with pytest.raises(PortUnavailable):
         query(client.request, GetMode())
     assert client.counters.requests == 1

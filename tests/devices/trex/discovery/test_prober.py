@@ -14,7 +14,7 @@ import pytest
 
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.matrix import sampled
-from tests.support.virtual import Stage, VirtualTransport
+from tests.support.virtual import SessionHarness, VirtualTransport
 from trex_gui.core.discovery.prober import FLUSH_BYTE, FLUSH_LINE, ScanProgress
 from trex_gui.core.discovery.scan import PortScan, scan_port
 from trex_gui.core.errors import BadRequest, PortUnavailable
@@ -507,10 +507,10 @@ def test_replies_to_another_master_are_no_answers() -> None:
 
 def _sent_to_nobody(settings: ConnectionSettings) -> list[bytes]:
     """Return what a session sends while nothing answers."""
-    stage = Stage(Board())
-    stage.line.faults.mute = True
-    stage.run(settings)
-    return [data for _, data in stage.transport.written]
+    harness = SessionHarness(Board())
+    harness.line.faults.mute = True
+    harness.run(settings)
+    return [data for _, data in harness.transport.written]
 
 
 def _moves(line: SimulatedBoards, board: Board, packets: list[bytes]) -> list[str]:

@@ -18,7 +18,7 @@ from tests.devices.trex.session.helpers import (
 )
 from tests.soak.drives import LONGEST_TURN, drive
 from tests.support.matrix import sampled
-from tests.support.virtual import Stage
+from tests.support.virtual import SessionHarness
 from trex_gui.core.errors import NoReply
 from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.core.timing import Timeouts
@@ -44,9 +44,9 @@ FULL_BRAKE = SetMotor(1, Drive.brake(127))
 BRAKES = [DriveMotor(1, Drive.brake()), DriveMotor(2, Drive.brake())]
 
 
-def swap(stage: Stage, wanted: str, instead: str, times: int = 1) -> None:
+def swap(harness: SessionHarness, wanted: str, instead: str, times: int = 1) -> None:
     """Replace a packet on its way to the board, a number of times."""
-    write = stage.transport.write
+    write = harness.transport.write
     left = times
 
     def corrupt(data: bytes) -> None:
@@ -56,28 +56,28 @@ def swap(stage: Stage, wanted: str, instead: str, times: int = 1) -> None:
             data = bytes.fromhex(instead)
         write(data)
 
-    stage.transport.write = corrupt  # type: ignore[method-assign]
+    harness.transport.write = corrupt  # type: ignore[method-assign]
 
 
-def is_braked(stage: Stage) -> bool:
-    return stage.board.motors[0].direction is MotorDirection.BRAKE
+def is_braked(harness: SessionHarness) -> bool:
+    return harness.board.motors[0].direction is MotorDirection.BRAKE
 
 
 @pytest.mark.parametrize(
     ("seed", "noise"), sampled(product([13, 19, 40, 74, 93, 117], [0.01, 0.02, 0.05]), every=7)
 )
 def test_released_motor_does_not_keep_running_on_noisy_line(
-    stage: Stage, noise: float, seed: int
+    harness: SessionHarness, noise: float, seed: int
 ) -> None:
-    stage.line.faults._random.seed(seed)
-    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
-    stage.script.at(1.5, stage.fault(noise=noise)).at(1.6, FULL_BRAKE)
+    harness.line.faults._random.seed(seed)
+    harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
+    harness.script.at(1.5, harness.fault(noise=noise)).at(1.6, FULL_BRAKE)
     seen: list[bool] = []
     for step in range(60):
         if step % 10 == 0:
-            pulses(stage, 1.7 + step * 0.03, 1.7 + step * 0.03)
-        stage.script.at(1.7 + step * 0.03, lambda: seen.append(is_braked(stage)))
-    run_for(stage, 3.6)
+            pulses(harness, 1.7 + step * 0.03, 1.7 + step * 0.03)
+        harness.script.at(1.7 + step * 0.03, lambda: seen.append(is_braked(harness)))
+    run_for(harness, 3.6)
     spell = longest = 0
     for braked in seen:
         spell = 0 if braked else spell + 1
@@ -85,94 +85,98 @@ def test_released_motor_does_not_keep_running_on_noisy_line(
     assert longest * 0.03 < 0.25
 
 
-def test_request_corrupted_into_command_is_undone_at_once(stage: Stage) -> None:
+def test_request_corrupted_into_command_is_undone_at_once(harness: SessionHarness) -> None:
     """86 1F, which asks for the channels, arrives as C6 1F: motor 1 ahead."""
-    stage.script.at(1.0, Arm())
-    stage.script.at(1.5, lambda: swap(stage, "86 1F", "C6 1F"))
-    pulses(stage, 1.5, 2.5)
+    harness.script.at(1.0, Arm())
+    harness.script.at(1.5, lambda: swap(harness, "86 1F", "C6 1F"))
+    pulses(harness, 1.5, 2.5)
     started: list[float] = []
-    drive = stage.board.serial.drive
+    drive = harness.board.serial.drive
 
     def record(
         number: int, direction: MotorDirection, speed: int, *, accelerate: bool = False
     ) -> None:
-        started.append(stage.line.now)
+        started.append(harness.line.now)
         drive(number, direction, speed, accelerate=accelerate)
 
-    stage.board.serial.drive = record  # type: ignore[method-assign]
-    stage.script.at(2.9, lambda: None)
-    braked = seen_at(stage, 2.9, lambda: is_braked(stage))
-    run_for(stage, 3.0)
+    harness.board.serial.drive = record  # type: ignore[method-assign]
+    harness.script.at(2.9, lambda: None)
+    braked = seen_at(harness, 2.9, lambda: is_braked(harness))
+    run_for(harness, 3.0)
     assert braked == [True]
     assert started[1] - started[0] < 0.06
 
 
-def test_confirmed_setpoint_is_not_resent(stage: Stage) -> None:
-    stage.script.at(1.0, SetMotor(1, Drive.at(50))).at(2.0, SetMotor(1, Drive.brake(127)))
-    run_for(stage, 4.0)
-    sent = moving(stage.transport.sent)
+def test_confirmed_setpoint_is_not_resent(harness: SessionHarness) -> None:
+    harness.script.at(1.0, SetMotor(1, Drive.at(50))).at(2.0, SetMotor(1, Drive.brake(127)))
+    run_for(harness, 4.0)
+    sent = moving(harness.transport.sent)
     assert sent.count(DriveMotor(1, Drive.at(50))) == 1, "it would go round the current limiter"
     assert sent.count(DriveMotor(1, Drive.brake(127))) == 2
 
 
-def test_brake_is_repeated_until_line_is_quiet(stage: Stage) -> None:
-    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50))).at(1.4, FULL_BRAKE)
-    pulses(stage, 1.5, 2.8)
-    stage.script.at(3.0, stage.fault(to_drop=1))
-    pulses(stage, 3.0, 8.5)
+def test_brake_is_repeated_until_line_is_quiet(harness: SessionHarness) -> None:
+    harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50))).at(1.4, FULL_BRAKE)
+    pulses(harness, 1.5, 2.8)
+    harness.script.at(3.0, harness.fault(to_drop=1))
+    pulses(harness, 3.0, 8.5)
     marks = [0, 0, 0]
 
     def record(number: int) -> None:
-        marks[number] = len(stage.transport.sent)
+        marks[number] = len(harness.transport.sent)
 
     for number, moment in enumerate((8.6, 8.7, 8.8)):
-        stage.script.at(moment, partial(record, number))
-    run_for(stage, 9.0)
+        harness.script.at(moment, partial(record, number))
+    run_for(harness, 9.0)
     brake = DriveMotor(1, Drive.brake(127))
-    sent = moving(stage.transport.sent[: marks[0]])
+    sent = moving(harness.transport.sent[: marks[0]])
     assert 100 <= sent.count(brake) <= 300
     assert marks[0] < marks[2]
-    assert not moving(stage.transport.sent[marks[0] : marks[2]])
+    assert not moving(harness.transport.sent[marks[0] : marks[2]])
 
 
 @pytest.mark.parametrize("requests", [(), (Stop(1),)])
 def test_damage_sends_nothing_to_board_that_was_not_driven(
-    stage: Stage, requests: tuple[Stop, ...]
+    harness: SessionHarness, requests: tuple[Stop, ...]
 ) -> None:
     for request in requests:
-        stage.script.at(1.0, request)
-    stage.script.at(2.0, lambda: stage.line.faults.errors.append(ReceiveError.FRAMING))
-    before, after = (seen_at(stage, moment, lambda: len(stage.transport.sent)) for moment in (2, 9))
-    run_for(stage, 9.1)
-    assert UartError.FRAMING in samples(stage.reports, LatchedStatus)[0].uart
-    assert not moving(stage.transport.sent[before[0] : after[0]])
-    assert not among(stage.reports, CommandsRepeated)
+        harness.script.at(1.0, request)
+    harness.script.at(2.0, lambda: harness.line.faults.errors.append(ReceiveError.FRAMING))
+    before, after = (
+        seen_at(harness, moment, lambda: len(harness.transport.sent)) for moment in (2, 9)
+    )
+    run_for(harness, 9.1)
+    assert UartError.FRAMING in samples(harness.reports, LatchedStatus)[0].uart
+    assert not moving(harness.transport.sent[before[0] : after[0]])
+    assert not among(harness.reports, CommandsRepeated)
 
 
-def test_damage_brakes_stopped_board_until_line_is_quiet(stage: Stage) -> None:
+def test_damage_brakes_stopped_board_until_line_is_quiet(harness: SessionHarness) -> None:
     """86 1F, which asks for the channels, arrives as C6 1F: motor 1 ahead."""
-    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50))).at(1.2, Stop(1))
-    stage.script.at(1.5, SetWatched(False))  # polls end, so that the line stays noisy
-    stage.script.at(5.0, lambda: swap(stage, "86 1F", "C6 1F"))
-    braked = seen_at(stage, 5.1, lambda: is_braked(stage))
+    harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50))).at(1.2, Stop(1))
+    harness.script.at(1.5, SetWatched(False))  # polls end, so that the line stays noisy
+    harness.script.at(5.0, lambda: swap(harness, "86 1F", "C6 1F"))
+    braked = seen_at(harness, 5.1, lambda: is_braked(harness))
     moments = (10.5, 12.5)
-    quiet, after = (seen_at(stage, moment, lambda: len(stage.transport.sent)) for moment in moments)
-    run_for(stage, 12.6)
+    quiet, after = (
+        seen_at(harness, moment, lambda: len(harness.transport.sent)) for moment in moments
+    )
+    run_for(harness, 12.6)
     assert braked == [True]
-    assert 200 <= moving(stage.transport.sent[: quiet[0]]).count(BRAKES[0]) <= 300
-    assert not moving(stage.transport.sent[quiet[0] : after[0]])
-    assert among(stage.reports, CommandsRepeated) == [CommandsRepeated()]
+    assert 200 <= moving(harness.transport.sent[: quiet[0]]).count(BRAKES[0]) <= 300
+    assert not moving(harness.transport.sent[quiet[0] : after[0]])
+    assert among(harness.reports, CommandsRepeated) == [CommandsRepeated()]
 
 
-def test_idle_refresh_skips_running_motor(stage: Stage) -> None:
-    stage.script.at(1.0, Arm()).at(1.0, SetMotor(2, Drive.at(50)))
-    stage.script.at(1.2, stage.fault(to_drop=1))
-    pulses(stage, 1.3, 3.8)
-    speeds = seen_at(stage, 3.9, lambda: stage.board.motors[1].speed)
-    mark = seen_at(stage, 3.9, lambda: len(stage.transport.sent))
-    run_for(stage, 4.0)
+def test_idle_refresh_skips_running_motor(harness: SessionHarness) -> None:
+    harness.script.at(1.0, Arm()).at(1.0, SetMotor(2, Drive.at(50)))
+    harness.script.at(1.2, harness.fault(to_drop=1))
+    pulses(harness, 1.3, 3.8)
+    speeds = seen_at(harness, 3.9, lambda: harness.board.motors[1].speed)
+    mark = seen_at(harness, 3.9, lambda: len(harness.transport.sent))
+    run_for(harness, 4.0)
     assert speeds == [50]
-    sent = moving(stage.transport.sent[: mark[0]])
+    sent = moving(harness.transport.sent[: mark[0]])
     assert DriveMotor(1, Drive.brake()) in sent
     assert DriveMotor(2, Drive.brake()) not in sent
 
@@ -191,12 +195,12 @@ def test_unstarted_auxiliary_motor_is_left_alone() -> None:
     assert idle.idle_commands() == BRAKES[1:]
 
 
-def test_risky_polls_are_omitted_while_motors_may_move(stage: Stage) -> None:
-    stage.script.at(1.0, Arm()).at(1.2, stage.fault(to_drop=1))
-    before = seen_at(stage, 1.3, lambda: len(stage.transport.sent))
-    after = seen_at(stage, 1.9, lambda: len(stage.transport.sent))
-    run_for(stage, 2.0)
-    kinds = {type(one) for one in commands(stage.transport.sent[before[0] : after[0]])}
+def test_risky_polls_are_omitted_while_motors_may_move(harness: SessionHarness) -> None:
+    harness.script.at(1.0, Arm()).at(1.2, harness.fault(to_drop=1))
+    before = seen_at(harness, 1.3, lambda: len(harness.transport.sent))
+    after = seen_at(harness, 1.9, lambda: len(harness.transport.sent))
+    run_for(harness, 2.0)
+    kinds = {type(one) for one in commands(harness.transport.sent[before[0] : after[0]])}
     assert GetRawChannels not in kinds
     assert len(kinds) >= 4
 
@@ -205,69 +209,69 @@ def test_risky_polls_are_omitted_while_motors_may_move(stage: Stage) -> None:
 
 
 @pytest.mark.parametrize(("seed", "noise"), sampled(product(range(4), [0.01, 0.05]), every=7))
-def test_stop_holds_on_noisy_line(stage: Stage, noise: float, seed: int) -> None:
-    stage.line.faults._random.seed(seed)
-    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
-    stage.script.at(1.5, stage.fault(noise=noise)).at(1.6, Stop(1))
-    stage.script.at(3.0, stage.fault(noise=0.0))
-    stopped = seen_at(stage, 5.5, lambda: is_stopped(stage.board))
-    run_for(stage, 5.6)
+def test_stop_holds_on_noisy_line(harness: SessionHarness, noise: float, seed: int) -> None:
+    harness.line.faults._random.seed(seed)
+    harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
+    harness.script.at(1.5, harness.fault(noise=noise)).at(1.6, Stop(1))
+    harness.script.at(3.0, harness.fault(noise=0.0))
+    stopped = seen_at(harness, 5.5, lambda: is_stopped(harness.board))
+    run_for(harness, 5.6)
     assert stopped == [True]
-    assert 1 in outcomes(stage.reports)
+    assert 1 in outcomes(harness.reports)
 
 
-def test_stop_after_line_error_is_confirmed_on_quiet_line(stage: Stage) -> None:
-    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
-    stage.script.at(1.4, stage.fault(to_drop=1)).at(1.5, Stop(1))
-    early = seen_at(stage, 2.0, lambda: outcomes(stage.reports))
-    late = seen_at(stage, 1.5 + Timeouts().stop_confirmation, lambda: outcomes(stage.reports))
-    run_for(stage, 5.0)
+def test_stop_after_line_error_is_confirmed_on_quiet_line(harness: SessionHarness) -> None:
+    harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
+    harness.script.at(1.4, harness.fault(to_drop=1)).at(1.5, Stop(1))
+    early = seen_at(harness, 2.0, lambda: outcomes(harness.reports))
+    late = seen_at(harness, 1.5 + Timeouts().stop_confirmation, lambda: outcomes(harness.reports))
+    run_for(harness, 5.0)
     assert early == [{}], "a clean status alone proves nothing there"
     assert late[0][1].error is None
-    assert among(stage.reports, MotorsStopped) == [MotorsStopped(None, confirmed=True)]
-    assert moving(stage.transport.sent).count(STOP[0]) > 4
+    assert among(harness.reports, MotorsStopped) == [MotorsStopped(None, confirmed=True)]
+    assert moving(harness.transport.sent).count(STOP[0]) > 4
 
 
-def test_unconfirmed_stop_on_bad_line_is_reported(stage: Stage) -> None:
-    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
+def test_unconfirmed_stop_on_bad_line_is_reported(harness: SessionHarness) -> None:
+    harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
     for step in range(60):
         if step == 2:
-            stage.script.at(1.5, Stop(1))
-        stage.script.at(1.4 + step * 0.1, stage.fault(to_drop=1))
-    run_for(stage, 7.5)
-    error = outcomes(stage.reports)[1].error
+            harness.script.at(1.5, Stop(1))
+        harness.script.at(1.4 + step * 0.1, harness.fault(to_drop=1))
+    run_for(harness, 7.5)
+    error = outcomes(harness.reports)[1].error
     assert isinstance(error, NoReply)
     assert "corrupts bytes" in str(error)
 
 
-def test_unconfirmed_stop_is_reported_when_driving_again(stage: Stage) -> None:
-    stage.script.at(1.4, stage.fault(to_drop=1)).at(1.5, Stop(1))
-    stage.script.at(1.7, Arm()).at(1.7, SetMotor(1, Drive.at(30)))
-    seen = seen_at(stage, 1.9, lambda: outcomes(stage.reports))
-    speeds = seen_at(stage, 1.9, lambda: stage.board.motors[0].speed)
-    run_for(stage, 2.0)
+def test_unconfirmed_stop_is_reported_when_driving_again(harness: SessionHarness) -> None:
+    harness.script.at(1.4, harness.fault(to_drop=1)).at(1.5, Stop(1))
+    harness.script.at(1.7, Arm()).at(1.7, SetMotor(1, Drive.at(30)))
+    seen = seen_at(harness, 1.9, lambda: outcomes(harness.reports))
+    speeds = seen_at(harness, 1.9, lambda: harness.board.motors[0].speed)
+    run_for(harness, 2.0)
     assert isinstance(seen[0][1].error, NoReply)
     assert speeds == [30]
 
 
-def test_stop_is_confirmed_when_board_responds_again(stage: Stage) -> None:
-    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
-    stage.script.at(1.5, stage.fault(mute=True)).at(1.5, Stop(1))
-    mark = seen_at(stage, 1.5, lambda: len(stage.transport.sent))
+def test_stop_is_confirmed_when_board_responds_again(harness: SessionHarness) -> None:
+    harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
+    harness.script.at(1.5, harness.fault(mute=True)).at(1.5, Stop(1))
+    mark = seen_at(harness, 1.5, lambda: len(harness.transport.sent))
 
     def unmute_after_failure() -> None:
-        if 1 in outcomes(stage.reports):
-            stage.line.faults.mute = False
+        if 1 in outcomes(harness.reports):
+            harness.line.faults.mute = False
 
     for hundredths in range(150, 250):
-        stage.script.at(hundredths / 100, unmute_after_failure)
-    stage.script.at(2.5, SetMotor(1, Drive.at(60)))
-    run_for(stage, 5.5)
-    assert isinstance(outcomes(stage.reports)[1].error, NoReply)
-    assert not among(stage.reports, NotResponding)
-    assert among(stage.reports, MotorsStopped) == [MotorsStopped(None, confirmed=True)]
-    assert set(moving(stage.transport.sent[mark[0] :])) <= {*STOP, *BRAKES}
-    assert is_stopped(stage.board)
+        harness.script.at(hundredths / 100, unmute_after_failure)
+    harness.script.at(2.5, SetMotor(1, Drive.at(60)))
+    run_for(harness, 5.5)
+    assert isinstance(outcomes(harness.reports)[1].error, NoReply)
+    assert not among(harness.reports, NotResponding)
+    assert among(harness.reports, MotorsStopped) == [MotorsStopped(None, confirmed=True)]
+    assert set(moving(harness.transport.sent[mark[0] :])) <= {*STOP, *BRAKES}
+    assert is_stopped(harness.board)
 
 
 # --- Lasting setpoints ------------------------------------------------------------------
@@ -282,63 +286,63 @@ def test_stop_is_confirmed_when_board_responds_again(stage: Stage) -> None:
     ],
 )
 def test_motor_stopped_by_board_is_not_restarted(
-    stage: Stage, status: Status, uart: UartError
+    harness: SessionHarness, status: Status, uart: UartError
 ) -> None:
 
     def stop_itself() -> None:
-        stage.board.serial.status |= status
-        stage.board.serial.uart_errors |= uart
-        stage.board.serial.stop_motors()
+        harness.board.serial.status |= status
+        harness.board.serial.uart_errors |= uart
+        harness.board.serial.stop_motors()
 
-    stage.script.at(1.0, SetMotor(1, Drive.at(50))).at(1.01, stop_itself)
-    mark = seen_at(stage, 1.01, lambda: len(stage.transport.sent))
-    still = seen_at(stage, 2.9, lambda: is_stopped(stage.board))
-    run_for(stage, 3.0)
+    harness.script.at(1.0, SetMotor(1, Drive.at(50))).at(1.01, stop_itself)
+    mark = seen_at(harness, 1.01, lambda: len(harness.transport.sent))
+    still = seen_at(harness, 2.9, lambda: is_stopped(harness.board))
+    run_for(harness, 3.0)
     assert still == [True]
-    assert DriveMotor(1, Drive.at(50)) not in moving(stage.transport.sent[mark[0] :])
+    assert DriveMotor(1, Drive.at(50)) not in moving(harness.transport.sent[mark[0] :])
 
 
-def test_written_error_shutdown_decides_about_retries(stage: Stage) -> None:
+def test_written_error_shutdown_decides_about_retries(harness: SessionHarness) -> None:
     """A board that does not stop its motors on errors gets a corrupted setpoint again."""
     # UART-Error Shutdown is on from the factory
-    stage.script.at(1.0, Write(1, (("uart_error_shutdown", 0),)))
-    stage.script.at(1.5, lambda: swap(stage, "C2 32", "C2"))  # one packet loses its speed
-    stage.script.at(1.5, SetMotor(1, Drive.at(50)))
-    speeds = seen_at(stage, 1.9, lambda: stage.board.motors[0].speed)
-    run_for(stage, 2.0)
-    assert outcomes(stage.reports)[1].error is None
+    harness.script.at(1.0, Write(1, (("uart_error_shutdown", 0),)))
+    harness.script.at(1.5, lambda: swap(harness, "C2 32", "C2"))  # one packet loses its speed
+    harness.script.at(1.5, SetMotor(1, Drive.at(50)))
+    speeds = seen_at(harness, 1.9, lambda: harness.board.motors[0].speed)
+    run_for(harness, 2.0)
+    assert outcomes(harness.reports)[1].error is None
     assert speeds == [50]
 
 
 def test_setpoint_repetition_ends_at_time_limit() -> None:
     eeprom = Eeprom("trex")
     eeprom.write("uart_error_shutdown", 0)
-    stage = Stage(Board(eeprom=eeprom))
-    stage.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50)))
+    harness = SessionHarness(Board(eeprom=eeprom))
+    harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50)))
 
     def damage() -> None:
-        stage.board.serial.report(UartError.PARITY, shut_down=False)
+        harness.board.serial.report(UartError.PARITY, shut_down=False)
 
     for step in range(350):
         if step % 10 == 0:
-            pulses(stage, 1.01 + step * 0.02, 1.01 + step * 0.02)
-        stage.script.at(1.01 + step * 0.02, damage)
-    middle = seen_at(stage, 1.2 + LONGEST_REPEATING, lambda: len(stage.transport.sent))
-    run_for(stage, 8.9)
+            pulses(harness, 1.01 + step * 0.02, 1.01 + step * 0.02)
+        harness.script.at(1.01 + step * 0.02, damage)
+    middle = seen_at(harness, 1.2 + LONGEST_REPEATING, lambda: len(harness.transport.sent))
+    run_for(harness, 8.9)
     setpoint = DriveMotor(1, Drive.at(50))
-    assert moving(stage.transport.sent[: middle[0]]).count(setpoint) > 10
-    assert setpoint not in moving(stage.transport.sent[middle[0] :])
+    assert moving(harness.transport.sent[: middle[0]]).count(setpoint) > 10
+    assert setpoint not in moving(harness.transport.sent[middle[0] :])
 
 
 # --- Arming and silence -----------------------------------------------------------------
 
 
-def test_arming_during_power_loss_causes_no_later_stop(stage: Stage) -> None:
-    stage.script.at(1.0, stage.board.power_off).at(1.8, Arm()).at(3.5, stage.board.power_on)
-    run_for(stage, 6.0)
-    assert among(stage.reports, NotResponding)
-    assert not among(stage.reports, MotorsStopped)
-    assert not moving(stage.transport.sent)
+def test_arming_during_power_loss_causes_no_later_stop(harness: SessionHarness) -> None:
+    harness.script.at(1.0, harness.board.power_off).at(1.8, Arm()).at(3.5, harness.board.power_on)
+    run_for(harness, 6.0)
+    assert among(harness.reports, NotResponding)
+    assert not among(harness.reports, MotorsStopped)
+    assert not moving(harness.transport.sent)
 
 
 @pytest.mark.parametrize(

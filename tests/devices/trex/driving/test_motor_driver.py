@@ -6,7 +6,7 @@ import math
 import pytest
 
 from tests.devices.trex.session.helpers import moving, staged
-from tests.support.virtual import Stage
+from tests.support.virtual import SessionHarness
 from trex_gui.core.errors import NoReply, PortUnavailable
 from trex_gui.core.session import Outcome
 from trex_gui.core.timing import Timeouts
@@ -31,7 +31,7 @@ from trex_gui.devices.trex.simulator.motors import MotorDirection
 class MotorsHarness:
     """`MotorDriver` connected to a simulated board, and its reports."""
 
-    def __init__(self, stage: Stage) -> None:
+    def __init__(self, stage: SessionHarness) -> None:
         self.stage = stage
         self.client = stage.client()
         self.reports: list[Outcome | MotorReport] = []

@@ -6,7 +6,7 @@ import pytest
 
 from tests.devices.trex.session.helpers import among, is_stopped, run_for, seen_at, staged
 from tests.support.matrix import sampled
-from tests.support.virtual import Stage
+from tests.support.virtual import SessionHarness
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, MotorsStopped, SetMotor
 from trex_gui.devices.trex.protocol.driving import Drive
@@ -35,28 +35,28 @@ CASES = [
 
 def driving(
     seconds: float, baud: int = 19200, model: str = "trex", *, begin: float = 2.0, ramp: int = 0
-) -> tuple[Stage, list[tuple[float, object]]]:
+) -> tuple[SessionHarness, list[tuple[float, object]]]:
     """Return a stage whose motor is driven along a ramp, and the steps of its script."""
-    stage, _ = staged(baud, model=model)
-    stage.board.eeprom.write("motor1_acceleration", ramp)
-    stage.board.power_cycle()
-    stage.transport.latency = latency_of("/dev/ttyUSB0")
+    harness, _ = staged(baud, model=model)
+    harness.board.eeprom.write("motor1_acceleration", ramp)
+    harness.board.power_cycle()
+    harness.transport.latency = latency_of("/dev/ttyUSB0")
     setpoint = SetMotor(1, Drive.at(38), accelerate=bool(ramp))
     steps: list[tuple[float, object]] = [(begin, Arm()), (begin, setpoint)]
     steps += [(begin + beat * 0.1, Heartbeat()) for beat in range(round(seconds * 10))]
-    return stage, steps
+    return harness, steps
 
 
 @pytest.mark.parametrize(("gap", "moment", "baud", "load", "model"), sampled(CASES, every=5))
 def test_restart_while_driving_is_found_and_disarms(
     gap: float, moment: float, baud: int, load: float, model: str
 ) -> None:
-    stage, steps = driving(3.5, baud, model)
-    stage.board.physics[0].load = load
-    steps += [(2.0 + moment, stage.board.power_off), (2.0 + moment + gap, stage.board.power_on)]
-    plan(stage, steps)
-    rest = seen_at(stage, 5.4, lambda: is_stopped(stage.board))
-    reports = run_for(stage, 5.5, staged(baud)[1])
+    harness, steps = driving(3.5, baud, model)
+    harness.board.physics[0].load = load
+    steps += [(2.0 + moment, harness.board.power_off), (2.0 + moment + gap, harness.board.power_on)]
+    plan(harness, steps)
+    rest = seen_at(harness, 5.4, lambda: is_stopped(harness.board))
+    reports = run_for(harness, 5.5, staged(baud)[1])
     found = [one for one in among(reports, MotorsStopped) if one.confirmed]
     is_said = [one.reason for one in found] == [ErrorCode.MAY_HAVE_RESTARTED]
     assert is_said or among(reports, NotResponding)
@@ -65,60 +65,60 @@ def test_restart_while_driving_is_found_and_disarms(
 
 @pytest.mark.parametrize("ramp", [3, 20])
 def test_restart_on_a_ramp_starts_no_motor_again(ramp: int) -> None:
-    stage, steps = driving(5.0, ramp=ramp)
-    plan(stage, [*steps, (5.0, stage.board.power_cycle)])
-    rest = seen_at(stage, 5.5, lambda: is_stopped(stage.board))
-    reports = run_for(stage, 6.0)
+    harness, steps = driving(5.0, ramp=ramp)
+    plan(harness, [*steps, (5.0, harness.board.power_cycle)])
+    rest = seen_at(harness, 5.5, lambda: is_stopped(harness.board))
+    reports = run_for(harness, 6.0)
     assert rest == [True]
     assert among(reports, MotorsStopped)[0].reason is ErrorCode.MAY_HAVE_RESTARTED
 
 
-def test_mode_change_stops_motors_and_drops_setpoints(stage: Stage) -> None:
+def test_mode_change_stops_motors_and_drops_setpoints(harness: SessionHarness) -> None:
 
     def restart() -> None:
-        stage.board.eeprom.write("channel_input_source", 1)
-        stage.board.power_cycle()
+        harness.board.eeprom.write("channel_input_source", 1)
+        harness.board.power_cycle()
 
-    stage.script.at(1.0, Arm())
+    harness.script.at(1.0, Arm())
     for step in range(60):
         if step == 10:
-            stage.script.at(1.5, restart)
-        stage.script.at(1.0 + step / 20, SetMotor(1, Drive.at(60 + step % 40)))
-    stopped = seen_at(stage, 4.5, lambda: is_stopped(stage.board))
-    reports = among(run_for(stage, 5.0), Connected)
+            harness.script.at(1.5, restart)
+        harness.script.at(1.0 + step / 20, SetMotor(1, Drive.at(60 + step % 40)))
+    stopped = seen_at(harness, 4.5, lambda: is_stopped(harness.board))
+    reports = among(run_for(harness, 5.0), Connected)
     assert [(one.occasion, one.may_move) for one in reports][-1] == (ReadReason.RESTARTED, False)
     assert stopped == [True]
 
 
 def test_current_that_comes_and_goes_is_no_restart() -> None:
-    stage, steps = driving(3.0)
-    force = stage.board.force_current
+    harness, steps = driving(3.0)
+    force = harness.board.force_current
     steps += [
         (3.0 + step * 0.12, partial(force, 1, 0.15 if step % 2 else 0.48)) for step in range(14)
     ]
-    plan(stage, steps)
-    assert not among(run_for(stage, 4.9), MotorsStopped)
+    plan(harness, steps)
+    assert not among(run_for(harness, 4.9), MotorsStopped)
 
 
 def test_motor_without_current_keeps_running() -> None:
     """Downhill, no current flows for an unknown time."""
-    stage, steps = driving(3.0)
-    force = stage.board.force_current
+    harness, steps = driving(3.0)
+    force = harness.board.force_current
     steps += [(3.0, lambda: force(1, 0.0)), (3.6, lambda: force(1, None))]
-    plan(stage, steps)
-    speed = seen_at(stage, 4.9, lambda: stage.board.motors[0].speed)
-    assert not among(run_for(stage, 5.0), MotorsStopped)
+    plan(harness, steps)
+    speed = seen_at(harness, 4.9, lambda: harness.board.motors[0].speed)
+    assert not among(run_for(harness, 5.0), MotorsStopped)
     assert speed == [38]
 
 
 def test_lost_reply_is_no_restart() -> None:
-    stage, steps = driving(3.0)
-    plan(stage, [*steps, (3.0, stage.fault(to_drop=1))])
-    speed = seen_at(stage, 4.9, lambda: stage.board.motors[0].speed)
-    assert not among(run_for(stage, 5.0), MotorsStopped)
+    harness, steps = driving(3.0)
+    plan(harness, [*steps, (3.0, harness.fault(to_drop=1))])
+    speed = seen_at(harness, 4.9, lambda: harness.board.motors[0].speed)
+    assert not among(run_for(harness, 5.0), MotorsStopped)
     assert speed == [38]
 
 
-def plan(stage: Stage, steps: list[tuple[float, object]]) -> None:
+def plan(harness: SessionHarness, steps: list[tuple[float, object]]) -> None:
     for at, step in sorted(steps, key=lambda one: one[0]):
-        stage.script.at(at, step)  # type: ignore[arg-type] # requests and functions
+        harness.script.at(at, step)  # type: ignore[arg-type] # requests and functions

@@ -31,7 +31,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.preferences import Preferences
 
 
-class Stand:
+class LineHarness:
     """Device on a line with boards, and its messages."""
 
     def __init__(self, device: Device, simulator: VirtualSimulator, qtbot: QtBot) -> None:
@@ -88,120 +88,120 @@ class Stand:
 
 
 @pytest.fixture
-def new_stand(
+def new_line(
     start_simulator: StartSimulator, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
-) -> Iterator[Callable[..., Stand]]:
+) -> Iterator[Callable[..., LineHarness]]:
     """Create a line of boards with these numbers, below 16."""
     devices: list[Device] = []
 
-    def new_stand(*boards: str) -> Stand:
+    def new_line(*boards: str) -> LineHarness:
         monkeypatch.setattr("trex_gui.devices.trex.model.boards.NUMBERS", 16)
         options = [word for board in boards for word in ("--device", board)]
         simulator = start_simulator("--unpaced", *options)
         assert isinstance(simulator, VirtualSimulator)
         devices.append(Device())
-        return Stand(devices[-1], simulator, qtbot)
+        return LineHarness(devices[-1], simulator, qtbot)
 
-    yield new_stand
+    yield new_line
     for device in devices:
         qtbot.waitUntil(device.shut_down)
         device.edit_backup.files.shut_down()
 
 
-NewStand = Callable[..., Stand]
+NewStand = Callable[..., LineHarness]
 
 
 # --- Finding ----------------------------------------------------------------------------
 
 
-def test_scan_finds_each_board_by_number(new_stand: NewStand) -> None:
-    stand = new_stand("3", "7", "12:trexjr")
-    stand.connect(7)
-    assert not stand.boards.has_several
-    stand.scan()
-    assert stand.presences == {
+def test_scan_finds_each_board_by_number(new_line: NewStand) -> None:
+    harness = new_line("3", "7", "12:trexjr")
+    harness.connect(7)
+    assert not harness.boards.has_several
+    harness.scan()
+    assert harness.presences == {
         3: Presence.RESPONDING,
         7: Presence.SELECTED,
         12: Presence.RESPONDING,
     }
-    assert [str(one.signature) for one in stand.boards.boards] == [
+    assert [str(one.signature) for one in harness.boards.boards] == [
         "TReX 1.2",
         "TReX 1.2",
         "TReX Jr 1.2",
     ]
-    assert stand.infos == ["3 boards on this line."]
-    assert not stand.device.board.quality.is_noisy
+    assert harness.infos == ["3 boards on this line."]
+    assert not harness.device.board.quality.is_noisy
 
 
-def test_board_that_is_switched_off_and_on_is_noticed(new_stand: NewStand) -> None:
-    stand = new_stand("3", "7")
-    stand.connect_known(7, 3)
-    stand.simulator.do("@3 power off")
-    stand.wait(lambda: stand.presences[3] is Presence.SILENT)
-    stand.simulator.do("@3 power on")
-    stand.wait(lambda: stand.presences[3] is Presence.RESPONDING)
-    stand.device.disconnect_line()
-    stand.wait(lambda: stand.device.link is ConnectionState.DISCONNECTED)
-    assert set(stand.presences.values()) == {Presence.UNKNOWN}
+def test_board_that_is_switched_off_and_on_is_noticed(new_line: NewStand) -> None:
+    harness = new_line("3", "7")
+    harness.connect_known(7, 3)
+    harness.simulator.do("@3 power off")
+    harness.wait(lambda: harness.presences[3] is Presence.SILENT)
+    harness.simulator.do("@3 power on")
+    harness.wait(lambda: harness.presences[3] is Presence.RESPONDING)
+    harness.device.disconnect_line()
+    harness.wait(lambda: harness.device.link is ConnectionState.DISCONNECTED)
+    assert set(harness.presences.values()) == {Presence.UNKNOWN}
 
 
-def test_boards_of_a_scan_are_known_at_the_next_start(new_stand: NewStand) -> None:
-    stand = new_stand("3", "7")
-    stand.connect(7)
-    stand.scan()
-    stand.boards = BoardList(stand.device)
-    stand.connect(3)
-    assert stand.presences == {3: Presence.SELECTED, 7: Presence.UNKNOWN}
-    stand.wait(lambda: stand.presences[7] is Presence.RESPONDING)
+def test_boards_of_a_scan_are_known_at_the_next_start(new_line: NewStand) -> None:
+    harness = new_line("3", "7")
+    harness.connect(7)
+    harness.scan()
+    harness.boards = BoardList(harness.device)
+    harness.connect(3)
+    assert harness.presences == {3: Presence.SELECTED, 7: Presence.UNKNOWN}
+    harness.wait(lambda: harness.presences[7] is Presence.RESPONDING)
 
 
-def test_connection_without_a_number_expects_a_single_board(new_stand: NewStand) -> None:
-    stand = new_stand("3", "7")
-    stand.connect_known(7, 3)
-    stand.simulator.do("@3 power off")
-    stand.connect(None)
-    assert not stand.presences
-    assert stand.device.motors.can_arm
+def test_connection_without_a_number_expects_a_single_board(new_line: NewStand) -> None:
+    harness = new_line("3", "7")
+    harness.connect_known(7, 3)
+    harness.simulator.do("@3 power off")
+    harness.connect(None)
+    assert not harness.presences
+    assert harness.device.motors.can_arm
 
 
-def test_scan_of_single_board_explains_missing_boards(new_stand: NewStand) -> None:
-    stand = new_stand("7")
-    stand.connect(None)
-    stand.scan()
-    assert not stand.boards.has_several
-    assert "No other board replies" in stand.infos[-1]
-    assert stand.device.settings is not None
-    assert stand.device.settings.device_number is None
+def test_scan_of_single_board_explains_missing_boards(new_line: NewStand) -> None:
+    harness = new_line("7")
+    harness.connect(None)
+    harness.scan()
+    assert not harness.boards.has_several
+    assert "No other board replies" in harness.infos[-1]
+    assert harness.device.settings is not None
+    assert harness.device.settings.device_number is None
 
 
-def test_commands_carry_a_number_once_several_boards_are_known(new_stand: NewStand) -> None:
-    stand = new_stand("7", "9")
-    stand.simulator.do("@9 power off")
-    stand.connect(None)
-    stand.simulator.do("@9 power on")
-    stand.scan()
-    assert stand.device.settings is not None
-    assert stand.device.settings.device_number == 7
-    stand.wait(lambda: stand.device.motors.is_available)
-    stand.device.motors.arm()
-    stand.device.motors.set_speed(1, 20)
-    stand.wait(lambda: stand.show(7)["motors"][0]["target_speed"])
-    assert not stand.show(9)["motors"][0]["target_speed"]
+def test_commands_carry_a_number_once_several_boards_are_known(new_line: NewStand) -> None:
+    harness = new_line("7", "9")
+    harness.simulator.do("@9 power off")
+    harness.connect(None)
+    harness.simulator.do("@9 power on")
+    harness.scan()
+    assert harness.device.settings is not None
+    assert harness.device.settings.device_number == 7
+    harness.wait(lambda: harness.device.motors.is_available)
+    harness.device.motors.arm()
+    harness.device.motors.set_speed(1, 20)
+    harness.wait(lambda: harness.show(7)["motors"][0]["target_speed"])
+    assert not harness.show(9)["motors"][0]["target_speed"]
 
 
-def test_nothing_reaches_several_boards_that_a_scan_has_found(new_stand: NewStand) -> None:
-    stand = new_stand("3", "7", "9")
-    device = stand.device
-    stand.simulator.do("@3 power off")
-    stand.simulator.do("@9 power off")
-    stand.connect(None)
-    stand.simulator.do("@3 power on")
-    stand.simulator.do("@9 power on")
-    stand.boards.scan()
-    stand.wait(lambda: stand.boards.has_several)
+def test_nothing_reaches_several_boards_that_a_scan_has_found(new_line: NewStand) -> None:
+    harness = new_line("3", "7", "9")
+    device = harness.device
+    harness.simulator.do("@3 power off")
+    harness.simulator.do("@9 power off")
+    harness.connect(None)
+    harness.simulator.do("@3 power on")
+    harness.simulator.do("@9 power on")
+    harness.boards.scan()
+    harness.wait(lambda: harness.boards.has_several)
     assert not device.motors.can_arm
-    stand.boards.cancel_scan()
-    stand.wait(lambda: stand.boards.can_scan)
+    harness.boards.cancel_scan()
+    harness.wait(lambda: harness.boards.can_scan)
     assert not device.motors.can_arm
     assert not device.writer.can_apply
     device.writer.set_serial_timeout(2)
@@ -209,53 +209,53 @@ def test_nothing_reaches_several_boards_that_a_scan_has_found(new_stand: NewStan
     device.writer.apply()
     device.writer.reset_to_factory()
     assert not device.writer.running
-    stand.wait(lambda: len(stand.errors) == 3)
-    assert all("it would reach several boards" in one for one in stand.errors)
+    harness.wait(lambda: len(harness.errors) == 3)
+    assert all("it would reach several boards" in one for one in harness.errors)
     # Each board gets the same file, but retains its number.
-    work = Work(stand)
+    work = ApplyHarness(harness)
     work.reviewed(wanted(serial_timeout=5), 7)
     assert device.settings is not None
     assert device.settings.device_number == 7
-    stand.wait(lambda: device.motors.can_arm)
+    harness.wait(lambda: device.motors.can_arm)
     assert device.writer.can_apply
 
 
-def test_scan_probes_every_number(new_stand: NewStand) -> None:
-    stand = new_stand("0", "7", "9")
-    stand.connect(7)
-    stand.boards.scan()
-    stand.wait(lambda: stand.boards.scanned == 1)
-    stand.boards.cancel_scan()
-    stand.boards.boards = ()
-    stand.scan()
-    assert set(stand.presences) == {0, 7, 9}
+def test_scan_probes_every_number(new_line: NewStand) -> None:
+    harness = new_line("0", "7", "9")
+    harness.connect(7)
+    harness.boards.scan()
+    harness.wait(lambda: harness.boards.scanned == 1)
+    harness.boards.cancel_scan()
+    harness.boards.boards = ()
+    harness.scan()
+    assert set(harness.presences) == {0, 7, 9}
     # The same during a presence query.
-    stand.simulator.do("@9 power off")
-    stand.wait(lambda: stand.boards.is_probing)
-    stand.scan()
-    assert set(stand.presences) == {0, 7}
+    harness.simulator.do("@9 power off")
+    harness.wait(lambda: harness.boards.is_probing)
+    harness.scan()
+    assert set(harness.presences) == {0, 7}
 
 
-def test_arming_ends_scan_and_forbids_another(new_stand: NewStand) -> None:
-    stand = new_stand("7", "9")
-    stand.connect(7)
-    stand.boards.scan()
-    stand.wait(lambda: (stand.boards.scanned or 0) > 10)
-    stand.device.motors.arm()
-    assert stand.boards.scanned is None
-    stand.boards.scan()
-    assert stand.boards.scanned is None
-    assert stand.device.motors.armed
+def test_arming_ends_scan_and_forbids_another(new_line: NewStand) -> None:
+    harness = new_line("7", "9")
+    harness.connect(7)
+    harness.boards.scan()
+    harness.wait(lambda: (harness.boards.scanned or 0) > 10)
+    harness.device.motors.arm()
+    assert harness.boards.scanned is None
+    harness.boards.scan()
+    assert harness.boards.scanned is None
+    assert harness.device.motors.armed
 
 
 # --- Selecting --------------------------------------------------------------------------
 
 
-def test_selection_ends_held_controls(new_stand: NewStand) -> None:
+def test_selection_ends_held_controls(new_line: NewStand) -> None:
     """Bench, pulses and gamepad are held throughout the switch."""
-    stand = new_stand("7", "9")
-    stand.connect(7)
-    device, motors, pads = stand.device, stand.device.motors, HeldPads(PAD)
+    harness = new_line("7", "9")
+    harness.connect(7)
+    device, motors, pads = harness.device, harness.device.motors, HeldPads(PAD)
     motors.lockout = 0
     bench, gamepad = Bench(device), Gamepad(device, pads)
     bench.set_plan(Plan(profile=Profile(speed=40, duration=60.0)))
@@ -264,13 +264,13 @@ def test_selection_ends_held_controls(new_stand: NewStand) -> None:
     pulses = setup.pulses
 
     def runs(number: int) -> bool:
-        return any(motor["direction"] != "brake" for motor in stand.show(number)["motors"])
+        return any(motor["direction"] != "brake" for motor in harness.show(number)["motors"])
 
     def hold_gamepad() -> None:
         gamepad.switch_on()  # again for each board
-        stand.wait(lambda: gamepad.text.startswith("Hold"))
+        harness.wait(lambda: gamepad.text.startswith("Hold"))
         pads.press(4)
-        stand.wait(lambda: gamepad.request.drives)
+        harness.wait(lambda: gamepad.request.drives)
         pads.move(1, -1.0)
 
     holds: tuple[tuple[str, Callable[[], object]], ...] = (
@@ -279,19 +279,19 @@ def test_selection_ends_held_controls(new_stand: NewStand) -> None:
         ("gamepad", hold_gamepad),
     )
     for (holder, hold), (first, second) in zip(holds, [(7, 9), (9, 7), (7, 9)], strict=True):
-        stand.wait(lambda: device.telemetry.motor_currents is not None and motors.can_arm)
+        harness.wait(lambda: device.telemetry.motor_currents is not None and motors.can_arm)
         pulses.confirm_wheels(True)
         setup.record_movement(1, Movement.LEFT_FORWARD)
         motors.arm()
         hold()
-        stand.wait(partial(runs, first))
+        harness.wait(partial(runs, first))
         assert motors.holder == holder
-        stand.select(second)
-        assert stand.is_stopped(first), holder
+        harness.select(second)
+        assert harness.is_stopped(first), holder
         assert not device.driving.lost_board
-        stand.wait(lambda: motors.can_arm)
+        harness.wait(lambda: motors.can_arm)
         motors.arm()
-        stand.pass_time(2)
+        harness.pass_time(2)
         assert not runs(second), holder
         assert not motors.holder
         assert not pulses.wheels_are_free, "of another robot"
@@ -302,75 +302,75 @@ def test_selection_ends_held_controls(new_stand: NewStand) -> None:
     # Measurements of the former board's sticks are cleared as well.
     for _ in range(3):
         device.mix_jumper.feed((60, 0), (60, -60))
-    stand.wait(lambda: device.mix_jumper.is_on)
+    harness.wait(lambda: device.mix_jumper.is_on)
     learning.start()
-    stand.wait(lambda: learning.step is LearningStep.NEUTRAL)
-    stand.select(7)
+    harness.wait(lambda: learning.step is LearningStep.NEUTRAL)
+    harness.select(7)
     assert device.mix_jumper.is_on is None
     assert learning.step is LearningStep.FAILED
     assert learning.trouble == "Another board was selected. Nothing was changed."
-    assert not stand.errors
+    assert not harness.errors
 
 
-def test_board_that_is_off_is_not_selected(new_stand: NewStand) -> None:
-    stand = new_stand("7", "9")
-    stand.connect_known(7, 9)
-    stand.simulator.do("@9 power off")
-    stand.select(9)
-    assert stand.presences == {7: Presence.SELECTED, 9: Presence.SILENT}
-    assert stand.device.is_connected
-    stand.wait(lambda: any("does not respond" in one for one in stand.errors))
-    stand.wait(lambda: stand.device.motors.can_arm)
+def test_board_that_is_off_is_not_selected(new_line: NewStand) -> None:
+    harness = new_line("7", "9")
+    harness.connect_known(7, 9)
+    harness.simulator.do("@9 power off")
+    harness.select(9)
+    assert harness.presences == {7: Presence.SELECTED, 9: Presence.SILENT}
+    assert harness.device.is_connected
+    harness.wait(lambda: any("does not respond" in one for one in harness.errors))
+    harness.wait(lambda: harness.device.motors.can_arm)
 
 
-def test_edits_and_counts_of_each_board_return(new_stand: NewStand) -> None:
-    stand = new_stand("7", "9")
-    device = stand.device
-    stand.connect_known(7, 9)
+def test_edits_and_counts_of_each_board_return(new_line: NewStand) -> None:
+    harness = new_line("7", "9")
+    device = harness.device
+    harness.connect_known(7, 9)
     device.parameters.edit("serial_timeout", 5)
     device.parameters.edit("crc7_polynomial", 0x11)
-    stand.line.boards[0].serial.report(UartError.FORMAT, shut_down=False)
-    stand.wait(lambda: any(one.count for one in device.board.errors.entries))
-    stand.select(9)
+    harness.line.boards[0].serial.report(UartError.FORMAT, shut_down=False)
+    harness.wait(lambda: any(one.count for one in device.board.errors.entries))
+    harness.select(9)
     assert device.draft.pending == 0
     assert not device.draft.undo.canUndo()
     assert not any(one.count for one in device.board.errors.entries)
     device.parameters.edit("serial_timeout", 9)
-    stand.select(7)
+    harness.select(7)
     assert dict(device.parameters.values.pending) == {"serial_timeout": 5, "crc7_polynomial": 0x11}
     assert any(one.count for one in device.board.errors.entries)
     # Values still wait for the next start.
     device.writer.apply()
-    stand.wait(lambda: device.draft.pending == 0 and not device.writer.running)
+    harness.wait(lambda: device.draft.pending == 0 and not device.writer.running)
     waiting = device.parameters.values.waiting_for_power
     assert waiting
-    stand.select(9)
+    harness.select(9)
     assert dict(device.parameters.values.pending) == {"serial_timeout": 9}
     assert not device.parameters.values.waiting_for_power
-    stand.select(7)
+    harness.select(7)
     assert device.parameters.values.waiting_for_power == waiting
     assert device.edit_backup.offer is None
-    assert any("returns" in one or "return when" in one for one in stand.infos)
+    assert any("returns" in one or "return when" in one for one in harness.infos)
 
 
 # --- Numbers ----------------------------------------------------------------------------
 
 
-def test_board_gets_a_free_number(new_stand: NewStand) -> None:
-    stand = new_stand("7", "9")
-    stand.connect(7)
-    stand.scan()
-    stand.device.writer.set_device_number(9)
-    stand.wait(lambda: any("has the device number 9" in one for one in stand.errors))
-    assert not stand.device.writer.running
-    assert stand.show(7)["parameters"]["device_number"] == 7
-    stand.device.writer.set_device_number(12)
-    stand.wait(lambda: stand.boards.selected == 12 and not stand.device.writer.running)
-    assert stand.line.boards[0].eeprom["device_number"] == 12
-    assert stand.presences == {9: Presence.RESPONDING, 12: Presence.SELECTED}
-    stand.select(9)
-    stand.select(12)
-    assert stand.device.is_connected
+def test_board_gets_a_free_number(new_line: NewStand) -> None:
+    harness = new_line("7", "9")
+    harness.connect(7)
+    harness.scan()
+    harness.device.writer.set_device_number(9)
+    harness.wait(lambda: any("has the device number 9" in one for one in harness.errors))
+    assert not harness.device.writer.running
+    assert harness.show(7)["parameters"]["device_number"] == 7
+    harness.device.writer.set_device_number(12)
+    harness.wait(lambda: harness.boards.selected == 12 and not harness.device.writer.running)
+    assert harness.line.boards[0].eeprom["device_number"] == 12
+    assert harness.presences == {9: Presence.RESPONDING, 12: Presence.SELECTED}
+    harness.select(9)
+    harness.select(12)
+    assert harness.device.is_connected
 
 
 # --- One file for several boards --------------------------------------------------------
@@ -380,12 +380,12 @@ def wanted(**parameters: int) -> Settings:
     return Settings(device_table().models[0], "1.2", parameters)
 
 
-class Work(ApplyToBoards):
+class ApplyHarness(ApplyToBoards):
     """Settings that are written to boards of a stand."""
 
-    def __init__(self, stand: Stand) -> None:
-        super().__init__(stand.boards, stand.device, stand.device)
-        self._stand = stand
+    def __init__(self, harness: LineHarness) -> None:
+        super().__init__(harness.boards, harness.device, harness.device)
+        self._stand = harness
 
     def reviewed(self, settings: Settings, *numbers: int) -> None:
         self.review(settings, numbers)
@@ -400,15 +400,15 @@ class Work(ApplyToBoards):
         return {plan.number: plan.step for plan in self.plans}
 
 
-def test_settings_are_written_to_several_boards(new_stand: NewStand) -> None:
-    stand = new_stand("3", "7", "9:trexjr", "12")
-    stand.connect_known(7, 3, 9, 12)
-    stand.simulator.do("@12 power off")
-    stand.device.parameters.edit("motor1_acceleration", 9)
-    work = Work(stand)
+def test_settings_are_written_to_several_boards(new_line: NewStand) -> None:
+    harness = new_line("3", "7", "9:trexjr", "12")
+    harness.connect_known(7, 3, 9, 12)
+    harness.simulator.do("@12 power off")
+    harness.device.parameters.edit("motor1_acceleration", 9)
+    work = ApplyHarness(harness)
     settings = wanted(device_number=55, uart_settings=10, serial_timeout=5, ignored_channels=2)
     work.reviewed(settings, 3, 7, 9, 12)
-    assert stand.boards.selected == 7
+    assert harness.boards.selected == 7
     assert work.steps == {
         3: BoardStep.REVIEWED,
         7: BoardStep.REVIEWED,
@@ -418,33 +418,33 @@ def test_settings_are_written_to_several_boards(new_stand: NewStand) -> None:
     assert [plan.to_write for plan in work.plans] == [2, 2, 0, 0]
     assert "are for a TReX" in work.plans[2].problem
     assert "does not respond" in work.plans[3].problem
-    assert not any(board.eeprom["serial_timeout"] for board in stand.line.boards)
+    assert not any(board.eeprom["serial_timeout"] for board in harness.line.boards)
 
     work.written(3, 7)
     assert [work.steps[number] for number in (3, 7)] == [BoardStep.WRITTEN] * 2
-    assert stand.boards.selected == 7
+    assert harness.boards.selected == 7
     stored = [
         (board.eeprom["device_number"], board.eeprom["serial_timeout"])
-        for board in stand.line.boards
+        for board in harness.line.boards
     ]
     assert stored == [(3, 5), (7, 5), (9, 0), (12, 0)]
-    assert {board.eeprom["uart_settings"] for board in stand.line.boards} == {5}
-    assert dict(stand.device.parameters.values.pending) == {"motor1_acceleration": 9}
-    history = stand.device.writer.history
+    assert {board.eeprom["uart_settings"] for board in harness.line.boards} == {5}
+    assert dict(harness.device.parameters.values.pending) == {"motor1_acceleration": 9}
+    history = harness.device.writer.history
     kept = [history.load(snapshot) for snapshot in history.snapshots()]
     numbers = {settings.parameters["device_number"] for settings in kept}
     assert numbers == {3, 7}
 
 
-def test_plan_names_doubts_and_findings_of_each_board(new_stand: NewStand) -> None:
-    stand = new_stand("3", "7")
-    stand.connect_known(7, 3)
-    stand.line.boards[0].eeprom.write("ignored_channels", 63)
-    stand.simulator.do("@3 power cycle")
-    work = Work(stand)
+def test_plan_names_doubts_and_findings_of_each_board(new_line: NewStand) -> None:
+    harness = new_line("3", "7")
+    harness.connect_known(7, 3)
+    harness.line.boards[0].eeprom.write("ignored_channels", 63)
+    harness.simulator.do("@3 power cycle")
+    work = ApplyHarness(harness)
     work.reviewed(wanted(ignored_channels=63, serial_timeout=5), 3, 7)
     assert [plan.doubts for plan in work.plans] == [(), ("Ignored Channels 63",)]
-    stand.line.boards[0].eeprom.write("ignored_channels", 2)
+    harness.line.boards[0].eeprom.write("ignored_channels", 2)
     work.reviewed(wanted(required_channels=3), 3, 7)
     assert [[one.keys for one in plan.findings] for plan in work.plans] == [
         [("required_channels", "ignored_channels")],
@@ -452,17 +452,17 @@ def test_plan_names_doubts_and_findings_of_each_board(new_stand: NewStand) -> No
     ]
 
 
-def test_first_error_while_writing_ends_the_work(new_stand: NewStand) -> None:
-    stand = new_stand("3", "7", "9")
-    stand.connect_known(9, 3, 7)
-    work = Work(stand)
+def test_first_error_while_writing_ends_the_work(new_line: NewStand) -> None:
+    harness = new_line("3", "7", "9")
+    harness.connect_known(9, 3, 7)
+    work = ApplyHarness(harness)
     work.reviewed(wanted(serial_timeout=5), 3, 7, 9)
-    stand.line.boards[0].eeprom.write("serial_timeout", 8)  # by another program
-    stand.simulator.do("@3 power cycle")
+    harness.line.boards[0].eeprom.write("serial_timeout", 8)  # by another program
+    harness.simulator.do("@3 power cycle")
 
     def fail() -> None:
         if work.steps[7] is BoardStep.WRITING:
-            stand.simulator.do("@7 power off")
+            harness.simulator.do("@7 power off")
 
     work.changed.connect(fail)
     work.written(3, 7, 9)
@@ -472,18 +472,18 @@ def test_first_error_while_writing_ends_the_work(new_stand: NewStand) -> None:
         9: BoardStep.SKIPPED,
     }
     assert "other settings than when it was reviewed" in work.plans[0].problem
-    assert stand.line.boards[0].eeprom["serial_timeout"] == 8
-    assert stand.line.boards[2].eeprom["serial_timeout"] == 0
-    assert stand.boards.selected == 9
+    assert harness.line.boards[0].eeprom["serial_timeout"] == 8
+    assert harness.line.boards[2].eeprom["serial_timeout"] == 0
+    assert harness.boards.selected == 9
 
 
-def test_work_is_cancelled_between_boards(new_stand: NewStand) -> None:
-    stand = new_stand("3", "7", "9")
-    stand.connect_known(7, 3, 9)
-    work = Work(stand)
+def test_work_is_cancelled_between_boards(new_line: NewStand) -> None:
+    harness = new_line("3", "7", "9")
+    harness.connect_known(7, 3, 9)
+    work = ApplyHarness(harness)
     work.review(wanted(serial_timeout=5), (3, 7, 9))
-    stand.wait(lambda: work.steps[3] is BoardStep.READING)
-    stand.connect(7)  # the line is closed and opened again
+    harness.wait(lambda: work.steps[3] is BoardStep.READING)
+    harness.connect(7)  # the line is closed and opened again
     assert not work.is_running
     assert work.steps == {
         3: BoardStep.FAILED,
@@ -493,40 +493,40 @@ def test_work_is_cancelled_between_boards(new_stand: NewStand) -> None:
     work.reviewed(wanted(serial_timeout=5), 3, 7, 9)
 
     def cancel() -> None:
-        if work.steps[3] is BoardStep.WRITING and not stand.device.writer.is_saving_snapshot:
+        if work.steps[3] is BoardStep.WRITING and not harness.device.writer.is_saving_snapshot:
             work.cancel()
 
-    stand.device.link_changed.connect(cancel)
+    harness.device.link_changed.connect(cancel)
     work.written(3, 7, 9)
     assert work.steps == {
         3: BoardStep.WRITTEN,
         7: BoardStep.SKIPPED,
         9: BoardStep.SKIPPED,
     }
-    assert [board.eeprom["serial_timeout"] for board in stand.line.boards] == [5, 0, 0]
-    assert stand.boards.selected == 7
+    assert [board.eeprom["serial_timeout"] for board in harness.line.boards] == [5, 0, 0]
+    assert harness.boards.selected == 7
 
 
-def test_stop_ends_the_work_and_leaves_no_board_half_written(new_stand: NewStand) -> None:
-    stand = new_stand("3", "7", "9")
-    stand.connect_known(7, 3, 9)
-    work, third = Work(stand), stand.line.boards[0]
+def test_stop_ends_the_work_and_leaves_no_board_half_written(new_line: NewStand) -> None:
+    harness = new_line("3", "7", "9")
+    harness.connect_known(7, 3, 9)
+    work, third = ApplyHarness(harness), harness.line.boards[0]
     settings = wanted(serial_timeout=5, motor1_acceleration=9, motor2_acceleration=9)
 
     def write_and_stop(is_due: Callable[[], object]) -> None:
         work.reviewed(settings, 3, 7, 9)
         work.write((3, 7, 9))
-        stand.wait(is_due)
-        stand.device.motors.press_stop()
-        stand.wait(lambda: not work.is_running and not stand.device.writer.running)
+        harness.wait(is_due)
+        harness.device.motors.press_stop()
+        harness.wait(lambda: not work.is_running and not harness.device.writer.running)
 
-    write_and_stop(lambda: stand.boards.is_selecting and work.steps[3] is BoardStep.READING)
+    write_and_stop(lambda: harness.boards.is_selecting and work.steps[3] is BoardStep.READING)
     assert set(work.steps.values()) == {BoardStep.SKIPPED}
-    assert not any(board.eeprom["serial_timeout"] for board in stand.line.boards)
+    assert not any(board.eeprom["serial_timeout"] for board in harness.line.boards)
     write_and_stop(lambda: third.eeprom["motor1_acceleration"] == 9)
-    assert stand.is_stopped(3)
+    assert harness.is_stopped(3)
     assert work.steps == {3: BoardStep.WRITTEN, 7: BoardStep.SKIPPED, 9: BoardStep.SKIPPED}
     assert work.was_stopped
     assert third.eeprom["serial_timeout"] == 5
-    assert stand.line.boards[1].eeprom["motor1_acceleration"] != 9
-    assert stand.boards.selected == 7
+    assert harness.line.boards[1].eeprom["motor1_acceleration"] != 9
+    assert harness.boards.selected == 7

@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterator
 import pytest
 from pytestqt.qtbot import QtBot
 
-from tests.support.demo_panels import Overheard
+from tests.support.demo_panels import RecordingSimulator
 from trex_gui.devices.trex.model.demo import (
     BOOT_TEXTS,
     DemoBoard,
@@ -20,11 +20,11 @@ from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import SimulatedBoards
 
 
-class OverheardBoard(DemoBoard):
+class RecordingDemoBoard(DemoBoard):
     """Simulated board that records its control lines."""
 
     def __init__(self, qtbot: QtBot) -> None:
-        self.simulator = Overheard()
+        self.simulator = RecordingSimulator()
         super().__init__(self.simulator)
         self.wait = qtbot.waitUntil
         with qtbot.waitSignal(self.simulator.ready):
@@ -34,8 +34,8 @@ class OverheardBoard(DemoBoard):
 
 
 @pytest.fixture
-def board(qtbot: QtBot) -> Iterator[OverheardBoard]:
-    board = OverheardBoard(qtbot)
+def board(qtbot: QtBot) -> Iterator[RecordingDemoBoard]:
+    board = RecordingDemoBoard(qtbot)
     yield board
     board.watch(False)
     board.simulator.stop()
@@ -49,7 +49,7 @@ def seen(board: DemoBoard) -> DemoSnapshot:
 # --- Display ----------------------------------------------------------------------------
 
 
-def test_new_board_starts_in_serial_mode_with_moving_sticks(board: OverheardBoard) -> None:
+def test_new_board_starts_in_serial_mode_with_moving_sticks(board: RecordingDemoBoard) -> None:
     assert seen(board).power
     assert seen(board).mode is Mode.SERIAL_RC
     assert seen(board).jumpers.mode == "serial"
@@ -59,7 +59,7 @@ def test_new_board_starts_in_serial_mode_with_moving_sticks(board: OverheardBoar
     assert board.automatic == frozenset(CHANNELS)
 
 
-def test_unwatched_board_is_not_polled(board: OverheardBoard) -> None:
+def test_unwatched_board_is_not_polled(board: RecordingDemoBoard) -> None:
     board.watch(False)
     board.watch(True)  # requests a snapshot at once
     board.watch(False)
@@ -71,7 +71,7 @@ def test_unwatched_board_is_not_polled(board: OverheardBoard) -> None:
     assert board.simulator.lines == ["jumper mix on", "jumper mix on"]
 
 
-def test_ended_simulator_clears_the_snapshot(board: OverheardBoard, qtbot: QtBot) -> None:
+def test_ended_simulator_clears_the_snapshot(board: RecordingDemoBoard, qtbot: QtBot) -> None:
     board.hold_stick(1, 1200)
     with qtbot.waitSignal(board.simulator.ended):
         board.simulator.stop()
@@ -143,7 +143,7 @@ HANDS: list[tuple[str, Callable[[DemoBoard], None]]] = [
 ]
 
 
-def test_each_hand_sends_its_control_line(board: OverheardBoard, qtbot: QtBot) -> None:
+def test_each_hand_sends_its_control_line(board: RecordingDemoBoard, qtbot: QtBot) -> None:
     for line, act in HANDS:
         board.simulator.lines.clear()
         answers: list[str] = []
@@ -154,7 +154,7 @@ def test_each_hand_sends_its_control_line(board: OverheardBoard, qtbot: QtBot) -
         assert board.simulator.orders() == [line]
 
 
-def test_power_cycle_is_visible_and_runs_once(board: OverheardBoard) -> None:
+def test_power_cycle_is_visible_and_runs_once(board: RecordingDemoBoard) -> None:
     off: list[bool] = []
 
     def on_changed() -> None:
@@ -169,7 +169,7 @@ def test_power_cycle_is_visible_and_runs_once(board: OverheardBoard) -> None:
     assert any(off)
 
 
-def test_stick_positions_are_coalesced_to_first_and_last(board: OverheardBoard) -> None:
+def test_stick_positions_are_coalesced_to_first_and_last(board: RecordingDemoBoard) -> None:
     board.simulator.lines.clear()
     for microseconds in range(1000, 2001):
         board.hold_stick(1, microseconds)
@@ -178,7 +178,7 @@ def test_stick_positions_are_coalesced_to_first_and_last(board: OverheardBoard) 
     assert board.automatic == {2, 3, 4, 5}
 
 
-def test_snapshot_older_than_a_command_is_not_shown(board: OverheardBoard) -> None:
+def test_snapshot_older_than_a_command_is_not_shown(board: RecordingDemoBoard) -> None:
     board.hold_stick(1, 1000)
     board.wait(lambda: seen(board).channels[0].signal == "1000us")
     shown: list[str] = []
@@ -194,7 +194,7 @@ def test_snapshot_older_than_a_command_is_not_shown(board: OverheardBoard) -> No
     assert "1000us" not in shown
 
 
-def test_restored_signal_returns_to_the_stick_position(board: OverheardBoard) -> None:
+def test_restored_signal_returns_to_the_stick_position(board: RecordingDemoBoard) -> None:
     board.hold_stick(3, 1700)
     board.set_silent(3, True)
     board.wait(lambda: not seen(board).channels[2].has_signal)
@@ -214,7 +214,7 @@ def test_restored_signal_returns_to_the_stick_position(board: OverheardBoard) ->
     assert 1 in board.automatic
 
 
-def test_automatic_sticks_can_be_stopped_and_restarted(board: OverheardBoard) -> None:
+def test_automatic_sticks_can_be_stopped_and_restarted(board: RecordingDemoBoard) -> None:
     board.set_automatic(False)
     assert board.automatic == frozenset()
     assert len(board.simulator.orders()) == 5
@@ -224,7 +224,7 @@ def test_automatic_sticks_can_be_stopped_and_restarted(board: OverheardBoard) ->
     board.wait(lambda: seen(board).channels[0].raw != first)
 
 
-def test_centering_the_sticks_ends_safe_start(board: OverheardBoard) -> None:
+def test_centering_the_sticks_ends_safe_start(board: RecordingDemoBoard) -> None:
     board.hold_stick(1, 2000)
     board.set_mode_jumper("rc")
     board.power_cycle()
@@ -233,7 +233,7 @@ def test_centering_the_sticks_ends_safe_start(board: OverheardBoard) -> None:
     board.wait(lambda: not seen(board).safe_start)
 
 
-def test_sticks_are_centred_while_no_panel_watches(board: OverheardBoard, qtbot: QtBot) -> None:
+def test_sticks_are_centred_while_no_panel_watches(board: RecordingDemoBoard, qtbot: QtBot) -> None:
     board.watch(False)
     board.simulator.stop()
     board.wait(lambda: board.snapshot is None)
@@ -244,7 +244,7 @@ def test_sticks_are_centred_while_no_panel_watches(board: OverheardBoard, qtbot:
     assert board.automatic == frozenset()
 
 
-def test_held_sticks_keep_their_position_in_analog_mode(board: OverheardBoard) -> None:
+def test_held_sticks_keep_their_position_in_analog_mode(board: RecordingDemoBoard) -> None:
     board.hold_stick(1, 2100)
     board.hold_stick(2, 1500)
     board.set_mode_jumper("analog")
@@ -253,7 +253,7 @@ def test_held_sticks_keep_their_position_in_analog_mode(board: OverheardBoard) -
     board.wait(lambda: seen(board).channels[1].raw == InputSource.ANALOG.counts(2.5))
 
 
-def test_replugged_cable_gets_a_working_url(board: OverheardBoard, qtbot: QtBot) -> None:
+def test_replugged_cable_gets_a_working_url(board: RecordingDemoBoard, qtbot: QtBot) -> None:
     board.set_plugged(False)
     board.wait(lambda: not board.simulator.plugged and not seen(board).line.plugged)
     board.set_plugged(True)
@@ -263,7 +263,7 @@ def test_replugged_cable_gets_a_working_url(board: OverheardBoard, qtbot: QtBot)
     assert again.args == [board.simulator.url]
 
 
-def test_factory_reset_restores_board_and_sticks(board: OverheardBoard) -> None:
+def test_factory_reset_restores_board_and_sticks(board: RecordingDemoBoard) -> None:
     board.set_mode_jumper("rc")
     board.power_cycle()
     board.hold_stick(1, 1100)
@@ -281,7 +281,7 @@ def test_factory_reset_restores_board_and_sticks(board: OverheardBoard) -> None:
     board.wait(lambda: seen(board).channels[0].raw != first)
 
 
-def test_refused_command_emits_a_sentence(board: OverheardBoard, qtbot: QtBot) -> None:
+def test_refused_command_emits_a_sentence(board: RecordingDemoBoard, qtbot: QtBot) -> None:
     with qtbot.waitSignal(board.changed), qtbot.waitSignal(board.rejected) as refused:
         board.set_mode_jumper("boat")
     assert refused.args[0].startswith("Usage: jumper mode serial|rc|analog")

@@ -239,7 +239,7 @@ def hour(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     path.unlink()
 
 
-class Ticks(QObject):
+class BlockingDetector(QObject):
     """Timer in the window's thread that reveals blocking."""
 
     def __init__(self) -> None:
@@ -273,7 +273,7 @@ def test_window_responds_while_an_hour_is_read(hour: Path, qtbot: QtBot) -> None
 
 def responds_while_reading(hour: Path, qtbot: QtBot) -> bool:
     """Open a recording. Return whether the window stayed responsive."""
-    ticks = Ticks()
+    ticks = BlockingDetector()
     begin = now()
     playback = loading(Playback(open_recording(hour)))
     opened = now()

@@ -201,7 +201,7 @@ def test_recording_is_committed_every_second(session: RecorderSetup, tmp_path: P
     session.end_recording()
 
 
-class Kept:
+class AutomaticRecordings:
     """Recordings of faults and stops, with their events."""
 
     def __init__(self, session: RecorderSetup) -> None:
@@ -226,19 +226,21 @@ class Kept:
 
 
 @pytest.fixture
-def kept(session: RecorderSetup, monkeypatch: pytest.MonkeyPatch) -> Iterator[Kept]:
+def kept(session: RecorderSetup, monkeypatch: pytest.MonkeyPatch) -> Iterator[AutomaticRecordings]:
     """Shorten the time before and after an event to 2 seconds."""
     assert (recorder._BEFORE, recorder._AFTER) == (20.0, 10.0)
     monkeypatch.setattr(recorder, "_BEFORE", 2.0)
     monkeypatch.setattr(recorder, "_AFTER", 2.0)
-    kept = Kept(session)
+    kept = AutomaticRecordings(session)
     session.device.link_changed.emit()
     session.device.state_changed.emit()  # the board was read before
     yield kept
     kept.recorder.shut_down()
 
 
-def test_seconds_around_a_stop_are_recorded(session: RecorderSetup, kept: Kept) -> None:
+def test_seconds_around_a_stop_are_recorded(
+    session: RecorderSetup, kept: AutomaticRecordings
+) -> None:
     motors = session.device.motors
     motors.press_stop()  # at rest, nothing is recorded
     session.wait(lambda: not motors.locked_for)
@@ -265,7 +267,7 @@ def test_seconds_around_a_stop_are_recorded(session: RecorderSetup, kept: Kept) 
 
 
 def test_stop_gets_no_file_during_a_recording_or_if_off(
-    session: RecorderSetup, kept: Kept, tmp_path: Path
+    session: RecorderSetup, kept: AutomaticRecordings, tmp_path: Path
 ) -> None:
     session.recorder.start(tmp_path / "user.trexrec")
     kept.drive()
@@ -283,7 +285,9 @@ def test_stop_gets_no_file_during_a_recording_or_if_off(
     assert not EventRecorder(session.device, session.recorder).is_on
 
 
-def test_fault_is_recorded_if_the_line_closes_at_once(session: RecorderSetup, kept: Kept) -> None:
+def test_fault_is_recorded_if_the_line_closes_at_once(
+    session: RecorderSetup, kept: AutomaticRecordings
+) -> None:
     kept.wait(2)
     session.simulator.do("fault 2 on")
     session.wait(lambda: bool(session.device.board.errors.recent(2, now())))
@@ -293,7 +297,9 @@ def test_fault_is_recorded_if_the_line_closes_at_once(session: RecorderSetup, ke
     assert any(isinstance(one, Currents) for one in records)
 
 
-def test_bits_before_the_connection_are_not_recorded(session: RecorderSetup, kept: Kept) -> None:
+def test_bits_before_the_connection_are_not_recorded(
+    session: RecorderSetup, kept: AutomaticRecordings
+) -> None:
     session.device.disconnect_line()
     session.wait(lambda: session.device.link is ConnectionState.DISCONNECTED)
     session.simulator.do("fault 2 on")

@@ -21,14 +21,14 @@ class Packet(NamedTuple):
     data: bytes
 
 
-class Heard(NamedTuple):
+class ByteEffect(NamedTuple):
     """Effect of one byte. A byte can end one packet in error and be another packet."""
 
     packet: Packet | None = None
     error: UartError = UartError.NONE
 
 
-NOTHING = Heard()
+NOTHING = ByteEffect()
 
 
 def remainder(message: bytes, polynomial: int) -> int:
@@ -72,21 +72,21 @@ class Framer:
         self._received = b""  # the packet so far; empty: none has begun
         self._skipping = False  # the rest of another device's packet
 
-    def feed(self, byte: int) -> Heard:
+    def feed(self, byte: int) -> ByteEffect:
         if byte < 0x80:
             if self._received:
                 self._received += bytes([byte])
                 return self._look()
             # Inferred: data that belongs to no packet is a format error.
-            return NOTHING if self._skipping else Heard(None, UartError.FORMAT)
+            return NOTHING if self._skipping else ByteEffect(None, UartError.FORMAT)
         interrupted = UartError.FORMAT if self._received else UartError.NONE
         self._skipping = False
         # Inferred: the byte that interrupts a packet begins the next one.
         self._received = bytes([byte])
         packet, error = self._look()
-        return Heard(packet, interrupted | error)
+        return ByteEffect(packet, interrupted | error)
 
-    def _look(self) -> Heard:
+    def _look(self) -> ByteEffect:
         """Judge the packet as far as it has come."""
         body = self._received
         if body[0] == EXPANDED:
@@ -112,8 +112,8 @@ class Framer:
                 return self._dropped(UartError.CRC)
             body = body[:-1]
         self._received = b""
-        return Heard(Packet(command, body[1:]))
+        return ByteEffect(Packet(command, body[1:]))
 
-    def _dropped(self, error: UartError) -> Heard:
+    def _dropped(self, error: UartError) -> ByteEffect:
         self._received = b""
-        return Heard(None, error)
+        return ByteEffect(None, error)

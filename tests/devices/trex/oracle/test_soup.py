@@ -48,7 +48,7 @@ class Setup:
     signals: list[str] = field(default_factory=lambda: ["rest"] * 5)
 
 
-class Duel:
+class OracleComparison:
     """One board and one oracle that hear the same bytes."""
 
     def __init__(self, setup: Setup) -> None:
@@ -143,7 +143,7 @@ def fourteen_bits(values: Calibration) -> bytes:
     return b"".join(bytes([value & 0x7F, value >> 7]) for value in values)
 
 
-class Cook:
+class SoupRunner:
     """Boards to be tried, and what to pour over them."""
 
     def __init__(self, random: Random) -> None:
@@ -202,7 +202,7 @@ class Cook:
         )
         return Calibration(*ends, self.random.choice((0, width, max(0, width - 1), width + 1)))
 
-    def event(self, duel: Duel) -> None:
+    def event(self, duel: OracleComparison) -> None:
         """Now and then something that is not a byte."""
         match self.random.randrange(30):
             case 0:
@@ -279,8 +279,8 @@ class Cook:
 
 def pour(random: Random, size: int) -> int:
     """Pour soup over one board until it has heard so many bytes. Return how many it were."""
-    cook = Cook(random)
-    duel = Duel(cook.setup())
+    cook = SoupRunner(random)
+    duel = OracleComparison(cook.setup())
     while len(duel.stream) < size:
         cook.event(duel)
         duel.drive(cook.spoonful(duel.oracle))
@@ -333,7 +333,7 @@ def test_remapped_channels_match_oracle_over_full_range(mix: bool, joint: int, s
         Calibration(1800, 3600, 5900, 11) if source == "rc" else Calibration(60, 300, 999, 0)
     )
     calibrations = {(source, 2): unexpected, (source, 3): unexpected}
-    duel = Duel(Setup(mix=mix, parameters=parameters, calibrations=calibrations))
+    duel = OracleComparison(Setup(mix=mix, parameters=parameters, calibrations=calibrations))
     for step in range(53):
         parts = [(step * stride % 53) / 52 for stride in (1, 7, 11, 13, 17)]
         if source == "rc":
@@ -347,10 +347,10 @@ def test_remapped_channels_match_oracle_over_full_range(mix: bool, joint: int, s
 @given(random=st.randoms(use_true_random=False))
 def test_remapped_values_match_oracle_at_calibration_edges(random: Random) -> None:
     """The signals stay, and calibrations are laid so that their edges pass over them."""
-    cook = Cook(random)
+    cook = SoupRunner(random)
     setup = cook.setup("serial")
     setup.parameters["uart_settings"] = 0x05
-    duel = Duel(setup)
+    duel = OracleComparison(setup)
     for _ in range(5):
         for command, raw in zip(CALIBRATIONS, duel.board.channels.raw, strict=True):
             duel.drive(bytes([command]) + fourteen_bits(cook.edge(raw or 0)) + b"\x55\x2a")
@@ -359,7 +359,7 @@ def test_remapped_values_match_oracle_at_calibration_edges(random: Random) -> No
 
 @pytest.mark.parametrize("firmware", ["1.0", "1.2"])
 def test_parameters_match_oracle_at_edges_of_their_values(firmware: str) -> None:
-    duel = Duel(Setup(firmware=firmware))
+    duel = OracleComparison(Setup(firmware=firmware))
     for number in range(128):
         values = {0, 1, 127}
         if one := table("trex", firmware).get(number):
@@ -369,16 +369,16 @@ def test_parameters_match_oracle_at_edges_of_their_values(firmware: str) -> None
 
 
 def test_power_cycle_parameters_match_oracle() -> None:
-    duel = Duel(Setup(mix=True))
+    duel = OracleComparison(Setup(mix=True))
     for write in ("7b 01", "7c 01", "7d 65", "00 09", "7f 7f", "00 08"):
         duel.drive(bytes.fromhex(f"af {write} 55 2a 82 86 1f 87 1f 9f 7b 9f 7c 9f 00"))
-        duel.power_cycle(Cook(Random(write)).signals)
+        duel.power_cycle(SoupRunner(Random(write)).signals)
         duel.drive(bytes.fromhex("82 86 1f 87 1f 9f 7b 9f 7c 9f 7d 9f 7e 9f 7f 9f 00"))
 
 
 def test_motors_at_rest_draw_no_current() -> None:
     for joint in (0, 1):
-        duel = Duel(Setup(parameters={"motor_mode": joint}))
+        duel = OracleComparison(Setup(parameters={"motor_mode": joint}))
         duel.line.send(b"\x8f")
         duel.line.advance(MOMENT)
         assert duel.line.receive() == b"\0\0"
@@ -386,7 +386,7 @@ def test_motors_at_rest_draw_no_current() -> None:
 
 @pytest.mark.parametrize(("mode", "away"), [("rc", "1000us"), ("analog", "0.1V")])
 def test_override_matches_oracle_after_safe_start(mode: str, away: str) -> None:
-    duel = Duel(Setup(mode=mode))
+    duel = OracleComparison(Setup(mode=mode))
     duel.drive(b"\x83")
     duel.connect(["rest"] * 4 + [away])
     duel.oracle.safe_start = False
@@ -395,6 +395,6 @@ def test_override_matches_oracle_after_safe_start(mode: str, away: str) -> None:
 
 @pytest.mark.parametrize(("mode", "away"), [("rc", "1000us"), ("analog", "0.1V")])
 def test_override_since_power_up_keeps_safe_start(mode: str, away: str) -> None:
-    duel = Duel(Setup(mode=mode, signals=["rest"] * 4 + [away]))
+    duel = OracleComparison(Setup(mode=mode, signals=["rest"] * 4 + [away]))
     duel.oracle.safe_start = True
     duel.drive(b"\x83")

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests.devices.trex.recording.samples import HEADER, open_recording, read_all
-from tests.support.virtual import Stage
+from tests.support.virtual import SessionHarness
 from trex_gui.core.recording.kinds import Marker
 from trex_gui.core.recording.store import CHUNK, RecordingWriter
 from trex_gui.devices.trex.driving.requests import SetMotor, Stop
@@ -28,13 +28,13 @@ def record_virtually(seconds: int, path: Path) -> list[Record]:
         what.extend(records)
         writer.write(records)
 
-    class Recorded(Stage):
+    class Recorded(SessionHarness):
         def record(self, report: Report) -> None:
             if isinstance(report, Batch):
                 put(*report.samples)
 
-    stage = Recorded(Board())
-    stage.reports = _Sink(stage.record)  # type: ignore[assignment] # batches of an hour are not kept
+    harness = Recorded(Board())
+    harness.reports = _Sink(harness.record)  # type: ignore[assignment] # batches of an hour are not kept
     for minute in range(-(-seconds // 60)):
         begin = 60.0 * minute + 5
         drive = Drive.at(127 if minute % 2 else -90)
@@ -45,10 +45,10 @@ def record_virtually(seconds: int, path: Path) -> list[Record]:
         def stop(at: float = begin + 5) -> None:
             put(Marker(at, "stop", "Stop"))
 
-        stage.script.at(begin, put_setpoint).at(begin, SetMotor(1, drive))
-        stage.script.at(begin + 5, stop).at(begin + 5, Stop(minute))
-    stage.script.at(seconds, lambda: None)
-    stage.run()
+        harness.script.at(begin, put_setpoint).at(begin, SetMotor(1, drive))
+        harness.script.at(begin + 5, stop).at(begin + 5, Stop(minute))
+    harness.script.at(seconds, lambda: None)
+    harness.run()
     writer.finish()
     writer.close()
     return what

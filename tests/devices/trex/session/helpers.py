@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable
 from typing import Any, TypeVar, cast
 
-from tests.support.virtual import Stage, VirtualTransport
+from tests.support.virtual import SessionHarness, VirtualTransport
 from trex_gui.core.session import Close, Outcome
 from trex_gui.devices.trex.client.client import Requester
 from trex_gui.devices.trex.client.telemetry import PolledValue, Sample
@@ -31,18 +31,20 @@ def staged(
     firmware: str = "1.2",
     mode: str = "serial",
     echo: bool = False,
-) -> tuple[Stage, ConnectionSettings]:
+) -> tuple[SessionHarness, ConnectionSettings]:
     """Return a board with these line settings, and its connection settings."""
     line = LineSettings(baud, detection)
     eeprom = Eeprom(model)
     eeprom.write("uart_settings", line.to_wire())
     board = Board(model, firmware, eeprom=eeprom, mode=mode)
-    return Stage(board, echo=echo), ConnectionSettings("virtual", line)
+    return SessionHarness(board, echo=echo), ConnectionSettings("virtual", line)
 
 
-def replying(stage: Stage, kind: type[Command[Any]], replies: Iterable[object]) -> Requester:
+def replying(
+    harness: SessionHarness, kind: type[Command[Any]], replies: Iterable[object]
+) -> Requester:
     """Return a requester that receives these replies to one kind of command."""
-    client, corrupted = stage.client(), iter(replies)
+    client, corrupted = harness.client(), iter(replies)
 
     def request(command: Command[ReplyT_co]) -> ReplyT_co:
         reply = client.request(command)
@@ -104,39 +106,39 @@ def is_stopped(board: Board) -> bool:
     )
 
 
-def pulses(stage: Stage, start: float, end: float) -> None:
+def pulses(harness: SessionHarness, start: float, end: float) -> None:
     """Schedule the heartbeats of a window between two times."""
     for number in range(int((end - start) / HEARTBEAT_INTERVAL) + 1):
-        stage.script.at(start + number * HEARTBEAT_INTERVAL, Heartbeat())
+        harness.script.at(start + number * HEARTBEAT_INTERVAL, Heartbeat())
 
 
 def run_for(
-    stage: Stage,
+    harness: SessionHarness,
     seconds: float,
     settings: ConnectionSettings | None = None,
     *,
     may_move: bool = False,
 ) -> list[Report]:
     """Run the script of a stage. It ends `seconds` after the line was opened."""
-    stage.script.at(seconds, Close())
-    return stage.run(settings, may_move=may_move)
+    harness.script.at(seconds, Close())
+    return harness.run(settings, may_move=may_move)
 
 
-def seen_at(stage: Stage, moment: float, look: Callable[[], KindT]) -> list[KindT]:
+def seen_at(harness: SessionHarness, moment: float, look: Callable[[], KindT]) -> list[KindT]:
     """Schedule a reading of the board. Return the list for its result."""
     seen: list[KindT] = []
-    stage.script.at(moment, lambda: seen.append(look()))
+    harness.script.at(moment, lambda: seen.append(look()))
     return seen
 
 
-def timed_run(stage: Stage, settings: ConnectionSettings) -> list[tuple[float, Report]]:
+def timed_run(harness: SessionHarness, settings: ConnectionSettings) -> list[tuple[float, Report]]:
     """Run the script of a stage. Return each report with its time."""
     reports: list[tuple[float, Report]] = []
     session = TrexSession(
         settings,
-        stage.script,
-        lambda report: reports.append((stage.line.now, report)),
-        lambda _settings: stage.transport,
+        harness.script,
+        lambda report: reports.append((harness.line.now, report)),
+        lambda _settings: harness.transport,
     )
     session.run()
     return reports

@@ -14,7 +14,7 @@ from tests.devices.trex.session.helpers import (
     seen_at,
 )
 from tests.devices.trex.simulator.ports import a_board
-from tests.support.virtual import Stage
+from tests.support.virtual import SessionHarness
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
 from trex_gui.core.session import Closed
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
@@ -50,7 +50,7 @@ SEVENTH = replace(COMPACT, device_number=7)
 _FORWARD = SetMotor(1, Drive.at(90))
 
 
-class Line(Stage):
+class Line(SessionHarness):
     """Boards 7 and 9 on one line."""
 
     def __init__(self) -> None:
@@ -264,9 +264,9 @@ def test_probe_is_rejected_while_motors_are_armed(line: Line) -> None:
 
 
 def test_two_boards_with_one_number_are_unreadable() -> None:
-    stage = Stage(a_board(7), a_board(9), a_board(9, model="trexjr"))
-    stage.script.at(1.0, ProbeNumber(1, 9, attempts=2))
-    reports = run_for(stage, 2.0, SEVENTH)
+    harness = SessionHarness(a_board(7), a_board(9), a_board(9, model="trexjr"))
+    harness.script.at(1.0, ProbeNumber(1, 9, attempts=2))
+    reports = run_for(harness, 2.0, SEVENTH)
     assert isinstance(outcomes(reports)[1].error, BadReply)
 
 

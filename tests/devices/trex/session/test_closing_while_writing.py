@@ -10,8 +10,8 @@ from tests.devices.trex.client.test_interrupted_writing import (
     CASES,
     FAST,
     SLOW,
-    Attempt,
     Case,
+    InterruptedWrite,
     everything,
     line_and_polynomial,
     require_order,
@@ -52,9 +52,9 @@ ALL = tuple(CLOSED.values())
 
 @dataclass
 class Writing:
-    """Attempt to write in a session."""
+    """InterruptedWrite to write in a session."""
 
-    attempt: Attempt
+    attempt: InterruptedWrite
     reports: list[tuple[float, Report]]
 
     @property
@@ -70,15 +70,15 @@ class Writing:
         return moment
 
 
-def run(attempt: Attempt) -> Writing:
+def run(attempt: InterruptedWrite) -> Writing:
     """Run the rest of the script."""
     settings = attempt.case.link(attempt.case.before)
     attempt.stage.line.host = settings.line
     return Writing(attempt, timed_run(attempt.stage, settings))
 
 
-def begun(case: Case) -> Attempt:
-    attempt = Attempt(case)
+def begun(case: Case) -> InterruptedWrite:
+    attempt = InterruptedWrite(case)
     attempt.stage.script.at(0.0, Write(1, case.parameters, case.calibrations))
     return attempt
 
@@ -182,14 +182,14 @@ def test_close_does_not_wait_long_for_unresponsive_board() -> None:
 # --- Motors -----------------------------------------------------------------------------
 
 
-def driven(case: Case, moment: float) -> Attempt:
+def driven(case: Case, moment: float) -> InterruptedWrite:
     attempt = begun(case)
     attempt.stage.script.at(moments(case)[0], SetMotor(1, Drive.at(100)))
     attempt.stage.script.at(moment, Close())
     return attempt
 
 
-def stopped_first(attempt: Attempt, moment: float) -> Writing:
+def stopped_first(attempt: InterruptedWrite, moment: float) -> Writing:
     """Run. The first packet after the moment must be a stop."""
     attempt.at(moment, attempt.stage.transport.sent.clear)
     writing = taken(run(attempt))

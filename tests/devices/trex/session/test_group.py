@@ -5,11 +5,11 @@ from dataclasses import replace
 
 import pytest
 
-from tests.devices.trex.session.group_stage import (
+from tests.devices.trex.session.group_harness import (
     FORWARD,
     GROUP,
     OPENED,
-    GroupStage,
+    GroupHarness,
     of,
     run_sequences,
     stop_delays,
@@ -33,17 +33,17 @@ from trex_gui.devices.trex.session.messages import (
 
 
 @pytest.fixture
-def stage() -> GroupStage:
-    return GroupStage()
+def harness() -> GroupHarness:
+    return GroupHarness()
 
 
-def test_every_board_is_read_and_drives(stage: GroupStage) -> None:
-    stage.drive(until=3.0)
-    moving = seen_at(stage, 3.0, lambda: stage.moving)
-    stage.script.at(3.0, Stop(5))
-    stopped = seen_at(stage, 3.1, lambda: stage.moving)
-    reports = run_for(stage, 4.0, GROUP)
-    for number in stage.boards:
+def test_every_board_is_read_and_drives(harness: GroupHarness) -> None:
+    harness.drive(until=3.0)
+    moving = seen_at(harness, 3.0, lambda: harness.moving)
+    harness.script.at(3.0, Stop(5))
+    stopped = seen_at(harness, 3.1, lambda: harness.moving)
+    reports = run_for(harness, 4.0, GROUP)
+    for number in harness.boards:
         (read,) = among(of(number, reports), Connected)
         assert read.state.parameters["device_number"] == number
         assert read.settings == replace(GROUP, device_number=number)
@@ -51,21 +51,21 @@ def test_every_board_is_read_and_drives(stage: GroupStage) -> None:
     assert outcomes(reports)[5].error is None
 
 
-def test_nothing_moves_before_the_group_is_armed(stage: GroupStage) -> None:
-    stage.script.at(OPENED, ToBoard(9, FORWARD))
-    stage.script.at(OPENED, FORWARD)
-    moving = seen_at(stage, 3.0, lambda: stage.moving)
-    run_for(stage, 4.0, GROUP)
+def test_nothing_moves_before_the_group_is_armed(harness: GroupHarness) -> None:
+    harness.script.at(OPENED, ToBoard(9, FORWARD))
+    harness.script.at(OPENED, FORWARD)
+    moving = seen_at(harness, 3.0, lambda: harness.moving)
+    run_for(harness, 4.0, GROUP)
     assert moving == [set()]
-    assert stage.transport.guardian.watched == []
+    assert harness.transport.guardian.watched == []
 
 
 @pytest.mark.parametrize("moment", [0.05, 0.3, 0.4])
-def test_nothing_moves_before_every_board_was_read(stage: GroupStage, moment: float) -> None:
+def test_nothing_moves_before_every_board_was_read(harness: GroupHarness, moment: float) -> None:
     for step in (Arm(), ToBoard(7, FORWARD), ToBoard(9, FORWARD)):
-        stage.script.at(moment, step)
-    looks = [seen_at(stage, moment + 0.1 * one, lambda: stage.moving) for one in range(20)]
-    run_for(stage, 4.0, GROUP)
+        harness.script.at(moment, step)
+    looks = [seen_at(harness, moment + 0.1 * one, lambda: harness.moving) for one in range(20)]
+    run_for(harness, 4.0, GROUP)
     assert looks == [[set()]] * 20
 
 
@@ -73,21 +73,21 @@ def test_nothing_moves_before_every_board_was_read(stage: GroupStage, moment: fl
     "command", [SetParameter(0, 12), SetParameter(0, 9)], ids=["another number", "a taken one"]
 )
 def test_typed_packet_renumbers_no_board_of_a_group(
-    stage: GroupStage, command: Command[object]
+    harness: GroupHarness, command: Command[object]
 ) -> None:
     (raw,) = packets_of(Framing(9, None).encode(command), None)
-    stage.drive(until=3.5, also={3.0: SendPacket(5, raw)})
-    stage.script.at(3.5, Stop(6))
-    moving = seen_at(stage, 3.6, lambda: stage.moving)
-    reports = run_for(stage, 4.0, GROUP)
+    harness.drive(until=3.5, also={3.0: SendPacket(5, raw)})
+    harness.script.at(3.5, Stop(6))
+    moving = seen_at(harness, 3.6, lambda: harness.moving)
+    reports = run_for(harness, 4.0, GROUP)
     assert isinstance(outcomes(reports)[5].error, BadRequest)
     assert outcomes(reports)[6].error is None
     assert moving == [set()]
 
 
-def test_request_for_no_board_of_the_group_is_rejected(stage: GroupStage) -> None:
-    stage.script.at(OPENED, ToBoard(5, Reload(8)))
-    assert isinstance(outcomes(run_for(stage, 3.0, GROUP))[8].error, BadRequest)
+def test_request_for_no_board_of_the_group_is_rejected(harness: GroupHarness) -> None:
+    harness.script.at(OPENED, ToBoard(5, Reload(8)))
+    assert isinstance(outcomes(run_for(harness, 3.0, GROUP))[8].error, BadRequest)
 
 
 def test_both_stops_leave_at_once_and_are_confirmed() -> None:
@@ -99,15 +99,15 @@ def test_both_stops_leave_at_once_and_are_confirmed() -> None:
 
 @pytest.mark.parametrize("number", [7, 9])
 @pytest.mark.parametrize("how", ["power off", "stopped alone"])
-def test_board_that_leaves_stops_the_others(stage: GroupStage, number: int, how: str) -> None:
-    leave: Callable[[], object] = stage.boards[number].power_off
+def test_board_that_leaves_stops_the_others(harness: GroupHarness, number: int, how: str) -> None:
+    leave: Callable[[], object] = harness.boards[number].power_off
     if how == "stopped alone":
-        stage.drive(until=3.0)
-        stage.script.at(3.0, ToBoard(number, Stop(1)))
+        harness.drive(until=3.0)
+        harness.script.at(3.0, ToBoard(number, Stop(1)))
     else:
-        stage.drive(until=3.5, also={3.0: leave})
-    moving = seen_at(stage, 3.6, lambda: stage.moving)
-    reports = run_for(stage, 4.0, GROUP)
+        harness.drive(until=3.5, also={3.0: leave})
+    moving = seen_at(harness, 3.6, lambda: harness.moving)
+    reports = run_for(harness, 4.0, GROUP)
     assert moving in ([set()], [{number}])
     other = 16 - number
     (why,) = among(of(other, reports), MotorsStopped)
@@ -118,27 +118,27 @@ def test_no_motor_moves_without_an_armed_group() -> None:
     assert run_sequences(60, seed=1) == []
 
 
-def test_silence_of_the_program_stops_every_board(stage: GroupStage) -> None:
-    stage.drive(until=3.0)
-    moving = seen_at(stage, 3.7, lambda: stage.moving)
-    reports = run_for(stage, 4.0, GROUP)
+def test_silence_of_the_program_stops_every_board(harness: GroupHarness) -> None:
+    harness.drive(until=3.0)
+    moving = seen_at(harness, 3.7, lambda: harness.moving)
+    reports = run_for(harness, 4.0, GROUP)
     assert moving == [set()]
-    assert all(among(of(number, reports), MotorsStopped) for number in stage.boards)
+    assert all(among(of(number, reports), MotorsStopped) for number in harness.boards)
 
 
-def test_guardian_stops_every_board(stage: GroupStage) -> None:
-    stage.drive(until=3.0)
-    run_for(stage, 3.0, GROUP)
-    sequence = next(one for one in stage.transport.guardian.watched if one is not None)
-    for number in stage.boards:
+def test_guardian_stops_every_board(harness: GroupHarness) -> None:
+    harness.drive(until=3.0)
+    run_for(harness, 3.0, GROUP)
+    sequence = next(one for one in harness.transport.guardian.watched if one is not None)
+    for number in harness.boards:
         framing = replace(GROUP, device_number=number, group=()).framing
         assert b"".join(map(framing.encode, STOP)) in sequence.packets
     assert len(sequence.queries) == 2
 
 
-def test_missing_board_is_named(stage: GroupStage) -> None:
-    stage.ninth.power_off()
-    (closed,) = among(run_for(stage, 4.0, GROUP), Closed)
+def test_missing_board_is_named(harness: GroupHarness) -> None:
+    harness.ninth.power_off()
+    (closed,) = among(run_for(harness, 4.0, GROUP), Closed)
     assert isinstance(closed.error, NoReply)
     assert "Board 9" in str(closed.error)
 
@@ -147,8 +147,8 @@ def test_missing_board_is_named(stage: GroupStage) -> None:
     "request_", [SelectBoard(1, 9), Write(1, (("device_number", 5),))], ids=["select", "number"]
 )
 def test_numbers_stay_while_boards_are_driven_together(
-    stage: GroupStage, request_: SelectBoard | Write
+    harness: GroupHarness, request_: SelectBoard | Write
 ) -> None:
-    stage.script.at(OPENED, request_)
-    reports = run_for(stage, 4.0, GROUP)
+    harness.script.at(OPENED, request_)
+    reports = run_for(harness, 4.0, GROUP)
     assert isinstance(outcomes(reports)[1].error, BadRequest)

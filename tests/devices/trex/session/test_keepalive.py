@@ -7,7 +7,7 @@ import pytest
 
 from tests.devices.trex.session.helpers import among, run_for, samples, seen_at, staged
 from tests.support.matrix import sampled
-from tests.support.virtual import Stage
+from tests.support.virtual import SessionHarness
 from trex_gui.core.session import Outcome
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.client.telemetry import Control, Currents, LatchedStatus, ModeSample, Raw
@@ -27,10 +27,10 @@ def opening(baud: int) -> float:
     return 1.0 + 4.0 * 1200 / baud
 
 
-def set_timeout(stage: Stage, tenths: int) -> None:
+def set_timeout(harness: SessionHarness, tenths: int) -> None:
     """Store and activate a serial timeout."""
-    stage.board.eeprom.write("serial_timeout", tenths)
-    stage.board.memory.load()
+    harness.board.eeprom.write("serial_timeout", tenths)
+    harness.board.memory.load()
 
 
 INTERVAL = 0.25
@@ -41,14 +41,14 @@ INTERVAL = 0.25
     ("baud", "detection"), sampled(itertools.product(baud_rates(), Detection), every=9)
 )
 def test_100_ms_timeout_never_fires_while_armed(baud: int, detection: Detection) -> None:
-    stage, settings = staged(baud, detection)
-    set_timeout(stage, 1)
+    harness, settings = staged(baud, detection)
+    set_timeout(harness, 1)
     start = opening(baud)
-    stage.script.at(start, Arm()).at(start, SetMotor(1, Drive.at(90)))
+    harness.script.at(start, Arm()).at(start, SetMotor(1, Drive.at(90)))
     for number in range(12):
-        stage.script.at(start + number * INTERVAL, Heartbeat())
-    speeds = seen_at(stage, start + 3.0, lambda: stage.board.motors[0].speed)
-    reports = run_for(stage, start + 3.1, settings)
+        harness.script.at(start + number * INTERVAL, Heartbeat())
+    speeds = seen_at(harness, start + 3.0, lambda: harness.board.motors[0].speed)
+    reports = run_for(harness, start + 3.1, settings)
     assert speeds == [90]
     fired = [
         one.time
@@ -59,45 +59,45 @@ def test_100_ms_timeout_never_fires_while_armed(baud: int, detection: Detection)
 
 
 def test_slow_line_omits_long_polls_while_armed() -> None:
-    stage, settings = staged(1200)
-    set_timeout(stage, 1)
+    harness, settings = staged(1200)
+    set_timeout(harness, 1)
     start = opening(1200)
-    stage.script.at(start, Arm())
+    harness.script.at(start, Arm())
     for number in range(20):
-        stage.script.at(start + number * INTERVAL, Heartbeat())
-    stage.script.at(start + 5.0, Stop(1))
-    reports = run_for(stage, start + 8.0, settings)
+        harness.script.at(start + number * INTERVAL, Heartbeat())
+    harness.script.at(start + 5.0, Stop(1))
+    reports = run_for(harness, start + 8.0, settings)
     seen = [one.time for one in samples(reports, Raw)]
     assert [time for time in seen if start + 0.2 < time < start + 5.0] == []
     assert [time for time in seen if time > start + 5.5] != [], "all is asked again after the stop"
 
 
 def test_timeout_written_while_connected_applies_at_once() -> None:
-    stage, settings = staged(1200)
+    harness, settings = staged(1200)
     start = opening(1200)
-    stage.script.at(start, Write(1, (("serial_timeout", 1),)))
-    stage.script.at(start + 1.0, Arm())
+    harness.script.at(start, Write(1, (("serial_timeout", 1),)))
+    harness.script.at(start + 1.0, Arm())
     for number in range(16):
-        stage.script.at(start + 1.0 + number * INTERVAL, Heartbeat())
-    reports = run_for(stage, start + 4.0, settings)
+        harness.script.at(start + 1.0 + number * INTERVAL, Heartbeat())
+    reports = run_for(harness, start + 4.0, settings)
     assert among(reports, Outcome)[0].error is None
     assert [one for one in samples(reports, Raw) if one.time > start + 1.2] == []
 
 
 @pytest.mark.parametrize(("baud", "tenths"), [(1200, 1), (2400, 2), (115200, 1)])
 def test_lost_reply_fires_timeout_only_where_predicted(baud: int, tenths: int) -> None:
-    stage, settings = staged(baud)
-    stage.transport.latency = latency_of("/dev/ttyUSB0")
-    set_timeout(stage, tenths)
+    harness, settings = staged(baud)
+    harness.transport.latency = latency_of("/dev/ttyUSB0")
+    set_timeout(harness, tenths)
     start = opening(baud)
-    stage.script.at(start, Arm()).at(start, SetMotor(1, Drive.at(90)))
+    harness.script.at(start, Arm()).at(start, SetMotor(1, Drive.at(90)))
 
     for number in range(44):
-        stage.script.at(start + number * INTERVAL, Heartbeat())
+        harness.script.at(start + number * INTERVAL, Heartbeat())
         if number >= 4:
             # At another query each time, so that each query is hit.
-            stage.script.at(start + (number + 0.05 * number) * INTERVAL, stage.fault(to_drop=1))
-    reports = run_for(stage, start + 45 * INTERVAL, settings)
+            harness.script.at(start + (number + 0.05 * number) * INTERVAL, harness.fault(to_drop=1))
+    reports = run_for(harness, start + 45 * INTERVAL, settings)
     # Three lost replies in a row would make the board silent.
     replying = itertools.takewhile(lambda report: not isinstance(report, NotResponding), reports)
     fired = [
@@ -105,7 +105,7 @@ def test_lost_reply_fires_timeout_only_where_predicted(baud: int, tenths: int) -
         for one in samples(replying, LatchedStatus)
         if one.uart & UartError.TIMEOUT and one.time > start + 0.9
     ]
-    survives = survives_a_loss(settings.line, tenths / 10, stage.transport.latency)
+    survives = survives_a_loss(settings.line, tenths / 10, harness.transport.latency)
     assert not (survives and fired)
     if baud == 1200 and tenths == 1:  # nobody is promised what cannot be kept
         assert fired
@@ -116,19 +116,19 @@ def test_lost_reply_fires_timeout_only_where_predicted(baud: int, tenths: int) -
 def test_reply_lost_after_arming_lets_no_timeout_fire(ahead: float) -> None:
     """The first reply and the safety check are included."""
 
-    def run(seconds: float, armed_at: float = math.inf) -> Stage:
-        stage, settings = staged()
-        stage.transport.latency = 0.3  # as over a network
-        set_timeout(stage, 5)
-        assert survives_a_loss(settings.line, 0.5, stage.transport.latency)
+    def run(seconds: float, armed_at: float = math.inf) -> SessionHarness:
+        harness, settings = staged()
+        harness.transport.latency = 0.3  # as over a network
+        set_timeout(harness, 5)
+        assert survives_a_loss(settings.line, 0.5, harness.transport.latency)
         if armed_at < seconds:
-            lose_a_byte = stage.fault(to_drop=1)
-            stage.script.at(armed_at, Arm()).at(armed_at, SetMotor(1, Drive.at(90)))
-            stage.script.at(armed_at, lose_a_byte)
+            lose_a_byte = harness.fault(to_drop=1)
+            harness.script.at(armed_at, Arm()).at(armed_at, SetMotor(1, Drive.at(90)))
+            harness.script.at(armed_at, lose_a_byte)
             for beat in range(1, 4):
-                stage.script.at(armed_at + beat * INTERVAL, Heartbeat())
-        run_for(stage, seconds, settings)
-        return stage
+                harness.script.at(armed_at + beat * INTERVAL, Heartbeat())
+        run_for(harness, seconds, settings)
+        return harness
 
     query = Framing().encode(GetParameter(parameter_number(ParameterKey.SERIAL_TIMEOUT)))
     start = opening(19200) + 1.0

@@ -3,7 +3,7 @@
 import pytest
 
 from tests.support.matrix import sampled
-from tests.support.virtual import Stage
+from tests.support.virtual import SessionHarness
 from trex_gui.core.errors import BadReply, NoReply, StudioError
 from trex_gui.core.session import Close, Closed, Outcome
 from trex_gui.devices.trex.client.reading import DeviceState
@@ -20,14 +20,14 @@ _CALIBRATIONS = ((CalibrationKey.RC_CHANNEL_3, _LEARNED),)
 
 
 @pytest.mark.parametrize("seed", sampled(range(100), every=20))
-def test_reported_settings_are_those_of_the_board(stage: Stage, seed: int) -> None:
-    board = stage.board
+def test_reported_settings_are_those_of_the_board(harness: SessionHarness, seed: int) -> None:
+    board = harness.board
     board.eeprom.write("motor1_current_limit", 20)
     board.eeprom.write_calibration(InputSource.RC, 2, _LEARNED)
-    stage.line.faults._random.seed(seed)
-    stage.line.faults.noise = 0.01
-    stage.script.at(1.0, Write(1, _PARAMETERS, _CALIBRATIONS)).at(2.5, Reload(2))
-    stage.script.at(4.0, Close())
+    harness.line.faults._random.seed(seed)
+    harness.line.faults.noise = 0.01
+    harness.script.at(1.0, Write(1, _PARAMETERS, _CALIBRATIONS)).at(2.5, Reload(2))
+    harness.script.at(4.0, Close())
     wanted: dict[str, object] = {**dict(_PARAMETERS), **dict(_CALIBRATIONS)}
     written: dict[str, object] = {}
     reported: list[DeviceState] = []
@@ -47,7 +47,7 @@ def test_reported_settings_are_those_of_the_board(stage: Stage, seed: int) -> No
                 closed.append(error)
 
     settings = ConnectionSettings("virtual")
-    TrexSession(settings, stage.script, record, lambda _settings: stage.transport).run()
+    TrexSession(settings, harness.script, record, lambda _settings: harness.transport).run()
     assert written.items() <= wanted.items()
     for state, (parameters, calibrations) in zip(reported, stored, strict=True):
         assert state.parameters.items() <= parameters.items()

@@ -9,7 +9,7 @@ import pytest
 from tests.devices.trex.session.helpers import among, outcomes, packet, staged
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.matrix import sampled
-from tests.support.virtual import Stage
+from tests.support.virtual import SessionHarness
 from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable
 from trex_gui.core.session import Close, Closed
 from trex_gui.core.timing import Timeouts
@@ -60,7 +60,7 @@ STOPS = [Framing().encode(command) for command in STOP]
 OFF, ON, END = 1.5, 2.5, 30.0
 
 
-class Place(Stage):
+class Place(SessionHarness):
     """A board and a port with the settings `old`."""
 
     def __init__(self, old: ConnectionSettings = OLD, *, echo: bool = False) -> None:
@@ -471,8 +471,8 @@ def test_reading_board_again_ends_not_responding() -> None:
 
 
 def test_candidates_are_scanned_only_when_not_responding() -> None:
-    stage, settings = staged()
-    client = stage.client(settings)
+    harness, settings = staged()
+    client = harness.client(settings)
     responding = LivenessMonitor(Timeouts())
     responding.expect(ELSEWHERE)
     assert not responding.is_scanning(client)
@@ -480,15 +480,15 @@ def test_candidates_are_scanned_only_when_not_responding() -> None:
     assert not liveness.is_scanning(client)
     liveness.expect(ELSEWHERE)
     assert liveness.is_scanning(client)
-    stage.transport.is_configurable = False
+    harness.transport.is_configurable = False
     assert not liveness.is_scanning(client)
 
 
 def test_scan_continues_until_board_is_read() -> None:
-    stage, settings = staged()
-    client = stage.client(settings)
+    harness, settings = staged()
+    client = harness.client(settings)
     liveness = silent_at(0.0)
-    stage.board.power_off()
+    harness.board.power_off()
     liveness.expect(ELSEWHERE)
     assert liveness.probe_next(client) is None
     liveness.expect(())

@@ -30,7 +30,7 @@ from trex_gui.devices.trex.session.request_queue import BoardQueue, TrexRequestQ
 modest = examples(40)
 
 
-class Bag:
+class FixedInbox:
     """An inbox that holds some requests."""
 
     def __init__(self, *requests: Request) -> None:
@@ -46,7 +46,7 @@ class Queue(TrexRequestQueue):
     """A queue and a motor output at time 0."""
 
     def __init__(self, *requests: Request) -> None:
-        self.bag = Bag(*requests)
+        self.bag = FixedInbox(*requests)
         self.outcomes: list[Outcome] = []
         self.motors = MotorOutput(lambda _report: None)
         self.liveness = LivenessMonitor(Timeouts())

@@ -12,7 +12,7 @@ from tests.devices.trex.session.helpers import (
     samples,
     seen_at,
 )
-from tests.support.virtual import Stage
+from tests.support.virtual import SessionHarness
 from trex_gui.core.errors import BadRequest, NoReply
 from trex_gui.devices.trex.client.telemetry import LatchedStatus
 from trex_gui.devices.trex.driving.requests import Arm, Stop
@@ -35,74 +35,76 @@ def code_of(error: object) -> object:
     return error.code
 
 
-def test_reply_is_the_outcome_as_bytes(stage: Stage) -> None:
-    stage.script.at(1.0, packet(1, "81")).at(1.0, packet(2, "80 07 1F 07")).at(1.0, packet(3, "41"))
-    stage.script.at(1.0, packet(4, "80 09 1F 07"))
-    found = outcomes(run_for(stage, 3.0))
+def test_reply_is_the_outcome_as_bytes(harness: SessionHarness) -> None:
+    harness.script.at(1.0, packet(1, "81")).at(1.0, packet(2, "80 07 1F 07")).at(
+        1.0, packet(3, "41")
+    )
+    harness.script.at(1.0, packet(4, "80 09 1F 07"))
+    found = outcomes(run_for(harness, 3.0))
     assert found[1].value == b"TReX1.2"
     assert found[2].value == bytes(1)
     assert found[3].value == b""
     assert isinstance(found[4].error, NoReply), "there is no such board"
 
 
-def test_packet_that_moves_is_sent_only_while_armed(stage: Stage) -> None:
-    stage.script.at(1.0, packet(1, "C2 50"))
-    before = seen_at(stage, 1.1, lambda: stage.board.motors[0].speed)
-    stage.script.at(1.2, Arm()).at(1.2, packet(2, "C2 50"))
-    pulses(stage, 1.2, 1.6)
-    during = seen_at(stage, 1.6, lambda: stage.board.motors[0].speed)
-    stage.script.at(2.0, Stop(3)).at(2.0, packet(4, "C2 50"))
-    stage.script.at(2.5, packet(5, "C2 50"))
-    found = outcomes(run_for(stage, 4.0))
+def test_packet_that_moves_is_sent_only_while_armed(harness: SessionHarness) -> None:
+    harness.script.at(1.0, packet(1, "C2 50"))
+    before = seen_at(harness, 1.1, lambda: harness.board.motors[0].speed)
+    harness.script.at(1.2, Arm()).at(1.2, packet(2, "C2 50"))
+    pulses(harness, 1.2, 1.6)
+    during = seen_at(harness, 1.6, lambda: harness.board.motors[0].speed)
+    harness.script.at(2.0, Stop(3)).at(2.0, packet(4, "C2 50"))
+    harness.script.at(2.5, packet(5, "C2 50"))
+    found = outcomes(run_for(harness, 4.0))
     assert (before, during) == ([0], [80])
     assert found[3].error is None
     for number in (1, 4, 5):
         assert isinstance(found[number].error, BadRequest)
     assert code_of(found[1].error) is ErrorCode.NOT_ARMED
-    assert is_stopped(stage.board)
+    assert is_stopped(harness.board)
 
 
-def test_packet_that_moves_is_stopped_by_a_missing_heartbeat(stage: Stage) -> None:
-    stage.script.at(1.0, Arm()).at(1.0, packet(1, "CA 50"))
-    during = seen_at(stage, 1.3, lambda: stage.board.motors[1].speed)
-    run_for(stage, 3.0)
+def test_packet_that_moves_is_stopped_by_a_missing_heartbeat(harness: SessionHarness) -> None:
+    harness.script.at(1.0, Arm()).at(1.0, packet(1, "CA 50"))
+    during = seen_at(harness, 1.3, lambda: harness.board.motors[1].speed)
+    run_for(harness, 3.0)
     assert during == [80]
-    assert is_stopped(stage.board)
+    assert is_stopped(harness.board)
 
 
 @pytest.mark.parametrize("text", ["C2 50", "80 09 42 50", "C2"])
-def test_board_beyond_a_stop_is_not_moved(stage: Stage, text: str) -> None:
+def test_board_beyond_a_stop_is_not_moved(harness: SessionHarness, text: str) -> None:
     settings = ConnectionSettings("virtual", device_number=7)
-    stage.script.at(1.0, Arm()).at(1.0, packet(1, text))
-    found = outcomes(run_for(stage, 1.3, settings))
+    harness.script.at(1.0, Arm()).at(1.0, packet(1, text))
+    found = outcomes(run_for(harness, 1.3, settings))
     assert code_of(found[1].error) is ErrorCode.MOVES_ANOTHER_BOARD
 
 
-def test_bits_that_a_packet_clears_are_reported(stage: Stage) -> None:
-    stage.script.at(1.0, packet(1, "41 ")).at(1.0, packet(2, "85")).at(1.5, packet(3, "41"))
-    stage.script.at(1.5, packet(4, "84"))
-    seen = [sample.uart for sample in samples(run_for(stage, 3.0), LatchedStatus)]
+def test_bits_that_a_packet_clears_are_reported(harness: SessionHarness) -> None:
+    harness.script.at(1.0, packet(1, "41 ")).at(1.0, packet(2, "85")).at(1.5, packet(3, "41"))
+    harness.script.at(1.5, packet(4, "84"))
+    seen = [sample.uart for sample in samples(run_for(harness, 3.0), LatchedStatus)]
     assert [UartError.FORMAT in bits for bits in seen].count(True) == 2
 
 
-def test_board_is_read_again_after_a_packet_that_writes(stage: Stage) -> None:
-    stage.script.at(1.0, packet(1, "AF 07 0F 55 2A"))
-    reports = run_for(stage, 3.0)
+def test_board_is_read_again_after_a_packet_that_writes(harness: SessionHarness) -> None:
+    harness.script.at(1.0, packet(1, "AF 07 0F 55 2A"))
+    reports = run_for(harness, 3.0)
     assert outcomes(reports)[1].value == b"\0"
     assert among(reports, Connected)[-1].state.parameters["serial_timeout"] == 15
-    assert not moving(stage.transport.sent)
+    assert not moving(harness.transport.sent)
 
 
-def test_board_is_found_where_a_packet_has_put_it(stage: Stage) -> None:
-    stage.script.at(1.0, packet(1, "AF 7E 0A 55 2A"))
-    stage.script.at(2.0, stage.board.power_off).at(4.0, stage.board.power_on)
-    reports = run_for(stage, 12.0)
+def test_board_is_found_where_a_packet_has_put_it(harness: SessionHarness) -> None:
+    harness.script.at(1.0, packet(1, "AF 7E 0A 55 2A"))
+    harness.script.at(2.0, harness.board.power_off).at(4.0, harness.board.power_on)
+    reports = run_for(harness, 12.0)
     assert among(reports, Connected)[-1].settings.line == LineSettings(115200)
 
 
-def test_write_without_a_reply_is_read_again(stage: Stage) -> None:
-    stage.script.at(1.0, stage.fault(to_drop=1))
-    stage.script.at(1.0, packet(1, "AF 0E 0F 55 2A"))
-    reports = run_for(stage, 6.0)
+def test_write_without_a_reply_is_read_again(harness: SessionHarness) -> None:
+    harness.script.at(1.0, harness.fault(to_drop=1))
+    harness.script.at(1.0, packet(1, "AF 0E 0F 55 2A"))
+    reports = run_for(harness, 6.0)
     assert isinstance(outcomes(reports)[1].error, NoReply)
     assert among(reports, Connected)[-1].state.parameters["motor1_acceleration"] == 15

@@ -4,7 +4,7 @@ import pytest
 
 from tests.devices.trex.session.helpers import among, moving, outcomes, packet, run_for, staged
 from tests.support.matrix import sampled
-from tests.support.virtual import Stage, VirtualTransport
+from tests.support.virtual import SessionHarness, VirtualTransport
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
 from trex_gui.core.session import Closed, Progress
 from trex_gui.core.transport.serial_port import Transport
@@ -28,20 +28,20 @@ from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.memory import Eeprom
 
 
-def connected(stage: Stage) -> Connected:
+def connected(harness: SessionHarness) -> Connected:
     """Return the only `Connected` report."""
-    (report,) = among(stage.reports, Connected)
+    (report,) = among(harness.reports, Connected)
     return report
 
 
-def test_connection_reports_state_of_board(stage: Stage) -> None:
-    stage.board.eeprom.write("serial_timeout", 15)
-    reports = run_for(stage, 1.0)
-    assert (reports[-1], stage.transport.closed) == (Closed(None), True)
-    report = connected(stage)
+def test_connection_reports_state_of_board(harness: SessionHarness) -> None:
+    harness.board.eeprom.write("serial_timeout", 15)
+    reports = run_for(harness, 1.0)
+    assert (reports[-1], harness.transport.closed) == (Closed(None), True)
+    report = connected(harness)
     assert str(report.state.signature) == "TReX 1.2"
     assert report.state.mode is Mode.SERIAL_RC
-    assert report.state.parameters == stage.board.memory.stored()
+    assert report.state.parameters == harness.board.memory.stored()
     assert report.state.parameters["serial_timeout"] == 15
     assert report.occasion is ReadReason.OPENED
     assert report.echo is False
@@ -53,78 +53,78 @@ def test_connection_reports_state_of_board(stage: Stage) -> None:
 def test_session_connects_at_settings_of_board(
     baud: int, detection: Detection, *, echo: bool
 ) -> None:
-    stage, settings = staged(baud, detection, echo=echo)
-    run_for(stage, 0.1 + 5000 / baud, settings)
-    report = connected(stage)
+    harness, settings = staged(baud, detection, echo=echo)
+    run_for(harness, 0.1 + 5000 / baud, settings)
+    report = connected(harness)
     assert report.echo is echo
     assert report.state.parameters["uart_settings"] == settings.line.to_wire()
 
 
-def test_reading_reports_progress(stage: Stage) -> None:
-    steps = among(run_for(stage, 1.0), Progress)
+def test_reading_reports_progress(harness: SessionHarness) -> None:
+    steps = among(run_for(harness, 1.0), Progress)
     assert [step.done for step in steps] == sorted(step.done for step in steps)
     assert steps[-1].done == steps[-1].total
     assert len({step.total for step in steps[1:]}) == 1
 
 
-def test_setpoint_before_board_is_read_is_sent(stage: Stage) -> None:
-    stage.script.at(0.0, SetMotor(1, Drive.at(30)))
-    run_for(stage, 1.0)
-    assert len(among(stage.reports, Connected)) == 1
-    assert moving(stage.transport.sent)
+def test_setpoint_before_board_is_read_is_sent(harness: SessionHarness) -> None:
+    harness.script.at(0.0, SetMotor(1, Drive.at(30)))
+    run_for(harness, 1.0)
+    assert len(among(harness.reports, Connected)) == 1
+    assert moving(harness.transport.sent)
 
 
 def test_echo_is_detected_with_device_number(board: Board) -> None:
-    stage = Stage(board, echo=True)
-    run_for(stage, 1.0, ConnectionSettings("virtual", device_number=7))
-    assert connected(stage).echo
+    harness = SessionHarness(board, echo=True)
+    run_for(harness, 1.0, ConnectionSettings("virtual", device_number=7))
+    assert connected(harness).echo
 
 
 # --- No board ---------------------------------------------------------------------------
 
 
-def end(stage: Stage, settings: ConnectionSettings | None = None) -> Closed:
+def end(harness: SessionHarness, settings: ConnectionSettings | None = None) -> Closed:
     """Run a session without a board. Return its error."""
-    reports = run_for(stage, 30.0, settings)
+    reports = run_for(harness, 30.0, settings)
     assert not among(reports, Connected)
-    assert stage.transport.closed
+    assert harness.transport.closed
     closed = reports[-1]
     assert isinstance(closed, Closed)
     return closed
 
 
-def test_missing_board_is_reported_quickly(stage: Stage) -> None:
-    stage.board.power_off()
-    stage.transport.latency = 0.06
-    assert "No TReX responds" in str(end(stage).error)
-    assert stage.line.now < 2.5
+def test_missing_board_is_reported_quickly(harness: SessionHarness) -> None:
+    harness.board.power_off()
+    harness.transport.latency = 0.06
+    assert "No TReX responds" in str(end(harness).error)
+    assert harness.line.now < 2.5
 
 
 def test_board_at_other_settings_is_reported_with_them() -> None:
-    stage, settings = staged(detection=Detection.EVEN)
-    stage.line.host = LineSettings()
-    error = end(stage).error
+    harness, settings = staged(detection=Detection.EVEN)
+    harness.line.host = LineSettings()
+    error = end(harness).error
     assert isinstance(error, BoardElsewhere)
     assert error.settings == settings
-    steps = among(stage.reports, Progress)
+    steps = among(harness.reports, Progress)
     assert "19200 baud, even parity, 1 stop bit" in [step.what for step in steps]
 
 
 def test_closing_ends_the_probes_without_error() -> None:
-    stage, _ = staged(detection=Detection.ODD)
-    stage.line.host = LineSettings()
-    reports = run_for(stage, 0.4)
+    harness, _ = staged(detection=Detection.ODD)
+    harness.line.host = LineSettings()
+    reports = run_for(harness, 0.4)
     assert "19200 baud, no error detection, 1 stop bit" in [
         step.what for step in among(reports, Progress)
     ]
     assert reports[-1] == Closed(None)
-    assert stage.line.now < 0.6
+    assert harness.line.now < 0.6
 
 
 def test_motors_left_running_are_stopped_without_probes() -> None:
-    stage, _ = staged(detection=Detection.EVEN)
-    stage.line.host = LineSettings()
-    reports = run_for(stage, 30.0, may_move=True)
+    harness, _ = staged(detection=Detection.EVEN)
+    harness.line.host = LineSettings()
+    reports = run_for(harness, 30.0, may_move=True)
     closed = reports[-1]
     assert isinstance(closed, Closed)
     assert not isinstance(closed.error, BoardElsewhere)
@@ -132,23 +132,23 @@ def test_motors_left_running_are_stopped_without_probes() -> None:
     assert [step.what for step in among(reports, Progress)] == ["signature"]
 
 
-def test_error_shows_port_name_instead_of_url(stage: Stage) -> None:
-    stage.board.power_off()
-    error = end(stage, ConnectionSettings("/dev/pts/9", name="the simulated board")).error
+def test_error_shows_port_name_instead_of_url(harness: SessionHarness) -> None:
+    harness.board.power_off()
+    error = end(harness, ConnectionSettings("/dev/pts/9", name="the simulated board")).error
     assert "the simulated board" in str(error)
     assert "/dev/pts/9" not in str(error)
 
 
 def test_echo_without_board_is_reported(board: Board) -> None:
-    stage = Stage(board, echo=True)
+    harness = SessionHarness(board, echo=True)
     board.power_off()
-    error = end(stage).error
+    error = end(harness).error
     assert isinstance(error, NoReply)
     for words in ("comes back", "RS-232", "TX and RX are joined"):
         assert words in str(error)
 
 
-class Talker(VirtualTransport):
+class TextDevice(VirtualTransport):
     """Device that replies with text."""
 
     def read(self, size: int, seconds: float) -> bytes:
@@ -156,9 +156,9 @@ class Talker(VirtualTransport):
         return (b"ERROR unknown command\r\n" * 9)[:size]
 
 
-def test_unknown_device_is_reported(stage: Stage) -> None:
-    stage.transport = Talker(stage.line)
-    error = end(stage).error
+def test_unknown_device_is_reported(harness: SessionHarness) -> None:
+    harness.transport = TextDevice(harness.line)
+    error = end(harness).error
     assert isinstance(error, BadReply)
     for words in ("not like a TReX", "45 52 52 4F 52", "baud rate", "another device"):
         assert words in str(error)
@@ -172,41 +172,43 @@ def test_unknown_device_is_reported(stage: Stage) -> None:
 def test_session_connects_on_line_that_swallows_bytes(
     board: Board, count: int, *, echo: bool
 ) -> None:
-    stage = Stage(board, echo=echo)
-    stage.line.faults.to_drop = count
-    run_for(stage, 2.5)
-    report = connected(stage)
+    harness = SessionHarness(board, echo=echo)
+    harness.line.faults.to_drop = count
+    run_for(harness, 2.5)
+    report = connected(harness)
     assert report.echo is echo
     assert report.state.parameters == board.memory.stored()
     assert report.state.unread == {}
 
 
 @pytest.mark.parametrize("moment", sampled([number / 200 for number in range(30)], every=6))
-def test_bytes_swallowed_while_reading_cost_no_connection(stage: Stage, moment: float) -> None:
-    stage.script.at(moment, stage.fault(to_drop=40))
-    run_for(stage, 2.5)
-    report = connected(stage)
-    assert report.state.parameters == stage.board.memory.stored()
+def test_bytes_swallowed_while_reading_cost_no_connection(
+    harness: SessionHarness, moment: float
+) -> None:
+    harness.script.at(moment, harness.fault(to_drop=40))
+    run_for(harness, 2.5)
+    report = connected(harness)
+    assert report.state.parameters == harness.board.memory.stored()
     assert report.state.unread == {}
-    assert stage.line.faults.to_drop == 0
+    assert harness.line.faults.to_drop == 0
 
 
-def test_power_loss_while_reading_is_reported(stage: Stage) -> None:
-    stage.script.at(0.05, stage.board.power_off)
-    error = end(stage).error
+def test_power_loss_while_reading_is_reported(harness: SessionHarness) -> None:
+    harness.script.at(0.05, harness.board.power_off)
+    error = end(harness).error
     assert isinstance(error, NoReply)
-    assert among(stage.reports, Progress)
+    assert among(harness.reports, Progress)
 
 
-def test_close_while_reading_is_no_error(stage: Stage) -> None:
-    reports = run_for(stage, 0.05)
+def test_close_while_reading_is_no_error(harness: SessionHarness) -> None:
+    reports = run_for(harness, 0.05)
     assert reports[-1] == Closed(None)
     assert not among(reports, Connected)
-    assert stage.line.now < 0.1
+    assert harness.line.now < 0.1
 
 
 def test_requests_fail_when_port_does_not_open() -> None:
-    stage = Stage(Board(eeprom=Eeprom()))
+    harness = SessionHarness(Board(eeprom=Eeprom()))
     reports: list[Report] = []
     refusal = PortUnavailable("There is no port /dev/ttyUSB9.")
 
@@ -214,21 +216,21 @@ def test_requests_fail_when_port_does_not_open() -> None:
         raise refusal
 
     for request in (packet(1, GetMode()), Stop(2), Write(3), Reload(4)):
-        stage.script.at(0.0, request)
-    TrexSession(ConnectionSettings("/dev/ttyUSB9"), stage.script, reports.append, refuse).run()
+        harness.script.at(0.0, request)
+    TrexSession(ConnectionSettings("/dev/ttyUSB9"), harness.script, reports.append, refuse).run()
     assert sorted(outcomes(reports)) == [1, 2, 3, 4]
     assert all(outcome.error is refusal for outcome in outcomes(reports).values())
     assert reports[-1] == Closed(refusal)
 
 
-def test_requests_fail_when_no_board_is_found(stage: Stage) -> None:
-    stage.board.power_off()
-    stage.script.at(0.0, packet(1, GetMode())).at(0.0, Write(3)).at(0.0, Reload(4))
-    closed = end(stage)
-    found = outcomes(stage.reports)
+def test_requests_fail_when_no_board_is_found(harness: SessionHarness) -> None:
+    harness.board.power_off()
+    harness.script.at(0.0, packet(1, GetMode())).at(0.0, Write(3)).at(0.0, Reload(4))
+    closed = end(harness)
+    found = outcomes(harness.reports)
     assert sorted(found) == [1, 3, 4]
     assert all(outcome.error is closed.error for outcome in found.values())
-    assert not among(stage.reports, Batch)
+    assert not among(harness.reports, Batch)
 
 
 @pytest.mark.parametrize(
@@ -239,7 +241,9 @@ def test_requests_fail_when_no_board_is_found(stage: Stage) -> None:
     ],
     ids=str,
 )
-def test_invalid_settings_release_the_port(stage: Stage, settings: ConnectionSettings) -> None:
-    reports = run_for(stage, 1.0, settings)
+def test_invalid_settings_release_the_port(
+    harness: SessionHarness, settings: ConnectionSettings
+) -> None:
+    reports = run_for(harness, 1.0, settings)
     assert isinstance(reports[-1], Closed)
-    assert stage.transport.closed or not stage.transport.sent
+    assert harness.transport.closed or not harness.transport.sent

@@ -17,7 +17,7 @@ from tests.devices.trex.session.helpers import (
     staged,
 )
 from tests.support.matrix import sampled
-from tests.support.virtual import Stage
+from tests.support.virtual import SessionHarness
 from trex_gui.core.session import Closed
 from trex_gui.devices.trex.client.telemetry import Control
 from trex_gui.devices.trex.driving.motor_driver import DRIVE_INTERVAL
@@ -48,16 +48,16 @@ MOVES, RATE = 1_500, 1000  # of a hand, a second: a line carries fifty packets i
 
 @pytest.mark.parametrize("baud", [1200, 19200, 115200])
 def test_drag_sends_newest_positions_and_delivers_last_one(baud: int) -> None:
-    stage, settings = staged(baud)
+    harness, settings = staged(baud)
     start = 1.0 + 4.0 * 1200 / baud
     for move in range(MOVES):
-        stage.script.at(start + move / RATE, SetMotor(1, Drive.at(move % 128)))
+        harness.script.at(start + move / RATE, SetMotor(1, Drive.at(move % 128)))
     end = start + MOVES / RATE
     soon = 0.3 if baud == 1200 else 0.04
-    speeds = seen_at(stage, end + soon, lambda: stage.board.motors[0].speed)
-    run_for(stage, end + 0.4, settings)
+    speeds = seen_at(harness, end + soon, lambda: harness.board.motors[0].speed)
+    run_for(harness, end + 0.4, settings)
     opcode = DriveMotor(1, Drive.at(1)).opcode
-    sent = [(moment, data[1]) for moment, data in stage.transport.written if data[0] == opcode]
+    sent = [(moment, data[1]) for moment, data in harness.transport.written if data[0] == opcode]
     assert speeds == [(MOVES - 1) % 128]
     assert len(sent) <= MOVES / RATE / DRIVE_INTERVAL + 1 + len(REPEATS)
     for moment, speed in sent:
@@ -66,194 +66,194 @@ def test_drag_sends_newest_positions_and_delivers_last_one(baud: int) -> None:
 
 
 def test_driving_leaves_time_for_polling() -> None:
-    stage, settings = staged(1200)
+    harness, settings = staged(1200)
     for step in range(600):
-        stage.script.at(5.0 + step / 200, SetMotor(1 + step % 2, Drive.at(step % 100)))
-    run_for(stage, 8.0, settings)
-    between = [one.time for one in samples(stage.reports, Control) if 5.0 < one.time < 8.0]
+        harness.script.at(5.0 + step / 200, SetMotor(1 + step % 2, Drive.at(step % 100)))
+    run_for(harness, 8.0, settings)
+    between = [one.time for one in samples(harness.reports, Control) if 5.0 < one.time < 8.0]
     assert len(between) > 1
     assert max(later - sooner for sooner, later in itertools.pairwise(between)) < 2.5
 
 
 def test_setpoint_is_sent_during_reload() -> None:
-    stage, settings = staged(1200)
-    stage.script.at(4.0, Reload(1)).at(4.5, SetMotor(1, Drive.at(60)))
-    speeds = seen_at(stage, 4.8, lambda: stage.board.motors[0].speed)
-    run_for(stage, 8.0, settings)
+    harness, settings = staged(1200)
+    harness.script.at(4.0, Reload(1)).at(4.5, SetMotor(1, Drive.at(60)))
+    speeds = seen_at(harness, 4.8, lambda: harness.board.motors[0].speed)
+    run_for(harness, 8.0, settings)
     assert speeds == [60]
-    assert outcomes(stage.reports)[1].error is None
+    assert outcomes(harness.reports)[1].error is None
 
 
 # --- Stop -------------------------------------------------------------------------------
 
 
-def test_stop_is_confirmed_by_status_reply(stage: Stage) -> None:
-    stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.0, SetAuxiliary(100))
-    stage.script.at(1.5, Stop(1))
-    stopped = seen_at(stage, 1.52, lambda: is_stopped(stage.board))
-    run_for(stage, 2.0)
+def test_stop_is_confirmed_by_status_reply(harness: SessionHarness) -> None:
+    harness.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.0, SetAuxiliary(100))
+    harness.script.at(1.5, Stop(1))
+    stopped = seen_at(harness, 1.52, lambda: is_stopped(harness.board))
+    run_for(harness, 2.0)
     assert stopped == [True]
-    assert outcomes(stage.reports)[1].error is None
-    sent = commands(stage.transport.sent)
+    assert outcomes(harness.reports)[1].error is None
+    sent = commands(harness.transport.sent)
     begin = sent.index(STOP[0])
     assert sent[begin : begin + 6] == [*STOP, GetStatus(), *STOP, GetStatus()]
 
 
 @pytest.mark.parametrize(("baud", "within"), [(1200, 0.35), (9600, 0.05), (115200, 0.01)])
 def test_stop_is_sent_within_one_transaction(baud: int, within: float) -> None:
-    stage, settings = staged(baud)
+    harness, settings = staged(baud)
     start = 4.5 if baud == 1200 else 0.5
     requested = [start + number * 1.017 for number in range(1, 5)]
     for number, moment in enumerate(requested):
-        stage.script.at(moment - 0.5, SetMotor(1, Drive.at(50)))
-        stage.script.at(moment, Stop(number))
-    run_for(stage, start + 4.5, settings)
-    moments = [moment for moment, data in stage.transport.written if data == STOP_PACKET]
+        harness.script.at(moment - 0.5, SetMotor(1, Drive.at(50)))
+        harness.script.at(moment, Stop(number))
+    run_for(harness, start + 4.5, settings)
+    moments = [moment for moment, data in harness.transport.written if data == STOP_PACKET]
     for sent, wanted in zip(moments[: 2 * len(requested) : 2], requested, strict=True):
         assert 0 <= sent - wanted <= within
 
 
-def test_stop_overtakes_remaining_parameter_writes(stage: Stage) -> None:
+def test_stop_overtakes_remaining_parameter_writes(harness: SessionHarness) -> None:
     keys = ("serial_timeout", "motor1_acceleration", "motor2_acceleration", "aux_acceleration")
-    stage.script.at(1.0, SetMotor(1, Drive.at(100)))
-    stage.script.at(1.1, Write(1, tuple((key, 9) for key in keys)))
-    stage.script.at(1.19, Stop(2))
-    run_for(stage, 2.0)
-    sent = commands(stage.transport.sent)
+    harness.script.at(1.0, SetMotor(1, Drive.at(100)))
+    harness.script.at(1.1, Write(1, tuple((key, 9) for key in keys)))
+    harness.script.at(1.19, Stop(2))
+    run_for(harness, 2.0)
+    sent = commands(harness.transport.sent)
     writes = [index for index, one in enumerate(sent) if isinstance(one, SetParameter)]
     stop = sent.index(STOP[0])
     assert writes[0] < stop < writes[-1]
     assert sent[stop : stop + 6] == [*STOP, GetStatus(), *STOP, GetStatus()]
-    found = outcomes(stage.reports)
+    found = outcomes(harness.reports)
     assert list(found) == [2, 1]  # and the write goes on to its end
     assert found[1].error is None
-    assert all(stage.board.eeprom[key] == 9 for key in keys)
+    assert all(harness.board.eeprom[key] == 9 for key in keys)
 
 
-def test_stop_overtakes_remaining_calibration_writes(stage: Stage) -> None:
+def test_stop_overtakes_remaining_calibration_writes(harness: SessionHarness) -> None:
     given_setpoints = tuple(
         (key, Calibration(2400, 3700, 5100, 80)) for key in CalibrationKey if "rc" in key
     )
-    stage.script.at(1.1, Write(1, calibrations=given_setpoints)).at(1.2, Stop(2))
-    run_for(stage, 2.0)
-    sent = commands(stage.transport.sent)
+    harness.script.at(1.1, Write(1, calibrations=given_setpoints)).at(1.2, Stop(2))
+    run_for(harness, 2.0)
+    sent = commands(harness.transport.sent)
     writes = [index for index, one in enumerate(sent) if isinstance(one, SetCalibration)]
     assert writes[0] < sent.index(STOP[0]) < writes[-1]
-    assert list(outcomes(stage.reports)) == [2, 1]
+    assert list(outcomes(harness.reports)) == [2, 1]
 
 
-def test_stop_overtakes_reload(stage: Stage) -> None:
-    stage.script.at(1.0, Reload(1)).at(1.05, Stop(2))
-    run_for(stage, 2.0)
-    found = outcomes(stage.reports)
+def test_stop_overtakes_reload(harness: SessionHarness) -> None:
+    harness.script.at(1.0, Reload(1)).at(1.05, Stop(2))
+    run_for(harness, 2.0)
+    found = outcomes(harness.reports)
     assert list(found) == [2, 1]
     assert found[1].error is None
 
 
-def test_stop_overtakes_queued_requests(stage: Stage) -> None:
+def test_stop_overtakes_queued_requests(harness: SessionHarness) -> None:
     for number in range(1, 20):
-        stage.script.at(1.0, packet(number, GetMode()))
-    stage.script.at(1.0, Stop(20))
-    run_for(stage, 2.0)
-    assert next(iter(outcomes(stage.reports))) == 20
+        harness.script.at(1.0, packet(number, GetMode()))
+    harness.script.at(1.0, Stop(20))
+    run_for(harness, 2.0)
+    assert next(iter(outcomes(harness.reports))) == 20
 
 
-def test_simultaneous_stops_share_packets_and_get_outcomes(stage: Stage) -> None:
-    stage.script.at(1.0, Stop(1)).at(1.0, Stop(2)).at(1.0, Stop(3))
-    run_for(stage, 2.0)
-    assert sorted(outcomes(stage.reports)) == [1, 2, 3]
-    assert moving(stage.transport.sent) == [*STOP, *STOP]
+def test_simultaneous_stops_share_packets_and_get_outcomes(harness: SessionHarness) -> None:
+    harness.script.at(1.0, Stop(1)).at(1.0, Stop(2)).at(1.0, Stop(3))
+    run_for(harness, 2.0)
+    assert sorted(outcomes(harness.reports)) == [1, 2, 3]
+    assert moving(harness.transport.sent) == [*STOP, *STOP]
 
 
 def test_stop_in_rc_mode_is_confirmed() -> None:
     """The models warn that the channels still drive the motors."""
-    stage, settings = staged(mode="rc")
-    stage.script.at(1.0, Stop(1))
-    run_for(stage, 2.0, settings)
-    assert outcomes(stage.reports)[1].error is None
+    harness, settings = staged(mode="rc")
+    harness.script.at(1.0, Stop(1))
+    run_for(harness, 2.0, settings)
+    assert outcomes(harness.reports)[1].error is None
 
 
 @pytest.mark.parametrize("lost", [1, 5, 12])
-def test_stop_with_lost_bytes_is_resent(stage: Stage, lost: int) -> None:
-    stage.script.at(1.0, SetMotor(1, Drive.at(100)))
-    stage.script.at(1.5, stage.fault(to_drop_sent=lost)).at(1.5, Stop(1))
-    stopped = seen_at(stage, 1.7, lambda: stage.board.motors[0].speed == 127)
-    run_for(stage, 2.0)
+def test_stop_with_lost_bytes_is_resent(harness: SessionHarness, lost: int) -> None:
+    harness.script.at(1.0, SetMotor(1, Drive.at(100)))
+    harness.script.at(1.5, harness.fault(to_drop_sent=lost)).at(1.5, Stop(1))
+    stopped = seen_at(harness, 1.7, lambda: harness.board.motors[0].speed == 127)
+    run_for(harness, 2.0)
     assert stopped == [True]
-    assert outcomes(stage.reports)[1].error is None
+    assert outcomes(harness.reports)[1].error is None
 
 
 @pytest.mark.parametrize("seed", sampled(range(5), every=2))
 def test_stop_succeeds_on_noisy_line_with_crc(seed: int) -> None:
-    stage, settings = staged(detection=Detection.CRC7)
-    stage.line.faults._random.seed(seed)
-    stage.script.at(1.0, stage.fault(noise=0.05)).at(1.0, Stop(1))
-    run_for(stage, 1.5, settings)
-    assert outcomes(stage.reports)[1].error is None
-    assert is_stopped(stage.board)
+    harness, settings = staged(detection=Detection.CRC7)
+    harness.line.faults._random.seed(seed)
+    harness.script.at(1.0, harness.fault(noise=0.05)).at(1.0, Stop(1))
+    run_for(harness, 1.5, settings)
+    assert outcomes(harness.reports)[1].error is None
+    assert is_stopped(harness.board)
 
 
 def test_stop_on_rs232_side_survives_corrupted_echo(board: Board) -> None:
-    stage = Stage(board, echo=True)
+    harness = SessionHarness(board, echo=True)
 
-    stage.script.at(1.0, stage.fault(to_drop=2)).at(1.0, Stop(1))
-    run_for(stage, 2.0)
-    assert outcomes(stage.reports)[1].error is None
+    harness.script.at(1.0, harness.fault(to_drop=2)).at(1.0, Stop(1))
+    run_for(harness, 2.0)
+    assert outcomes(harness.reports)[1].error is None
     assert is_stopped(board)
 
 
 # --- Motors that may be moving ----------------------------------------------------------
 
 
-def test_motors_left_running_are_stopped_before_reading(stage: Stage) -> None:
-    stage.board.serial.drive(1, MotorDirection.FORWARD, 100)
-    reports = run_for(stage, 1.0, may_move=True)
-    sent = commands(stage.transport.sent)
+def test_motors_left_running_are_stopped_before_reading(harness: SessionHarness) -> None:
+    harness.board.serial.drive(1, MotorDirection.FORWARD, 100)
+    reports = run_for(harness, 1.0, may_move=True)
+    sent = commands(harness.transport.sent)
     assert sent.index(STOP[0]) < sent.index(GetSignature())
-    assert is_stopped(stage.board)
+    assert is_stopped(harness.board)
     assert among(reports, Connected)[0].may_move is False
 
 
 def test_silent_board_with_running_motors_is_stopped_before_and_after_its_return(
-    stage: Stage,
+    harness: SessionHarness,
 ) -> None:
-    stage.script.at(1.0, SetMotor(1, Drive.at(100)))
-    stage.script.at(1.5, stage.fault(mute=True)).at(3.0, stage.fault(mute=False))
-    early = seen_at(stage, 2.0, lambda: is_stopped(stage.board))
-    stopped = seen_at(stage, 4.0, lambda: is_stopped(stage.board))
-    reports = run_for(stage, 4.0)
+    harness.script.at(1.0, SetMotor(1, Drive.at(100)))
+    harness.script.at(1.5, harness.fault(mute=True)).at(3.0, harness.fault(mute=False))
+    early = seen_at(harness, 2.0, lambda: is_stopped(harness.board))
+    stopped = seen_at(harness, 4.0, lambda: is_stopped(harness.board))
+    reports = run_for(harness, 4.0)
     assert early == stopped == [True]
     assert among(reports, Connected)[-1].may_move is False
     assert reports[-1] == Closed(None)
 
 
-def test_confirmed_stop_is_not_repeated_on_close(stage: Stage) -> None:
-    stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.2, Stop(1))
-    reports = run_for(stage, 2.0)
-    assert [one for one in moving(stage.transport.sent) if one in STOP] == [*STOP, *STOP]
+def test_confirmed_stop_is_not_repeated_on_close(harness: SessionHarness) -> None:
+    harness.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.2, Stop(1))
+    reports = run_for(harness, 2.0)
+    assert [one for one in moving(harness.transport.sent) if one in STOP] == [*STOP, *STOP]
     assert reports[-1] == Closed(None, may_move=False)
 
 
-def test_unconfirmed_stop_on_close_is_reported(stage: Stage) -> None:
-    stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, stage.fault(mute=True))
-    assert run_for(stage, 1.5)[-1] == Closed(None, may_move=True)
-    assert is_stopped(stage.board)
+def test_unconfirmed_stop_on_close_is_reported(harness: SessionHarness) -> None:
+    harness.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, harness.fault(mute=True))
+    assert run_for(harness, 1.5)[-1] == Closed(None, may_move=True)
+    assert is_stopped(harness.board)
 
 
 @pytest.mark.parametrize("lost", [1, 5, 11])
-def test_stop_on_close_with_lost_bytes_is_resent(stage: Stage, lost: int) -> None:
-    stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, stage.fault(to_drop_sent=lost))
-    assert run_for(stage, 1.5)[-1] == Closed(None, may_move=False)
-    assert is_stopped(stage.board)
+def test_stop_on_close_with_lost_bytes_is_resent(harness: SessionHarness, lost: int) -> None:
+    harness.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, harness.fault(to_drop_sent=lost))
+    assert run_for(harness, 1.5)[-1] == Closed(None, may_move=False)
+    assert is_stopped(harness.board)
 
 
 def test_setpoint_with_corrupted_echo_is_resent(board: Board) -> None:
-    stage = Stage(board, echo=True)
+    harness = SessionHarness(board, echo=True)
 
-    stage.script.at(1.0, stage.fault(to_drop=1)).at(1.0, SetMotor(1, Drive.at(50)))
-    stage.script.at(2.0, packet(1, GetMode()))
-    reports = run_for(stage, 3.0)
+    harness.script.at(1.0, harness.fault(to_drop=1)).at(1.0, SetMotor(1, Drive.at(50)))
+    harness.script.at(2.0, packet(1, GetMode()))
+    reports = run_for(harness, 3.0)
     # Sent twice: the echo of the first was corrupted. The status confirms the stop.
-    sent = moving(stage.transport.sent)
+    sent = moving(harness.transport.sent)
     assert sent.count(DriveMotor(1, Drive.at(50))) == 2
     assert outcomes(reports)[1].error is None

@@ -18,7 +18,7 @@ from tests.devices.trex.session.helpers import (
     staged,
 )
 from tests.support.matrix import examples
-from tests.support.virtual import Stage
+from tests.support.virtual import SessionHarness
 from trex_gui.core.errors import PortUnavailable, StudioError
 from trex_gui.core.session import Close, Closed
 from trex_gui.core.transport.serial_port import latency_of
@@ -60,38 +60,38 @@ GONE = PortUnavailable("The line is gone. Plug it in again.")
     [SetMotor(1, Drive.at(100)), SetMotor(2, Drive.at(-100), accelerate=True), SetAuxiliary(100)],
     ids=str,
 )
-def test_driven_motors_are_stopped_on_close(stage: Stage, setpoint: Request) -> None:
-    stage.script.at(1.0, setpoint)
-    assert run_for(stage, 2.0)[-1] == Closed(None, may_move=False)
+def test_driven_motors_are_stopped_on_close(harness: SessionHarness, setpoint: Request) -> None:
+    harness.script.at(1.0, setpoint)
+    assert run_for(harness, 2.0)[-1] == Closed(None, may_move=False)
     last = [*STOP, GetStatus(), *STOP, GetStatus(), GetSignature()]
-    assert commands(stage.transport.sent)[-7:] == last
-    assert [motor.speed for motor in stage.board.motors] == [127, 127]
-    assert all(motor.direction is MotorDirection.BRAKE for motor in stage.board.motors)
-    assert stage.board.aux.speed == 0
+    assert commands(harness.transport.sent)[-7:] == last
+    assert [motor.speed for motor in harness.board.motors] == [127, 127]
+    assert all(motor.direction is MotorDirection.BRAKE for motor in harness.board.motors)
+    assert harness.board.aux.speed == 0
 
 
-def test_another_model_at_the_end_does_not_confirm_the_stop(stage: Stage) -> None:
+def test_another_model_at_the_end_does_not_confirm_the_stop(harness: SessionHarness) -> None:
     def exchange() -> None:
-        stage.line.stations = (BoardStation(Board("trexjr", "1.2"), stage.line),)
+        harness.line.stations = (BoardStation(Board("trexjr", "1.2"), harness.line),)
 
-    stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, exchange)
-    assert run_for(stage, 1.5)[-1] == Closed(None, may_move=True)
+    harness.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, exchange)
+    assert run_for(harness, 1.5)[-1] == Closed(None, may_move=True)
 
 
 def test_stop_is_transmitted_before_port_is_closed() -> None:
-    stage, settings = staged(1200)
-    stage.script.at(5.0, SetMotor(1, Drive.at(100)))
-    run_for(stage, 6.0, settings)
-    assert stage.line.backlog == 0.0
-    assert stage.board.motors[0].direction is MotorDirection.BRAKE
+    harness, settings = staged(1200)
+    harness.script.at(5.0, SetMotor(1, Drive.at(100)))
+    run_for(harness, 6.0, settings)
+    assert harness.line.backlog == 0.0
+    assert harness.board.motors[0].direction is MotorDirection.BRAKE
 
 
-def test_close_does_not_wait_for_queued_requests(stage: Stage) -> None:
-    keys = [spec.key for spec in stage.board.memory.parameters.readable]
-    stage.script.at(1.0, Write(1, tuple((key, 1) for key in keys)))
-    stage.script.at(1.0, Reload(2)).at(1.0, packet(3, GetMode()))
-    reports = run_for(stage, 1.05)
-    assert stage.line.now < 1.15
+def test_close_does_not_wait_for_queued_requests(harness: SessionHarness) -> None:
+    keys = [spec.key for spec in harness.board.memory.parameters.readable]
+    harness.script.at(1.0, Write(1, tuple((key, 1) for key in keys)))
+    harness.script.at(1.0, Reload(2)).at(1.0, packet(3, GetMode()))
+    reports = run_for(harness, 1.05)
+    assert harness.line.now < 1.15
     assert reports[-1] == Closed(None)
     found = outcomes(reports)
     assert sorted(found) == [1, 2, 3]
@@ -102,19 +102,19 @@ def test_close_does_not_wait_for_queued_requests(stage: Stage) -> None:
 @pytest.mark.parametrize("after", [0.0, 0.3, 1.0])
 @pytest.mark.parametrize("drives", [True, False])
 def test_unanswered_stop_delays_close_by_less_than_a_second(
-    stage: Stage, after: float, *, drives: bool
+    harness: SessionHarness, after: float, *, drives: bool
 ) -> None:
     """The window waits for only a second. A later thread would still hold the port."""
-    stage.transport.latency = latency_of("/dev/ttyUSB0")
+    harness.transport.latency = latency_of("/dev/ttyUSB0")
     if drives:
-        stage.script.at(0.9, SetMotor(1, Drive.at(60)))
-    stage.script.at(1.0, stage.fault(mute=True)).at(1.1, Stop(1))
-    stage.script.at(1.1 + after, Close())
-    reports = stage.run()
-    assert stage.line.now < 1.1 + after + 0.9
+        harness.script.at(0.9, SetMotor(1, Drive.at(60)))
+    harness.script.at(1.0, harness.fault(mute=True)).at(1.1, Stop(1))
+    harness.script.at(1.1 + after, Close())
+    reports = harness.run()
+    assert harness.line.now < 1.1 + after + 0.9
     assert outcomes(reports)[1].error is not None
     assert among(reports, Closed) == [Closed(None, may_move=drives)]
-    motor = stage.board.motors[0]
+    motor = harness.board.motors[0]
     assert (motor.target_direction.value, motor.target_speed) == ("brake", 127)
 
 
@@ -134,14 +134,14 @@ REQUESTS: list[Request] = [
 ]
 
 
-def stage_that_fails(calls: int, failure: Exception, requests: list[Request]) -> Stage:
+def stage_that_fails(calls: int, failure: Exception, requests: list[Request]) -> SessionHarness:
     """Return a stage whose line is lost after some calls."""
-    stage = Stage(Board())
-    stage.transport = FailingTransport(stage.line, calls, failure)
+    harness = SessionHarness(Board())
+    harness.transport = FailingTransport(harness.line, calls, failure)
     for number, request in enumerate(requests):
-        stage.script.at(0.5 + number * 0.03, request)
-    stage.script.at(2.0, Close())
-    return stage
+        harness.script.at(0.5 + number * 0.03, request)
+    harness.script.at(2.0, Close())
+    return harness
 
 
 @examples(25)
@@ -149,45 +149,45 @@ def stage_that_fails(calls: int, failure: Exception, requests: list[Request]) ->
 def test_each_request_has_one_outcome_when_port_is_lost(
     calls: int, requests: list[Request]
 ) -> None:
-    stage = stage_that_fails(calls, GONE, requests)
-    reports = stage.run()
+    harness = stage_that_fails(calls, GONE, requests)
+    reports = harness.run()
     requested = {
         request.id
         for request in requests
         if isinstance(request, SendPacket | Stop | Write | Reload)
     }
-    if stage.line.now > 1.0:  # else those that nobody had taken from the inbox have none
+    if harness.line.now > 1.0:  # else those that nobody had taken from the inbox have none
         assert set(outcomes(reports)) == requested
     assert set(outcomes(reports)) <= requested
     (closed,) = among(reports, Closed)
     assert closed.error is GONE
     assert reports[-1] is closed
-    assert stage.transport.closed
+    assert harness.transport.closed
 
 
-def test_requests_fail_with_error_of_lost_port(stage: Stage) -> None:
+def test_requests_fail_with_error_of_lost_port(harness: SessionHarness) -> None:
     def unplug() -> None:
-        stage.transport.fail = GONE
+        harness.transport.fail = GONE
 
-    stage.script.at(1.0, unplug).at(1.0, packet(1, GetMode())).at(1.0, Write(2)).at(1.0, Stop(3))
-    reports = run_for(stage, 2.0)
+    harness.script.at(1.0, unplug).at(1.0, packet(1, GetMode())).at(1.0, Write(2)).at(1.0, Stop(3))
+    reports = run_for(harness, 2.0)
     assert {one.id: one.error for one in outcomes(reports).values()} == {1: GONE, 2: GONE, 3: GONE}
 
 
-def test_status_read_before_line_loss_is_reported(stage: Stage) -> None:
-    stage.script.at(1.0, SetMotor(1, Drive.at(1)))  # a stop is due at the end
-    stage.script.at(1.2, lambda: stage.board.set_fault(1, fault=True))
-    stage.script.at(1.2, lambda: stage.board.set_fault(1, fault=False))
-    send = stage.transport.write
+def test_status_read_before_line_loss_is_reported(harness: SessionHarness) -> None:
+    harness.script.at(1.0, SetMotor(1, Drive.at(1)))  # a stop is due at the end
+    harness.script.at(1.2, lambda: harness.board.set_fault(1, fault=True))
+    harness.script.at(1.2, lambda: harness.board.set_fault(1, fault=False))
+    send = harness.transport.write
 
     def write(data: bytes) -> None:
-        if not stage.board.serial.status and stage.line.now > 1.2:
-            stage.transport.fail = GONE  # right after the status was read
+        if not harness.board.serial.status and harness.line.now > 1.2:
+            harness.transport.fail = GONE  # right after the status was read
         send(data)
 
-    stage.transport.write = write  # type: ignore[method-assign]  # the wire fails just then
-    run_for(stage, 2.0)
-    assert Status.MOTOR1_FAULT in [one.status for one in samples(stage.reports, LatchedStatus)]
+    harness.transport.write = write  # type: ignore[method-assign]  # the wire fails just then
+    run_for(harness, 2.0)
+    assert Status.MOTOR1_FAULT in [one.status for one in samples(harness.reports, LatchedStatus)]
 
 
 # --- Internal errors --------------------------------------------------------------------
@@ -197,8 +197,8 @@ def test_status_read_before_line_loss_is_reported(stage: Stage) -> None:
 def test_internal_error_ends_session_and_closes_port(
     calls: int, caplog: pytest.LogCaptureFixture
 ) -> None:
-    stage = stage_that_fails(calls, RuntimeError("a bug"), [])
-    reports = stage.run()
+    harness = stage_that_fails(calls, RuntimeError("a bug"), [])
+    reports = harness.run()
     closed = reports[-1]
     assert isinstance(closed, Closed)
     assert isinstance(closed.error, StudioError)
@@ -206,33 +206,35 @@ def test_internal_error_ends_session_and_closes_port(
     assert "Traceback" in caplog.text
     assert "Internal error" in str(closed.error)
     assert "a bug" in str(closed.error)
-    assert stage.transport.closed
+    assert harness.transport.closed
 
 
 def test_port_is_closed_when_last_samples_cannot_be_sent(
-    stage: Stage, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+    harness: SessionHarness, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     def fail(*_: object) -> None:
         raise RuntimeError("no listener")
 
-    stage.script.at(1.0, lambda: monkeypatch.setattr(SampleBatcher, "flush", fail))
+    harness.script.at(1.0, lambda: monkeypatch.setattr(SampleBatcher, "flush", fail))
     with caplog.at_level(logging.CRITICAL):
-        reports = stage.run()
+        reports = harness.run()
     assert isinstance(reports[-1], Closed)
-    assert stage.transport.closed
+    assert harness.transport.closed
 
 
-def test_internal_error_stops_driven_motors(stage: Stage, caplog: pytest.LogCaptureFixture) -> None:
+def test_internal_error_stops_driven_motors(
+    harness: SessionHarness, caplog: pytest.LogCaptureFixture
+) -> None:
     def mistake() -> None:
         raise RuntimeError("a bug")
 
-    stage.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, mistake)
+    harness.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, mistake)
     with caplog.at_level(logging.CRITICAL):
-        reports = run_for(stage, 2.0)
+        reports = run_for(harness, 2.0)
     assert isinstance(reports[-1], Closed)
-    assert stage.transport.closed
-    assert moving(stage.transport.sent)[-2:] == list(STOP)
-    assert stage.board.motors[0].direction is MotorDirection.BRAKE
+    assert harness.transport.closed
+    assert moving(harness.transport.sent)[-2:] == list(STOP)
+    assert harness.board.motors[0].direction is MotorDirection.BRAKE
 
 
 @pytest.mark.parametrize(
@@ -241,14 +243,14 @@ def test_internal_error_stops_driven_motors(stage: Stage, caplog: pytest.LogCapt
     ids=str,
 )
 def test_internal_error_completes_the_current_request(
-    stage: Stage, request_: Request, caplog: pytest.LogCaptureFixture
+    harness: SessionHarness, request_: Request, caplog: pytest.LogCaptureFixture
 ) -> None:
     def break_() -> None:
-        stage.transport.fail = RuntimeError("a bug")
+        harness.transport.fail = RuntimeError("a bug")
 
-    stage.script.at(1.0, break_).at(1.0, request_)
+    harness.script.at(1.0, break_).at(1.0, request_)
     with caplog.at_level(logging.CRITICAL):
-        reports = run_for(stage, 2.0)
+        reports = run_for(harness, 2.0)
     assert set(outcomes(reports)) == {1}
     assert isinstance(reports[-1], Closed)
 
@@ -256,10 +258,10 @@ def test_internal_error_completes_the_current_request(
 # --- Outcomes ---------------------------------------------------------------------------
 
 
-def test_each_kind_of_request_gets_an_outcome(stage: Stage) -> None:
-    stage.script.at(1.0, packet(1, GetParameter(0))).at(1.0, Reload(2)).at(1.0, Stop(3))
-    stage.script.at(1.0, Write(4, (("serial_timeout", 9),)))
-    reports = run_for(stage, 2.0)
+def test_each_kind_of_request_gets_an_outcome(harness: SessionHarness) -> None:
+    harness.script.at(1.0, packet(1, GetParameter(0))).at(1.0, Reload(2)).at(1.0, Stop(3))
+    harness.script.at(1.0, Write(4, (("serial_timeout", 9),)))
+    reports = run_for(harness, 2.0)
     found = outcomes(reports)
     assert sorted(found) == [1, 2, 3, 4]
     assert all(one.error is None for one in found.values())
@@ -270,23 +272,23 @@ def test_each_kind_of_request_gets_an_outcome(stage: Stage) -> None:
     assert [(one.key, one.stored) for one in written.results] == [("serial_timeout", 9)]
 
 
-def test_reload_is_reported_before_its_outcome(stage: Stage) -> None:
-    stage.script.at(1.0, Reload(2))
-    reports = run_for(stage, 2.0)
+def test_reload_is_reported_before_its_outcome(harness: SessionHarness) -> None:
+    harness.script.at(1.0, Reload(2))
+    reports = run_for(harness, 2.0)
     again = among(reports, Connected)[1]
     assert again.occasion is ReadReason.RELOADED
     assert reports.index(again) < reports.index(outcomes(reports)[2])
 
 
-def test_unanswered_request_gets_an_outcome(stage: Stage) -> None:
-    stage.script.at(1.1, packet(2, GetMode()))
-    stage.script.at(1.2, packet(3, GetParameter(0x60))).at(1.4, packet(4, GetMode()))
-    found = outcomes(run_for(stage, 2.0))
+def test_unanswered_request_gets_an_outcome(harness: SessionHarness) -> None:
+    harness.script.at(1.1, packet(2, GetMode()))
+    harness.script.at(1.2, packet(3, GetParameter(0x60))).at(1.4, packet(4, GetMode()))
+    found = outcomes(run_for(harness, 2.0))
     assert "No reply to 9F 60" in str(found[3].error)
     assert (found[2].error, found[4].error) == (None, None)
 
 
 @pytest.mark.parametrize("setpoint", [SetAuxiliary(300), SetMotor(3, Drive.at(5))], ids=str)
-def test_invalid_setpoint_does_not_end_session(stage: Stage, setpoint: Request) -> None:
-    stage.script.at(1.0, setpoint).at(1.2, packet(1, GetMode()))
-    assert run_for(stage, 1.5)[-1] == Closed(None)
+def test_invalid_setpoint_does_not_end_session(harness: SessionHarness, setpoint: Request) -> None:
+    harness.script.at(1.0, setpoint).at(1.2, packet(1, GetMode()))
+    assert run_for(harness, 1.5)[-1] == Closed(None)

@@ -16,7 +16,7 @@ from tests.devices.trex.session.helpers import (
     staged,
     timed_run,
 )
-from tests.support.virtual import Stage
+from tests.support.virtual import SessionHarness
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
 from trex_gui.core.session import Close
 from trex_gui.core.timing import FRAME, UNWATCHED_INTERVAL
@@ -49,11 +49,11 @@ from trex_gui.devices.trex.simulator.channels import Signal
 from trex_gui.ui.plotting.history import MAX_GAP
 
 
-def rates_seen(stage: Stage, seconds: float) -> dict[Topic, float]:
+def rates_seen(harness: SessionHarness, seconds: float) -> dict[Topic, float]:
     """Return the polls per second by topic in the last seconds of a session."""
-    last = stage.line.now
+    last = harness.line.now
     return {
-        topic: sum(sample.time > last - seconds for sample in samples(stage.reports, topic))
+        topic: sum(sample.time > last - seconds for sample in samples(harness.reports, topic))
         / seconds
         for topic in POLLED.keys() - {LatchedStatus}
     }
@@ -61,22 +61,22 @@ def rates_seen(stage: Stage, seconds: float) -> dict[Topic, float]:
 
 @pytest.mark.parametrize(("baud", "mode"), [(19200, "serial"), (115200, "analog")])
 def test_every_new_value_is_sampled_from_19200_baud_on(baud: int, mode: str) -> None:
-    stage, settings = staged(baud, mode=mode)
-    run_for(stage, 6.0, settings)
+    harness, settings = staged(baud, mode=mode)
+    run_for(harness, 6.0, settings)
     source = InputSource.ANALOG if mode == "analog" else InputSource.RC
     wanted = rates(source)
-    for topic, rate in rates_seen(stage, 5.0).items():
+    for topic, rate in rates_seen(harness, 5.0).items():
         assert rate == pytest.approx(wanted[topic], rel=0.04, abs=0.21), topic
 
 
 def test_unwatched_board_is_polled_slowly() -> None:
-    stage, settings = staged(115200)
-    stage.script.at(0.0, SetWatched(False)).at(6.0, Close())
-    timed = timed_run(stage, settings)
+    harness, settings = staged(115200)
+    harness.script.at(0.0, SetWatched(False)).at(6.0, Close())
+    timed = timed_run(harness, settings)
     moments = [at for at, report in timed if isinstance(report, Batch)]
-    stage.reports += [report for _, report in timed]
+    harness.reports += [report for _, report in timed]
     wanted = rates(InputSource.RC, watched=False)
-    for topic, rate in rates_seen(stage, 5.0).items():
+    for topic, rate in rates_seen(harness, 5.0).items():
         assert rate == pytest.approx(wanted[topic], rel=0.04, abs=0.21), topic
     gaps = [later - sooner for sooner, later in itertools.pairwise(moments[:-1])]
     assert min(gaps) >= UNWATCHED_INTERVAL - 1e-9
@@ -91,14 +91,14 @@ def test_unwatched_board_is_polled_slowly() -> None:
     ids=["watched", "armed", "moved"],
 )
 def test_polling_is_fast_again_when_watched_or_motors_may_move(request_: Request) -> None:
-    stage, settings = staged(115200)
-    stage.script.at(0.0, SetWatched(False)).at(3.0, request_)
-    run_for(stage, 3.5, settings)
-    assert rates_seen(stage, 0.4)[Currents] == pytest.approx(80, rel=0.1)
+    harness, settings = staged(115200)
+    harness.script.at(0.0, SetWatched(False)).at(3.0, request_)
+    run_for(harness, 3.5, settings)
+    assert rates_seen(harness, 0.4)[Currents] == pytest.approx(80, rel=0.1)
 
 
-def test_undisturbed_session_polls_in_order_and_commands_no_motor(stage: Stage) -> None:
-    reports, sent = run_for(stage, 5.3), stage.transport.sent
+def test_undisturbed_session_polls_in_order_and_commands_no_motor(harness: SessionHarness) -> None:
+    reports, sent = run_for(harness, 5.3), harness.transport.sent
     looks = sum(isinstance(one, GetStatus) for one in commands(sent))
     assert looks == pytest.approx(50, abs=4), "ten a second"
     batches = among(reports, Batch)
@@ -114,15 +114,15 @@ def test_undisturbed_session_polls_in_order_and_commands_no_motor(stage: Stage) 
 
 
 def test_slow_line_is_kept_busy() -> None:
-    stage, settings = staged(9600)
-    run_for(stage, 5.0, settings)
-    assert len(stage.transport.sent) + stage.line.faults.counters["received"] > 0.95 * 5 * 960
+    harness, settings = staged(9600)
+    run_for(harness, 5.0, settings)
+    assert len(harness.transport.sent) + harness.line.faults.counters["received"] > 0.95 * 5 * 960
 
 
 def test_samples_are_delivered_soon_and_not_faster_than_they_are_displayed() -> None:
-    stage, settings = staged(115200)
-    stage.script.at(3.0, Close())
-    timed = timed_run(stage, settings)
+    harness, settings = staged(115200)
+    harness.script.at(3.0, Close())
+    timed = timed_run(harness, settings)
     batches = [(at, report) for at, report in timed if isinstance(report, Batch)]
     assert all(at - batch.samples[0].time < 2 * FRAME for at, batch in batches)
     moments = [at for at, _ in batches[:-1]]  # what is left is delivered at the end
@@ -130,11 +130,11 @@ def test_samples_are_delivered_soon_and_not_faster_than_they_are_displayed() -> 
     assert min(gaps) >= FRAME - 1e-9
 
 
-def test_samples_contain_measurements_of_the_board(stage: Stage) -> None:
-    stage.board.channels.signals[1] = Signal.pulses(2000)
-    stage.board.channels.signals[4] = Signal.parse("invalid", InputSource.RC)
-    stage.board.force_current(2, 3.0)
-    reports = run_for(stage, 2.0)
+def test_samples_contain_measurements_of_the_board(harness: SessionHarness) -> None:
+    harness.board.channels.signals[1] = Signal.pulses(2000)
+    harness.board.channels.signals[4] = Signal.parse("invalid", InputSource.RC)
+    harness.board.force_current(2, 3.0)
+    reports = run_for(harness, 2.0)
     assert samples(reports, Raw)[-1].counts == (5000, 3750, 3750, None, 3750)
     assert samples(reports, Remapped)[-1].values == (127, 0, 0, 0, 0)
     assert samples(reports, Currents)[-1].counts == (0, 20)
@@ -145,13 +145,13 @@ def test_samples_contain_measurements_of_the_board(stage: Stage) -> None:
 # --- Status -----------------------------------------------------------------------------
 
 
-def test_fault_is_reported_once_each_time_it_is_latched(stage: Stage) -> None:
+def test_fault_is_reported_once_each_time_it_is_latched(harness: SessionHarness) -> None:
     def pulse() -> None:
-        stage.board.set_fault(1, fault=True)
-        stage.board.set_fault(1, fault=False)
+        harness.board.set_fault(1, fault=True)
+        harness.board.set_fault(1, fault=False)
 
-    stage.script.at(1.0, pulse).at(1.5, pulse)
-    news = samples(run_for(stage, 2.0), LatchedStatus)
+    harness.script.at(1.0, pulse).at(1.5, pulse)
+    news = samples(run_for(harness, 2.0), LatchedStatus)
     assert [(one.status, one.uart) for one in news] == [
         (Status.MOTOR1_FAULT, UartError(0)),
         (Status.MOTOR1_FAULT, UartError(0)),
@@ -159,109 +159,109 @@ def test_fault_is_reported_once_each_time_it_is_latched(stage: Stage) -> None:
     assert [round(one.time, 1) for one in news] == pytest.approx([1.0, 1.5], abs=0.11)
 
 
-def test_simultaneous_faults_are_reported_together(stage: Stage) -> None:
+def test_simultaneous_faults_are_reported_together(harness: SessionHarness) -> None:
     def break_down() -> None:
         for motor in (1, 2):
-            stage.board.set_fault(motor, fault=True)
-            stage.board.set_fault(motor, fault=False)
-        stage.board.report_error(UartError.CRC)
+            harness.board.set_fault(motor, fault=True)
+            harness.board.set_fault(motor, fault=False)
+        harness.board.report_error(UartError.CRC)
 
-    stage.script.at(1.0, break_down)
-    (news,) = samples(run_for(stage, 2.0), LatchedStatus)
+    harness.script.at(1.0, break_down)
+    (news,) = samples(run_for(harness, 2.0), LatchedStatus)
     assert news.status == Status.MOTOR1_FAULT | Status.MOTOR2_FAULT | Status.UART_ERROR
     assert news.uart == UartError.CRC
 
 
-def test_status_bits_survive_lost_uart_error_byte(stage: Stage) -> None:
-    board = stage.board
+def test_status_bits_survive_lost_uart_error_byte(harness: SessionHarness) -> None:
+    board = harness.board
 
     def corrupt() -> None:
         board.set_fault(2, fault=True)
         board.set_fault(2, fault=False)
         board.report_error(UartError.CRC)
 
-    seen = stage.transport.write
+    seen = harness.transport.write
 
     def lose_uart_errors(data: bytes) -> None:
-        stage.line.faults.mute = data == b"\x85"
+        harness.line.faults.mute = data == b"\x85"
         seen(data)
 
-    stage.transport.write = lose_uart_errors  # type: ignore[method-assign] # one byte is lost
-    stage.script.at(1.0, corrupt)
-    news = samples(run_for(stage, 2.0), LatchedStatus)
+    harness.transport.write = lose_uart_errors  # type: ignore[method-assign] # one byte is lost
+    harness.script.at(1.0, corrupt)
+    news = samples(run_for(harness, 2.0), LatchedStatus)
     assert news[0].status == Status.MOTOR2_FAULT | Status.UART_ERROR
 
 
-def test_lost_uart_error_request_is_repeated(stage: Stage) -> None:
-    send = stage.transport.write
+def test_lost_uart_error_request_is_repeated(harness: SessionHarness) -> None:
+    send = harness.transport.write
     requested: list[bytes] = []
 
     def lose_a_question(data: bytes) -> None:
         if data == b"\x85":
             requested.append(data)
-            stage.line.faults.to_drop_sent = int(len(requested) == 2)  # the first is at once
+            harness.line.faults.to_drop_sent = int(len(requested) == 2)  # the first is at once
         send(data)
 
-    stage.transport.write = lose_a_question  # type: ignore[method-assign] # a knob
-    stage.script.at(1.0, lambda: stage.board.report_error(UartError.CRC))
-    news = samples(run_for(stage, 2.0), LatchedStatus)
+    harness.transport.write = lose_a_question  # type: ignore[method-assign] # a knob
+    harness.script.at(1.0, lambda: harness.board.report_error(UartError.CRC))
+    news = samples(run_for(harness, 2.0), LatchedStatus)
     assert [(one.status, one.uart) for one in news] == [
         (Status.UART_ERROR, UartError(0)),
         (Status(0), UartError.CRC),
     ]
 
 
-def test_uart_error_is_read_after_lost_status_reply(stage: Stage) -> None:
-    send = stage.transport.write
+def test_uart_error_is_read_after_lost_status_reply(harness: SessionHarness) -> None:
+    send = harness.transport.write
     requested: list[bytes] = []
 
     def lose_the_first_answer(data: bytes) -> None:
-        if data == b"\x84" and stage.line.now > 1.0:
+        if data == b"\x84" and harness.line.now > 1.0:
             requested.append(data)
-            stage.line.faults.to_drop = int(len(requested) == 1)
+            harness.line.faults.to_drop = int(len(requested) == 1)
         send(data)
 
-    stage.transport.write = lose_the_first_answer  # type: ignore[method-assign] # a knob
-    stage.script.at(1.0, lambda: stage.board.report_error(UartError.PARITY))
-    (news,) = samples(run_for(stage, 2.0), LatchedStatus)
+    harness.transport.write = lose_the_first_answer  # type: ignore[method-assign] # a knob
+    harness.script.at(1.0, lambda: harness.board.report_error(UartError.PARITY))
+    (news,) = samples(run_for(harness, 2.0), LatchedStatus)
     assert news.uart == UartError.PARITY
 
 
-def test_error_latched_before_connecting_is_reported(stage: Stage) -> None:
-    stage.board.report_error(UartError.TIMEOUT)
-    (news,) = samples(run_for(stage, 1.0), LatchedStatus)
+def test_error_latched_before_connecting_is_reported(harness: SessionHarness) -> None:
+    harness.board.report_error(UartError.TIMEOUT)
+    (news,) = samples(run_for(harness, 1.0), LatchedStatus)
     assert news.uart == UartError.TIMEOUT
 
 
 # --- During other work ------------------------------------------------------------------
 
 
-def test_telemetry_continues_during_single_requests(stage: Stage) -> None:
+def test_telemetry_continues_during_single_requests(harness: SessionHarness) -> None:
     for number in range(100):
-        stage.script.at(1.0 + number / 100, packet(number, GetMode()))
-    run_for(stage, 2.0)
-    currents = [one for one in samples(stage.reports, Currents) if 1.0 < one.time < 2.0]
+        harness.script.at(1.0 + number / 100, packet(number, GetMode()))
+    run_for(harness, 2.0)
+    currents = [one for one in samples(harness.reports, Currents) if 1.0 < one.time < 2.0]
     assert len(currents) > 60
 
 
-def test_telemetry_continues_after_long_write(stage: Stage) -> None:
-    keys = [spec.key for spec in stage.board.memory.parameters if not spec.needs_power_cycle]
-    setpoints = tuple((key, stage.board.eeprom[key]) for key in keys if key != "factory_reset")
-    stage.script.at(1.0, Write(1, setpoints))
-    run_for(stage, 3.0)
-    late = [one for one in samples(stage.reports, Currents) if 2.0 < one.time < 3.0]
+def test_telemetry_continues_after_long_write(harness: SessionHarness) -> None:
+    keys = [spec.key for spec in harness.board.memory.parameters if not spec.needs_power_cycle]
+    setpoints = tuple((key, harness.board.eeprom[key]) for key in keys if key != "factory_reset")
+    harness.script.at(1.0, Write(1, setpoints))
+    run_for(harness, 3.0)
+    late = [one for one in samples(harness.reports, Currents) if 2.0 < one.time < 3.0]
     assert len(late) == pytest.approx(80, abs=3)
 
 
-def test_mode_change_after_power_cycle_is_detected(stage: Stage) -> None:
+def test_mode_change_after_power_cycle_is_detected(harness: SessionHarness) -> None:
     def rearrange() -> None:
-        stage.board.mode_jumper = "analog"
-        stage.board.power_cycle()
+        harness.board.mode_jumper = "analog"
+        harness.board.power_cycle()
 
-    stage.script.at(1.0, rearrange)
-    run_for(stage, 4.6)
-    assert rates_seen(stage, 2.0)[Currents] == pytest.approx(50, rel=0.03)
-    first, second = among(stage.reports, Connected)
+    harness.script.at(1.0, rearrange)
+    run_for(harness, 4.6)
+    assert rates_seen(harness, 2.0)[Currents] == pytest.approx(50, rel=0.03)
+    first, second = among(harness.reports, Connected)
     assert first.state.mode is Mode.SERIAL_RC
     assert second.state.mode is Mode.ANALOG
     assert second.occasion is ReadReason.RESTARTED
@@ -272,10 +272,10 @@ def test_board_is_read_again_three_times_at_most_after_a_failed_write(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     readings: list[float] = []
-    stage, settings = staged()
+    harness, settings = staged()
 
     def fail(*_: object, **_options: object) -> DeviceState:
-        readings.append(stage.line.now)
+        readings.append(harness.line.now)
         raise BadReply("readings differ")
 
     def start_failing() -> None:
@@ -284,35 +284,37 @@ def test_board_is_read_again_three_times_at_most_after_a_failed_write(
         monkeypatch.setattr(jobs, "write_all", lambda *_, **_options: results)
         monkeypatch.setattr(board_reader, "read_everything", fail)
 
-    stage.script.at(1.0, start_failing).at(1.0, Write(1, (("serial_timeout", 5),)))
-    reports = run_for(stage, 9.0, settings)
+    harness.script.at(1.0, start_failing).at(1.0, Write(1, (("serial_timeout", 5),)))
+    reports = run_for(harness, 9.0, settings)
     assert len(readings) == 3
     assert all(later - earlier >= 2.0 for earlier, later in itertools.pairwise(readings))
     assert len([one for one in samples(reports, Raw) if one.time > 8.0]) > 40
 
 
-def test_board_is_read_again_after_a_write_on_a_port_that_was_jammed(stage: Stage) -> None:
-    write = stage.transport.write
+def test_board_is_read_again_after_a_write_on_a_port_that_was_jammed(
+    harness: SessionHarness,
+) -> None:
+    write = harness.transport.write
 
     def jam(data: bytes) -> None:
         write(data)
         if data[0] == SetParameter(0, 0).opcode:  # it arrives all the same
-            stage.transport.write = write  # type: ignore[method-assign]
+            harness.transport.write = write  # type: ignore[method-assign]
             raise PortUnavailable("jammed")
 
-    stage.transport.write = jam  # type: ignore[method-assign]
-    stage.script.at(1.0, Write(1, (("serial_timeout", 5),)))
-    reports = run_for(stage, 5.0)
+    harness.transport.write = jam  # type: ignore[method-assign]
+    harness.script.at(1.0, Write(1, (("serial_timeout", 5),)))
+    reports = run_for(harness, 5.0)
     assert among(reports, Connected)[-1].state.parameters["serial_timeout"] == 5
 
 
-def reset_unnoticed(stage: Stage, **changes: int) -> Callable[[], None]:
+def reset_unnoticed(harness: SessionHarness, **changes: int) -> Callable[[], None]:
     """Return a function that changes stored values without a lost reply."""
 
     def change() -> None:
         for key, wire in changes.items():
-            stage.board.eeprom.write(key, wire)
-        stage.board.power_cycle()
+            harness.board.eeprom.write(key, wire)
+        harness.board.power_cycle()
 
     return change
 
@@ -327,55 +329,59 @@ def reset_unnoticed(stage: Stage, **changes: int) -> Callable[[], None]:
     ],
 )
 def test_changed_safety_parameter_is_found_within_some_two_seconds(key: str, baud: int) -> None:
-    stage, settings = staged(baud)
+    harness, settings = staged(baud)
     for stored in ("serial_timeout", "motor1_current_limit", "motor2_current_limit"):
-        stage.board.eeprom.write(stored, 50)
+        harness.board.eeprom.write(stored, 50)
     start, reading_s = (6.0, 3.5) if baud == 1200 else (2.0, 1.0)
-    stage.script.at(start, reset_unnoticed(stage, **{key: 0}))
-    run_for(stage, start + 1.5 + reading_s, settings)
-    _, second = among(stage.reports, Connected)
+    harness.script.at(start, reset_unnoticed(harness, **{key: 0}))
+    run_for(harness, start + 1.5 + reading_s, settings)
+    _, second = among(harness.reports, Connected)
     assert second.state.parameters[key] == 0
     assert second.occasion is ReadReason.SETTING_CHANGED
 
 
-def test_changed_safety_parameter_locks_out_armed_motors(stage: Stage) -> None:
-    stage.board.eeprom.write("serial_timeout", 50)
-    stage.script.at(1.0, Arm()).at(1.1, SetMotor(1, Drive.at(50)))
-    stage.script.at(1.5, reset_unnoticed(stage, serial_timeout=0))
-    stage.script.at(4.0, SetMotor(1, Drive.at(60)))
-    run_for(stage, 4.5)
-    assert among(stage.reports, Connected)[-1].state.serial_timeout == 0
-    assert stage.board.motors[0].speed != 60
+def test_changed_safety_parameter_locks_out_armed_motors(harness: SessionHarness) -> None:
+    harness.board.eeprom.write("serial_timeout", 50)
+    harness.script.at(1.0, Arm()).at(1.1, SetMotor(1, Drive.at(50)))
+    harness.script.at(1.5, reset_unnoticed(harness, serial_timeout=0))
+    harness.script.at(4.0, SetMotor(1, Drive.at(60)))
+    run_for(harness, 4.5)
+    assert among(harness.reports, Connected)[-1].state.serial_timeout == 0
+    assert harness.board.motors[0].speed != 60
 
 
-def test_corrupted_reply_does_not_count_as_changed_safety_parameter(stage: Stage) -> None:
-    receive = stage.line.read
+def test_corrupted_reply_does_not_count_as_changed_safety_parameter(
+    harness: SessionHarness,
+) -> None:
+    receive = harness.line.read
     corrupted: list[bytes] = []
 
     def read(size: int, seconds: float) -> bytes:
         reply = receive(size, seconds)
-        if stage.line.now > 2.0 and stage.transport.sent[-2:-1] == b"\x9f" and not corrupted:
+        if harness.line.now > 2.0 and harness.transport.sent[-2:-1] == b"\x9f" and not corrupted:
             corrupted.append(reply)
             return bytes([reply[0] ^ 1])
         return reply
 
-    stage.line.read = read  # type: ignore[method-assign] # a knob
-    run_for(stage, 4.0)
+    harness.line.read = read  # type: ignore[method-assign] # a knob
+    run_for(harness, 4.0)
     assert corrupted
-    assert len(among(stage.reports, Connected)) == 1
+    assert len(among(harness.reports, Connected)) == 1
 
 
-def test_safety_parameters_are_not_read_while_unwatched(stage: Stage) -> None:
-    stage.script.at(0.0, SetWatched(False))
-    marks = seen_at(stage, 2.0, lambda: len(stage.transport.sent))
-    run_for(stage, 5.0)
-    late = commands(stage.transport.sent[marks[0] :])
+def test_safety_parameters_are_not_read_while_unwatched(harness: SessionHarness) -> None:
+    harness.script.at(0.0, SetWatched(False))
+    marks = seen_at(harness, 2.0, lambda: len(harness.transport.sent))
+    run_for(harness, 5.0)
+    late = commands(harness.transport.sent[marks[0] :])
     assert late
     assert not any(isinstance(command, GetParameter) for command in late)
 
 
-def test_errors_of_which_another_program_has_read_the_status_are_found(stage: Stage) -> None:
-    stage.board.report_error(UartError.TIMEOUT)
-    stage.board.serial.pop_status()
-    (first, *_) = samples(run_for(stage, 1.0), LatchedStatus)
+def test_errors_of_which_another_program_has_read_the_status_are_found(
+    harness: SessionHarness,
+) -> None:
+    harness.board.report_error(UartError.TIMEOUT)
+    harness.board.serial.pop_status()
+    (first, *_) = samples(run_for(harness, 1.0), LatchedStatus)
     assert (first.uart, first.is_earlier) == (UartError.TIMEOUT, True)

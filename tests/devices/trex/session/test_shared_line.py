@@ -11,7 +11,7 @@ import pytest
 from tests.devices.trex.discovery.test_prober import Wire, wire_of
 from tests.devices.trex.session.helpers import outcomes, run_for
 from tests.devices.trex.simulator.ports import a_board
-from tests.support.virtual import Stage
+from tests.support.virtual import SessionHarness
 from trex_gui.core.discovery.scan import PortScan, scan_port
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
@@ -39,7 +39,7 @@ def addressed(sent: bytes | bytearray) -> set[int]:
     return {packet[0] for packet in packets}
 
 
-class TunedStage(Stage):
+class TunedHarness(SessionHarness):
     """A stage with a configurable line."""
 
     def __init__(self, board: Board, *, echo: bool = False) -> None:
@@ -54,16 +54,18 @@ class TunedStage(Stage):
 def test_session_addresses_one_board_in_every_packet(
     settings: ConnectionSettings, echo: bool
 ) -> None:
-    stage = TunedStage(a_board(7, settings.line.to_wire(), serial_timeout=5), echo=echo)
-    stage.script.at(1.5, Write(1, (("device_number", 9),)))
-    stage.script.at(2.0, ProbeNumber(2, 9)).at(2.1, ProbeNumber(3, 0))
-    stage.script.at(2.5, Arm()).at(2.6, SetMotor(1, Drive.at(90))).at(2.9, Stop(4))
-    stage.script.at(3.0, SetReconnectCandidates((replace(settings, line=LineSettings(57600)),)))
-    stage.script.at(3.5, stage.fault(mute=True)).at(6.5, stage.fault(mute=False))
-    reports = run_for(stage, 9.0, settings)
-    assert addressed(stage.wire.sent) == {7}
-    assert {*stage.wire.tuned} == {settings.line}, "at no other rate"
-    assert addressed(stage.client(settings).stop_sequence("TReX").packets) == {7}, "by the guardian"
+    harness = TunedHarness(a_board(7, settings.line.to_wire(), serial_timeout=5), echo=echo)
+    harness.script.at(1.5, Write(1, (("device_number", 9),)))
+    harness.script.at(2.0, ProbeNumber(2, 9)).at(2.1, ProbeNumber(3, 0))
+    harness.script.at(2.5, Arm()).at(2.6, SetMotor(1, Drive.at(90))).at(2.9, Stop(4))
+    harness.script.at(3.0, SetReconnectCandidates((replace(settings, line=LineSettings(57600)),)))
+    harness.script.at(3.5, harness.fault(mute=True)).at(6.5, harness.fault(mute=False))
+    reports = run_for(harness, 9.0, settings)
+    assert addressed(harness.wire.sent) == {7}
+    assert {*harness.wire.tuned} == {settings.line}, "at no other rate"
+    assert addressed(harness.client(settings).stop_sequence("TReX").packets) == {7}, (
+        "by the guardian"
+    )
     refused = outcomes(reports)[1].error
     assert isinstance(refused, TrexRequestError)
     assert refused.code is ErrorCode.NUMBER_TAKEN
@@ -72,16 +74,16 @@ def test_session_addresses_one_board_in_every_packet(
 
 @pytest.mark.parametrize("settings", [SHARED, CRC], ids=["plain", "CRC"])
 def test_board_that_may_move_is_stopped_alone(settings: ConnectionSettings) -> None:
-    stage = TunedStage(a_board(7, settings.line.to_wire()))
-    stage.script.at(2.0, Stop(1))
-    assert outcomes(stage.run(settings, may_move=True))[1].error is None
-    assert addressed(stage.transport.sent) == {7}
+    harness = TunedHarness(a_board(7, settings.line.to_wire()))
+    harness.script.at(2.0, Stop(1))
+    assert outcomes(harness.run(settings, may_move=True))[1].error is None
+    assert addressed(harness.transport.sent) == {7}
 
 
 def test_failed_connection_is_followed_by_no_probes() -> None:
-    stage = TunedStage(a_board(8))
-    run_for(stage, 30.0, CRC)
-    assert addressed(stage.transport.sent) == {7}
+    harness = TunedHarness(a_board(8))
+    run_for(harness, 30.0, CRC)
+    assert addressed(harness.transport.sent) == {7}
 
 
 def test_reserved_numbers_are_not_probed() -> None:

@@ -20,7 +20,7 @@ from trex_gui.ui.widgets.behaviour import HoldButton
 HEAD = "product: TReX\nfirmware: 1.2\n"
 
 
-class ShopDriver:
+class ProvisionDialogDriver:
     """Dialog, cable with a board, and record."""
 
     def __init__(self, window: WindowDriver, board: SimulatedDevice, folder: Path) -> None:
@@ -60,144 +60,147 @@ class ShopDriver:
 
 
 @pytest.fixture
-def shop(
+def harness(
     connected_window: WindowDriver, quick_simulator: SimulatedDevice, tmp_path: Path
-) -> ShopDriver:
-    return ShopDriver(connected_window, quick_simulator, tmp_path)
+) -> ProvisionDialogDriver:
+    return ProvisionDialogDriver(connected_window, quick_simulator, tmp_path)
 
 
-def test_boards_are_set_up_with_a_press_each(shop: ShopDriver) -> None:
-    check_keyboard(shop.dialog)
-    shop.start()
+def test_boards_are_set_up_with_a_press_each(harness: ProvisionDialogDriver) -> None:
+    check_keyboard(harness.dialog)
+    harness.start()
     for number in (1, 2, 3):
-        shop.wait_for(ProvisionStep.REVIEW)
-        assert f"robot {number}, device number {number}" in shop.window.text("provisionBoard")
-        assert shop.dialog.focusWidget() is shop.window.button("provisionNextButton")
-        shop.press_next()
-        shop.wait_for(ProvisionStep.UNPLUG)
-        shop.window.wait(lambda: len(shop.work.done) == number)  # noqa: B023 - within the loop
-        stored = shop.board.show()["parameters"]
+        harness.wait_for(ProvisionStep.REVIEW)
+        assert f"robot {number}, device number {number}" in harness.window.text("provisionBoard")
+        assert harness.dialog.focusWidget() is harness.window.button("provisionNextButton")
+        harness.press_next()
+        harness.wait_for(ProvisionStep.UNPLUG)
+        harness.window.wait(lambda: len(harness.work.done) == number)  # noqa: B023 - within the loop
+        stored = harness.board.show()["parameters"]
         assert (stored["serial_timeout"], stored["motor1_acceleration"]) == (5, 20)
-        assert f"robot {number}: written and verified" in shop.window.text("provisionBoard")
-        shop.bring_a_new_board()
-    check_keyboard(shop.dialog)
-    assert shop.window.find(QTableWidget, "provisionDone").rowCount() == 3
-    assert [row[1:4] for row in shop.rows] == [
+        assert f"robot {number}: written and verified" in harness.window.text("provisionBoard")
+        harness.bring_a_new_board()
+    check_keyboard(harness.dialog)
+    assert harness.window.find(QTableWidget, "provisionDone").rowCount() == 3
+    assert [row[1:4] for row in harness.rows] == [
         [f"robot {number}", str(number), "TReX 1.2"] for number in (1, 2, 3)
     ]
-    assert {(row[-2], row[-1]) for row in shop.rows} == {("ok", "new")}
+    assert {(row[-2], row[-1]) for row in harness.rows} == {("ok", "new")}
 
 
-def test_skipped_board_is_unchanged(shop: ShopDriver) -> None:
-    before = shop.board.show()["parameters"]
-    shop.start()
-    shop.wait_for(ProvisionStep.REVIEW)
-    shop.window.click("provisionSkipButton")
-    shop.window.wait(lambda: bool(shop.work.done))
-    assert shop.board.show()["parameters"] == before
-    assert [(row[2], row[-2]) for row in shop.rows] == [("7", "skipped")]
+def test_skipped_board_is_unchanged(harness: ProvisionDialogDriver) -> None:
+    before = harness.board.show()["parameters"]
+    harness.start()
+    harness.wait_for(ProvisionStep.REVIEW)
+    harness.window.click("provisionSkipButton")
+    harness.window.wait(lambda: bool(harness.work.done))
+    assert harness.board.show()["parameters"] == before
+    assert [(row[2], row[-2]) for row in harness.rows] == [("7", "skipped")]
 
 
-def test_board_lost_before_writing_is_dropped(shop: ShopDriver) -> None:
-    shop.start()
-    shop.wait_for(ProvisionStep.REVIEW)
-    shop.board.do("power off")
-    shop.wait_for(ProvisionStep.WAIT)
-    assert not shop.window.is_enabled("provisionNextButton")
-    assert shop.rows == []
+def test_board_lost_before_writing_is_dropped(harness: ProvisionDialogDriver) -> None:
+    harness.start()
+    harness.wait_for(ProvisionStep.REVIEW)
+    harness.board.do("power off")
+    harness.wait_for(ProvisionStep.WAIT)
+    assert not harness.window.is_enabled("provisionNextButton")
+    assert harness.rows == []
 
 
-def test_number_of_a_board_lost_during_writing_is_reserved(shop: ShopDriver) -> None:
-    shop.start()
-    shop.wait_for(ProvisionStep.REVIEW)
-    shop.press_next()
-    shop.window.wait(lambda: shop.window.device.writer.running)
-    shop.board.do("power off")
-    shop.window.wait(lambda: len(shop.work.done) == 1)
-    (row,) = shop.rows
+def test_number_of_a_board_lost_during_writing_is_reserved(harness: ProvisionDialogDriver) -> None:
+    harness.start()
+    harness.wait_for(ProvisionStep.REVIEW)
+    harness.press_next()
+    harness.window.wait(lambda: harness.window.device.writer.running)
+    harness.board.do("power off")
+    harness.window.wait(lambda: len(harness.work.done) == 1)
+    (row,) = harness.rows
     assert row[2] == "1"
     assert row[-2] not in {"ok", "begun"}
-    assert ProvisionRecord(shop.record).free_number() == 2
+    assert ProvisionRecord(harness.record).free_number() == 2
 
 
-def test_profile_of_another_model_is_named_and_not_written(shop: ShopDriver) -> None:
-    shop.profile.write_text("product: TReX Jr\nserial_timeout: 5\n", "utf-8")
-    shop.start()
-    shop.wait_for(ProvisionStep.UNPLUG)
-    assert "for a TReX Jr, not a TReX" in shop.window.text("provisionNote")
-    assert shop.rows == []
+def test_profile_of_another_model_is_named_and_not_written(harness: ProvisionDialogDriver) -> None:
+    harness.profile.write_text("product: TReX Jr\nserial_timeout: 5\n", "utf-8")
+    harness.start()
+    harness.wait_for(ProvisionStep.UNPLUG)
+    assert "for a TReX Jr, not a TReX" in harness.window.text("provisionNote")
+    assert harness.rows == []
 
 
-def test_file_that_is_no_record_is_not_overwritten(shop: ShopDriver) -> None:
-    shop.record.write_text("my,table\n", "utf-8")
-    shop.start()
-    shop.window.wait_for_text("provisionTrouble", "no record")
-    assert shop.work.step is ProvisionStep.PROFILE
-    assert shop.record.read_text("utf-8") == "my,table\n"
+def test_file_that_is_no_record_is_not_overwritten(harness: ProvisionDialogDriver) -> None:
+    harness.record.write_text("my,table\n", "utf-8")
+    harness.start()
+    harness.window.wait_for_text("provisionTrouble", "no record")
+    assert harness.work.step is ProvisionStep.PROFILE
+    assert harness.record.read_text("utf-8") == "my,table\n"
 
 
 def test_record_that_cannot_be_saved_is_saved_again(
-    shop: ShopDriver, monkeypatch: pytest.MonkeyPatch
+    harness: ProvisionDialogDriver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    before = shop.board.show()["parameters"]
-    shop.start()
-    shop.wait_for(ProvisionStep.REVIEW)
+    before = harness.board.show()["parameters"]
+    harness.start()
+    harness.wait_for(ProvisionStep.REVIEW)
     with monkeypatch.context() as patch:
 
         def fail(_record: ProvisionRecord) -> None:
             raise BadRequest("The disk is full.")
 
         patch.setattr(ProvisionRecord, "save", fail)
-        shop.press_next()
-        shop.window.wait_for_text("provisionNote", "disk is full")
-        assert shop.board.show()["parameters"] == before, "its number is not in the record yet"
-    shop.press_next()
-    shop.window.wait(lambda: len(shop.work.done) == 1)
-    assert shop.rows[0][-2] == "ok"
+        harness.press_next()
+        harness.window.wait_for_text("provisionNote", "disk is full")
+        assert harness.board.show()["parameters"] == before, "its number is not in the record yet"
+    harness.press_next()
+    harness.window.wait(lambda: len(harness.work.done) == 1)
+    assert harness.rows[0][-2] == "ok"
 
 
 @pytest.mark.parametrize(
     ("end", "result"),
     [
-        (lambda shop: shop.press_next(), "ok"),
-        (lambda shop: shop.window.click("provisionSkipButton"), "ended while motors were tried"),
-        (lambda shop: shop.dialog.close(), "ended while motors were tried"),
-        (lambda shop: shop.board.do("power off"), "ended while motors were tried"),
+        (lambda harness: harness.press_next(), "ok"),
+        (
+            lambda harness: harness.window.click("provisionSkipButton"),
+            "ended while motors were tried",
+        ),
+        (lambda harness: harness.dialog.close(), "ended while motors were tried"),
+        (lambda harness: harness.board.do("power off"), "ended while motors were tried"),
     ],
     ids=["turned", "skipped", "closed", "lost"],
 )
 def test_motors_turn_while_a_button_is_held(
-    shop: ShopDriver, end: Callable[[ShopDriver], object], result: str
+    harness: ProvisionDialogDriver, end: Callable[[ProvisionDialogDriver], object], result: str
 ) -> None:
     def speed() -> tuple[str, int]:
-        motor = shop.board.show()["motors"][0]
+        motor = harness.board.show()["motors"][0]
         return motor["direction"], motor["speed"]
 
-    shop.start(turns_motors=True)
-    shop.wait_for(ProvisionStep.REVIEW)
-    shop.press_next()
-    shop.wait_for(ProvisionStep.MOTORS)
-    check_keyboard(shop.dialog)
-    shop.window.click("provisionWheelsFree")
-    shop.window.wait(lambda: shop.window.is_enabled("provisionRunButton"))
-    shop.window.click("provisionRunButton")
-    shop.window.wait(lambda: shop.window.is_enabled("provisionHold1"))
-    button = shop.window.find(HoldButton, "provisionHold1")
+    harness.start(turns_motors=True)
+    harness.wait_for(ProvisionStep.REVIEW)
+    harness.press_next()
+    harness.wait_for(ProvisionStep.MOTORS)
+    check_keyboard(harness.dialog)
+    harness.window.click("provisionWheelsFree")
+    harness.window.wait(lambda: harness.window.is_enabled("provisionRunButton"))
+    harness.window.click("provisionRunButton")
+    harness.window.wait(lambda: harness.window.is_enabled("provisionHold1"))
+    button = harness.window.find(HoldButton, "provisionHold1")
     QTest.mousePress(button, LEFT)
-    shop.window.wait(lambda: speed() == ("forward", 25))
+    harness.window.wait(lambda: speed() == ("forward", 25))
     QTest.mouseRelease(button, LEFT)
-    shop.window.wait(lambda: speed()[0] == "brake")
-    end(shop)
-    shop.window.wait(lambda: len(shop.work.done) == 1)
-    assert not shop.window.motors.armed
-    assert shop.rows[0][-2] == result
+    harness.window.wait(lambda: speed()[0] == "brake")
+    end(harness)
+    harness.window.wait(lambda: len(harness.work.done) == 1)
+    assert not harness.window.motors.armed
+    assert harness.rows[0][-2] == result
 
 
-def test_closed_dialog_sets_up_no_other_board(shop: ShopDriver) -> None:
-    shop.start()
-    shop.wait_for(ProvisionStep.REVIEW)
-    shop.press_next()
-    shop.dialog.close()
-    shop.wait_for(ProvisionStep.PROFILE)
-    assert shop.rows[0][-2] == "ok", "what was begun is written and recorded to its end"
-    assert shop.board.show()["parameters"]["serial_timeout"] == 5
+def test_closed_dialog_sets_up_no_other_board(harness: ProvisionDialogDriver) -> None:
+    harness.start()
+    harness.wait_for(ProvisionStep.REVIEW)
+    harness.press_next()
+    harness.dialog.close()
+    harness.wait_for(ProvisionStep.PROFILE)
+    assert harness.rows[0][-2] == "ok", "what was begun is written and recorded to its end"
+    assert harness.board.show()["parameters"]["serial_timeout"] == 5

@@ -42,7 +42,7 @@ def go_to(driver: WidgetDriver, dialog: QWidget, step: SetupStep) -> None:
         driver.click("setupNextButton")
 
 
-class Assistant(WidgetDriver):
+class SetupDriver(WidgetDriver):
     """Set-up dialog of a robot.
 
     Attributes:
@@ -76,9 +76,9 @@ class Assistant(WidgetDriver):
 
 
 @pytest.fixture
-def assistant(
+def setup_dialog(
     quick_simulator: SimulatedDevice, qtbot: QtBot, qapp: QApplication
-) -> Iterator[Assistant]:
+) -> Iterator[SetupDriver]:
     theme().install(qapp)
     robot = Robot(quick_simulator, qtbot)
     flow = SetupFlow(robot.device, Learning(robot.device))
@@ -86,125 +86,127 @@ def assistant(
     qtbot.addWidget(dialog)
     robot.connect()
     flow.show_in_front()
-    yield Assistant(robot, dialog, flow, qtbot)
+    yield SetupDriver(robot, dialog, flow, qtbot)
     dialog.close()
     qtbot.waitUntil(robot.device.shut_down)
 
 
 @pytest.mark.parametrize("driver", Driver)
-def test_walk_through_all_steps_moves_no_motor(assistant: Assistant, driver: Driver) -> None:
-    assistant.click(DRIVERS[driver])
-    assert not assistant.has("setupWiringPage")  # not created yet
-    go_to(assistant, assistant.root, SetupStep.MOTORS)
-    assert not assistant.is_enabled("setupRunButton")
-    assistant.arm()
+def test_walk_through_all_steps_moves_no_motor(setup_dialog: SetupDriver, driver: Driver) -> None:
+    setup_dialog.click(DRIVERS[driver])
+    assert not setup_dialog.has("setupWiringPage")  # not created yet
+    go_to(setup_dialog, setup_dialog.root, SetupStep.MOTORS)
+    assert not setup_dialog.is_enabled("setupRunButton")
+    setup_dialog.arm()
     for button in ("rightWheelBackward", "leftWheelForward"):
-        assistant.click(button)  # the second click is for motor 2
-    assert "✓" in assistant.button("setupAnswer2").text()
+        setup_dialog.click(button)  # the second click is for motor 2
+    assert "✓" in setup_dialog.button("setupAnswer2").text()
     visited = []
-    while assistant.setup.step is not SetupStep.REVIEW:
-        visited.append(assistant.setup.step)
-        check_keyboard(assistant.root)
-        if assistant.setup.step is SetupStep.LIMITS:
-            assistant.click("setupPresetTank")
-        assistant.click("setupNextButton")
-    check_keyboard(assistant.root)
+    while setup_dialog.setup.step is not SetupStep.REVIEW:
+        visited.append(setup_dialog.setup.step)
+        check_keyboard(setup_dialog.root)
+        if setup_dialog.setup.step is SetupStep.LIMITS:
+            setup_dialog.click("setupPresetTank")
+        setup_dialog.click("setupNextButton")
+    check_keyboard(setup_dialog.root)
     assert (SetupStep.TIMEOUT in visited) is (driver is Driver.COMPUTER)
-    _, undone = assistant.find_only(StepStrip).accessibleName().split("Not done: ")
+    _, undone = setup_dialog.find_only(StepStrip).accessibleName().split("Not done: ")
     assert "Motors" in undone  # its wires or the sticks are open
     assert "Limits" not in undone
-    assert ("wires of the right motor" in assistant.text("setupOpenMotors")) is (
+    assert ("wires of the right motor" in setup_dialog.text("setupOpenMotors")) is (
         driver is not Driver.TWO_STICKS
     )
-    assert assistant.find(QWidget, "setupOpenSticks").isVisible() is driver.uses_sticks
-    assistant.click("setupGoToMotorsButton")
-    assert assistant.find(QWidget, "setupWiringPage").isVisible()
-    go_to(assistant, assistant.root, SetupStep.REVIEW)
-    assert assistant.robot.device.draft.pending > 0
-    assert assistant.is_enabled("setupNextButton")
-    assert assistant.root.focusWidget() is assistant.button("setupNextButton")
-    while assistant.is_enabled("setupBackButton"):
-        assistant.click("setupBackButton")
-    assert assistant.requests == []
-    assert assistant.robot.speeds() == (0, 0)
-    assert assistant.robot.simulator.show()["parameters"]["motor1_acceleration"] == 0
+    assert setup_dialog.find(QWidget, "setupOpenSticks").isVisible() is driver.uses_sticks
+    setup_dialog.click("setupGoToMotorsButton")
+    assert setup_dialog.find(QWidget, "setupWiringPage").isVisible()
+    go_to(setup_dialog, setup_dialog.root, SetupStep.REVIEW)
+    assert setup_dialog.robot.device.draft.pending > 0
+    assert setup_dialog.is_enabled("setupNextButton")
+    assert setup_dialog.root.focusWidget() is setup_dialog.button("setupNextButton")
+    while setup_dialog.is_enabled("setupBackButton"):
+        setup_dialog.click("setupBackButton")
+    assert setup_dialog.requests == []
+    assert setup_dialog.robot.speeds() == (0, 0)
+    assert setup_dialog.robot.simulator.show()["parameters"]["motor1_acceleration"] == 0
 
 
-def test_unclear_stick_is_explained_beside_its_input(assistant: Assistant) -> None:
-    robot = assistant.robot
-    go_to(assistant, assistant.root, SetupStep.STICKS)
+def test_unclear_stick_is_explained_beside_its_input(setup_dialog: SetupDriver) -> None:
+    robot = setup_dialog.robot
+    go_to(setup_dialog, setup_dialog.root, SetupStep.STICKS)
     robot.push(1)
-    assistant.click("setupForwardButton")
-    assert "not known yet" in assistant.text("setupStick1Note")
-    assert "near its middle" in assistant.text("setupStick2Note")
-    assert "Is the transmitter on?" in assistant.text("setupStick2Note")
-    strip = assistant.find(InputStrip, "setup1Strip")
-    assistant.wait(lambda: spoken_state(strip).startswith("2000 µs"))
+    setup_dialog.click("setupForwardButton")
+    assert "not known yet" in setup_dialog.text("setupStick1Note")
+    assert "near its middle" in setup_dialog.text("setupStick2Note")
+    assert "Is the transmitter on?" in setup_dialog.text("setupStick2Note")
+    strip = setup_dialog.find(InputStrip, "setup1Strip")
+    setup_dialog.wait(lambda: spoken_state(strip).startswith("2000 µs"))
     robot.simulator.do("channel 2 silent")
-    assistant.wait(lambda: robot.device.telemetry.raw_of(2) is None)
-    assistant.click("setupForwardButton")
-    assert "no signal arrives" in assistant.text("setupStick2Note")
+    setup_dialog.wait(lambda: robot.device.telemetry.raw_of(2) is None)
+    setup_dialog.click("setupForwardButton")
+    assert "no signal arrives" in setup_dialog.text("setupStick2Note")
     robot.push(2)
-    assistant.click("setupForwardButton")
-    assert "the value rises" in assistant.text("setupStick2Note")
+    setup_dialog.click("setupForwardButton")
+    assert "the value rises" in setup_dialog.text("setupStick2Note")
     robot.device.disconnect_line()
-    assistant.wait(lambda: spoken_state(strip).startswith("not known"))
+    setup_dialog.wait(lambda: spoken_state(strip).startswith("not known"))
 
 
-def test_buttons_are_on_amber_while_armed(assistant: Assistant) -> None:
-    bar = assistant.find_only(MotorBar)
+def test_buttons_are_on_amber_while_armed(setup_dialog: SetupDriver) -> None:
+    bar = setup_dialog.find_only(MotorBar)
     middle = bar.rect().center()
     assert bar.grab().toImage().pixelColor(middle) != theme().color("armed")
-    assistant.arm()
-    assistant.wait(lambda: assistant.robot.device.motors.armed)
+    setup_dialog.arm()
+    setup_dialog.wait(lambda: setup_dialog.robot.device.motors.armed)
     assert bar.grab().toImage().pixelColor(middle) == theme().color("armed")
 
 
-def test_enter_at_the_start_of_learning_does_not_skip_it(assistant: Assistant) -> None:
-    go_to(assistant, assistant.root, SetupStep.STICKS)
-    assistant.click("setupLearnButton")
-    assert assistant.root.focusWidget() is not assistant.button("setupSkipButton")
-    assistant.wait(lambda: assistant.has("learnRestPage"))
-    assistant.wait(lambda: assistant.root.focusWidget() is assistant.button("setupNextButton"))
+def test_enter_at_the_start_of_learning_does_not_skip_it(setup_dialog: SetupDriver) -> None:
+    go_to(setup_dialog, setup_dialog.root, SetupStep.STICKS)
+    setup_dialog.click("setupLearnButton")
+    assert setup_dialog.root.focusWidget() is not setup_dialog.button("setupSkipButton")
+    setup_dialog.wait(lambda: setup_dialog.has("learnRestPage"))
+    setup_dialog.wait(
+        lambda: setup_dialog.root.focusWidget() is setup_dialog.button("setupNextButton")
+    )
 
 
-def test_motors_need_no_horizontal_scrolling_with_large_fonts(assistant: Assistant) -> None:
+def test_motors_need_no_horizontal_scrolling_with_large_fonts(setup_dialog: SetupDriver) -> None:
     theme().set_font_size(150)
     try:
-        go_to(assistant, assistant.root, SetupStep.MOTORS)
-        assistant.root.resize(900, 540)
-        page = assistant.find(QWidget, "setupWiringPage")
-        area = assistant.find_only(ScrollBox)
-        assistant.wait(lambda: area.width() > 860)
+        go_to(setup_dialog, setup_dialog.root, SetupStep.MOTORS)
+        setup_dialog.root.resize(900, 540)
+        page = setup_dialog.find(QWidget, "setupWiringPage")
+        area = setup_dialog.find_only(ScrollBox)
+        setup_dialog.wait(lambda: area.width() > 860)
         assert page.isVisible()
         assert not area.horizontalScrollBar().isVisible()
     finally:
         theme().set_font_size(100)
 
 
-def test_held_button_moves_its_motor_only(assistant: Assistant) -> None:
-    assistant.arm()
+def test_held_button_moves_its_motor_only(setup_dialog: SetupDriver) -> None:
+    setup_dialog.arm()
     for motor in (1, 2):
-        button = assistant.hold(motor)
-        other = assistant.find(HoldButton, f"setupHold{3 - motor}")
+        button = setup_dialog.hold(motor)
+        other = setup_dialog.find(HoldButton, f"setupHold{3 - motor}")
         assert not other.isEnabled()
         QTest.mouseRelease(button, LEFT)
-        assistant.wait(lambda: assistant.robot.speeds() == (0, 0))
-    assert {request.motor for request in assistant.requests[:2]} == {1}
-    assistant.robot.simulator.do("fault 2 on")
-    assistant.wait_for_text("setupPulseNote", "its driver shut down")
+        setup_dialog.wait(lambda: setup_dialog.robot.speeds() == (0, 0))
+    assert {request.motor for request in setup_dialog.requests[:2]} == {1}
+    setup_dialog.robot.simulator.do("fault 2 on")
+    setup_dialog.wait_for_text("setupPulseNote", "its driver shut down")
 
 
-def open_menu(assistant: Assistant) -> None:
+def open_menu(setup_dialog: SetupDriver) -> None:
     """Open a menu, which swallows the release of the button without an event."""
-    menu = QMenu(assistant.root)
+    menu = QMenu(setup_dialog.root)
     menu.addAction("Anything")
     menu.popup(QPoint())
-    assistant.wait(lambda: assistant.setup.pulses.motor == 0)
+    setup_dialog.wait(lambda: setup_dialog.setup.pulses.motor == 0)
     menu.close()
 
 
-ENDS: dict[str, Callable[[Assistant], object]] = {
+ENDS: dict[str, Callable[[SetupDriver], object]] = {
     "the button is released": lambda dialog: QTest.mouseRelease(dialog.button("setupHold1"), LEFT),
     "a menu opens": open_menu,
     "the dialog is closed": lambda dialog: dialog.root.close(),
@@ -227,50 +229,50 @@ LAST = ("the dialog is closed", "the line is closed", "the line is cut")
     "ends", [[end for end in ENDS if end not in LAST], *([end] for end in LAST)], ids=str
 )
 @pytest.mark.qt_log_ignore("This plugin does not support", extend=True)  # popups offscreen
-def test_every_interruption_stops_the_motor(assistant: Assistant, ends: list[str]) -> None:
-    robot = assistant.robot
+def test_every_interruption_stops_the_motor(setup_dialog: SetupDriver, ends: list[str]) -> None:
+    robot = setup_dialog.robot
     for end in ends:
         if not robot.device.motors.armed:
-            assistant.arm()
-        assistant.hold(1)
-        ENDS[end](assistant)
-        assistant.wait(lambda: assistant.setup.pulses.motor == 0)
+            setup_dialog.arm()
+        setup_dialog.hold(1)
+        ENDS[end](setup_dialog)
+        setup_dialog.wait(lambda: setup_dialog.setup.pulses.motor == 0)
         assert robot.device.motors.armed is (end in STAYS_ARMED), end
         if end == "the line is cut":
             return  # the board itself stops the motor
-        assistant.wait(lambda: robot.speeds() == (0, 0))
+        setup_dialog.wait(lambda: robot.speeds() == (0, 0))
         robot.pass_time(2)
         assert robot.speeds() == (0, 0), end
         assert robot.device.motors.accelerate, end
 
 
-def test_board_in_rc_mode_is_explained_and_followed(assistant: Assistant) -> None:
-    robot = assistant.robot
-    go_to(assistant, assistant.root, SetupStep.JUMPERS)
-    assistant.wait_for_text("setupModeCheck", "serial mode")
+def test_board_in_rc_mode_is_explained_and_followed(setup_dialog: SetupDriver) -> None:
+    robot = setup_dialog.robot
+    go_to(setup_dialog, setup_dialog.root, SetupStep.JUMPERS)
+    setup_dialog.wait_for_text("setupModeCheck", "serial mode")
     robot.simulator.do("jumper mode rc", "power cycle")
-    assistant.wait_for_text("setupModeCheck", "in RC mode")
-    assert "would drive the motors" in assistant.text("setupMixCheck")
-    go_to(assistant, assistant.root, SetupStep.STICKS)
-    assert not assistant.is_enabled("setupForwardButton")
-    assert not assistant.is_enabled("setupRightButton")
-    go_to(assistant, assistant.root, SetupStep.MOTORS)
-    assert assistant.root.focusWidget() is assistant.button("setupSkipButton"), "not Close"
-    assert "in RC mode" in assistant.text("setupPulseNote")
+    setup_dialog.wait_for_text("setupModeCheck", "in RC mode")
+    assert "would drive the motors" in setup_dialog.text("setupMixCheck")
+    go_to(setup_dialog, setup_dialog.root, SetupStep.STICKS)
+    assert not setup_dialog.is_enabled("setupForwardButton")
+    assert not setup_dialog.is_enabled("setupRightButton")
+    go_to(setup_dialog, setup_dialog.root, SetupStep.MOTORS)
+    assert setup_dialog.root.focusWidget() is setup_dialog.button("setupSkipButton"), "not Close"
+    assert "in RC mode" in setup_dialog.text("setupPulseNote")
     for name in ("setupWheelsFree", "setupRunButton", "setupHold1", "setupHold2"):
-        assert not assistant.is_enabled(name)
-    assistant.click("setupSkipButton")
-    assert "rejects settings" in assistant.text("setupNote")
-    assistant.click("setupPresetTank")
-    assert not assistant.is_enabled("setupNextButton")
-    assistant.click("setupSkipButton")
-    assert not assistant.is_enabled("setupNextButton")
-    assert assistant.root.focusWidget() is not assistant.button("setupNextButton")
+        assert not setup_dialog.is_enabled(name)
+    setup_dialog.click("setupSkipButton")
+    assert "rejects settings" in setup_dialog.text("setupNote")
+    setup_dialog.click("setupPresetTank")
+    assert not setup_dialog.is_enabled("setupNextButton")
+    setup_dialog.click("setupSkipButton")
+    assert not setup_dialog.is_enabled("setupNextButton")
+    assert setup_dialog.root.focusWidget() is not setup_dialog.button("setupNextButton")
     assert robot.device.draft.pending == 0
-    assistant.click("setupBackButton")
+    setup_dialog.click("setupBackButton")
 
     robot.simulator.do("jumper mode serial", "power cycle")
-    assistant.wait(lambda: "Next adds 6 changes" in assistant.text("setupNote"))
+    setup_dialog.wait(lambda: "Next adds 6 changes" in setup_dialog.text("setupNote"))
 
 
 def test_assistant_is_created_when_opened(

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from tests.devices.trex.session.helpers import outcomes, run_for
 from tests.devices.trex.simulator.ports import a_board
-from tests.support.virtual import Stage
+from tests.support.virtual import SessionHarness
 from trex_gui.core.session import Close, Outcome
 from trex_gui.devices.trex.driving.requests import (
     HEARTBEAT_INTERVAL,
@@ -30,7 +30,7 @@ FORWARD = SetMotor(1, Drive.at(90))
 OPENED = 2.0  # seconds after which both boards were read
 
 
-class GroupStage(Stage):
+class GroupHarness(SessionHarness):
     """Boards 7 and 9 on one line, driven forward from `OPENED`."""
 
     def __init__(self) -> None:
@@ -75,31 +75,31 @@ def of(number: int, reports: list[Report]) -> list[Report]:
 
 def stop_delays(presses: int, seed: int) -> tuple[list[float], list[float]]:
     """Return the seconds from each press to the end of the last stop, and to its outcome."""
-    chance, stage = random.Random(seed), GroupStage()
+    chance, harness = random.Random(seed), GroupHarness()
     pressed: list[float] = []
     now = OPENED
     for number in range(presses):
-        stage.script.at(now, Arm())
-        for one in stage.boards:
-            stage.script.at(now, ToBoard(one, SetMotor(1, Drive.at(chance.randint(-127, 127)))))
+        harness.script.at(now, Arm())
+        for one in harness.boards:
+            harness.script.at(now, ToBoard(one, SetMotor(1, Drive.at(chance.randint(-127, 127)))))
         now += 0.03 + chance.random() / 14
         pressed.append(now)
-        stage.script.at(now, Stop(number))
+        harness.script.at(now, Stop(number))
         now += 0.07
     ended: dict[int, float] = {}
-    reports = stage.reports
+    reports = harness.reports
 
     class Timed(list[Report]):
         def append(self, report: Report) -> None:
             super().append(report)
             if isinstance(report, Outcome):
-                ended[report.id] = stage.line.now
+                ended[report.id] = harness.line.now
 
-    stage.reports = Timed(reports)
-    run_for(stage, now, GROUP)
-    assert all(one.error is None for one in outcomes(stage.reports).values())
+    harness.reports = Timed(reports)
+    run_for(harness, now, GROUP)
+    assert all(one.error is None for one in outcomes(harness.reports).values())
     first = [
-        max(next(time for time in stage.stops_of(number) if time > press) for number in (7, 9))
+        max(next(time for time in harness.stops_of(number) if time > press) for number in (7, 9))
         for press in pressed
     ]
     return (
@@ -123,11 +123,11 @@ class RandomSequences:
         stops: ids of the stops.
     """
 
-    def __init__(self, stage: GroupStage, count: int, seed: int) -> None:
+    def __init__(self, harness: GroupHarness, count: int, seed: int) -> None:
         self.problems: list[str] = []
         self.sequences = 0
         self.stops: list[int] = []
-        self._stage, self._count, self._chance = stage, count, random.Random(seed)
+        self._stage, self._count, self._chance = harness, count, random.Random(seed)
         self._requests: deque[Request] = deque()
         self._next_at = self._beat_at = OPENED
         self._rest_from = 0.0  # when every motor has to be at rest
@@ -204,19 +204,19 @@ class RandomSequences:
 
 def run_sequences(count: int, seed: int) -> list[str]:
     """Return the failures of random sequences."""
-    stage = GroupStage()
-    inbox = RandomSequences(stage, count, seed)
-    reports, untrue = stage.reports, list[str]()
+    harness = GroupHarness()
+    inbox = RandomSequences(harness, count, seed)
+    reports, untrue = harness.reports, list[str]()
 
     def record(report: Report) -> None:
         """Compare a confirmation with the boards at that moment."""
         reports.append(report)
-        if isinstance(report, Outcome) and report.error is None and stage.moving:
-            untrue.append(f"{stage.line.now:.3f}: {stage.moving} moves after a confirmed stop")
+        if isinstance(report, Outcome) and report.error is None and harness.moving:
+            untrue.append(f"{harness.line.now:.3f}: {harness.moving} moves after a confirmed stop")
 
-    TrexSession(GROUP, inbox, record, lambda _: stage.transport).run()
+    TrexSession(GROUP, inbox, record, lambda _: harness.transport).run()
     every = [one.report if isinstance(one, OfBoard) else one for one in reports]
     found, ended = [*inbox.problems, *untrue], outcomes(every)
     found += [f"stop {number} has no outcome" for number in inbox.stops if number not in ended]
-    found += ["motors may move, unreported"] if stage.moving else []
+    found += ["motors may move, unreported"] if harness.moving else []
     return found
