@@ -1,14 +1,14 @@
 """TReX Studio: set up, calibrate, drive and understand a Pololu TReX motor controller.
 
-Import the programming interface of a board from here. It does not need Qt:
+Import the programming interface of a board from here (Qt is not needed):
 
     from trex_gui import Trex
 
     with Trex("/dev/ttyUSB0") as trex:
         print(trex.status().currents)
 
-The names in `__all__` are the public interface. Everything else may change. `resources/examples`
-has programs.
+The names in `__all__` are the public interface. Everything else may change. For example programs,
+see `resources/examples`.
 """
 
 from importlib import import_module
@@ -61,10 +61,10 @@ _MODULES = (
 )
 
 
-if not TYPE_CHECKING:  # a misspelled name is an error to type checkers
+if not TYPE_CHECKING:  # hidden, so that type checkers report misspelled names
 
     def __getattr__(name: str) -> Any:
-        """Import the library on first use, for a fast start of the window and `trexcmd`."""
+        """Import the library on first use, so that the window and `trexcmd` start fast."""
         for module in _MODULES if name in __all__ else ():
             if (found := getattr(import_module(module), name, None)) is not None:
                 return found

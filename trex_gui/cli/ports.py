@@ -45,8 +45,8 @@ def _ports(chosen: str | None) -> list[str]:
 def list_command(as_json: bool, **options: Any) -> None:
     """List the ports of this computer and the devices on them.
 
-    Moves no motor of a TReX or Aracna. With --port, probes only that port. `trexcmd find` finds a
-    board with other line settings. If other devices share the line, give --reserve.
+    Never moves the motors of a TReX or Aracna. With --port, probes only that port. To find a board
+    with other line settings, use `trexcmd find`. If other devices share the line, pass --reserve.
     """
     rows: list[dict[str, Any]] = []
     unreachable = False
@@ -65,7 +65,7 @@ def list_command(as_json: bool, **options: Any) -> None:
 
 
 def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
-    """Return the first device that replies. Without a reply, combine all reports."""
+    """Return the answer of the first device that replies, or all reports combined."""
     texts = []
     for plugin in PLUGINS:
         answer = plugin.port_reports.load().identify(url, options)
@@ -92,10 +92,10 @@ def find_command(port: str | None, full: bool, extra_timeout: float, as_json: bo
     """Find a board whose serial settings are unknown.
 
     Probes for a TReX at the likely baud rates, then for an Aracna, then for a TReX at every baud
-    rate with every parity and with CRC-7, on one port or on all ports. Prints the options that
-    reach the board. A TReX or Aracna moves no motor and changes nothing. Other devices on the line
-    may react: use `boards --reserve`. A TReX at another rate latches UART errors, and stops its
-    motors if it is set to do so.
+    rate with every parity and with CRC-7, on one port or on all ports. Prints the options needed
+    to connect to the board. Never moves the motors or changes the settings of a TReX or Aracna. If
+    other devices share the line, use `boards --reserve` instead, because they may react. A TReX at
+    another rate latches UART errors, and stops its motors if it is configured to do so.
     """
     probers = {plugin.key: plugin.prober.load() for plugin in PLUGINS}
     reports = {plugin.key: plugin.port_reports.load() for plugin in PLUGINS}

@@ -9,7 +9,7 @@ from typing import Protocol
 from trex_gui.core.errors import StudioError
 from trex_gui.core.transport.settings import Parity
 
-CHUNK = 256  # bytes of a read; few, so that a changed baud rate is detected soon
+CHUNK = 256  # bytes per read; few, so that a changed baud rate is detected soon
 
 
 class EndpointError(StudioError):
@@ -50,7 +50,7 @@ class Endpoint(Protocol):
         """Send bytes, which are lost if the host does not read."""
 
     def unplug(self) -> None:
-        """Break the connection, visibly for the host."""
+        """Break the connection, so that the host notices."""
 
     def plug(self) -> None:
         """Restore the connection. Raises EndpointError."""
@@ -116,7 +116,7 @@ class TcpEndpoint:
         self._port = self._listener.getsockname()[1]
 
     def welcome(self) -> None:
-        """Start the connection of a new host."""
+        """Prepare for a new host, which has just connected."""
 
     def arrivals(self, data: bytes) -> Iterable[Arrival]:
         return [(None, data)]

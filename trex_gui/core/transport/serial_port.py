@@ -40,8 +40,8 @@ from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 log = logging.getLogger(__name__)
 
-# pyserial raises more than OSError: for a bad address, a closed port, an unsupported function and a
-# wrong pattern (of hwgrep://).
+# pyserial raises more than OSError: for a bad address, a closed port, an unsupported function and
+# an invalid pattern (hwgrep://).
 PORT_ERRORS: tuple[type[Exception], ...] = (
     OSError,
     ValueError,
@@ -54,14 +54,14 @@ if sys.platform != "win32":
     PORT_ERRORS += (termios.error,)
 
 _SLICE = 0.02  # timeout in seconds of one blocking read
-_LONGEST_STALE = 0.05  # timeout in seconds of `discard` on a line that sends on its own
+_DISCARD_TIMEOUT = 0.05  # seconds before `discard` fails on a line that keeps sending
 
 _MANY_READS = 10
 """Reads before `discard` fails. After a suspension, one or two reads return everything."""
 
 _WRITE_TIMEOUT = 1.0  # seconds after which a port that accepts no byte counts as gone
 _LOCAL_LATENCY = 0.06
-"""Seconds: two latency timers of a common adapter (16 ms each), and the system."""
+"""Seconds: two latency timers of a common adapter (16 ms each), and delays of the system."""
 
 _REMOTE_LATENCY = 0.5  # seconds, for a network
 _BUSY = frozenset({errno.EBUSY, errno.EAGAIN})
@@ -108,7 +108,7 @@ class Transport(Protocol):
         """Return up to `size` bytes after at most `seconds`."""
 
     def discard(self) -> bytes:
-        """Discard and return received bytes. BadReply if they do not end."""
+        """Discard and return received bytes. Raises BadReply if bytes keep arriving."""
 
     def wait(self, seconds: float) -> None: ...
 
@@ -182,7 +182,7 @@ class SerialTransport:
         except PortUnavailable as error:
             with contextlib.suppress(AttributeError):  # the port was not opened
                 self.close()
-            if left is not None:  # danger first
+            if left is not None:  # the danger comes first in the message
                 error.args = (f"{left.text()} {error}",)
             raise
 
@@ -245,7 +245,7 @@ class SerialTransport:
     def discard(self) -> bytes:
         stale = bytearray()
         reads = 0
-        deadline = self.clock() + _LONGEST_STALE
+        deadline = self.clock() + _DISCARD_TIMEOUT
         try:
             while waiting := self._port.in_waiting:
                 stale += self._port.read(waiting)
@@ -272,7 +272,7 @@ class SerialTransport:
         # pyserial does not close the socket of a remote port that the other side has closed.
         remote = getattr(self._port, "_socket", None)
         if remote is not None and self._guardian is not None and not self._guardian.has_ended:
-            # pyserial would also end the connection of the guardian.
+            # pyserial would also end the guardian's connection.
             remote = socket.socket(fileno=remote.detach())
         with contextlib.suppress(*PORT_ERRORS):
             self._port.close()
@@ -313,7 +313,7 @@ def _is_file(url: str) -> bool:
 
 
 def _shared(port: serial.Serial) -> SharedPort | None:
-    """Return a port for a child process. `None` if it has no descriptor (`loop://`)."""
+    """Return a port that a child process can use. `None` if it has no descriptor (`loop://`)."""
     with contextlib.suppress(*PORT_ERRORS):
         if (remote := getattr(port, "_socket", None)) is not None:
             kind = "telnet" if isinstance(port, _Rfc2217Port) else "socket"
@@ -340,7 +340,7 @@ def _open(settings: PortSettings, clock: Callable[[], float]) -> serial.Serial:
 
 
 def _unopened(url: str, **options: Any) -> serial.Serial:
-    if url.lower().startswith("rfc2217://"):  # without a write timeout
+    if url.lower().startswith("rfc2217://"):  # pyserial supports no write timeout here
         remote = _Rfc2217Port(None, **options)
         remote.port = url
         return cast("serial.Serial", remote)
@@ -423,7 +423,7 @@ def _plain(error: Exception) -> str:
 
 
 def _permission_cure(url: str) -> tuple[str, str]:
-    """Return a command that permits the use of a port, and a sentence."""
+    """Return a command that grants access to a port, and a sentence for the user."""
     try:
         import grp  # noqa: PLC0415 - only on POSIX
 

@@ -33,14 +33,14 @@ class Findable:
     title: str
     place: str = ""
     text: str = ""
-    show: Callable[[], object] = field(default=lambda: None, compare=False)  # shows the item
+    show: Callable[[], object] = field(default=lambda: None, compare=False)
 
 
 @lru_cache(maxsize=2048)
 def _words(text: str) -> Sequence[str]:
-    """Return the words in lower case, without endings and accents."""
-    apart = unicodedata.normalize("NFKD", text.casefold())
-    plain = "".join(letter for letter in apart if not unicodedata.combining(letter))
+    """Return the words in lower case, without endings or accents."""
+    decomposed = unicodedata.normalize("NFKD", text.casefold())
+    plain = "".join(letter for letter in decomposed if not unicodedata.combining(letter))
     return [_ENDING.sub("", word) for word in re.findall(r"[^\W_]+", plain)]
 
 
@@ -54,7 +54,7 @@ def _synonyms() -> Mapping[str, set[str]]:
     return found
 
 
-def _likeness(typed: str, word: str) -> float:
+def _similarity(typed: str, word: str) -> float:
     """Return the similarity of a word to the typed word, from 0 to 1."""
     if word.startswith(typed):
         return sqrt(len(typed) / len(word))
@@ -89,10 +89,10 @@ class SearchIndex:
             return [each for each in self._all if each.kind == "page"]
         scores: dict[int, float] = defaultdict(float)
         matched: dict[int, float] = defaultdict(float)
-        for values, likenesses in map(self._match, typed):
+        for values, similarities in map(self._match, typed):
             for number, value in values.items():
                 scores[number] += value
-                matched[number] += likenesses[number]
+                matched[number] += similarities[number]
         for number, each in enumerate(self._all):
             whole = _WHOLE if {*_words(each.title)} <= {*_words(query)} else 1
             scores[number] *= matched[number] * _KINDS.get(each.kind, 1) * whole
@@ -100,17 +100,17 @@ class SearchIndex:
         return [self._all[number] for number in best[:_MAX_HITS]]
 
     def _new_match(self, typed: str) -> tuple[Mapping[int, float], Mapping[int, float]]:
-        """Return a word's score and its likeness to the best match, by findable."""
+        """Return the word's score and its best similarity, each by index of a findable."""
         same, words = _synonyms().get(typed, {typed}), self._weights
-        alike = {word: max(_likeness(each, word) for each in same) * _SYNONYM for word in words}
-        alike = {word: max(found, _likeness(typed, word)) for word, found in alike.items()}
+        alike = {word: max(_similarity(each, word) for each in same) * _SYNONYM for word in words}
+        alike = {word: max(found, _similarity(typed, word)) for word, found in alike.items()}
         if not any(alike.values()):
             alike = dict.fromkeys(get_close_matches(typed, words, cutoff=0.75), _MISSPELT)
         values: dict[int, float] = defaultdict(float)
-        likenesses: dict[int, float] = defaultdict(float)
-        for word, likeness in alike.items():
-            for number, weight in words[word].items() if likeness else ():
-                values[number] = max(values[number], likeness * weight)
-                likenesses[number] = max(likenesses[number], likeness)
-        rarity = log(1 + len(self._all) / (1 + sum(likenesses.values())))
-        return {number: rarity * value for number, value in values.items()}, likenesses
+        similarities: dict[int, float] = defaultdict(float)
+        for word, similarity in alike.items():
+            for number, weight in words[word].items() if similarity else ():
+                values[number] = max(values[number], similarity * weight)
+                similarities[number] = max(similarities[number], similarity)
+        rarity = log(1 + len(self._all) / (1 + sum(similarities.values())))
+        return {number: rarity * value for number, value in values.items()}, similarities

@@ -18,12 +18,12 @@ class TraceInfo:
     label: str  # for the user: "Motor 1 current"
     unit: str  # "A"; empty for plain counts
     color: str  # theme colour: "motor1"
-    tag: str = ""  # one or two letters at the end of the curve: "1"
+    tag: str = ""  # one or two characters at the end of the curve: "1"
     shown: bool = True  # visible by default
 
 
 class Traces:
-    """Curves of a history, with their limits by name, and events in order of time."""
+    """Curves of a history, with their limits by name, and events in chronological order."""
 
     def __init__(
         self,
@@ -64,7 +64,7 @@ class Traces:
         return self._history.statistics(self._columns[name], start, end)
 
     def value_at(self, name: str, time: float) -> float:
-        """Return a curve's last value up to a time, or NaN."""
+        """Return a curve's last value at or before a time, or NaN."""
         return self._history.value_at(self._columns[name], time)
 
     def samples(self, start: float, end: float) -> "tuple[Floats, Sequence[Floats]]":

@@ -14,7 +14,7 @@ from trex_gui.ui.widgets.leds import Lamp
 
 RobotRows = Rows[RobotSnapshot]
 
-_MIN_WIDTH = 26  # of a gauge in pixels
+_MIN_GAUGE_WIDTH = 26  # pixels
 
 
 class DemoRobotView(DemoPanelBody[RobotSnapshot]):
@@ -110,7 +110,7 @@ def _add_servo_row(motor: int, robot: DemoRobot, rows: RobotRows) -> None:
     spoken = tr("{0}: real position").format(joint)
     gauge = progress_bar(rows, f"aracnaDemoGauge{motor}", spoken)
     gauge.setRange(0, HIGHEST)
-    gauge.setMinimumWidth(_MIN_WIDTH)
+    gauge.setMinimumWidth(_MIN_GAUGE_WIDTH)
     where = LiveLabel(f"aracnaDemoWhere{motor}", spoken, rows)
     dead = rows.check_box(
         f"aracnaDemoDead{motor}",
@@ -172,7 +172,7 @@ def _cable_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
         faults=(
             (tr("Reply byte"), "drop 1"),
             (tr("Command byte"), "drop 1 sent"),
-            (tr("Reply: end"), "cut 6"),  # after `.c`, a position and its comma
+            (tr("Reply: end"), "cut 6"),  # 6 bytes: `.c`, a position and its comma
         ),
         choice=("aracnaDemoLoss", tr("What is lost once"), loss_tip),
         once=("aracnaDemoLose", tr("Lose it"), tr("It is lost in the next transfer")),

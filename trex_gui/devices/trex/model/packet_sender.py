@@ -14,7 +14,7 @@ from trex_gui.devices.trex.protocol.raw_packets import RawPacket, packets_of, pa
 from trex_gui.ui.traffic.send_row import PacketSender, SendPreview
 from trex_gui.ui.translations import error_text
 
-_MOST_LINES = 3
+_MAX_LINES = 3
 
 
 class TrexPacketSender(PacketSender):
@@ -36,9 +36,9 @@ class TrexPacketSender(PacketSender):
         except BadRequest as error:
             return SendPreview(blocker=str(error))
         lines, risky = [self._line(packet) for packet in packets], list(map(_is_risky, packets))
-        # Prefer packets that move or store something.
+        # If space is short, prefer packets that move or store something.
         by_risk = sorted(range(len(lines)), key=lambda index: not risky[index])
-        shown = [lines[index] for index in sorted(by_risk[:_MOST_LINES])]
+        shown = [lines[index] for index in sorted(by_risk[:_MAX_LINES])]
         if left := len(lines) - len(shown):
             shown.append(tr("and %n more packet(s)", "", left))
         text, details = "\n".join(shown), "\n".join(lines) if left else ""

@@ -15,7 +15,7 @@ from trex_gui.devices.trex.protocol.commands import (
 from trex_gui.devices.trex.protocol.descriptions import describe
 from trex_gui.devices.trex.protocol.framing import EXPANDED_START, Malformed, Packet, PacketParser
 
-MOST_BYTES = 256  # size of a request in bytes; the longest packet has 14
+MOST_BYTES = 256  # limit of a request; the longest packet has 14 bytes
 
 _MOTOR_OPCODES = frozenset(opcode for opcode, cls in COMMANDS.items() if cls.moves)
 
@@ -30,7 +30,7 @@ class RawPacket:
 
     @property
     def moves(self) -> bool:
-        """True if a board may read a complete or partial motor command."""
+        """True if a board may read a motor command, or the start of one, in the packet."""
         return may_move(self.packet.raw)
 
     @property
@@ -48,7 +48,7 @@ class RawPacket:
         return self.writes and self.device_number is None
 
     def is_within_stop(self, device_number: int | None) -> bool:
-        """True if a stop to this number (`None`: to all) covers the packet's boards."""
+        """True if a stop sent to this number (`None`: to all) reaches the packet's boards."""
         return device_number is None or device_number == self.device_number
 
     @property
@@ -57,7 +57,7 @@ class RawPacket:
         return self.packet.device_number if isinstance(self.packet, Packet) else None
 
     def words(self, board: Signature | None = None) -> str:
-        """Describe the packet. Default units are those of the newest TReX."""
+        """Describe the packet, by default in units of the newest TReX."""
         packet = self.packet
         if isinstance(packet, Malformed):
             return tr("not a TReX packet: {0}").format(packet.reason)

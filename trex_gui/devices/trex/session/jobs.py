@@ -1,4 +1,4 @@
-"""Server of the queued requests to a board. Each has an outcome."""
+"""Execution of the requests queued for a board. Every request gets an outcome."""
 
 from dataclasses import replace
 
@@ -57,7 +57,7 @@ class JobServer:
     def _result_of(self, job: Job) -> object:
         line = self._line
         if line.liveness.is_scanning(line.client):
-            # Nothing may be sent to a board at unknown settings.
+            # Nothing may be sent to a board whose settings are unknown.
             raise TrexNoReplyError(ErrorCode.SCANNING)
         match job:
             case SendPacket(packet=packet):
@@ -65,8 +65,8 @@ class JobServer:
             case Write():
                 return self._write(job)
             case Reload():
-                returned = ReadReason.RETURNED if line.liveness.silent else ReadReason.RELOADED
-                self._reader.read_everything(returned)
+                reason = ReadReason.RETURNED if line.liveness.silent else ReadReason.RELOADED
+                self._reader.read_everything(reason)
                 return None
             case ProbeNumber(number=number, attempts=attempts):
                 line.require_stopped()
@@ -76,10 +76,10 @@ class JobServer:
                 return None
 
     def _select(self, job: SelectBoard) -> None:
-        """Select another board after a confirmed stop of the present board.
+        """Select another board after the current board has confirmed its stop.
 
         Setpoints are dropped. Arming has no effect until everything is read. After that, an `Arm`
-        must have the new `selection`.
+        must carry the new `selection`.
         """
         line = self._line
         line.require_alone()
@@ -115,7 +115,7 @@ class JobServer:
         self._reader.read_everything(ReadReason.SELECTED)
 
     def _stop_all(self, job: SelectBoard) -> None:
-        """Stop every board on the line, because commands without a number have driven all."""
+        """Stop all boards on the line, which commands without a device number have driven."""
         for number in job.sharing:
             self._line.client.settings = replace(self._line.client.settings, device_number=number)
             self._line.motors.handle(OutputEvent.DIRECT_COMMAND_SENT, self._line.now())
@@ -155,11 +155,11 @@ class JobServer:
         before = self._reader.state.parameters
         self._reader.read_everything(ReadReason.RELOADED)
         state = self._reader.state
-        places = reconnect_candidates(
+        candidates = reconnect_candidates(
             self._line.client.settings, before, state.parameters, state.signature.firmware
         )
-        if places:
-            self._line.liveness.expect(places)
+        if candidates:
+            self._line.liveness.expect(candidates)
 
     def _report_cleared(self, value: object) -> None:
         status = self._line.status
@@ -172,7 +172,7 @@ class JobServer:
             self._line.batcher.add(latched)
 
     def _write(self, job: Write) -> Written:
-        """Write all values, or complete only the current value after `Close`.
+        """Write all values. After `Close`, only complete the current value.
 
         `Close` first stops motors that may be moving. If another board replies, it is read, and no
         value counts as written.

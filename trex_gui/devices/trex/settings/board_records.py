@@ -1,8 +1,8 @@
 """Records of the settings last applied to each board.
 
 A record is a settings file with the last applied parameters, and the calibrations of both input
-sources, although a board shows only one set. Comments at its head hold the times when these values
-were applied or read, the result of the serial timeout trial, and the adapter. Two boards may share
+sources, although a board shows only one set. Header comments hold the times when these values were
+applied or read, the result of the serial timeout trial, and the adapter. Two boards may share
 a record. Only a different adapter reveals this.
 """
 
@@ -25,7 +25,7 @@ from trex_gui.devices.trex.settings.edit_files import BoardIdentity, replace_fil
 from trex_gui.devices.trex.settings.writer import write_settings
 
 _TITLE = "Settings that this computer applied last to a board"
-_HEAD = re.compile(
+_HEADER = re.compile(
     r"^# (parameters|rc calibrations|analog calibrations): (applied|read) (\S+)$", re.MULTILINE
 )
 _ADAPTER = re.compile(r"^# adapter: (\S+)$", re.MULTILINE)
@@ -46,11 +46,11 @@ class Known:
 
 @dataclass(frozen=True, slots=True)
 class BoardRecord:
-    """Settings in a record, and the facts in its head. Immutable."""
+    """Settings in a record, and the data in its header. Immutable."""
 
     settings: Settings
-    applied: datetime | None = None  # when parameters were written last; `None`: never
-    known: Mapping[InputSource, Known] = field(default_factory=dict)  # calibration sets
+    applied: datetime | None = None  # when parameters were last written; `None`: never
+    known: Mapping[InputSource, Known] = field(default_factory=dict)  # by calibration set
     adapter: str = ""  # key of the last adapter; empty if unknown
     trial: TimeoutTrial | None = None  # serial timeout trial; `None`: never tried
 
@@ -61,8 +61,8 @@ class BoardRecord:
         return max([*times, self.applied] if self.applied else times, default=None)
 
     def calibrations(self, source: InputSource) -> dict[CalibrationKey, Calibration]:
-        every = self.settings.calibrations
-        return {key: found for key, found in every.items() if key.source is source}
+        calibrations = self.settings.calibrations
+        return {key: found for key, found in calibrations.items() if key.source is source}
 
     def applied_to(self, stored: Settings) -> Settings:
         """Return the applied settings without the calibrations that the board hides."""
@@ -131,7 +131,7 @@ class BoardRecord:
         return replace(self, settings=replace(self.settings, notes=notes))
 
     def merged_with(self, earlier: "BoardRecord") -> "BoardRecord":
-        """Add notes and calibrations of the record under an earlier device number."""
+        """Add the notes and calibrations recorded under an earlier device number."""
         old, new = earlier.settings, self.settings
         calibrations = {**old.calibrations, **new.calibrations}
         return replace(
@@ -142,9 +142,9 @@ class BoardRecord:
         )
 
     def with_hidden(self, stored: Settings, source: InputSource) -> tuple[Settings, list[str]]:
-        """Add the calibrations that the board hides, and the notes.
+        """Return `stored` with the notes and the calibrations that the board hides.
 
-        Also return comments on the age of these calibrations.
+        Also return header lines with the age of these calibrations.
         """
         others = {k: c for k, c in self.settings.calibrations.items() if k.source is not source}
         lines = [_line(_name(key), known) for key, known in self.known.items() if key is not source]
@@ -154,7 +154,7 @@ class BoardRecord:
 
 
 class BoardRecords:
-    """Folder of board records, created for the first record."""
+    """Folder of board records, created when the first record is saved."""
 
     def __init__(self, folder: Path | None = None) -> None:
         self.folder = folder or data_folder() / "boards"
@@ -175,7 +175,7 @@ class BoardRecords:
         A damaged file is renamed to `….damaged`, so that its notes survive the next `save`.
 
         Raises:
-            SettingsError: the file cannot be read, is damaged, or is of another model.
+            SettingsError: the file cannot be read, is damaged, or belongs to another model.
         """
         path = self.path(board)
         if not file_exists(path):
@@ -189,7 +189,7 @@ class BoardRecords:
             raise
 
     def of_other_number(self, board: BoardIdentity, adapter: str) -> BoardRecord | None:
-        """Return the newest record at this adapter under another device number."""
+        """Return the newest record made with this adapter under another device number."""
         others: list[BoardRecord] = []
         for number in range(HIGHEST_WIRE + 1):
             if number == board.device_number:
@@ -202,7 +202,7 @@ class BoardRecords:
 
 
 def has_factory_line(stored: Settings) -> bool:
-    """True if device number and UART settings are the defaults."""
+    """True if the device number and UART settings have their defaults."""
     keys = ParameterKey.DEVICE_NUMBER, ParameterKey.UART_SETTINGS
     return all(stored.parameters.get(key) == stored.specs[key].default for key in keys)
 
@@ -231,9 +231,9 @@ def _name(source: InputSource) -> str:
 
 
 def _record(settings: Settings, text: str) -> BoardRecord:
-    """Create a record. Values without a valid line in the head count as unknown."""
+    """Create a record. Values without a valid line in the header count as unknown."""
     found: dict[str, Known] = {}
-    for name, verb, stamp in _HEAD.findall(text):
+    for name, verb, stamp in _HEADER.findall(text):
         with suppress(ValueError, OverflowError):
             time = datetime.fromisoformat(stamp).astimezone(UTC)
             if 1970 < time.year < 9999:  # other years cannot be shown in every time zone

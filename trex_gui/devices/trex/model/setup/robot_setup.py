@@ -43,7 +43,8 @@ class Preset(Enum):
     def values(self, model: str) -> Mapping[str, int]:
         """Return wire values by key for a model.
 
-        Current limits are left out for another model, because units and ratings differ.
+        Current limits are left out if the sample is for another model, because units and ratings
+        differ.
         """
         sample = _sample(self.value).parameters
         keys = [parameter.of(motor) for motor in (1, 2) for parameter in _RAMPS]
@@ -57,11 +58,11 @@ def _sample(name: str) -> Settings:
 
 
 _REVERSED = ParameterKey.REVERSED_CHANNELS
-_STICKS = (1, 2)  # the channels that drive
+_STICKS = (1, 2)  # channels that drive the robot
 
 TIMEOUT_WIRE = 5  # proposed serial timeout: 0.5 s, as in the samples
 
-_PUSHED = 0.25  # minimum offset of a pushed stick, as part of the channel's range
+_PUSHED = 0.25  # minimum offset of a pushed stick, as a fraction of the channel's range
 
 
 class SetupStep(Enum):
@@ -75,7 +76,7 @@ class SetupStep(Enum):
 
 
 class RobotSetup(QObject):
-    """Steps of the assistant. Only `next` edits settings, and nothing is written."""
+    """Steps of the assistant. Only `next` edits settings, and nothing is written to the board."""
 
     changed = Signal()
 
@@ -83,8 +84,8 @@ class RobotSetup(QObject):
         super().__init__(parent)
         self.step = SetupStep.DRIVER
         self.driver = Driver.ONE_STICK
-        self.movements: dict[int, Movement] = {}  # as seen by the user, by motor
-        # By channel (1 and 2): the input rises when the stick goes forward or right
+        self.movements: dict[int, Movement] = {}  # motor → movement that the user saw
+        # Channel (1 or 2) → true if its input rises when the stick goes forward or right
         self.rises: dict[int, bool] = {}
         self.preset: Preset | None = None  # source of the ramps; `None` retains the board's ramps
         # Wire value for both motors; `None` retains the board's limits
@@ -204,7 +205,7 @@ class RobotSetup(QObject):
             self.changed.emit()
 
     def record_pushed(self, channels: Sequence[int]) -> tuple[int, ...]:
-        """Record pushed sticks. Return channels that show no push."""
+        """Record the direction of pushed sticks. Return the channels without a detected push."""
         for channel in channels:
             self.rises.pop(channel, None)
             raw = self._device.telemetry.raw_of(channel)
@@ -272,7 +273,7 @@ class RobotSetup(QObject):
         if 0 <= index < len(steps):
             self.go_to(steps[index])
 
-    # --- Reports of the device ----------------------------------------------------------
+    # --- Signals from the device --------------------------------------------------------
 
     @Slot()
     def _handle_learned(self) -> None:

@@ -1,4 +1,4 @@
-"""Curve of a channel with handles. Importing it loads pyqtgraph."""
+"""Channel curve with handles to drag. Importing this module loads pyqtgraph."""
 
 from dataclasses import replace
 
