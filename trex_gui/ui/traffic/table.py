@@ -138,7 +138,10 @@ class TrafficTable(QAbstractTableModel):
         return any(self._text in text.casefold() for text in texts)
 
     def row_near(self, time: float, text: str) -> int:
-        """Return the row nearest to `time`, preferably with `text`. -1: the table is empty."""
+        """Return the index of the row nearest to `time`, preferably a row that contains `text`.
+
+        Return -1 if the table is empty.
+        """
 
         def rank(number: int) -> tuple[bool, float]:
             row = self.rows[number]
@@ -249,7 +252,7 @@ class TrafficView(QTableView):
             ]
             if sum(widths) + _MIN_MEANING * unit <= self.viewport().width():
                 break
-        if widths == self._widths:  # the user may have changed the columns
+        if widths == self._widths:  # retain columns that the user has resized
             return
         self._widths = widths
         header = self.horizontalHeader()

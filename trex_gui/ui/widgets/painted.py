@@ -1,4 +1,4 @@
-"""Base classes of painted widgets. Right-to-left languages do not mirror them."""
+"""Base classes for painted widgets, which are never mirrored in right-to-left languages."""
 
 from collections.abc import Callable
 
@@ -20,7 +20,7 @@ def never_mirror(target: QWidget | QGraphicsWidget | QPainter) -> None:
 
 
 class Animation:
-    """Frame timer of a drawing. Stops if the drawing is still or hidden."""
+    """Frame timer for a drawing. Stops when the motion ends or the widget is hidden."""
 
     def __init__(self, widget: QWidget, step: Callable[[float], object]) -> None:
         """`step` receives the seconds since the previous frame."""

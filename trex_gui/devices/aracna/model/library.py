@@ -1,4 +1,4 @@
-"""Poses and sequences of the user: a pose file with undo."""
+"""The user's poses and sequences: a pose file with undo."""
 
 from collections.abc import Mapping
 from collections.abc import Sequence as Many
@@ -29,7 +29,7 @@ UNTITLED = "poses.ppr"
 
 
 class ItemKind(Enum):
-    """Kind of a library item. The value is the field of `Project`."""
+    """Kind of library item. The value is the name of the `Project` field."""
 
     POSE = "poses"
     SEQUENCE = "sequences"
@@ -104,24 +104,24 @@ class Library(QObject):
     # --- Edits of poses and sequences ---------------------------------------------------
 
     def rename(self, kind: ItemKind, name: str, new_name: str) -> None:
-        items, place = self._find(kind, name)
+        items, index = self._find(kind, name)
         new_name = checked_name(new_name, [item.name for item in items if item.name != name])
-        after = self._with(kind, place, [replace(items[place], name=new_name)])
+        after = self._with(kind, index, [replace(items[index], name=new_name)])
         if kind is ItemKind.POSE:
             sequences = tuple(_with_poses(each, {name: new_name}) for each in after.sequences)
             after = replace(after, sequences=sequences)
         self._edit(tr("Rename {0}").format(name), after)
 
     def duplicate(self, kind: ItemKind, name: str) -> str:
-        items, place = self._find(kind, name)
-        copy = replace(items[place], name=free_name(name, [item.name for item in items]))
-        self._edit(tr("Duplicate {0}").format(name), self._with(kind, place, [items[place], copy]))
+        items, index = self._find(kind, name)
+        copy = replace(items[index], name=free_name(name, [item.name for item in items]))
+        self._edit(tr("Duplicate {0}").format(name), self._with(kind, index, [items[index], copy]))
         return str(copy.name)
 
     def delete(self, kind: ItemKind, name: str) -> None:
         """Delete an item. Sequences retain the names of deleted poses."""
-        _, place = self._find(kind, name)
-        self._edit(tr("Delete {0}").format(name), self._with(kind, place, []))
+        _, index = self._find(kind, name)
+        self._edit(tr("Delete {0}").format(name), self._with(kind, index, []))
 
     def move(self, kind: ItemKind, name: str, place: int) -> None:
         items, old = self._find(kind, name)
@@ -138,8 +138,8 @@ class Library(QObject):
 
     def set_positions(self, name: str, positions: Many[int], *, run: object = None) -> None:
         """Change a pose. Successive edits with the same `run` are one undo step."""
-        _, place = self._find(ItemKind.POSE, name)
-        after = self._with(ItemKind.POSE, place, [Pose(name, tuple(positions))])
+        _, index = self._find(ItemKind.POSE, name)
+        after = self._with(ItemKind.POSE, index, [Pose(name, tuple(positions))])
         self._edit(tr("Change pose {0}").format(name), after, run)
 
     def add_sequence(self, name: str = "", steps: Many[SequenceStep] = ()) -> str:
@@ -149,8 +149,8 @@ class Library(QObject):
         return name
 
     def set_steps(self, name: str, steps: Many[SequenceStep]) -> None:
-        _, place = self._find(ItemKind.SEQUENCE, name)
-        after = self._with(ItemKind.SEQUENCE, place, [Sequence(name, tuple(steps))])
+        _, index = self._find(ItemKind.SEQUENCE, name)
+        after = self._with(ItemKind.SEQUENCE, index, [Sequence(name, tuple(steps))])
         self._edit(tr("Change sequence {0}").format(name), after)
 
     def add_gait(self, gait: Gait) -> str:
@@ -178,14 +178,14 @@ class Library(QObject):
 
     def _find(self, kind: ItemKind, name: str) -> tuple[tuple[Any, ...], int]:
         items: tuple[Any, ...] = getattr(self.project, kind.value)
-        for place, item in enumerate(items):
+        for index, item in enumerate(items):
             if item.name == name:
-                return items, place
+                return items, index
         raise BadRequest(f"there is nothing called {name}")
 
-    def _with(self, kind: ItemKind, place: int, replacement: Many[Any]) -> Project:
+    def _with(self, kind: ItemKind, index: int, replacement: Many[Any]) -> Project:
         items: tuple[Any, ...] = getattr(self.project, kind.value)
-        return self._with_items(kind, (*items[:place], *replacement, *items[place + 1 :]))
+        return self._with_items(kind, (*items[:index], *replacement, *items[index + 1 :]))
 
     def _with_items(self, kind: ItemKind, items: Many[Any]) -> Project:
         changes: dict[str, Any] = {kind.value: tuple(items)}

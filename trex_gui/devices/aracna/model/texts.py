@@ -51,7 +51,10 @@ def missed_goals_text(state: RobotState) -> str:
 
 
 def difference_text(state: RobotState, motor: int, *, is_observed: bool = True) -> tuple[str, bool]:
-    """Return a motor's difference from its goal or its problem, and if it is alarming."""
+    """Return a motor's problem, `moving …` or its difference from the goal.
+
+    Also return True for a problem.
+    """
     present = state.present[motor]
     difference = ""
     if present is not None and state.goals is not None:
@@ -70,7 +73,7 @@ def difference_text(state: RobotState, motor: int, *, is_observed: bool = True) 
 
 
 def activity_text(state: RobotState, left: float) -> tuple[str, bool]:
-    """Return the activity of a robot, and True if the user must beware.
+    """Return the activity of a robot, and True if it calls for caution.
 
     `left`: seconds until a motion should end.
     """

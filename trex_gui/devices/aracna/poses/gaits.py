@@ -1,8 +1,8 @@
 """Built-in poses and gaits.
 
 Ref: CreativeMachinesLab/aracna `RobotPi/PiConstants.py` (poses: an inner and an outer position for
-all legs, several outside the joints' limits), `RobotPi/commonGaits.py` (poses with a duration each,
-linear in between, from the last pose back to the first) and `RobotPi/RobotPi.py` (3 s to flat, then
+all legs, several outside the joints' limits), `RobotPi/commonGaits.py` (poses, each with a
+duration, linearly interpolated and repeated in a loop) and `RobotPi/RobotPi.py` (3 s to flat, then
 3 s to stand). Gaits marked `ours` use the authors' poses, but are not by the authors. All poses are
 cropped to the limits that were tuned on the robot. The authors' programs also crop goals.
 """
@@ -15,11 +15,11 @@ from trex_gui.core.translation import tr_noop
 from trex_gui.devices.aracna.poses.project import Pose, Sequence, SequenceStep
 from trex_gui.devices.aracna.protocol.joints import MOTORS, crop, factory_limits
 
-SLOW_SECONDS = 3.0  # of the authors' robot to flat, and from flat to stand
+SLOW_SECONDS = 3.0  # the authors' robot takes this long to lie flat, and to stand up
 
 
 def all_legs(name: str, inner: int, outer: int) -> Pose:
-    """Return a pose with equal legs. Even motors are inner joints."""
+    """Return a pose in which all legs are alike. Even motors are inner joints."""
     return _within_limits(name, (inner, outer) * (MOTORS // 2))
 
 
@@ -68,10 +68,10 @@ _SWING = 300
 
 
 def _star(swung: int) -> Gait:
-    """Return a star gait. The outer joint of leg `swung` (0-3) swings low.
+    """Return a star gait. The outer joint of leg `swung` (0-3) swings to lower positions first.
 
-    The authors number a star gait by the leg's inner motor, and have the gaits 2 and 6. The gaits
-    0 and 4 are inferred for the neighbouring legs.
+    The authors number a star gait by the leg's inner motor, and define gaits 2 and 6. Gaits 0 and 4
+    are inferred for the neighbouring legs.
     """
     opposite = (swung + 2) % 4
     standing = ((swung + 1) % 4, (swung + 3) % 4)
@@ -100,8 +100,8 @@ def _star(swung: int) -> Gait:
 def _sine() -> Gait:
     period, samples, stages = 2 * math.pi, 16, []
     for number in range(1, samples + 1):
-        place = 512 + 100 * math.sin(period * number / samples)
-        pose = _within_limits(f"{number} of {samples}", (place,) * MOTORS)
+        position = 512 + 100 * math.sin(period * number / samples)
+        pose = _within_limits(f"{number} of {samples}", (position,) * MOTORS)
         stages.append((pose, period / samples))
     return _gait("sine", tr_noop("All motors together, 100 units about the centre."), *stages)
 

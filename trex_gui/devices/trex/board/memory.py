@@ -23,13 +23,13 @@ DOUBTED = tr_noop(  # {0}: model, {1}: date of the record
 
 
 class Files(Protocol):
-    """Requests of a `BoardMemory`, handled at once or later."""
+    """Requests from a `BoardMemory`, handled at once or later."""
 
     def find(self, board: BoardIdentity, /) -> None:
         """Read the record of a board, and call `handle_record`."""
 
     def find_lost(self, board: BoardIdentity, adapter: str) -> None:
-        """Find the record of a board with another number at an adapter. Call `set_lost`."""
+        """Find the newest record at this adapter under another number, and call `set_lost`."""
 
     def save(self, board: BoardIdentity, record: BoardRecord | None, /) -> None:
         """Replace the record of a board. `None` removes it."""
@@ -37,22 +37,22 @@ class Files(Protocol):
     def move(
         self, old: BoardIdentity, new: BoardIdentity, record: BoardRecord, /, *, keeps_old: bool
     ) -> None:
-        """Save a record under another identity. Rename the existing file of that identity.
+        """Save a record under a new identity. Set aside any file that already has that identity.
 
         `keeps_old` retains the old file, because it may belong to another board.
         """
 
     def add_accepted(self, kind: Signature, values: Mapping[str, int], /) -> None:
-        """Save values beyond inferred limits that boards of this kind store."""
+        """Save values beyond inferred limits that a board of this kind accepted."""
 
     def warn_doubtful(self, record: BoardRecord) -> None:
-        """Warn that the record may belong to another board at another adapter."""
+        """Warn that the record is from another adapter, so it may belong to another board."""
 
     def show_notes(self, notes: Mapping[str, str] | None, board: BoardIdentity) -> None:
         """Show the notes of a board. `None` until the notes are known."""
 
     def record_change(self) -> None:
-        """Show the present state of the memory."""
+        """Report that the memory may have changed."""
 
 
 _Change = Callable[[BoardRecord], BoardRecord]
@@ -64,8 +64,8 @@ class BoardMemory:
     def __init__(self, files: Files) -> None:
         self._files = files
         self.record: BoardRecord | None = None  # `None` until the record is found
-        # Differences of the board (left) from the last applied settings. A simulated board has
-        # none, because each start creates a new board.
+        # Differences between the board (before) and the last applied settings (after). A simulated
+        # board has none, because each start creates a new board.
         self.differing = Comparison(())
         self._board: BoardIdentity | None = None
         self._stored: Settings | None = None  # settings of the board while it is connected
@@ -104,12 +104,12 @@ class BoardMemory:
         return self.expected.applied_to(self._stored)
 
     def with_hidden(self, stored: Settings) -> tuple[Settings, list[str]]:
-        """Add hidden calibrations to stored settings. Return them with remarks on their age."""
+        """Return `stored` with hidden calibrations added, and remarks on the calibrations' age."""
         if self.record is None:
             return stored, []
         return self.record.with_hidden(stored, self._source)
 
-    # --- Reports of the board -----------------------------------------------------------
+    # --- Reports from the board ---------------------------------------------------------
 
     def set_board(
         self,

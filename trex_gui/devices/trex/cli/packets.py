@@ -43,7 +43,7 @@ def raw(packet: tuple[str, ...], *, motors: bool, seconds: float | None, **optio
 
     Describes the packets first. Several packets are sent one by one, because the board does not
     listen while it replies. Packets that may move a motor are rejected without --motors. With
-    --motors, the stop is repeated until the board confirms it, also after a signal or an error.
+    --motors, the stop is repeated until the board confirms it, even after a signal or an error.
     """
     link = link_settings(options)
     packets = packets_of(_bytes(packet), link.framing.polynomial)
@@ -80,7 +80,7 @@ def _effect_text(packet: RawPacket, board: str) -> str:
 @crc_option
 @polynomial_option
 def decode(packet: tuple[str, ...], crc: bool, polynomial: str) -> None:
-    """Describe the packets in the bytes HEX, as a host sends them with either protocol.
+    """Describe the packets in HEX, the bytes that a host sends with either protocol.
 
     Units are those of a TReX. The exit code is 1 if some bytes are not a packet.
     """

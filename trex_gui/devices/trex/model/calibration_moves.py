@@ -1,4 +1,4 @@
-"""Moves of the handles of a calibration."""
+"""Handles of a calibration curve, and the limits on moving them."""
 
 from dataclasses import replace
 from enum import Enum
@@ -21,7 +21,7 @@ class Handle(Enum):
         return self in {Handle.DEADBAND_LOW, Handle.DEADBAND_HIGH}
 
     def count(self, calibration: Calibration) -> int:
-        """Return the raw count, negative for some deadbands."""
+        """Return the raw count. A wide deadband can reach below 0."""
         if self.is_deadband:
             width = calibration.deadband
             return calibration.neutral + (width if self is Handle.DEADBAND_HIGH else -width)
@@ -29,7 +29,10 @@ class Handle(Enum):
 
 
 def moved(c: Calibration, handle: Handle, count: int) -> tuple[Calibration, str]:
-    """Move a handle within the board's limits. Also return the limit as a sentence."""
+    """Move a handle as far as the board allows.
+
+    Also return a sentence on the limit that stopped it, or an empty string.
+    """
     value, field = count, handle.value
     match handle:
         case Handle.MINIMUM:
@@ -64,7 +67,8 @@ def within_input(
 ) -> tuple[int, str]:
     """Limit a count to the input range.
 
-    A handle beyond the range may stay there. Also return the range as a sentence, or empty.
+    A handle that is already outside the range may stay there. Also return a sentence on the range
+    if the count was limited, or an empty string.
     """
     now = handle.count(calibration)
     lowest, highest = min(source.lowest_count, now), max(source.highest_count, now)

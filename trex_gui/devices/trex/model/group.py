@@ -33,10 +33,10 @@ class BoardGroup(QObject):
         self._others: dict[int, Device] = {}
         self.wheels: tuple[Wheel, ...] = ()
         device.driving.routed = self._routed
-        device.driving.lacking = self._lacking
+        device.driving.lacking = self._undrivable_board
         device.driving.named = device.named
         device.connection.started.connect(self._update_devices)
-        device.connection.device_read.connect(self._update_devices)  # a server has its own group
+        device.connection.device_read.connect(self._update_devices)  # a server sends its group
 
     @property
     def devices(self) -> dict[int, Device]:
@@ -85,8 +85,8 @@ class BoardGroup(QObject):
             return ((None, request),)
         return tuple(setpoints_of(self.wheels, request).items())
 
-    def _lacking(self) -> int | None:
-        """Return the number of a board that cannot be driven."""
+    def _undrivable_board(self) -> int | None:
+        """Return the number of the first board that cannot be driven, or `None`."""
         for number, device in self._others.items():
             if not device.is_connected or not device.board.serial_controls:
                 return number

@@ -67,12 +67,12 @@ def other_motor_key(key: str) -> str | None:
 
 
 def motor_name(key: str) -> str:
-    """Return the motor of a key, such as `Motor 1`, or an empty text."""
+    """Return the motor of a key, such as `Motor 1`, or an empty string."""
     return tr(_NAMES.get(key.partition("_")[0], ""))
 
 
 def pwm_keys(key: str) -> tuple[str, ...]:
-    """Return both PWM keys of a motor for either key. Other keys are returned alone."""
+    """Return both PWM keys of a motor if `key` is either, else only `key`."""
     for part in (MotorParameter.PWM_PRESCALER, MotorParameter.PWM_MAXIMUM):
         if key.endswith(part) and motor_name(key):
             motor = key.removesuffix(part)
@@ -80,11 +80,11 @@ def pwm_keys(key: str) -> tuple[str, ...]:
     return (key,)
 
 
-FULL_SPEED_S = 12.7  # seconds to full speed (127) at one speed step in 100 ms
+FULL_SPEED_S = 12.7  # seconds to full speed (127) at one speed step per 100 ms
 
 
 def acceleration_wire(seconds: float) -> int:
-    """Return the wire value with the nearest time to full speed. 0 means no ramp."""
+    """Return the wire value whose time to full speed is closest. 0 means no ramp."""
     if seconds <= 0:
         return 0
     longer = max(1, min(int(FULL_SPEED_S / seconds), HIGHEST_WIRE - 1))
@@ -93,7 +93,7 @@ def acceleration_wire(seconds: float) -> int:
 
 @cached_text
 def ramp_seconds(wire: int) -> str:
-    """Return the seconds to full speed. The decimals identify the wire value."""
+    """Return the seconds to full speed, with enough decimals to identify the wire value."""
     texts = (f"{FULL_SPEED_S / wire:.{decimals}f}" for decimals in range(1, 5))
     return with_decimal_point(
         next(text for text in texts if acceleration_wire(float(text)) == wire)
@@ -140,7 +140,7 @@ _NEVER_OPEN = {ParameterKind.UART, ParameterKind.POLYNOMIAL, ParameterKind.RESET
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ParameterSpec:
-    """Entry of the parameter table for one model.
+    """Entry in the parameter table for one model.
 
     `minimum`, `maximum` and `default` are wire values. The physical value is the wire value times
     `scale`, in `unit`.
@@ -369,7 +369,7 @@ def _line_settings(wire: int) -> LineSettings | None:
 
 @dataclass(frozen=True, slots=True)
 class ParameterSet:
-    """Parameters of a model with a certain firmware, sorted by number."""
+    """Parameters of a model with a certain firmware version, sorted by number."""
 
     model: Model
     firmware: str
@@ -404,7 +404,7 @@ class ParameterSet:
 
 @cached_text
 def parameters_of(model_key: str, firmware: str) -> ParameterSet:
-    """Return the parameters of a model (`trex`, `trexjr`) with a firmware (`1.2`)."""
+    """Return the parameters of a model (`trex`, `trexjr`) with a firmware version (`1.2`)."""
     table = device_table()
     model = table.model(model_key)
     specs = tuple(

@@ -102,7 +102,7 @@ class TrexDecoder(Decoder):
         return f"{request} → {fault}"
 
 
-_packets = lru_cache(maxsize=256)(packets_of)  # polls repeat few packets
+_packets = lru_cache(maxsize=256)(packets_of)  # polling repeats the same few packets
 
 
 def last_exchange(

@@ -66,7 +66,7 @@ class ComparisonRow:
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """Settings that at least one side gives and both models have."""
+    """Settings that both models have and at least one side specifies."""
 
     rows: tuple[ComparisonRow, ...]  # in the order of the parameter table, then calibrations
     left_out: tuple[str, ...] = ()  # a sentence for each other setting
@@ -102,7 +102,7 @@ class Comparison:
         """Return a table of the differing rows, then `left_out`.
 
         A row has old → new in wire and physical units. The last line has no line break. The text is
-        empty without differences.
+        empty if there is nothing to report.
         """
         cells = [cell for row in self.differing for cell in _cells(row)]
         widths = [max((len(cell[column]) for cell in cells), default=0) for column in range(3)]
@@ -244,7 +244,7 @@ def _cells(row: ComparisonRow) -> Iterator[tuple[str, str, str]]:
 
 
 def text_of_notes(before: str, after: str) -> str:
-    """Return a note on one line, old → new if it differs."""
+    """Return both notes on one line, as old → new if they differ."""
     notes = (note.replace("\n", " / ") for note in (before, after))
     return " → ".join(dict.fromkeys(filter(None, notes)))
 

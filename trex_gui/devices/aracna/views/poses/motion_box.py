@@ -51,7 +51,7 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import commit_typed, paint_placeholder
 
 _Index = QModelIndex | QPersistentModelIndex
-_LINES = 3
+_LINES = 3  # minimum height of the step table
 
 
 class StepColumn(IntEnum):
@@ -62,7 +62,7 @@ class StepColumn(IntEnum):
 
 
 class MotionBox(ui.Card):
-    shown = Signal()  # another current item, or changed steps
+    shown = Signal()  # the current item changed, or its steps did
 
     def __init__(self, library: Library, notifier: Notifier, parent: QWidget | None = None) -> None:
         super().__init__(tr("Sequences and gaits"), parent)
@@ -189,7 +189,7 @@ class _Delegate(QStyledItemDelegate):
 
 
 class StepTable(QTableWidget):
-    shown = Signal()  # another item, or changed steps
+    shown = Signal()  # the item changed, or its steps did
 
     def __init__(self, library: Library, parent: QWidget | None = None) -> None:
         super().__init__(0, len(StepColumn), parent)
