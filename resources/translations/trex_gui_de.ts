@@ -63,10 +63,10 @@
         <translation>es gibt keinen Ordner {0}</translation></message>
     <message><source>permission denied</source>
         <translation>Zugriff verweigert</translation></message>
-    <message><source>Samples missing here, because the disk was too slow: {0}.</source>
-        <translation>Hier fehlen Messwerte, weil der Datenträger zu langsam war: {0}.</translation></message>
     <message><source>It cannot be used: {0}.</source>
         <translation>Nicht verwendbar: {0}.</translation></message>
+    <message><source>Samples missing here, because the disk was too slow: {0}.</source>
+        <translation>Hier fehlen Messwerte, weil der Datenträger zu langsam war: {0}.</translation></message>
     <message><source>This is not a TReX Studio recording.</source>
         <translation>Das ist keine Aufzeichnung von TReX Studio.</translation></message>
     <message><source>It cannot be written: {0}.</source>

@@ -63,10 +63,10 @@
         <translation>le dossier {0} n'existe pas</translation></message>
     <message><source>permission denied</source>
         <translation>permission refusée</translation></message>
-    <message><source>Samples missing here, because the disk was too slow: {0}.</source>
-        <translation>Échantillons manquants ici, car le disque était trop lent : {0}.</translation></message>
     <message><source>It cannot be used: {0}.</source>
         <translation>Inutilisable : {0}.</translation></message>
+    <message><source>Samples missing here, because the disk was too slow: {0}.</source>
+        <translation>Échantillons manquants ici, car le disque était trop lent : {0}.</translation></message>
     <message><source>This is not a TReX Studio recording.</source>
         <translation>Ce n'est pas un enregistrement de TReX Studio.</translation></message>
     <message><source>It cannot be written: {0}.</source>
