@@ -64,7 +64,7 @@
     <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>
         <translation><numerusform>Edited earlier but not applied: %n setting of this {0} ({1}). Restore as pending edits?</numerusform><numerusform>Edited earlier but not applied: %n settings of this {0} ({1}). Restore as pending edits?</numerusform></translation></message>
     <message numerus="yes"><source>%n setting(s) of this {0} differ from the values applied last ({1}): lost, changed by another program, or this is another board.</source>
-        <translation><numerusform>%n setting of this {0} differs from what was applied last ({1}): lost, changed by something else, or this is another board.</numerusform><numerusform>%n settings of this {0} differ from what was applied last ({1}): lost, changed by something else, or this is another board.</numerusform></translation></message>
+        <translation><numerusform>%n setting of this {0} differs from the values applied last ({1}): lost, changed by another program, or this is another board.</numerusform><numerusform>%n settings of this {0} differ from the values applied last ({1}): lost, changed by another program, or this is another board.</numerusform></translation></message>
     <message numerus="yes"><source>%n robot(s) stopped.</source>
         <translation><numerusform>%n robot stopped.</numerusform><numerusform>%n robots stopped.</numerusform></translation></message>
     <message numerus="yes"><source>Next adds %n change(s). Nothing is written before you apply them.</source>
