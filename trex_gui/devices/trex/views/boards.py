@@ -1,4 +1,4 @@
-"""Panel of the boards on a line, and dialog for the device number."""
+"""Panel of the boards on a line, and a dialog for the device number."""
 
 from functools import partial
 
@@ -32,7 +32,7 @@ _STATES = {
 
 
 class BoardPanel(QWidget):
-    """Selects the board that the pages show. Visible for several boards, or during a scan."""
+    """Panel that selects a board. Visible if there are several boards, or during a scan."""
 
     def __init__(
         self, boards: BoardList, device: Device, group: BoardGroup, parent: QWidget | None = None
@@ -143,7 +143,7 @@ class BoardPanel(QWidget):
 
     def _show_boards(self) -> None:
         """Update the items in place, so that the list keeps focus and scroll position."""
-        shown = self._boards.boards
+        boards = self._boards.boards
         tips = {
             Presence.SILENT: tr("It replied before. Check its power and its wires."),
             Presence.UNREADABLE: tr(
@@ -151,11 +151,11 @@ class BoardPanel(QWidget):
                 "a number of its own."
             ),
         }
-        while self._list.count() > len(shown):
+        while self._list.count() > len(boards):
             self._list.takeItem(self._list.count() - 1)
-        while self._list.count() < len(shown):
+        while self._list.count() < len(boards):
             QListWidgetItem(self._list)
-        for row, board in enumerate(shown):
+        for row, board in enumerate(boards):
             item = self._list.item(row)
             item.setData(_NUMBER, board.number)
             item.setText(f"{board.name}\n{self._state_text(board)}")
@@ -187,7 +187,7 @@ class BoardPanel(QWidget):
 
 
 class NumberDialog(QObject):
-    """Gives the selected board another device number. The window reports the result."""
+    """Dialog for a new device number. The main window reports the result."""
 
     def __init__(self, boards: BoardList, device: Device, parent: QWidget) -> None:
         super().__init__(parent)
@@ -210,7 +210,7 @@ class NumberDialog(QObject):
         self._number.valueChanged.connect(self._dialog.refresh)
 
     def prompt(self) -> None:
-        """Propose the next free device number."""
+        """Open the dialog with the next free device number."""
         current = self._boards.selected or 0
         taken = {board.number for board in self._boards.boards} | {current}
         numbers = [(current + step) % NUMBERS for step in range(1, NUMBERS)]

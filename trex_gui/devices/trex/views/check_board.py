@@ -21,7 +21,7 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import Muted
 from trex_gui.ui.widgets.leds import Leds
 
-# Patterns of the red and the green LED, description, meaning, remedy.
+# Red and green LED patterns, description, meaning, remedy.
 _LED_STATES = (
     (
         ("off", "off"),
@@ -84,12 +84,12 @@ class LedsPage(Page):
         rows = ui.grid(self, margins=0, spacing=(16, 8), stretch=[(1, 1)])
         for row, (patterns, *texts) in enumerate(_LED_STATES):
             description, meaning, remedy = map(tr, texts)
-            leds, shown = Leds(self), ui.label(self, text=description, wrap=True)
+            leds, caption = Leds(self), ui.label(self, text=description, wrap=True)
             leds.show_patterns(patterns, meaning=description)
             title = ui.label(self, text=meaning, bold=True, wrap=True)
             # Not aligned: an aligned layout cuts off wrapped text.
             about = ui.column(title, Muted(remedy, self), 1, margins=0, spacing=0)
-            rows.addLayout(ui.column(leds, shown, 1, margins=0, spacing=0), row, 0)
+            rows.addLayout(ui.column(leds, caption, 1, margins=0, spacing=0), row, 0)
             rows.addLayout(about, row, 1)
         rows.setRowStretch(len(_LED_STATES), 1)
         sketch = WiringSketch(ttl_wiring(), "checkWiring", self.side)
@@ -99,13 +99,13 @@ class LedsPage(Page):
 
 @dataclass(frozen=True, slots=True)
 class _Step:
-    """Instruction, then jumpers, LEDs and received bytes after the step."""
+    """Step of the boot loader hand-shake, and the state of the board after it."""
 
     title: str
     instruction: str
     jumpers: tuple[bool, bool, *tuple[str, ...]]  # mix on, SO–G on, jumpers to move
     leds: tuple[str, str]
-    shown: str
+    led_text: str
     received: str
 
 
@@ -181,12 +181,12 @@ class HandShakePage(Page):
         mix, so_ground, *moved = step.jumpers
         self._picture.show_jumpers(mix, so_ground=so_ground, moved=moved, leds=step.leds)
         self._to_do.setText(tr(step.instruction))
-        self._leds.setText(tr(step.shown))
+        self._leds.setText(tr(step.led_text))
         self._received.setText(tr(step.received))
 
 
 class CheckBoardFlow(Flow):
-    connect_requested = Signal(object)  # a `ConnectWith`
+    connect_requested = Signal(object)  # `ConnectWith`
     find_requested = Signal()
 
     name = "check"

@@ -50,7 +50,7 @@ class _Delegate(QStyledItemDelegate):
 
 
 class _Table(QTableView):
-    """Table that ticks a row with the space bar, in any column."""
+    """Table in which the space bar ticks or unticks the current row."""
 
     resized = Signal()
 
@@ -69,7 +69,7 @@ class _Table(QTableView):
 
 
 class ComparisonView(QWidget):
-    """Comparison table with counts. Texts are never cut off, since users decide by them."""
+    """Comparison table with a summary. Never cuts off texts, since users rely on them."""
 
     ticked_changed = Signal(int)  # number of ticked changes
 
@@ -117,7 +117,7 @@ class ComparisonView(QWidget):
         """Show or update a comparison. `summary` replaces the counts.
 
         `before` and `after` are the titles of the sides. Check boxes are reset if the titles,
-        `with_ticks` or `outcomes` change. New changes are checked if `tick_new`.
+        `with_ticks` or `outcomes` change. If `tick_new` is true, new changes are checked.
         """
         shown = (before, after, with_ticks, dict(outcomes))
         if shown == self._shown:
@@ -136,14 +136,15 @@ class ComparisonView(QWidget):
         self._update()
 
     def show_nothing(self, reason: str = "") -> None:
-        """Hide the table and show the reason. The next comparison has every change checked."""
+        """Hide the table and show the reason. All changes of the next comparison are checked."""
         self.show_comparison(Comparison(()), "", "", summary=reason or " ")
         self._shown = None
 
     def _update(self) -> None:
         rows, header = self._view.verticalHeader(), self._view.horizontalHeader()
-        least = sum(rows.sectionSize(row) for row in range(min(self.table.rowCount(), _MIN_ROWS)))
-        self._view.setMinimumHeight(header.sizeHint().height() + least)
+        visible_rows = range(min(self.table.rowCount(), _MIN_ROWS))
+        min_height = sum(map(rows.sectionSize, visible_rows))
+        self._view.setMinimumHeight(header.sizeHint().height() + min_height)
         self._view.setVisible(self.table.rowCount() > 0)
         self._details.setVisible(bool(self.table.comparison.rows))
         self._view.updateGeometry()
@@ -173,8 +174,10 @@ class ComparisonView(QWidget):
         margin = 2 * self.fontMetrics().averageCharWidth()
         title_width = self._view.horizontalHeader().sectionSizeHint
         cell_width, columns = self._view.sizeHintForColumn, range(self.table.columnCount())
-        sections = [each for each in columns if not self._view.isColumnHidden(each)]
-        widths = {each: max(cell_width(each), title_width(each)) + margin for each in sections}
+        sections = [section for section in columns if not self._view.isColumnHidden(section)]
+        widths = {
+            section: max(cell_width(section), title_width(section)) + margin for section in sections
+        }
         for number, section in enumerate(sorted(sections, key=widths.__getitem__)):
             share = max(space, 0) // (len(widths) - number)
             widths[section] = max(min(widths[section], share), self._min_width(section))
@@ -186,12 +189,12 @@ class ComparisonView(QWidget):
         self._update()
 
     def _min_width(self, column: int) -> int:
-        """Return the width of the longest word and its sign, since words do not wrap."""
+        """Return the width of the longest word and its sign. Words do not wrap."""
         font = self._view.font()
         font.setBold(True)
         metrics, table = QFontMetrics(font), self.table
         texts = {table.index(row, column).data() for row in range(table.rowCount())}
         words = {word for text in texts for word in text.split()}
         longest = max((metrics.horizontalAdvance(word) for word in words), default=0)
-        least = longest + metrics.height() * (2 if column in _WITH_SIGN else 1)
-        return max(least, self._view.horizontalHeader().sectionSizeHint(column))
+        width = longest + metrics.height() * (2 if column in _WITH_SIGN else 1)
+        return max(width, self._view.horizontalHeader().sectionSizeHint(column))

@@ -25,9 +25,9 @@ BARE = re.compile(rf"\s*{DECIMAL}\s*")  # a number without a unit
 
 
 class UnitSpinBox(QSpinBox):
-    """Base of spin boxes that convert their input with `parse`.
+    """Base class of spin boxes that convert their input with `parse`.
 
-    A number without a unit is in the displayed unit. A change of units first accepts the typed
+    A number without a unit is in the displayed unit. Changing the units first accepts the typed
     text. An icon marks rejected input.
     """
 
@@ -36,7 +36,7 @@ class UnitSpinBox(QSpinBox):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         never_mirror(self)
-        self.own_first = units().own_first  # units of the displayed text
+        self.own_first = units().own_first  # True if the text is in units of the board
         self.setKeyboardTracking(False)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccelerated(True)
@@ -139,7 +139,7 @@ class UnitDelegate(QStyledItemDelegate):
 
 
 class CountEditor(UnitSpinBox):
-    """Editor of a raw count. Accepts `2.1 ms`, `1500 µs`, `2.5 V` or `3750 counts`."""
+    """Editor for a raw count. Accepts `2.1 ms`, `1500 µs`, `2.5 V` or `3750 counts`."""
 
     def __init__(self, source: InputSource, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -149,7 +149,7 @@ class CountEditor(UnitSpinBox):
         self.setToolTip(plain(self._expected()))
 
     def set_source(self, source: InputSource) -> None:
-        """Set the input source and its units. The count is unchanged."""
+        """Set the input source and its units. The count does not change."""
         if source is not self._source:
             self._source = source
             self.setToolTip(plain(self._expected()))

@@ -44,10 +44,10 @@ PartT = TypeVar("PartT", bound=BoardPart)
 
 _TRAVEL = 1200  # slider positions of a stick, one per µs
 _STALL, _AMPERE = 30, 10  # stall current in A, slider positions per A
-_LOWEST, _HIGHEST, _VOLT = 4, 16, 10  # V, V, positions per V; a TReX resets below about 6 V
+_LOWEST, _HIGHEST, _VOLT = 4, 16, 10  # V, V, positions per V. A TReX resets below about 6 V.
 _MODES = ("serial", "rc", "analog")
 _MIXED = tr_noop("&Turn"), tr_noop("&Forward")  # roles of inputs 1 and 2 with the mix jumper
-_FLASHES = {  # while the board learns or is in the boot loader
+_FLASHES = {  # LED texts while the board learns or runs its boot loader
     "blink": tr_noop("blink {0}/s"),
     "alternate": tr_noop("alternate {0}/s"),
     "short flash": tr_noop("short flash {0}/s"),
@@ -55,7 +55,7 @@ _FLASHES = {  # while the board learns or is in the boot loader
 
 
 def led_patterns(snapshot: DemoSnapshot) -> tuple[str, str]:
-    """Return the red and green patterns. `PACKETS` replaces the flicker of arriving packets."""
+    """Return the red and green LED patterns. `PACKETS`: the LED flickers with each packet."""
     red, green = snapshot.leds.red, snapshot.leds.green
     if snapshot.power and snapshot.boot_mode is None:
         if snapshot.serial_controls and green in {"on", "off"}:
@@ -82,8 +82,8 @@ def state_text(snapshot: DemoSnapshot) -> str:
     if snapshot.serial_controls and not snapshot.safe_start:
         return who_controls(snapshot.mode, True, joint=False)
     mode = tr("RC mode.") if snapshot.mode is Mode.RC else tr("Analog mode.")
-    doing = tr("The sticks control the motors.")
-    return f"{mode} {_safe_start_text(snapshot) if snapshot.safe_start else doing}"
+    control = tr("The sticks control the motors.")
+    return f"{mode} {_safe_start_text(snapshot) if snapshot.safe_start else control}"
 
 
 def _safe_start_text(snapshot: DemoSnapshot) -> str:
@@ -227,7 +227,7 @@ class Drawing(BoardRows):
         tip = tr("Input {0}: {1}. A double click centres it, Delete unplugs it.")
         tip = tip.format(channel, tr(CHANNEL_ROLES[channel]))
         ui.named(slider, f"demoInput{channel}", accessible=spoken, tip=tip)
-        slider.positions_per_unit = _TRAVEL / 100  # per cent, for screen readers
+        slider.positions_per_unit = _TRAVEL / 100  # a unit is one per cent, for screen readers
         slider.setSingleStep(10)
         slider.setPageStep(_TRAVEL // 10)
         slider.value_label = value
@@ -309,8 +309,8 @@ class Drawing(BoardRows):
 
         def next_mode() -> None:
             if (snapshot := board.snapshot) is not None:
-                place = _MODES.index(snapshot.jumpers.mode) + 1
-                board.set_mode_jumper(_MODES[place % len(_MODES)])
+                index = _MODES.index(snapshot.jumpers.mode) + 1
+                board.set_mode_jumper(_MODES[index % len(_MODES)])
 
         jumper = partial(self._part, JumperPart)
         tip = tr("The mode jumper; the board reads it when power comes on")
@@ -327,8 +327,9 @@ class Drawing(BoardRows):
             text = f"{Number(snapshot.supply):.1f}\u00a0V"
             supply.setText(text if snapshot.power else tr("switched off"))
             jumpers = snapshot.jumpers
-            on = {"rc": tr("RC"), "analog": tr("Analog")}.get(jumpers.mode)
-            mode.show_jumper(on is not None, tr("Mode: {0}").format(on) if on else tr("Mode: off"))
+            mode_name = {"rc": tr("RC"), "analog": tr("Analog")}.get(jumpers.mode)
+            mode_text = tr("Mode: {0}").format(mode_name) if mode_name else tr("Mode: off")
+            mode.show_jumper(mode_name is not None, mode_text)
             mix.show_jumper(jumpers.mix, tr("Mix: on") if jumpers.mix else tr("Mix: off"))
             is_on = jumpers.so_ground
             ground.show_jumper(is_on, tr("SO–G: on") if is_on else tr("SO–G: off"))
@@ -409,16 +410,16 @@ class Drawing(BoardRows):
         with Painter(self) as painter:
             painter.setPen(QPen(color("board_edge"), 4))
             painter.setBrush(Qt.BrushStyle.NoBrush)
-            ends = []
+            starts = []
             for motor in self._motors.values():
                 top = QPointF(motor.x() + 2 * self.fontMetrics().height(), motor.y() + 14)
                 start = QPointF(max(top.x(), body.left() + 12), body.bottom())
                 bend = start + QPointF(0, 7)
                 painter.drawPolyline([start, bend, QPointF(top.x(), bend.y()), top])
-                ends.append(start)
+                starts.append(start)
             paint_body(painter, body, "TReX")
-            for end in ends:
-                paint_block(painter, QRectF(end.x() - 9, end.y() - 5, 18, 10))
+            for start in starts:
+                paint_block(painter, QRectF(start.x() - 9, start.y() - 5, 18, 10))
             for plug in self._plugs:
                 y = plug.y() + plug.height_of_wire
                 paint_block(painter, QRectF(body.left() - 4, y - 9, 10, 18))

@@ -15,8 +15,7 @@ from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets.builders import button, column, label, no_mnemonic, row, tab_order
 from trex_gui.ui.widgets.labels import Sign
 
-Remark = LintFinding | Finding | str
-"""Finding of the linter or of a file, or a sentence."""
+Remark = LintFinding | Finding | str  # linter finding, file finding or plain sentence
 
 _MAX_LINES = 60  # further findings are only counted
 _SIGNS = {Severity.ERROR: ("error", "danger"), Severity.WARNING: ("warning", "warning")}
@@ -33,7 +32,7 @@ class FindingsList(QWidget):
     ) -> None:
         """Create the list. `where` is the prefix of its object names.
 
-        Tab moves from `after` to the list. If `is_wide`, buttons show the whole proposal.
+        Tab moves from `after` to the list. If `is_wide` is true, buttons show the whole proposal.
         """
         super().__init__(parent)
         self._after = after
@@ -51,7 +50,7 @@ class FindingsList(QWidget):
     def follow(
         self, linter: SettingsLinter, concerns: Callable[[LintFinding], bool] = bool
     ) -> None:
-        """Show the findings of a linter that pass `concerns`."""
+        """Show the findings of a linter for which `concerns` is true."""
         self._linter, self._concerns = linter, concerns
         linter.changed.connect(self.refresh)
         self.accepted.connect(linter.accept)
@@ -59,7 +58,7 @@ class FindingsList(QWidget):
 
     @Slot()
     def refresh(self) -> None:
-        self.show_findings([each for each in self._linter.findings if self._concerns(each)])
+        self.show_findings(filter(self._concerns, self._linter.findings))
 
     def show_findings(self, findings: Iterable[Remark], *, with_lines: bool = False) -> None:
         """Show findings. `with_lines` adds buttons that show their lines."""
@@ -77,7 +76,7 @@ class FindingsList(QWidget):
         for line in self._lines:
             self._layout.removeWidget(line)
             line.setParent(None)
-            line.deleteLater()  # one of its buttons may be the caller
+            line.deleteLater()  # one of its buttons may be emitting this signal
         shown, more = self._findings[:_MAX_LINES], len(self._findings) - _MAX_LINES
         if more > 0:
             shown += (tr("and %n more", "", more),)
@@ -89,7 +88,7 @@ class FindingsList(QWidget):
 
     def _line(self, number: int, finding: Remark) -> QWidget:
         line, link = QWidget(self), partial(button, default=False)
-        text, sign, at, actions = str(finding), ("info", "info"), None, list[QPushButton]()
+        text, sign, line_number, actions = str(finding), ("info", "info"), None, list[QPushButton]()
         if isinstance(finding, LintFinding):
             text = finding.message if self._is_wide else finding.text
             sign = _SIGNS[Severity.WARNING]
@@ -104,20 +103,20 @@ class FindingsList(QWidget):
             accept.setEnabled(self._can_accept)
             actions.append(accept)
         elif isinstance(finding, Finding):
-            sign, at = _SIGNS[finding.severity], finding.line
+            sign, line_number = _SIGNS[finding.severity], finding.line
             text = str(replace(finding, severity=Severity.ERROR))  # the sign shows the severity
-        if at is not None and self._with_lines:
-            show_line = partial(self.line_chosen.emit, at)
-            title = tr("Show line {0}").format(at)
+        if line_number is not None and self._with_lines:
+            show_line = partial(self.line_chosen.emit, line_number)
+            title = tr("Show line {0}").format(line_number)
             actions.append(link(line, f"{self._where}Line{number}", title, on_click=show_line))
         text = f"{text[:1].upper()}{text[1:]}"
-        shown = label(line, f"{self._where}Finding{number}", text, wrap=True, expand=True)
+        message = label(line, f"{self._where}Finding{number}", text, wrap=True, expand=True)
         mark = Sign(line)
         mark.show_sign(*sign)
-        for each in actions:
+        for action in actions:
             if self._is_wide:
-                set_look(each, "link")
+                set_look(action, "link")
         below = row(*actions, 1) if self._is_wide else row(1, *actions)
-        right = column(shown, *([below] if actions else []), margins=0, spacing=0)
+        right = column(message, *([below] if actions else []), margins=0, spacing=0)
         row((mark, 0, Qt.AlignmentFlag.AlignTop), (right, 1), into=line, margins=0)
         return line

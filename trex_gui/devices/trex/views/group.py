@@ -51,10 +51,10 @@ class GroupDialog(ReusedDialog):
         numbers = [board.number for board in self._boards.boards]
         self._create_rows(numbers)
         proposed = {(wheel.board, wheel.motor): wheel for wheel in self._group.proposed(numbers)}
-        for place, (_, side, turns) in self._rows.items():
-            wheel = proposed.get(place)
+        for key, (_, side, reversed_box) in self._rows.items():
+            wheel = proposed.get(key)
             side.setCurrentIndex(side.findData(_NOT_DRIVEN if wheel is None else wheel.side))
-            turns.setChecked(wheel is not None and wheel.is_reversed)
+            reversed_box.setChecked(wheel is not None and wheel.is_reversed)
         self.show_in_front()
 
     def _create_rows(self, numbers: list[int]) -> None:
@@ -70,9 +70,10 @@ class GroupDialog(ReusedDialog):
             side = ui.combo_box(
                 self._table, f"{key}Side", name, items=sides, on_change=self._on_changed
             )
-            turns = QCheckBox(tr("reversed"), self._table)
-            ui.named(turns, f"{key}Reversed", accessible=f"{name}, {tr('reversed')}")
-            widgets = self._rows[number_and_motor] = ui.label(self._table, text=name), side, turns
+            reversed_box = QCheckBox(tr("reversed"), self._table)
+            ui.named(reversed_box, f"{key}Reversed", accessible=f"{name}, {tr('reversed')}")
+            widgets = ui.label(self._table, text=name), side, reversed_box
+            self._rows[number_and_motor] = widgets
             for column, widget in enumerate(widgets):
                 self._grid.addWidget(widget, row, column)
         for number_and_motor, widgets in self._rows.items():
@@ -81,11 +82,11 @@ class GroupDialog(ReusedDialog):
 
     @property
     def wheels(self) -> tuple[Wheel, ...]:
-        shown = {board.number for board in self._boards.boards}
+        numbers = {board.number for board in self._boards.boards}
         return tuple(
-            Wheel(board, motor, side.currentData(), turns.isChecked())
-            for (board, motor), (_, side, turns) in self._rows.items()
-            if board in shown and side.currentData() != _NOT_DRIVEN
+            Wheel(board, motor, side.currentData(), reversed_box.isChecked())
+            for (board, motor), (_, side, reversed_box) in self._rows.items()
+            if board in numbers and side.currentData() != _NOT_DRIVEN
         )
 
     @property
@@ -122,7 +123,7 @@ class SideBySide(QWidget):
         self._place()
 
     def minimumSizeHint(self) -> QSize:
-        """Return the size of a column, which is used if a row does not fit."""
+        """Return the size of the column layout. Used if a row does not fit."""
         widths = [widget.minimumSizeHint().width() for widget in self._widgets]
         return QSize(max(widths, default=0), self._box.minimumSize().height())
 
@@ -183,10 +184,10 @@ class _BoardCard(ui.Card):
         for motor, label in enumerate(self._currents, 1):
             wheel = device.wheels.get(motor)
             sides = {LEFT: tr("left"), RIGHT: tr("right")}
-            place = tr("not driven") if wheel is None else sides[wheel.side]
+            side = tr("not driven") if wheel is None else sides[wheel.side]
             text = "–" if currents is None else f"{Number(currents[motor - 1]):.2f} A"
-            label.setText(f"{tr('Motor {0}').format(motor)} ({place}): {text}")
+            label.setText(f"{tr('Motor {0}').format(motor)} ({side}): {text}")
         status = drive_statuses(drive_inputs(device))[0]
-        is_usual = status.blocker in {DriveBlocker.RUNNING, DriveBlocker.NOT_ARMED}
-        text = tr("no problem") if is_usual else status.text
+        is_normal = status.blocker in {DriveBlocker.RUNNING, DriveBlocker.NOT_ARMED}
+        text = tr("no problem") if is_normal else status.text
         self._problem.show_note(text, alarming=status.blocker.effect is Effect.STOPS)

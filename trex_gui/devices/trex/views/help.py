@@ -1,4 +1,4 @@
-"""Topics of the help on the pages, dialogs and messages of a TReX."""
+"""Help topics for the pages, dialogs and messages of a TReX."""
 
 from trex_gui.core.errors import PortFault
 from trex_gui.devices.trex.board.errors import UNSEEN

@@ -30,7 +30,7 @@ _MAX_COLUMN_WIDTH = 34  # characters
 
 
 class HistoryDialog(ReusedDialog):
-    """Compares snapshots with the board or each other. Restored values become edits."""
+    """Window for the saved snapshots. Restored values become edits."""
 
     restore_requested = Signal()  # the edits are ready for review
 
@@ -42,7 +42,7 @@ class HistoryDialog(ReusedDialog):
         self.setWindowFlags(Qt.WindowType.Window)
         self._history = device.writer.history
         self._table = SnapshotTable(device.writer.history, self)
-        self._place: tuple[int, Path | None] = 0, None  # row, path of the newest selected snapshot
+        self._newest_selected: tuple[int, Path | None] = 0, None  # row, path
         self._is_fitted = False
         self._refresh_timer = new_timer(self, 0, self._refresh_selection, single_shot=True)
         # Starts after the window is drawn, since the reading thread slows drawing.
@@ -57,7 +57,7 @@ class HistoryDialog(ReusedDialog):
         self._view = self._list_view()
         self._no_match = ui.label(self, "snapshotNoMatch", tr("No snapshot matches the search."))
         self._no_match.hide()
-        button = partial(ui.button, self, default=False)  # Enter has another use
+        button = partial(ui.button, self, default=False)
         tip = tr("Name the snapshot (or double-click it): it is then never deleted automatically")
         self._name = button("nameSnapshotButton", tr("&Name…"), icon="edited", tip=tip)
         tip = tr("Save a copy as a settings file")
@@ -76,18 +76,18 @@ class HistoryDialog(ReusedDialog):
         empty.setMaximumWidth(72 * self.fontMetrics().averageCharWidth())
 
         left, below = QWidget(self), ui.row(self._name, self._save, self._delete, 1)
-        listed = self._search, (self._view, 1), self._no_match
-        ui.column(*listed, below, into=left, margins=(0, 0, 6, 0))
+        items = self._search, (self._view, 1), self._no_match
+        ui.column(*items, below, into=left, margins=(0, 0, 6, 0))
         halves = ui.splitter(self, "", Qt.Orientation.Horizontal, (left, 2), (self._pane, 3))
-        nothing = QWidget(self)
-        ui.row(empty, into=nothing)
+        empty_page = QWidget(self)
+        ui.row(empty, into=empty_page)
         self._pages = QStackedWidget(self)
         self._pages.addWidget(halves)
-        self._pages.addWidget(nothing)
+        self._pages.addWidget(empty_page)
         bar.fill(bar.armed, 1, self._close)
         messages = MessageSpace(self, self._banner, self._question)  # over the heading
-        head = ui.label(self, text=self.windowTitle(), size="title")
-        parts = ui.column(head, messages, (self._pages, 1), margins=(8, 8, 8, 0))
+        heading = ui.label(self, text=self.windowTitle(), size="title")
+        parts = ui.column(heading, messages, (self._pages, 1), margins=(8, 8, 8, 0))
         ui.column((parts, 1), bar, into=self, margins=8)
         halves.setSizes([560, 620])
         restore_geometry(self, "history", 1180, 640)
@@ -101,8 +101,12 @@ class HistoryDialog(ReusedDialog):
         self._table.failed.connect(self._banner.show_problem)
         self._pane.restore_requested.connect(self.restore_requested)
         draft = device.draft
-        of_board = draft.pending_changed, draft.loaded, device.state_changed, device.link_changed
-        for changed in of_board:
+        for changed in (
+            draft.pending_changed,
+            draft.loaded,
+            device.state_changed,
+            device.link_changed,
+        ):
             changed.connect(self._on_board_changed)
         for ended in (device.applied, device.request_failed):
             ended.connect(self._on_written)
@@ -116,7 +120,7 @@ class HistoryDialog(ReusedDialog):
         view.setEditTriggers(triggers.DoubleClicked | triggers.EditKeyPressed)
         header = view.horizontalHeader()
         header.setStretchLastSection(True)
-        header.setResizeContentsPrecision(50)  # measured rows
+        header.setResizeContentsPrecision(50)  # number of measured rows
         view.resizeColumnsToContents()
         keys, context = QKeySequence.StandardKey.Delete, Qt.ShortcutContext.WidgetShortcut
         QShortcut(keys, view, self._on_delete_clicked, context=context)
@@ -141,8 +145,8 @@ class HistoryDialog(ReusedDialog):
 
     def _select(self, path: Path | None, otherwise: int = 0) -> None:
         """Select a snapshot, or the row `otherwise` if it is not listed."""
-        found = None if path is None else self._table.row_of(path)
-        row = min(otherwise, self._table.rowCount() - 1) if found is None else found
+        listed_row = None if path is None else self._table.row_of(path)
+        row = min(otherwise, self._table.rowCount() - 1) if listed_row is None else listed_row
         index, flags = self._table.index(row, 0), QItemSelectionModel.SelectionFlag
         self._view.selectionModel().setCurrentIndex(index, flags.ClearAndSelect | flags.Rows)
         self._view.scrollTo(index)
@@ -150,21 +154,21 @@ class HistoryDialog(ReusedDialog):
     @Slot()
     def _on_selection_changed(self) -> None:
         if selected := self._selected:
-            self._place = self._table.snapshots.index(selected[0]), selected[0].path
+            self._newest_selected = self._table.snapshots.index(selected[0]), selected[0].path
         self._refresh_timer.start()
 
     @Slot()
     def _on_listed(self) -> None:
         count = self._table.rowCount()
         if count and not self._selected:
-            row, path = self._place
+            row, path = self._newest_selected
             self._select(path, row)
         self._no_match.setVisible(bool(self._table.listing) and count == 0)
         self._fit_columns()
         self._refresh_selection()
 
     def _fit_columns(self) -> None:
-        """Fit the columns to the first listed snapshots, only once."""
+        """Fit the columns once, to the first list of snapshots."""
         if self._is_fitted or not self._table.snapshots:
             return
         self._is_fitted = True
@@ -174,8 +178,8 @@ class HistoryDialog(ReusedDialog):
             size = self._view.columnWidth(section) + 2 * character
             title = self._view.horizontalHeader().sectionSizeHint(section)
             self._view.setColumnWidth(section, max(min(size, _MAX_COLUMN_WIDTH * character), title))
-        last = self._view.horizontalHeader().minimumSectionSize()  # the last column stretches
-        self._view.setColumnWidth(SnapshotColumn.ADAPTER, last)
+        minimum = self._view.horizontalHeader().minimumSectionSize()  # the last column stretches
+        self._view.setColumnWidth(SnapshotColumn.ADAPTER, minimum)
 
     # --- The selected snapshots ---------------------------------------------------------
 
@@ -255,7 +259,7 @@ class HistoryDialog(ReusedDialog):
 
         in_background(self, remove_all, lambda _: self.refresh(), on_failed)
 
-    def reject(self) -> None:  # Esc, the Close button and the window's cross call this
+    def reject(self) -> None:  # also called by Esc and the close buttons
         self._refresh_timer.stop()
         self._read_timer.stop()
         save_geometry(self, "history")

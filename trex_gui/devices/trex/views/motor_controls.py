@@ -1,4 +1,4 @@
-"""Stop and arm buttons, their bar, and the dialog before arming."""
+"""Stop and arm buttons, a bar for them, and the dialog before arming."""
 
 from collections.abc import Iterable
 
@@ -28,7 +28,7 @@ def arm(device: Device, window: QWidget) -> None:
     """Arm the motors. Prompts first if a real board needs a serial timeout."""
     motors, warning = device.motors, timeout_warning(device)
     if device.board.other_driver:
-        motors.arm()  # only requests to drive
+        motors.arm()  # only requests permission to drive
         return
     is_real = device.settings is not None and not device.settings.name
     lacks_stop = device.board.timeout_stop.may_be_mended
@@ -125,7 +125,7 @@ class TimeoutNotice(QWidget):
         self._button.setVisible(can_write)
         text = self._device.board.silence_remedy if warning is None else warning.text
         self._text.show_note(text, alarming=warning is not None)
-        number = f"{Number(seconds or 0):g}"  # 0 on a hidden button
+        number = f"{Number(seconds or 0):g}"  # 0 while the button is hidden
         self._button.setText(tr("Write &{0} s").format(number))
         tip = tr(
             "Writes Serial Timeout and UART-Error Shutdown now: the board should stop its "
@@ -140,7 +140,7 @@ class TimeoutNotice(QWidget):
 
 
 class LostPanel(QFrame):
-    """Covers part of a page while motors may be turning out of reach."""
+    """Panel that is visible while motors may be turning out of reach."""
 
     def __init__(self, device: Device, name: str, parent: QWidget) -> None:
         super().__init__(parent)
@@ -158,7 +158,7 @@ class LostPanel(QFrame):
         self.hide()
 
     def show_loss(self, text: str) -> bool:
-        """Show a text while motors are out of reach. Return whether they are."""
+        """Show `text` if motors are out of reach. Return true if they are."""
         device = self._device
         is_lost = device.may_stop_matter and not device.is_connected
         if is_lost:
@@ -175,7 +175,7 @@ class LostPanel(QFrame):
 
 
 class StopButton(RedButton):
-    """Stop button of all windows. Esc also stops."""
+    """Stop button for any window. Esc also stops the motors."""
 
     def __init__(self, device: Device, name: str, parent: QWidget | None = None) -> None:
         super().__init__(name, title_of(tr("&Stop motors")), device.press_stop, parent)
@@ -185,7 +185,7 @@ class StopButton(RedButton):
         self._on_link_changed()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Ignore arrow keys. Qt would move the focus, and the next key may drive a motor."""
+        """Ignore arrow keys. Qt would move the focus, so the next key could drive a motor."""
         if event.key() not in _ARROWS:
             super().keyPressEvent(event)
 
@@ -196,7 +196,7 @@ class StopButton(RedButton):
 
 
 def focus_stop(widget: QWidget) -> None:
-    """Focus the stop button of a window. Otherwise arrow keys may change the next field."""
+    """Focus the stop button. Otherwise arrow keys could change the next field."""
     window = widget.window()
     for stop in window.findChildren(StopButton):
         if stop.window() is window:
@@ -220,7 +220,7 @@ class MotorBar(ActionBar):
 
 
 class ArmButton(ConfirmButton):
-    """Arms the motors, or disarms them without the lockout of Stop."""
+    """Button that arms and disarms the motors. Disarming causes no lockout, unlike Stop."""
 
     def __init__(self, device: Device, name: str, parent: QWidget) -> None:
         super().__init__("", parent)
@@ -242,7 +242,7 @@ class ArmButton(ConfirmButton):
     @Slot()
     def _on_changed(self) -> None:
         armed = self._motors.armed
-        if armed and self.window().focusWidget() is self:  # even behind a dialog
+        if armed and self.window().focusWidget() is self:  # true even behind a dialog
             focus_stop(self)
         text = tr("Disa&rm") if armed else tr("A&rm motors")
         if text != self.text():
@@ -257,7 +257,7 @@ class ArmButton(ConfirmButton):
         self.setEnabled(armed or self._motors.can_arm)
 
 
-_MANY_CHANGES = 88  # for the longest text
+_MANY_CHANGES = 88  # count with the longest text
 
 
 def apply_text(pending: int) -> str:
@@ -292,7 +292,7 @@ class ControlBar(MotorBar):
             device.notifier.shown_changed,
             device.draft.pending_changed,
             device.errors_changed,
-            device.telemetry.text_due,  # for the end of a fault
+            device.telemetry.text_due,  # a fault may have ended
             motors.arming_changed,
             motors.setpoints_changed,
         ):
@@ -301,7 +301,7 @@ class ControlBar(MotorBar):
 
     @Slot(str)
     def set_page(self, key: str) -> None:
-        """Hide the state if the head of the page shows it."""
+        """Hide the state if the page header shows it."""
         self._page_shows_state = key in {"board", "motors"}
         self._on_changed()
 
@@ -317,7 +317,7 @@ class ControlBar(MotorBar):
             alarming=alarming,
             color="danger" if self._is_out_of_reach else "warning",
         )
-        # The page describes the connected board, not the board that was lost before.
+        # The page describes the connected board, not a board that was lost earlier.
         is_shown = self._page_shows_state and not self._device.driving.lost_board
         is_shown = is_shown or self._state.text() in self._device.notifier.shown
         self._state.setVisible(motors.armed or self._stop_has_no_effect or not is_shown)
@@ -349,5 +349,5 @@ class ControlBar(MotorBar):
             return device.driving.lost_board
         if self._stop_has_no_effect:
             return tr("Channels control the motors: Stop does not affect them.")
-        blockers = (each for each in statuses if each.blocker is not DriveBlocker.FAULT)
+        blockers = (status for status in statuses if status.blocker is not DriveBlocker.FAULT)
         return next((blocker.text for blocker in blockers), "")

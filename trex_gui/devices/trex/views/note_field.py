@@ -12,7 +12,7 @@ from trex_gui.ui.widgets.builders import named
 
 
 class NoteField(QPlainTextEdit):
-    """Edits the note on a setting. Uninterrupted typing is one undo step."""
+    """Editor for the note on a setting. Uninterrupted typing is one undo step."""
 
     def __init__(
         self, notes: Notes, name: str, parent: QWidget | None = None, *, lines: int = 3

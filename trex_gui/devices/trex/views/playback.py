@@ -1,4 +1,4 @@
-"""Playback window for a recording of a board."""
+"""Window that plays back a recording of a board."""
 
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QFormLayout, QLabel, QWidget
@@ -48,7 +48,7 @@ class PlaybackWindow(RecordingWindow):
 
 
 class ValuesPanel(QWidget):
-    """Values at the playback position. Unknown values are dashes."""
+    """Values at the playback position. Unknown values are shown as dashes."""
 
     def __init__(self, playback: Playback, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -57,7 +57,7 @@ class ValuesPanel(QWidget):
         self._control.setMinimumHeight(2 * self.fontMetrics().lineSpacing())
         form = QFormLayout()
         form.setVerticalSpacing(2)
-        self._values: dict[str, tuple[str, QLabel]] = {}  # title and value
+        self._values: dict[str, tuple[str, QLabel]] = {}  # title, value label
         for key, title in (
             ("motor1", tr("Motor {0}").format(1)),
             ("motor2", tr("Motor {0}").format(2)),
@@ -87,12 +87,12 @@ class ValuesPanel(QWidget):
             self._show(f"motor{motor}", text)
         auxiliary = state.auxiliary
         self._show("auxiliary", NO_VALUE if auxiliary is None else str(auxiliary))
-        for place, channel in enumerate(CHANNELS):
-            raw = None if raws is None else raws.counts[place]
+        for index, channel in enumerate(CHANNELS):
+            raw = None if raws is None else raws.counts[index]
             text = NO_VALUE if raws is None else tr("no signal")
             if raw is not None:
                 text = input_text(source, raw)
-            output = NO_VALUE if remapped is None else signed_text(remapped.values[place])
+            output = NO_VALUE if remapped is None else signed_text(remapped.values[index])
             text = tr("{0}, remapped {1}").format(text, output)
             self._show(f"channel{channel}", text)
 

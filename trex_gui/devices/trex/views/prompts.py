@@ -29,7 +29,7 @@ class ClosePrompt(QObject):
         self._files = files
         self._review = review
         self._frame = frame
-        self._agreed: Settings | None = None  # settings at the user's answer, edits included
+        self._agreed: Settings | None = None  # settings when the user answered, including edits
         self.keeps_edits = True  # for the next connection of the board
         device.draft.pending_changed.connect(self._on_pending_changed)
 
@@ -77,7 +77,7 @@ class ClosePrompt(QObject):
 
     @Slot()
     def _on_pending_changed(self) -> None:
-        """Save new edits if the window stayed open after an answer."""
+        """Clear an earlier answer to discard edits, since it does not cover new edits."""
         self.keeps_edits = True
 
     def _close(self, leave: Callable[[], object], agreed: Settings | None) -> None:
@@ -94,7 +94,7 @@ class RestorePrompt(QObject):
         self._device = device
         self._files = files
         self._question = question
-        self._reported: set[ComparisonRow] = set()  # lost settings
+        self._reported: set[ComparisonRow] = set()  # lost settings that were already reported
         device.edit_backup.offered.connect(self._on_edits_offered)
         device.records.changed.connect(self._on_memory_changed)
 
@@ -124,7 +124,7 @@ class RestorePrompt(QObject):
 
     @Slot()
     def _on_memory_changed(self) -> None:
-        """Report new differences from the last applied settings, once per connection."""
+        """Report differences from the last applied settings once per connection."""
         memory = self._device.board.memory
         differing, record = memory.differing, memory.expected
         self._question.reconsider()
@@ -158,7 +158,7 @@ class LeasePrompt(QObject):
         super().__init__(parent)
         self._device, self._question = device, question
         self._offered: tuple[str, ...] = ()  # waiting users at the last prompt
-        self._is_waiting = False  # requested to drive
+        self._is_waiting = False  # True after a request to drive
         device.lease_changed.connect(self._on_lease_changed)
         device.connection.motors_stopped.connect(self._on_motors_stopped)
         device.connection.line_closed.connect(self._on_line_closed)
@@ -190,7 +190,7 @@ class LeasePrompt(QObject):
 
     @Slot(object)
     def _on_motors_stopped(self, report: MotorsStopped) -> None:
-        """Offer an owner to take over if arming failed because another user drives."""
+        """Offer to take over if arming failed because another user drives."""
         if report.reason is not ErrorCode.OTHER_DRIVES:
             return
         self._is_waiting = True

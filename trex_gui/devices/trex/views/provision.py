@@ -1,4 +1,4 @@
-"""Dialog that sets up boards in turn on the same cable."""
+"""Dialog that sets up boards one after another on one cable."""
 
 from collections.abc import Callable
 from functools import partial
@@ -34,9 +34,9 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.labels import Muted, Note
 
-_MAX_WIDTH = 480  # pixels, of the motor buttons
+_MAX_WIDTH = 480  # of the motor buttons, in pixels
 
-_CERTAINTY = {
+_CERTAINTY_TEXTS = {
     NEW: tr_noop("A new board: its device number is not in the record."),
     KNOWN: tr_noop("Known: its device number and its calibrations are in the record."),
     NUMBER_ONLY: tr_noop(
@@ -142,7 +142,7 @@ class BoardStep(Page):
     def refresh(self) -> None:
         work, board = self._work, self._work.board
         self._title.setText(self._title_text())
-        about = "" if board is None else tr(_CERTAINTY[board.certainty])
+        about = "" if board is None else tr(_CERTAINTY_TEXTS[board.certainty])
         self._about.show_note("" if work.step is ProvisionStep.UNPLUG else about)
         has_changes = work.step in {ProvisionStep.REVIEW, ProvisionStep.WRITE}
         if has_changes:
@@ -151,9 +151,9 @@ class BoardStep(Page):
         self._changes.setVisible(has_changes)
         self._wiring.setVisible(not has_changes)
         self._done.setRowCount(len(work.done))
-        for row, done in enumerate(reversed(work.done)):
-            result = tr(_RESULTS.get(done.result, "")) or done.result
-            for column, text in enumerate((done.name, result)):
+        for row, entry in enumerate(reversed(work.done)):
+            result = tr(_RESULTS.get(entry.result, "")) or entry.result
+            for column, text in enumerate((entry.name, result)):
                 self._done.setItem(row, column, QTableWidgetItem(text))
         self._done.resizeRowsToContents()
 
@@ -193,13 +193,13 @@ class ProvisionFlow(Flow):
         super().__init__()
         self._device = device
         self.work = work = Provision(device, self)
-        self._first = ProfilePage(self._start)
+        self._profile_page = ProfilePage(self._start)
         self._board: BoardStep | None = None
         self._motors: MotorsStep | None = None
         self._is_loading = False
         for changed in (work.changed, device.writer.changed):
             changed.connect(self.changed)
-        for field in (self._first.profile, self._first.record):
+        for field in (self._profile_page.profile, self._profile_page.record):
             field.textChanged.connect(self.changed)
 
     def on_hidden(self, *, closed: bool) -> None:
@@ -227,7 +227,7 @@ class ProvisionFlow(Flow):
 
     @Slot()
     def _start(self) -> None:
-        page = self._first
+        page = self._profile_page
         profile, record = Path(page.profile.text()), Path(page.record.text())
         names, first = page.names.text(), page.first.value()
         if self._is_loading or not page.profile.text() or not page.record.text():
@@ -238,15 +238,15 @@ class ProvisionFlow(Flow):
             settings, _ = read_settings(load(profile), profile.name)
             return settings, ProvisionRecord(record, name=names, first=first)
 
-        in_background(self, read, self._on_read, self._on_not_read)
+        in_background(self, read, self._on_read, self._on_read_failed)
 
     def _on_read(self, files: tuple[Settings, ProvisionRecord]) -> None:
         self._is_loading = False
-        self.work.start(*files, turns_motors=self._first.motors.isChecked())
+        self.work.start(*files, turns_motors=self._profile_page.motors.isChecked())
 
-    def _on_not_read(self, error: StudioError) -> None:
+    def _on_read_failed(self, error: StudioError) -> None:
         self._is_loading = False
-        self._first.problem.show_note(error_sentence(error), alarming=True)
+        self._profile_page.problem.show_note(error_sentence(error), alarming=True)
         self.changed.emit()
 
     def shown(self) -> Shown:
@@ -259,7 +259,7 @@ class ProvisionFlow(Flow):
             ProvisionStep.MOTORS: tr("M&otors").replace("&", ""),
             ProvisionStep.UNPLUG: tr("Unplug"),
         }
-        if not (work.turns_motors or self._first.motors.isChecked()):
+        if not (work.turns_motors or self._profile_page.motors.isChecked()):
             del titles[ProvisionStep.MOTORS]
         show = partial(
             Shown,
@@ -269,7 +269,9 @@ class ProvisionFlow(Flow):
             self._page(),
         )
         if step is ProvisionStep.PROFILE:
-            is_complete = bool(self._first.profile.text() and self._first.record.text())
+            is_complete = bool(
+                self._profile_page.profile.text() and self._profile_page.record.text()
+            )
             return show(next=tr("&Start"), may_go_on=is_complete)
         if work.problem:
             is_unsaved = work.board is not None
@@ -291,7 +293,7 @@ class ProvisionFlow(Flow):
 
     def _page(self) -> Page:
         if self.work.step is ProvisionStep.PROFILE:
-            return self._first
+            return self._profile_page
         if self.work.step is ProvisionStep.MOTORS:
             self._motors = self._motors or MotorsStep(self.work, self._device)
             return self._motors

@@ -20,9 +20,9 @@ from trex_gui.ui.widgets.labels import Note
 
 
 class PulseControls(QWidget):
-    """Check box for free wheels, arm button, and a hold button for each motor.
+    """Check box, arm button, and a hold button for each motor.
 
-    `below`: motor → widget below its hold button. The owner starts the pulses.
+    `below`: motor → widget below its hold button. The owner starts the pulses at `hold_started`.
     """
 
     hold_started = Signal(int)  # motor number
@@ -39,20 +39,20 @@ class PulseControls(QWidget):
         self._device, self._pulses = device, pulses
         text = tr("The wheels are &off the ground")
         self._free = ui.check_box(self, f"{name}WheelsFree", text, on_click=pulses.confirm_wheels)
-        self._run_frame = QWidget(self)  # disables the button, which enables itself
+        self._run_frame = QWidget(self)  # disables the button even when it enables itself
         run = ArmButton(device, f"{name}RunButton", self._run_frame)
         run.setAutoDefault(False)
         self._run_frame.setEnabled(False)
         ui.row(run, into=self._run_frame, margins=0)
         self._note = ui.named(Note(2, self), f"{name}PulseNote")
         self._holds = {motor: self._create_hold(f"{name}Hold{motor}", motor) for motor in (1, 2)}
-        motors: list[QWidget] = []
+        motor_widgets: list[QWidget] = []
         for motor, hold in self._holds.items():
-            motors += [hold, below[motor]] if motor in below else [hold]
-        for each in motors:  # sets the Tab order
-            each.setParent(self)
-        first = self._free, self._run_frame, self._note
-        ui.column(*first, *motors, into=self, margins=0, spacing=6)
+            motor_widgets += [hold, below[motor]] if motor in below else [hold]
+        for widget in motor_widgets:  # sets the Tab order
+            widget.setParent(self)
+        items = self._free, self._run_frame, self._note
+        ui.column(*items, *motor_widgets, into=self, margins=0, spacing=6)
         for changed in (pulses.changed, device.telemetry.text_due):
             changed.connect(self.refresh)
 

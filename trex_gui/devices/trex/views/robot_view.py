@@ -13,8 +13,8 @@ from trex_gui.ui.widgets.builders import named
 from trex_gui.ui.widgets.circuit import paint_chassis, write
 from trex_gui.ui.widgets.painted import Animation, Painted, Painter, never_mirror
 
-_TREADS, _TREADS_PER_SECOND = 7, 6.0  # of a wheel; at full speed, assumed
-_SIZE = 392.0, 300.0  # of the drawing, in the units of its rectangles
+_TREADS, _TREADS_PER_SECOND = 7, 6.0  # per wheel; at full speed (assumed)
+_SIZE = 392.0, 300.0  # of the drawing, in units of the rectangles below
 _WHEEL, _CHASSIS = QRectF(0, 30, 60, 240), QRectF(86, 0, 220, 300)
 _LEFT_PARTS = {True: QRectF(7, 50, 46, 86), False: QRectF(7, 164, 46, 86)}  # key: forward
 MOVEMENTS = {  # in Tab order
@@ -27,7 +27,7 @@ MOVEMENTS = {  # in Tab order
 
 
 class WheelPart(QPushButton):
-    """Half of a wheel with an arrow, filled while checked."""
+    """Button for half of a wheel, filled while checked."""
 
     def __init__(self, movement: Movement, parent: QWidget) -> None:
         super().__init__(parent)
@@ -56,7 +56,10 @@ class WheelPart(QPushButton):
 
 
 class RobotView(Painted):
-    """Drawing of the turning wheels. `with_buttons` splits each wheel into two buttons."""
+    """Drawing of the robot and its turning wheels.
+
+    `with_buttons` splits each wheel into two buttons.
+    """
 
     wheel_clicked = Signal(object)  # `Movement`
 
@@ -65,24 +68,24 @@ class RobotView(Painted):
         self.setAccessibleName(tr("The robot from above"))
         self._amounts = dict.fromkeys(Side, 0.0)
         self._colors = dict.fromkeys(Side, "outline")
-        self._shifts = dict.fromkeys(Side, 0.0)  # of the treads
+        self._shifts = dict.fromkeys(Side, 0.0)  # of the treads, in tread spacings
         self._motion = Animation(self, self._on_frame)
-        movements = [each for each in MOVEMENTS if each.side] if with_buttons else []
+        movements = [movement for movement in MOVEMENTS if movement.side] if with_buttons else []
         self._parts = {movement: WheelPart(movement, self) for movement in movements}
         for movement, part in self._parts.items():
             part.clicked.connect(partial(self._on_part_clicked, movement))
         follow_theme(self, "space", self.updateGeometry)
 
     def show_wheel(self, side: Side, amount: float, color: str = "outline") -> None:
-        """Show a wheel that turns at `amount`, from -1 to 1."""
+        """Show a wheel turning at `amount`, from -1 to 1."""
         if (amount, color) != (self._amounts[side], self._colors[side]):
             self._amounts[side], self._colors[side] = amount, color
             self.update()
 
     def select(self, movement: Movement | None) -> None:
         """Check the button of a movement. `None` clears the selection."""
-        for each, part in self._parts.items():
-            part.setChecked(each is movement)
+        for key, part in self._parts.items():
+            part.setChecked(key is movement)
         self.update()
 
     def _on_part_clicked(self, movement: Movement) -> None:
@@ -91,8 +94,9 @@ class RobotView(Painted):
 
     def spoken_state(self) -> str:
         moving = {(side, amount > 0) for side, amount in self._amounts.items() if amount}
-        texts = MOVEMENTS.items()
-        return ", ".join(tr(text) for each, text in texts if (each.side, each.forward) in moving)
+        return ", ".join(
+            tr(text) for key, text in MOVEMENTS.items() if (key.side, key.forward) in moving
+        )
 
     def sizeHint(self) -> QSize:
         line = self.fontMetrics().height()
@@ -103,34 +107,34 @@ class RobotView(Painted):
 
     def robot_place(self) -> QRectF:
         scale = min(self.width() / _SIZE[0], self.height() / _SIZE[1])
-        place = QRectF(0, 0, _SIZE[0] * scale, _SIZE[1] * scale).adjusted(2, 2, -2, -2)
-        place.moveCenter(QRectF(self.rect()).center())
-        return place
+        area = QRectF(0, 0, _SIZE[0] * scale, _SIZE[1] * scale).adjusted(2, 2, -2, -2)
+        area.moveCenter(QRectF(self.rect()).center())
+        return area
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        place = self.robot_place()
-        for each, part in self._parts.items():
-            part.setGeometry(_placed(_LEFT_PARTS[each.forward], place, each.side).toRect())
+        area = self.robot_place()
+        for movement, part in self._parts.items():
+            part.setGeometry(_scaled(_LEFT_PARTS[movement.forward], area, movement.side).toRect())
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
         with Painter(self) as painter:
-            place = self.robot_place()
-            self.paint_robot(painter, place)
-            word = _placed(_CHASSIS, place).adjusted(0, place.height() / 12, 0, 0)
+            area = self.robot_place()
+            self.paint_robot(painter, area)
+            word = _scaled(_CHASSIS, area).adjusted(0, area.height() / 12, 0, 0)
             word.setHeight(self.fontMetrics().height())
             write(painter, word, tr("front"), "muted", align=Qt.AlignmentFlag.AlignHCenter)
 
-    def paint_robot(self, painter: QPainter, place: QRectF) -> None:
-        """Paint chassis and wheels. Start the animation if a wheel turns."""
-        paint_chassis(painter, _placed(_CHASSIS, place))
+    def paint_robot(self, painter: QPainter, area: QRectF) -> None:
+        """Paint the chassis and wheels. Run the animation while a wheel turns."""
+        paint_chassis(painter, _scaled(_CHASSIS, area))
         for side in self._amounts:
-            self._paint_wheel(painter, side, _placed(_WHEEL, place, side))
+            self._paint_wheel(painter, side, _scaled(_WHEEL, area, side))
         self._motion.run(any(self._amounts.values()))
 
     def _paint_wheel(self, painter: QPainter, side: Side, wheel: QRectF) -> None:
-        parts = (part for each, part in self._parts.items() if each.side is side)
+        parts = (part for movement, part in self._parts.items() if movement.side is side)
         is_selected = any(part.isChecked() for part in parts)
         name, radius = self._colors[side], wheel.width() * 0.22
         painter.setPen(Qt.PenStyle.NoPen)
@@ -156,16 +160,16 @@ class RobotView(Painted):
         self.update()
 
 
-def _placed(part: QRectF, place: QRectF, side: Side | None = Side.LEFT) -> QRectF:
-    """Scale a part of the drawing. Mirror it for the right side."""
-    unit = place.height() / _SIZE[1]
+def _scaled(part: QRectF, area: QRectF, side: Side | None = Side.LEFT) -> QRectF:
+    """Scale a part of the drawing to `area`. Mirror it for the right side."""
+    unit = area.height() / _SIZE[1]
     left = _SIZE[0] - part.right() if side is Side.RIGHT else part.left()
-    corner = QPointF(place.center().x() + (left - _SIZE[0] / 2) * unit, place.top())
+    corner = QPointF(area.center().x() + (left - _SIZE[0] / 2) * unit, area.top())
     return QRectF(corner + QPointF(0, part.top() * unit), part.size() * unit)
 
 
 def _paint_arrow(painter: QPainter, box: QRectF, amount: float, color: str) -> None:
-    """Paint an arrow of length `amount`. Negative amounts point down."""
+    """Paint an arrow with a length proportional to `amount`. Negative amounts point down."""
     up = 1 if amount > 0 else -1
     head = min(box.width() * 0.3, box.height() * 0.2)
     length = max(box.height() * 0.85 * min(abs(amount), 1), 2 * head) / 2

@@ -1,4 +1,4 @@
-"""Dialog with the boards that are served on the network."""
+"""Dialog for the boards that are served on the network."""
 
 from collections.abc import Callable
 from functools import partial
@@ -31,11 +31,14 @@ class RobotsDialog(ReusedDialog):
         found: Callable[[dict[str, str]], object],
         parent: QWidget,
     ) -> None:
-        """Create the dialog. `connect` gets a URL, `found` a mapping URL → label."""
+        """Create the dialog.
+
+        `connect` is called with a URL, `found` with a mapping of URLs to labels.
+        """
         super().__init__(parent)
         self._device, self._connect, self._found = device, connect, found
         self._rows: list[dict[str, Any]] = []
-        self._robots = Robots()  # holds its connections open, so that a stop has no delay
+        self._robots = Robots()  # keeps connections open, so that a stop is not delayed
         self.setObjectName("robotsDialog")
         self.setWindowTitle(title_of(tr("Robots on the net&work…")))
         resize_with_font(self, 820, 420)
@@ -74,11 +77,11 @@ class RobotsDialog(ReusedDialog):
     def search(self) -> None:
         self._search.setEnabled(False)
         self._note.show_note(tr("Searching …"))
-        in_background(self, self._robots.find, self._on_found, self._on_not_found)
+        in_background(self, self._robots.find, self._on_found, self._on_failed)
 
     @Slot()
     def _on_finished(self) -> None:
-        in_background(self, self._robots.close, lambda _: None, self._on_not_found)
+        in_background(self, self._robots.close, lambda _: None, self._on_failed)
 
     def _on_found(self, rows: list[dict[str, Any]]) -> None:
         self._rows = rows
@@ -97,7 +100,7 @@ class RobotsDialog(ReusedDialog):
         self._on_selected()
         self._found({row["url"]: f"{row['name']}  ({row['url']})" for row in rows})
 
-    def _on_not_found(self, error: StudioError) -> None:
+    def _on_failed(self, error: StudioError) -> None:
         self._search.setEnabled(True)
         self._note.show_note(error_sentence(error), alarming=True)
 
@@ -117,7 +120,7 @@ class RobotsDialog(ReusedDialog):
         self._device.press_stop()  # without delay
         urls = [row["url"] for row in self._rows]
         self._note.show_note(tr("Stopping …"))
-        in_background(self, partial(self._robots.stop, urls), self._on_stopped, self._on_not_found)
+        in_background(self, partial(self._robots.stop, urls), self._on_stopped, self._on_failed)
 
     def _on_stopped(self, results: dict[str, str]) -> None:
         failed = [f"{url}: {error}" for url, error in results.items() if error]

@@ -39,13 +39,13 @@ class SettingsCommands(QObject):
 
     @cached_property
     def _review(self) -> "Review":
-        from trex_gui.devices.trex.views.changes.review import Review  # noqa: PLC0415 - later
+        from trex_gui.devices.trex.views.changes.review import Review  # noqa: PLC0415
 
         return Review(self._device, self._linter, self._boards, self._frame)
 
     @cached_property
     def _power(self) -> "PowerCycleFlow":
-        from trex_gui.devices.trex.views.power_cycle import PowerCycleFlow  # noqa: PLC0415 - later
+        from trex_gui.devices.trex.views.power_cycle import PowerCycleFlow  # noqa: PLC0415
         from trex_gui.devices.trex.views.steps import Steps  # noqa: PLC0415
 
         flow = PowerCycleFlow(self._device)

@@ -29,7 +29,7 @@ from trex_gui.ui.widgets.placement import fit_on_screen, resize_with_font
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 
-SAMPLES = {  # the first comment of each sample states its purpose
+SAMPLES = {  # file name → purpose, which its first comment also states
     "autonomous_robot": tr_noop(
         "A robot without a driver: a computer on board drives it, and no one can catch it"
     ),
@@ -53,13 +53,13 @@ class SettingsFiles(QObject):
         self.editors: list[SettingsEditor] = []  # one window per open file
         self.shown = ShownSettings(device, window)
         self.shown.saved.connect(self._record_used)
-        self._discarded: dict[SettingsEditor, str] = {}  # discarded texts
+        self._discarded: dict[SettingsEditor, str] = {}  # texts that the user agreed to discard
 
     def prompt_and_open(self) -> None:
         self._prompt_and(self.open_file)
 
     def prompt_for_document(self, use: Callable[[SettingsDocument], object]) -> None:
-        """Prompt for a file and call `use`, even if the file has errors."""
+        """Prompt for a file and pass it to `use`, even if it has errors."""
         self._prompt_and(lambda path: self._open(path, use))
 
     def _prompt_and(self, use: Callable[[Path], object]) -> None:
@@ -88,7 +88,7 @@ class SettingsFiles(QObject):
         dialog.show()
 
     def _initial_contents(self) -> Iterator[tuple[str, Callable[[], SettingsDocument]]]:
-        """Yield the initial contents of a new file: title, factory."""
+        """Yield titles and factories of the initial contents of a new file."""
         shown = self._device.draft.shown
         if shown is not None and self._device.state is not None:
             text = tr("The board as shown: {0}, firmware {1}")
@@ -99,21 +99,21 @@ class SettingsFiles(QObject):
         text = tr("Factory defaults of a {0}, firmware {1}")
         for model in device_table().models:
             for firmware in reversed(model.firmware):
-                yield text.format(model.name, firmware), partial(_from_factory, model, firmware)
+                yield text.format(model.name, firmware), partial(_factory_document, model, firmware)
         for path in sorted(resource("samples").glob("*.txt")):
             if path.stem in SAMPLES:
                 create = partial(SettingsDocument, path.read_text(encoding="utf-8"), path.name)
                 yield tr("Sample: {0}").format(tr(SAMPLES[path.stem])), create
 
     def open_file(self, path: Path) -> None:
-        """Show the changes of a file. Without a board, edit the file."""
+        """Show the changes that a file would make. Without a board, edit the file."""
         if self._device.state is None:
             self.edit_file(path)
         else:
             self._open(path, self._offer_or_edit)
 
     def _offer_or_edit(self, document: SettingsDocument) -> None:
-        if self._device.state is None:  # disconnected meanwhile
+        if self._device.state is None:  # the board was disconnected
             self.open_editor(document)
         elif document.path is not None:
             self._offer(document, edit=partial(self.edit_file, document.path))
@@ -140,7 +140,7 @@ class SettingsFiles(QObject):
             self._notifier.error.emit(text.format(path.name, reason_of(error)))
 
         def on_read(data: bytes) -> None:
-            if not self._window.isVisible():  # closed meanwhile
+            if not self._window.isVisible():  # the window was closed
                 return
             try:
                 document = SettingsDocument.of_file(path, data)
@@ -220,20 +220,20 @@ class SettingsFiles(QObject):
         unfinished = ", ".join(path.name for path in self.shown.saving)
         if unfinished and not file_questions.may_leave_unfinished(self._window, unfinished):
             return False
-        agreed, self._discarded = self._discarded, {}
+        discarded, self._discarded = self._discarded, {}
         to_save: list[SettingsEditor] = []
         for editor in list(self.editors):
-            if agreed.get(editor) == editor.document.text:
+            if discarded.get(editor) == editor.document.text:
                 continue
             match editor.answer():
                 case SaveAnswer.SAVE:
                     to_save.append(editor)
                 case SaveAnswer.DISCARD:
-                    agreed[editor] = editor.document.text
+                    discarded[editor] = editor.document.text
                 case SaveAnswer.CANCEL:
                     return False
         if to_save:
-            self._save_and_leave(to_save, agreed, leave)
+            self._save_and_leave(to_save, discarded, leave)
         return not to_save
 
     def _save_and_leave(
@@ -260,7 +260,7 @@ def _raise(editor: "SettingsEditor") -> None:
     editor.activateWindow()
 
 
-def _from_factory(model: Model, firmware: str) -> SettingsDocument:
+def _factory_document(model: Model, firmware: str) -> SettingsDocument:
     return _document(factory_settings(model, firmware), "Factory defaults.")
 
 

@@ -27,7 +27,7 @@ from trex_gui.ui.widgets import file_questions
 
 
 class ShownSettings(QObject):
-    """Saves and exports the settings shown, edits included, in the background."""
+    """Saves and exports the displayed settings, including edits, in the background."""
 
     saved = Signal(object)  # `Path` of a settings file
 
@@ -83,7 +83,7 @@ class ShownSettings(QObject):
     def save_file(self, path: Path, then: Callable[[], object] = lambda: None) -> None:
         """Save the settings, then call `then`.
 
-        In an existing file only values change. Comments and the calibrations of the other input
+        In an existing file, only values change. Comments and the calibrations of the other input
         source remain.
         """
         settings = self._device.draft.shown
@@ -105,9 +105,12 @@ class ShownSettings(QObject):
         then: Callable[[], object],
         before: bytes | SettingsError | None,
     ) -> None:
-        """Replace `before`: content of the file or read error, `None` if it is missing."""
+        """Write the settings over `before`.
+
+        `before` is the content of the file, its read error, or `None` if there is no file.
+        """
         try:
-            text, kept = self._text_for(path, settings, before)
+            text, note = self._text_for(path, settings, before)
         except StudioError as error:
             self._on_not_saved(path, error)
             return
@@ -119,7 +122,7 @@ class ShownSettings(QObject):
             self.saving.discard(path)
             self.saved.emit(path)
             news = tr("The settings shown were saved in {0}.").format(path)
-            self._notifier.info.emit(f"{news} {kept}".rstrip())
+            self._notifier.info.emit(f"{news} {note}".rstrip())
             then()
 
         in_background(self, partial(save, path, text), on_saved, partial(self._on_not_saved, path))
@@ -131,15 +134,17 @@ class ShownSettings(QObject):
     def _text_for(
         self, path: Path, settings: Settings, content: bytes | SettingsError | None
     ) -> tuple[str | None, str]:
-        """Return the text to write (`None`: cancelled), and a note on hidden calibrations.
+        """Return the text to write, and a note on hidden calibrations.
+
+        The text is `None` if the user cancelled.
 
         Raises:
             SettingsError, BadRequest: the settings cannot be written.
         """
         now = datetime.now().astimezone().strftime("%Y-%m-%d %H:%M")
-        fresh = write_settings(settings, title_lines=[f"Saved by TReX Studio, {now}."])
+        new_text = write_settings(settings, title_lines=[f"Saved by TReX Studio, {now}."])
         if content is None:
-            return fresh, ""
+            return new_text, ""
         reason = tr("is not a readable settings file.")
         before, old = "", None
         if isinstance(content, bytes):
@@ -150,22 +155,22 @@ class ShownSettings(QObject):
             reason, old = tr("holds settings of a {0}.").format(old.product.name), None
         if old is None:
             may_replace = file_questions.may_replace(self._window, path.name, reason)
-            return (fresh if may_replace else None), ""
+            return (new_text if may_replace else None), ""
         shown = {key.source for key in settings.calibrations}
-        hidden = {key: c for key, c in old.calibrations.items() if key.source not in shown}
-        whole = replace(settings, calibrations={**settings.calibrations, **hidden})
+        hidden = {key: value for key, value in old.calibrations.items() if key.source not in shown}
+        merged = replace(settings, calibrations={**settings.calibrations, **hidden})
         try:
-            text = amend(before, whole, path.name)
+            text = amend(before, merged, path.name)
         except SettingsError as error:
             problem = error.findings[0].message
-            return (fresh if file_questions.may_rewrite(self._window, problem) else None), ""
+            return (new_text if file_questions.may_rewrite(self._window, problem) else None), ""
         names = ", ".join(sorted({key.source.word for key in hidden}))
-        kept = tr("Calibrations that the board does not show now were kept: {0}.")
-        return text, kept.format(names) if hidden else ""
+        note = tr("Calibrations that the board does not show now were kept: {0}.")
+        return text, note.format(names) if hidden else ""
 
 
 def _content_of(path: Path) -> bytes | SettingsError | None:
-    """Return the content of a file or the read error, `None` if it is missing."""
+    """Return the content of a file, its read error, or `None` if there is no file."""
     try:
         return load(path) if path.exists() else None
     except SettingsError as error:

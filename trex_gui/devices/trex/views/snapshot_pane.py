@@ -34,7 +34,7 @@ class SnapshotPane(QWidget):
         self._device = device
         self._table = table
         self._snapshots: tuple[Snapshot, ...] = ()
-        self._shown: tuple[Path, str] | None = None  # snapshot, title of the left side
+        self._shown: tuple[Path, str] | None = None  # path of the snapshot, title of the left side
 
         self._title = ui.label(self, "snapshotTitle", wrap=True, size="heading")
         self._rows = ComparisonView(self)
@@ -64,12 +64,12 @@ class SnapshotPane(QWidget):
     def _compare(self, snapshot: Snapshot, other: Snapshot | None) -> str:
         """Compare a snapshot with `other` or the board. Return the reason for a failure.
 
-        Without a board of its model, compare it with the adjacent snapshot.
+        Without a board of the same model, compare it with the adjacent snapshot.
         """
         self._describe(snapshot)
         settings = self._table.content_of(snapshot)
         if not isinstance(settings, Settings):
-            return self._unread(snapshot)
+            return self._unreadable_text(snapshot)
         with_board = other is None and not self._board_blocker(snapshot)
         if with_board:
             title = tr("Now, with edits")
@@ -77,11 +77,11 @@ class SnapshotPane(QWidget):
         elif adjacent := other or self._table.neighbour(snapshot):
             content = self._table.content_of(adjacent)
             if not isinstance(content, Settings):
-                return self._unread(adjacent)
+                return self._unreadable_text(adjacent)
             title, comparison = self._table.time_text(adjacent), compare(content, settings)
         else:
-            nothing = replace(settings, parameters={}, calibrations={})
-            title, comparison = "–", compare(nothing, settings)
+            empty = replace(settings, parameters={}, calibrations={})
+            title, comparison = "–", compare(empty, settings)
         shown, table = (snapshot.path, title), self._rows.table
         if shown != self._shown:
             self._rows.show_nothing()
@@ -96,7 +96,7 @@ class SnapshotPane(QWidget):
         )
         return ""
 
-    def _unread(self, snapshot: Snapshot) -> str:
+    def _unreadable_text(self, snapshot: Snapshot) -> str:
         problem = self._table.content_of(snapshot)
         text = tr("This snapshot is damaged and cannot be restored. {0}")
         return text.format(problem) if problem else tr("Reading…")
@@ -111,10 +111,10 @@ class SnapshotPane(QWidget):
         count, blocker = len(self._rows.table.ticked), self._blocker()
         self._restore.setText(tr("&Restore %n setting(s)…", "", count))
         self._restore.setEnabled(not blocker and count > 0)
-        self._note.show_note(blocker or self._other_number())
+        self._note.show_note(blocker or self._number_note())
 
     def _blocker(self) -> str:
-        """Return the reason that prevents restoring, or nothing."""
+        """Return the reason that prevents restoring, or an empty string."""
         if self._shown is None:
             return tr("Nothing is selected to be restored.")
         if len(self._snapshots) == 2:
@@ -128,7 +128,7 @@ class SnapshotPane(QWidget):
         return ""
 
     def _board_blocker(self, snapshot: Snapshot) -> str:
-        """Return the reason that prevents a comparison with the board, or nothing."""
+        """Return the reason that prevents a comparison with the board, or an empty string."""
         closed = {ConnectionState.DISCONNECTED, ConnectionState.DISCONNECTING}
         state = self._device.state
         if state is None or self._device.link in closed:
@@ -137,7 +137,7 @@ class SnapshotPane(QWidget):
         text = tr("This snapshot is of a {0}, and the board here is a {1}: it cannot be restored.")
         return "" if snapshot.product == board else text.format(snapshot.product, board)
 
-    def _other_number(self) -> str:
+    def _number_note(self) -> str:
         current = self._device.parameters.values.stored.get(ParameterKey.DEVICE_NUMBER)
         number = self._snapshots[0].device_number
         if number is None or current is None or number == current:

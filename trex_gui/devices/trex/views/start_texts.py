@@ -15,7 +15,7 @@ def ttl_wiring() -> Wires:
 def start_texts() -> StartTexts:
     """Return the wiring of a TTL adapter, an RS-232 adapter and a receiver.
 
-    Ref: the reference, sections 4 (levels) and 7 (BEC and mode jumpers).
+    Ref: reference, sections 4 (levels) and 7 (BEC and mode jumpers).
     """
     rs_232 = Wires(
         tr("TReX"),

@@ -23,7 +23,7 @@ _GAP = 16
 
 
 class Page(QWidget):
-    """Drawing of a step. `side` is the content of the card beside it."""
+    """Page of a step. `side` is the content of the card beside it."""
 
     def __init__(self, name: str, heading: str = "") -> None:
         super().__init__()
@@ -33,7 +33,7 @@ class Page(QWidget):
         self.side.hide()
 
     def refresh(self) -> None:
-        """Update the page. Called before it is shown and at each change."""
+        """Update the page. Called before the page is shown and at each change."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +51,7 @@ class Shown:
     may_go_on: bool = True
     may_go_back: bool = False
     may_skip: bool = False
-    closes: bool = False  # Close is the primary button
+    closes: bool = False  # True if Close is the primary button
     close: str = ""
 
 
@@ -61,13 +61,13 @@ class Flow(QObject):
     closed = Signal()  # the task has ended
 
     name = ""  # prefix of the object names
-    size = 1040, 600  # pixels of the dialog
+    size = 1040, 600  # of the dialog, in pixels
 
     def show_in_front(self) -> None:
         self.opened.emit(True)
 
     def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
-        """Create buttons of this task besides Back, Skip and Next."""
+        """Create the buttons of this task besides Back, Skip and Next."""
         del parent
         return ()
 
@@ -81,7 +81,7 @@ class Flow(QObject):
     def next(self) -> None: ...
 
     def on_hidden(self, *, closed: bool) -> None:
-        """Stop actions that need a visible dialog. `closed` is false if it was minimized."""
+        """Stop actions that need a visible dialog. `closed`: false if it was only minimized."""
 
 
 class _Body(QWidget):
@@ -158,9 +158,9 @@ class Steps(ReusedDialog):
         self._next = ui.button(
             self._step_buttons, f"{name}NextButton", default=True, confirms=True, on_click=flow.next
         )
-        # Buttons do not move, so that a second click hits no other button.
-        for each in (self._back, self._skip, self._next):
-            reserve_space(each)
+        # Buttons must not move: a second click could hit another button.
+        for step_button in (self._back, self._skip, self._next):
+            reserve_space(step_button)
         ui.row(self._back, self._skip, self._next, into=self._step_buttons, margins=0)
         bar.fill(*extras, bar.armed, 1, self._close, self._step_buttons)
         margins = (_GAP, _GAP, _GAP, 8)
@@ -200,7 +200,7 @@ class Steps(ReusedDialog):
         self.setWindowTitle(shown.title)
         self._title.setText(shown.title)
         self._strip.show_steps(shown.titles, shown.now, shown.undone)
-        focused, bar = self.focusWidget(), (self._back, self._skip, self._next)
+        focused, step_buttons = self.focusWidget(), (self._back, self._skip, self._next)
         is_new = self._body.show_page(shown.page)
         shown.page.refresh()
         if is_new:
@@ -214,23 +214,24 @@ class Steps(ReusedDialog):
         self._step_buttons.setVisible(bool(shown.next) or shown.may_go_back or shown.may_skip)
         self._close.setDefault(shown.closes)
         set_look(self._close, "primary" if shown.closes else "")
-        is_free = focused in {None, self, *bar} and not (
+        is_free = focused in {None, self, *step_buttons} and not (
             isinstance(focused, QAbstractButton) and self._is_usable(focused)
         )
-        if is_free or (is_new and focused not in bar):
-            # While Next is disabled, Enter must not press Close. It presses Skip after an alarm.
+        if is_free or (is_new and focused not in step_buttons):
+            # While Next is disabled, Enter must not press Close. After an alarm, it presses Skip.
             skip = [self._skip] if shown.is_alarming else []
             buttons = [self._close] if shown.closes else [self._next, *skip]
-            other = shown.page.focusProxy() or self
-            next((each for each in buttons if self._is_usable(each)), other).setFocus()
+            fallback = shown.page.focusProxy() or self
+            usable = (button for button in buttons if self._is_usable(button))
+            next(usable, fallback).setFocus()
 
     def _show_next(self, shown: Shown) -> None:
-        is_other = shown.next != self._next.text() and self._next.isVisible()
+        text_changes = shown.next != self._next.text() and self._next.isVisible()
         self._next.setVisible(bool(shown.next))
         self._next.setText(shown.next or tr("&Next"))
         self._next.setEnabled(shown.may_go_on)
         self._next.setDefault(bool(shown.next))
-        if is_other and isinstance(self._next, ConfirmButton):
+        if text_changes and isinstance(self._next, ConfirmButton):
             self._next.hold_off()
 
     def _is_usable(self, button: QAbstractButton) -> bool:

@@ -1,4 +1,4 @@
-"""Windows besides the pages. Imported when the first window is opened."""
+"""Windows other than the pages. Imported when the first window is opened."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

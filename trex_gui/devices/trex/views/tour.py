@@ -9,7 +9,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.tour import Tour, TourStep
 
 SETUP_STEPS = ("driver", "jumpers", "sticks", "motors", "limits", "review")  # with one stick
-_HOLD_S = 1.2  # an end counts as reached after one second
+_HOLD_S = 1.2  # the end of a stick's travel counts as reached after one second
 
 
 def tour_steps(tour: Tour, controller: TrexController) -> Iterator[TourStep]:
@@ -33,7 +33,7 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[TourStep]:
         yield from tour.wait(_HOLD_S)
 
     def is_reached(page: str) -> bool:
-        """Return whether a page is visible. If not, retry, since the stop may be slow."""
+        """Return whether a page is visible. If it is not, try again, since a stop takes time."""
         return tour.is_visible(page) or (tour.press("learnAgainButton") and False)
 
     yield drive

@@ -56,7 +56,7 @@ if TYPE_CHECKING:
 
 
 class TrexWorkspace(Workspace):
-    """Part of the window for a TReX. It holds no state of the device."""
+    """Main window content for a TReX. Stores no device state."""
 
     _parameter_shown = Signal(object)  # parameter key
 
@@ -141,7 +141,7 @@ class TrexWorkspace(Workspace):
         return page
 
     def _create_motors_page(self, parent: QWidget) -> QWidget:
-        from trex_gui.devices.trex.views.pages.motors.page import MotorsPage  # noqa: PLC0415 - later
+        from trex_gui.devices.trex.views.pages.motors.page import MotorsPage  # noqa: PLC0415
 
         page = MotorsPage(self._device, self._controller.group, parent)
         page.parameter_requested.connect(self._show_parameter)
@@ -183,7 +183,7 @@ class TrexWorkspace(Workspace):
 
     @cached_property
     def _learning(self) -> "Learning":
-        from trex_gui.devices.trex.model.learning.learning import Learning  # noqa: PLC0415 - later
+        from trex_gui.devices.trex.model.learning.learning import Learning  # noqa: PLC0415
 
         learning = Learning(self._device, self)
         # Queued, so that the review has its result before the stick test.
@@ -222,14 +222,14 @@ class TrexWorkspace(Workspace):
 
     def findables(self) -> Iterator[Findable]:
         model = self._device.parameters
-        if not model.count:  # no board was connected yet
+        if not model.count:  # no board has been connected yet
             model = ParameterModel()
             model.load(parameters_of("trex", "1.3"), {}, {}, power_cycled=False)
         for row in model.rows:
             for key in row.keys[:1]:
-                place = f"{tr('Parameters')} · {model.titles[row.group]}"
+                location = f"{tr('Parameters')} · {model.titles[row.group]}"
                 text, show = model.text.description(key), partial(self._show_parameter, key)
-                yield Findable("parameter", key, row.name, place, text, show)
+                yield Findable("parameter", key, row.name, location, text, show)
 
     def menus(self) -> Menus:
         device, files, shown = self._device, self.files, self.files.shown
@@ -379,8 +379,8 @@ class TrexWorkspace(Workspace):
 
     def shut_down(self) -> bool:
         device = self._device
-        kept = [files.shut_down() for files in (device.edit_backup.files, device.records.files)]
-        return self.recordings.shut_down() and all(kept)
+        saved = [files.shut_down() for files in (device.edit_backup.files, device.records.files)]
+        return self.recordings.shut_down() and all(saved)
 
     def set_up_crc(self) -> None:
         self._settings.propose_crc()
