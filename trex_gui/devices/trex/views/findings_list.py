@@ -58,7 +58,8 @@ class FindingsList(QWidget):
 
     @Slot()
     def refresh(self) -> None:
-        self.show_findings(filter(self._concerns, self._linter.findings))
+        findings = self._linter.findings
+        self.show_findings([finding for finding in findings if self._concerns(finding)])
 
     def show_findings(self, findings: Iterable[Remark], *, with_lines: bool = False) -> None:
         """Show findings. `with_lines` adds buttons that show their lines."""

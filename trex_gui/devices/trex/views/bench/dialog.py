@@ -45,7 +45,7 @@ from trex_gui.ui.widgets.scroll_box import ScrollBox
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.bench.plot import BenchPlot
 
-_PREVIOUS = -1  # comparison with the previous test
+_PREVIOUS = -1  # list item for the previous test
 
 
 class BenchDialog(ReusedDialog):
@@ -116,7 +116,7 @@ class BenchDialog(ReusedDialog):
         self._fill_compare()
         self._on_changed()
 
-    def reject(self) -> None:  # Esc, the Close button and the window's cross call this
+    def reject(self) -> None:  # also called by Esc and the close buttons
         self.bench.abort(tr("The window of the bench test was closed."))
         super().reject()
 
@@ -128,7 +128,7 @@ class BenchDialog(ReusedDialog):
         self._on_changed()
 
     def _add_plot(self) -> None:
-        """Create the plot after the window is shown. Both together take 200 ms."""
+        """Create the plot after the window is shown. Together they take 200 ms."""
         from trex_gui.devices.trex.views.bench.plot import BenchPlot  # noqa: PLC0415 - pyqtgraph
 
         self._plot = BenchPlot(self)
@@ -233,7 +233,7 @@ class BenchDialog(ReusedDialog):
         self._show_figures()
 
     def _fill_compare(self) -> None:
-        """List all tests except the last. The selection remains."""
+        """List all tests except the last, and restore the selection."""
         selected = self._compare.currentData()
         text = tr("{0:%H:%M:%S}, motor {1}: {2}")
         with QSignalBlocker(self._compare):
@@ -263,7 +263,7 @@ class BenchDialog(ReusedDialog):
         self._figures.show_runs(run, self._before)
 
     def _schedule_frame(self) -> None:
-        """Draw at most once per frame, so that drawing does not delay the line."""
+        """Draw at most once per frame, so that drawing does not delay the serial line."""
         if self.isVisible() and not self._frame_timer.isActive():
             self._frame_timer.start()
 
@@ -280,7 +280,7 @@ class BenchDialog(ReusedDialog):
 
 
 def _rows() -> tuple[tuple[str, str, str, str], ...]:
-    """Return name, field of `Figures`, unit and explanation of each row."""
+    """Return the name, `Figures` field, unit and explanation of each row."""
     until_braking = tr("From the first setpoint until braking.")
     return (
         (tr("Peak current"), "peak", "A", tr("The highest reading.")),

@@ -1,4 +1,4 @@
-"""Forms for the plan of a bench test and the tuned parameters."""
+"""Forms for the plan of a bench test and for the tuned parameters."""
 
 from dataclasses import replace
 from functools import partial
@@ -34,7 +34,7 @@ def _form(parent: QWidget | None = None) -> QFormLayout:
 
 
 def _align(form: QFormLayout) -> None:
-    """Centre each title beside its field, which may be taller."""
+    """Centre each title vertically beside its field."""
     for number in range(form.rowCount()):
         item = form.itemAt(number, QFormLayout.ItemRole.LabelRole)
         if item is not None and (title := item.widget()) is not None:
@@ -75,12 +75,12 @@ class PlanForm(ui.Card):
         self._period = seconds("benchPeriod")
         self._period_name = ui.label(self, buddy=self._period)
         form.addRow(self._period_name, self._period)
-        ways = [(tr("Accelerate"), True), (title_of(tr("Se&t at once")), False)]
+        methods = [(tr("Accelerate"), True), (title_of(tr("Se&t at once")), False)]
         tip = tr(
             "Accelerate uses the board's acceleration, brake duration and current limit; "
             "Set at once bypasses the first two and, for a moment, the limit, too."
         )
-        self._sent = add(tr("Se&nt as"), combo("benchSent", items=ways, tip=tip))
+        self._sent = add(tr("Se&nt as"), combo("benchSent", items=methods, tip=tip))
         tip = tr(
             "One reading above it stops and disarms all motors. A motor draws most when it starts."
         )
@@ -144,7 +144,7 @@ class PlanForm(ui.Card):
         for combo, data in combos.items():
             combo.setCurrentIndex(combo.findData(data))
         for box, value in numbers.items():
-            if box.value() != value:  # setting it would reformat typed text
+            if box.value() != value:  # setting the same value would reformat typed text
                 box.setValue(value)  # type: ignore[arg-type]  # an int for the speed
         self._at_limit.setChecked(plan.abort_at_limit)
         del blockers
@@ -159,7 +159,7 @@ class PlanForm(ui.Card):
 
 
 class TuningForm(ui.Card):
-    """Edits acceleration, brake duration, current limit and P of a motor."""
+    """Form for the ramps and the current limit of a motor."""
 
     def __init__(self, device: Device, bench: Bench, parent: QWidget) -> None:
         super().__init__("", parent)
@@ -217,9 +217,9 @@ class TuningForm(ui.Card):
             editor.setAccessibleName(spec.name)
             editor.setToolTip(ui.plain(f"{spec.description} ({editor.toolTip()})"))
             editor.setMinimumWidth(editor.fontMetrics().horizontalAdvance(_WIDEST) + 40)
-            # The title of the card has the motor, and the full name of P is too long.
-            is_constant = key.endswith(MotorParameter.CURRENT_LIMIT_P)
-            name = tr("Limit P") if is_constant else spec.short_name
+            # The card title names the motor, and the full name of P is too long.
+            is_limit_p = key.endswith(MotorParameter.CURRENT_LIMIT_P)
+            name = tr("Limit P") if is_limit_p else spec.short_name
             label = ui.label(self._editors, text=name, tip=spec.description)
             self._form.addRow(label, editor)
             editor.valueChanged.connect(partial(self._on_edited, key))
@@ -231,7 +231,7 @@ class TuningForm(ui.Card):
         try:
             self._device.parameters.edit(key, wire, alone=True)
         except (BadRequest, KeyError):
-            self._show_values()  # the board was disconnected meanwhile
+            self._show_values()  # the board was disconnected
 
     def _show_values(self) -> None:
         parameters = self._device.parameters

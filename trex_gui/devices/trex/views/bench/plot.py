@@ -1,4 +1,4 @@
-"""Plot of setpoint and current of a bench test. Importing this module loads pyqtgraph."""
+"""Plot of the setpoint and current of a bench test. Importing this module loads pyqtgraph."""
 
 import math
 
@@ -18,9 +18,9 @@ from trex_gui.ui.widgets.builders import column, row
 from trex_gui.ui.widgets.labels import LegendKey
 from trex_gui.ui.widgets.painted import Painted
 
-_SPEED_REACH = 134.0  # ends of the speed axis, ±
+_SPEED_REACH = 134.0  # limit of the speed axis on both sides
 _AFTER = 0.6  # seconds shown after the end of a test
-_MIN_CURRENT = 2.0  # A; the current axis reaches at least this value
+_MIN_CURRENT = 2.0  # A. The current axis extends at least to this value.
 _MAX_SECONDS_LABELS = 8
 _MAX_CURRENT_LABELS = 4
 
@@ -37,7 +37,7 @@ class BenchPlot(Painted):
         self._before: Run | None = None
         self._profile: Profile | None = None
         self._axes = (0.0, 0.0)
-        self.highest = _MIN_CURRENT  # A, at the top of the lower plot
+        self.highest = _MIN_CURRENT  # upper limit of the current axis, in A
 
         self._speeds = PlotCanvas(tr("Speed setpoint, against time"), self)
         self._currents = PlotCanvas(tr("Current drawn, against time"), self)
@@ -54,8 +54,8 @@ class BenchPlot(Painted):
         self._setpoints = self._speeds.add_curve("window_text")
         self._abort_line = self._currents.add_line("danger", dash)
         self._limit_line = self._currents.add_line("warning", dash)
-        self._drawn_before = self._currents.add_curve("muted")
-        self._drawn = self._currents.add_curve("accent")
+        self._previous_current = self._currents.add_curve("muted")
+        self._current = self._currents.add_curve("accent")
         self._ends = [
             canvas.add_line("neutral", dash, vertical=True) for canvas in canvases.values()
         ]
@@ -73,14 +73,14 @@ class BenchPlot(Painted):
 
     @property
     def seconds(self) -> float:
-        """Time at the right end of the plots."""
+        """Time at the right edge of the plots."""
         lengths = [run.ended for run in (self._run, self._before) if run is not None]
         if self._profile is not None:
             lengths.append(self._profile.duration)
         return max(lengths, default=1.0) + _AFTER
 
     def show_plan(self, profile: Profile, abort: float, limit: float | None) -> None:
-        """Show the next profile, its abort current and its limit, in A."""
+        """Show the next profile, its abort current and its current limit, in A."""
         if profile != self._profile:
             self._profile = profile
             self._planned.set_points(*_arrays(profile.course()))
@@ -91,7 +91,7 @@ class BenchPlot(Painted):
         self._limit_key.setText(tr("Limit {0:g} A").format(Number(limit or 0)))
 
     def show_runs(self, run: Run | None, before: Run | None) -> None:
-        """Show a test, which may still run, and the compared test."""
+        """Show a test, which may still be running, and the test to compare it with."""
         self._run, self._before = run, before
         peak = max((amps for test in (run, before) if test for _, amps in test.currents), default=0)
         peak = max(_MIN_CURRENT, 1.05 * peak)
@@ -101,7 +101,7 @@ class BenchPlot(Painted):
             self._axes, self.highest = axes, highest
             self._show_axes(*axes)
         self._setpoints.set_points(*_steps(run))
-        for curve, test in ((self._drawn, run), (self._drawn_before, before)):
+        for curve, test in ((self._current, run), (self._previous_current, before)):
             curve.set_points(*_arrays(test.currents if test is not None else ()))
         self._before_key.setVisible(before is not None)
         for end in self._ends:
@@ -114,18 +114,18 @@ class BenchPlot(Painted):
         marks = ticks(0, end, round_up(end / _MAX_SECONDS_LABELS))
         x, margin = (0.0, end), 0.02 * self.highest
         self._speeds.set_axes(
-            x, (-_SPEED_REACH, _SPEED_REACH), [(at, "") for at in marks], count_labels()
+            x, (-_SPEED_REACH, _SPEED_REACH), [(mark, "") for mark in marks], count_labels()
         )
         self._currents.set_axes(
             x,
             (-margin, self.highest + margin),
-            [(at, f"{Number(at):g} s") for at in marks],
+            [(mark, f"{Number(mark):g} s") for mark in marks],
             value_labels(ticks(0, self.highest, step), tr("A")),
         )
 
 
 def _arrays(points: object) -> tuple[Floats, Floats]:
-    """Return times and values in the format of the canvas."""
+    """Return times and values as arrays for the canvas."""
     table = np.array(points, dtype=float).reshape(-1, 2)
     return np.ascontiguousarray(table[:, 0]), np.ascontiguousarray(table[:, 1])
 

@@ -1,4 +1,4 @@
-"""Picture of required jumper positions and LED patterns."""
+"""Picture of the required jumper positions and LED patterns."""
 
 from collections.abc import Collection
 
@@ -13,12 +13,12 @@ from trex_gui.ui.widgets.circuit import Jumper, jumpers_size, paint_body, paint_
 from trex_gui.ui.widgets.leds import Leds
 from trex_gui.ui.widgets.painted import Painted, Painter
 
-_SCALE = 1.4  # text size, relative to the font of the widget
-_LEFT, _ABOVE, _LEDS = 1.8, 1.3, 1.9  # lines of text: margins of the jumpers, height of the LEDs
+_SCALE = 1.4  # text size relative to the font of the widget
+_LEFT, _ABOVE, _LEDS = 1.8, 1.3, 1.9  # in lines of text: margins, height of the LEDs
 
 
 class JumperPicture(Painted):
-    """Picture of the jumpers. Jumpers to move have a frame."""
+    """Picture of the jumpers, with a frame around each jumper to move."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -37,10 +37,10 @@ class JumperPicture(Painted):
         moved: Collection[str] = (),
         leds: tuple[str, str] | None = None,
     ) -> None:
-        """Show the required positions of the jumpers, and the resulting LED patterns.
+        """Show the required jumper positions and the resulting LED patterns.
 
         If `mode` is empty, the mode jumper is off. If `mix` is `None`, the mix jumper is not
-        shown. `moved` are the jumpers to move: `mode`, `mix`, `so_ground`.
+        shown. `moved` contains the jumpers to move: `mode`, `mix`, `so_ground`.
         """
         names = {
             "mode": (tr("Mode: {0}").format(mode) if mode else tr("Mode: off"), bool(mode)),
@@ -78,7 +78,7 @@ class JumperPicture(Painted):
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
         line, color = _SCALE * self.fontMetrics().height(), theme().color
-        at = QPointF(_LEFT * line, self._above * line)
+        origin = QPointF(_LEFT * line, self._above * line)
         step = jumpers_size(self.font(), [("", True)]).height() * _SCALE
         with Painter(self) as painter:
             paint_body(painter, QRectF(self.rect()).adjusted(1, 1, -1, -1), "")
@@ -86,8 +86,8 @@ class JumperPicture(Painted):
             painter.setBrush(color("selected"))
             for number, key in enumerate(self._jumpers):
                 if key in self._moved:
-                    top = at.y() + number * step - 0.2 * line
-                    box = QRectF(at.x() - 8, top, self.width() - at.x() - line, 2.2 * line)
+                    top = origin.y() + number * step - 0.2 * line
+                    box = QRectF(origin.x() - 8, top, self.width() - origin.x() - line, 2.2 * line)
                     painter.drawRoundedRect(box, 8, 8)
             painter.setFont(scaled_font(self.font(), _SCALE))
-            paint_jumpers(painter, at, [*self._jumpers.values()], line)
+            paint_jumpers(painter, origin, [*self._jumpers.values()], line)

@@ -68,7 +68,7 @@ class BoardPage(QWidget):
         start: Callable[[QWidget], QWidget],
         parent: QWidget | None = None,
     ) -> None:
-        """Create the page. `start` creates the panel for the time without a connection."""
+        """Create the page. `start` creates the panel that is visible while disconnected."""
         super().__init__(parent)
         self.setObjectName("boardPage")
         self._device = device
@@ -116,7 +116,7 @@ class BoardPage(QWidget):
     def _on_group_changed(self) -> None:
         for view in self._others:
             self._views.remove(view)
-        others = [each for each in self._group.devices.values() if each is not self._device]
+        others = [device for device in self._group.devices.values() if device is not self._device]
         self._others = {BoardView(device, self._views): device for device in others}
         for view, device in self._others.items():
             view.page_wanted.connect(self.page_wanted)
@@ -203,4 +203,4 @@ def _open_text(done: SetUp) -> str:
         tr("serial timeout"): done.timeout,
     }
     words = (f"{'✓' if is_done else '○'} {text}" for text, is_done in steps.items())
-    return "   ".join(each.replace(" ", "\N{NO-BREAK SPACE}") for each in words)
+    return "   ".join(word.replace(" ", "\N{NO-BREAK SPACE}") for word in words)

@@ -25,16 +25,16 @@ from trex_gui.ui.widgets.painted import Painter, never_mirror
 
 PULLED = 10  # pixels between the socket and a pulled plug
 _SPOKES = 5
-WHEEL = 3.9  # diameter in text lines
-_TURNS = 0.8  # per second at full speed; symbolic, since the board measures no speed
+WHEEL = 3.9  # diameter, in lines of text
+_TURNS = 0.8  # per second at full speed (symbolic: the board measures no speed)
 
 
 class BoardPart(QAbstractButton, Spoken):
-    """Button with its name in bold, above the reports of the board."""
+    """Button with its name in bold above its state."""
 
     spoken_role = QAccessible.Role.Button
-    spoken_from = 0  # first line after the name
-    ground = ""  # background colour; if empty, the part is transparent
+    spoken_from = 0  # index of the first line that is spoken
+    ground = ""  # theme colour of the background, or empty if transparent
 
     def __init__(
         self,
@@ -55,16 +55,16 @@ class BoardPart(QAbstractButton, Spoken):
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.lines: tuple[str, ...] = ()
         self._painted = QRect()  # area of the current paint event
-        self.alarm = ""  # theme colour of the last line in an alarm
+        self.alarm = ""  # theme colour of the last line if it is an alarm
         self.clicked.connect(open_page)
         theme().changed.connect(self.update)
 
     def show_lines(self, *lines: str, alarm: str = "") -> None:
         if (lines, alarm) != (self.lines, self.alarm):
             self.lines, self.alarm = lines, alarm
-            self.update(self._place_of_lines())
+            self.update(self._lines_rect())
 
-    def _place_of_lines(self) -> QRect:
+    def _lines_rect(self) -> QRect:
         return self.rect()
 
     def spoken_state(self) -> str:
@@ -87,10 +87,10 @@ class BoardPart(QAbstractButton, Spoken):
         raise NotImplementedError
 
     def write_beside(self, painter: QPainter, left: float) -> None:
-        """Write the lines from `left`, if that area is painted."""
+        """Write the lines to the right of `left` if that area needs painting."""
         if self._painted.right() > left:
-            place = QRectF(left, 0, self.width() - left, self.height())
-            write_lines(painter, place, self.lines, alarm=self.alarm)
+            area = QRectF(left, 0, self.width() - left, self.height())
+            write_lines(painter, area, self.lines, alarm=self.alarm)
 
 
 class ChannelPart(BoardPart):
@@ -108,7 +108,7 @@ class ChannelPart(BoardPart):
     def show_input(
         self, axis: tuple[int, int], count: int | None, calibration: Calibration | None
     ) -> None:
-        """Show a raw count on an axis of raw counts. `None`: no signal, or unknown."""
+        """Show a raw count on an axis. `None` means no signal, or an unknown value."""
         if (axis, count, calibration) != (self._axis, self._count, self._calibration):
             self._axis, self._count, self._calibration = axis, count, calibration
             self.update()
@@ -121,15 +121,15 @@ class ChannelPart(BoardPart):
         write(painter, line, title, "window_text", bold=True)
         write(painter, line.adjusted(left, 0, -right, 0), role, "muted")
         write(painter, line, value, "window_text", bold=True, align=Qt.AlignmentFlag.AlignRight)
-        high = 0.6 * line.height()
-        track = QRectF(area.left(), self.height_of_bar - high / 2, area.width(), high)
+        bar_height = 0.6 * line.height()
+        track = QRectF(area.left(), self.height_of_bar - bar_height / 2, area.width(), bar_height)
         paint_input(painter, track, self._axis, self._count, self._calibration)
 
 
 class LedPart(BoardPart):
     spoken_from = 1
     ground = "board"
-    pattern = ""  # for `leds.is_lit`; empty while unknown
+    pattern = ""  # argument of `is_lit`, or empty while unknown
     _is_lit = False
 
     @property
@@ -150,7 +150,7 @@ class LedPart(BoardPart):
 
 
 class JumperPart(BoardPart):
-    """Two pins, with or without a jumper. An unknown jumper is dashed."""
+    """Two pins, with or without a jumper. If the state is unknown, the jumper is dashed."""
 
     ground = "board"
     is_on: bool | None = None
@@ -209,7 +209,7 @@ class MotorPart(BoardPart):
         self.write_beside(painter, wheel.right() + 14)
 
     def _paint_arrow(self, painter: QPainter, wheel: QRectF, color: QColor) -> None:
-        """Paint the direction of rotation. Clockwise is forward."""
+        """Paint an arrow in the direction of rotation. Clockwise is forward."""
         around = wheel.adjusted(-7, -7, 7, 7)
         painter.setPen(QPen(color, 2.5))
         painter.setBrush(Qt.BrushStyle.NoBrush)
@@ -228,7 +228,7 @@ class SerialPart(BoardPart):
     PINS = ("SI", "SO", "GND")
     body_width = 0  # width of the board, in pixels
 
-    def _place_of_lines(self) -> QRect:
+    def _lines_rect(self) -> QRect:
         return self.rect().adjusted(0, int(self._box().bottom()), 0, 0)
 
     def _box(self) -> QRectF:
@@ -250,7 +250,7 @@ class PlugPart(BoardPart):
     """Wire with a plug. A pulled plug is drawn beside its socket."""
 
     is_out = False
-    is_labelled = False  # name and state are above the wire
+    is_labelled = False  # True if name and state are written above the wire
 
     def show_plug(self, *lines: str, out: bool) -> None:
         self.is_out = out

@@ -32,7 +32,7 @@ from trex_gui.ui.theme.theme import follow_theme, scaled_font, theme
 from trex_gui.ui.widgets.circuit import paint_block, paint_body, text_width
 from trex_gui.ui.widgets.painted import Animation, Painter, never_mirror
 
-# Texts of setpoints without a speed.
+# Texts for setpoints without a speed.
 _SOURCES = {
     SetpointSource.UNKNOWN: tr_noop("not known"),
     SetpointSource.JOINT: tr_noop("works with motor 1"),
@@ -40,10 +40,10 @@ _SOURCES = {
     SetpointSource.NOT_ARMED: tr_noop("not armed"),
 }
 
-_WIRE = 1.4  # lines of text between the body and the parts beside it
+_WIRE = 1.4  # lines of text between the board and the parts beside it
 _MIN_HEIGHT, _HEIGHT = 20, 26  # lines of text
-_SERIAL = 3.4  # lines: height of the serial line, 0.8 of it on the body
-_MAX_SCALE = 1.5  # of the font; larger only if `_MANY_LINES` still fit
+_SERIAL = 3.4  # lines of text: height of the serial line, including 0.8 lines on the board
+_MAX_SCALE = 1.5  # of the font. Larger only if `_MANY_LINES` lines fit.
 _MANY_LINES = 30
 
 
@@ -61,11 +61,11 @@ class BoardView(QWidget):
         self._started = now()
         self._motion = Animation(self, self._on_frame)
 
-        def opens(page: str) -> Callable[[], object]:
+        def opener(page: str) -> Callable[[], object]:
             return partial(self.page_wanted.emit, page)
 
-        leds, settings = opens("errors"), opens("parameters")
-        channels, motors = opens("channels"), opens("motors")
+        leds, settings = opener("errors"), opener("parameters")
+        channels, motors = opener("channels"), opener("motors")
         self._channels = {
             number: ChannelPart(
                 f"Channel{number}",
@@ -81,7 +81,9 @@ class BoardView(QWidget):
         )
         self._mode = JumperPart("ModeJumper", tr("Mode jumper"), settings, self)
         self._mix = JumperPart("MixJumper", tr("Mix jumper"), channels, self)
-        self._so_ground = JumperPart("SoGroundJumper", tr("SO–G jumper"), opens("transcript"), self)
+        self._so_ground = JumperPart(
+            "SoGroundJumper", tr("SO–G jumper"), opener("transcript"), self
+        )
         names = {1: tr("Motor 1"), 2: tr("Motor 2"), AUXILIARY: tr("Auxiliary")}
         self._motors = {
             number: MotorPart(f"Motor{number}", name, motors, self, color)
@@ -89,13 +91,16 @@ class BoardView(QWidget):
                 names.items(), ("motor1", "motor2", "auxiliary"), strict=True
             )
         }
-        self._serial = SerialPart("Serial", tr("Serial line"), opens("errors"), self)
+        self._serial = SerialPart("Serial", tr("Serial line"), opener("errors"), self)
         follow_theme(self, "space", self._place)
 
     # --- Layout -------------------------------------------------------------------------
 
     def _columns(self) -> tuple[tuple[float, float], ...]:
-        """Return minimum and maximum widths of channels, body and motors, in lines of text."""
+        """Return the minimum and maximum width of each column, in lines of text.
+
+        The columns are channels, board and motors.
+        """
         font, line = self.font(), self.fontMetrics().height()
         roles = text_width(font, *(f"CH5  {tr(role)}  2000 µs " for role in CHANNEL_NAMES.values()))
         words = f"{tr('not armed')} {tr('reverse')} {tr('limit {0:.1f} A').format(88.8)}".split()
@@ -104,11 +109,11 @@ class BoardView(QWidget):
         return (roles / line + 1, roles / line + 8), (14, 28), (motors, 17)
 
     def minimumSizeHint(self) -> QSize:
-        width, line = sum(least for least, _ in self._columns()), self.fontMetrics().height()
+        width, line = sum(minimum for minimum, _ in self._columns()), self.fontMetrics().height()
         return QSize(round((width + 2 * _WIRE) * line) + 1, _MIN_HEIGHT * line)
 
     def sizeHint(self) -> QSize:
-        width, line = sum(most for _, most in self._columns()), self.fontMetrics().height()
+        width, line = sum(maximum for _, maximum in self._columns()), self.fontMetrics().height()
         return QSize(round((width + 2 * _WIRE) * line) + 1, _HEIGHT * line)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -117,35 +122,37 @@ class BoardView(QWidget):
 
     def _place(self) -> None:
         self.updateGeometry()
-        least, base, width = self.minimumSizeHint(), self.fontMetrics().height(), self.width()
+        min_size, base, width = self.minimumSizeHint(), self.fontMetrics().height(), self.width()
         max_scale = max(_MAX_SCALE, self.height() / base / _MANY_LINES)
-        scale = min(width / least.width(), self.height() / least.height(), max_scale)
+        scale = min(width / min_size.width(), self.height() / min_size.height(), max_scale)
         line = round(base * max(1.0, scale))
         for part in self.findChildren(BoardPart):
             part.setFont(scaled_font(self.font(), line / base))
-        extra = max(0.0, width / line - least.width() / base)  # spare width, in lines
-        columns = [round(line * min(most, least + extra / 4)) for least, most in self._columns()]
+        extra = max(0.0, width / line - min_size.width() / base)  # spare width, in lines
+        columns = [
+            round(line * min(maximum, minimum + extra / 4)) for minimum, maximum in self._columns()
+        ]
         wire = round(min(5.0, _WIRE + extra / 8) * line)
         left = max(0, (width - sum(columns) - 2 * wire) // 2)
         channels, body, motors = columns
         body_height = self.height() - round((_SERIAL - 0.8) * line)
         self._body = QRect(left + channels + wire, 1, body, body_height)
-        beside = QRect(left, 1, channels, body_height - 8)  # blocks fit between the holes
+        beside = QRect(left, 1, channels, body_height - 8)  # so that blocks fit between the holes
         self._place_column(self._channels, beside, round(2.8 * line))
         right = self._body.right() + wire
         self._place_column(
             self._motors, QRect(right, 1, motors, body_height), round(body_height / 3) - 4
         )
         inside = self._body.adjusted(line + 4, 0, -line - 4, 0)  # between blocks and holes
-        at = round(3.2 * line)
+        top = round(3.2 * line)
         half = inside.width() // 2
         for number, led in enumerate(self._leds):
-            led.setGeometry(inside.left() + number * half, at, half, round(2.4 * line))
-        step = (self._body.bottom() - line - at - 2 * line) // 3
+            led.setGeometry(inside.left() + number * half, top, half, round(2.4 * line))
+        step = (self._body.bottom() - line - top - 2 * line) // 3
         for number, jumper in enumerate((self._mode, self._mix, self._so_ground)):
-            place = QRect(inside.left(), at + round(2.4 * line) + number * step, inside.width(), 0)
-            place.setHeight(min(step, round(4.5 * line)))
-            jumper.setGeometry(place)
+            area = QRect(inside.left(), top + round(2.4 * line) + number * step, inside.width(), 0)
+            area.setHeight(min(step, round(4.5 * line)))
+            jumper.setGeometry(area)
         bottom = self._body.bottom() - round(0.8 * line)
         self._serial.body_width = self._body.width()
         width = left + sum(columns) + 2 * wire - self._body.left()

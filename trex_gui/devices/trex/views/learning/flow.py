@@ -20,12 +20,12 @@ from trex_gui.devices.trex.views.robot_view import RobotView
 from trex_gui.devices.trex.views.steps import Flow, Page, Shown
 from trex_gui.ui.widgets import builders as ui
 
-# The stick test has index 1, other steps have index 0.
+# The stick test also has index 1. All other steps have index 0.
 _INDICES = {LearningStep.NEUTRAL: 1, LearningStep.TRAVEL: 2, LearningStep.REVIEW: 3}
 
 
 class LearnFlow(Flow):
-    """Steps of channel learning. Opening it again does not restart learning in progress."""
+    """Steps of channel learning. Reopening the dialog continues learning in progress."""
 
     size = 1040, 660
     apply_requested = Signal()  # the learned values became edits
@@ -33,7 +33,7 @@ class LearnFlow(Flow):
     def __init__(
         self, learning: Learning, parent: QObject | None = None, *, name: str = "learn"
     ) -> None:
-        """Create the flow. With another `name` it is part of a task, and opens no test."""
+        """Create the flow. With another `name`, it belongs to a larger task and opens no test."""
         super().__init__(parent)
         self.name = name
         self.learning = learning
@@ -134,7 +134,7 @@ class LearnFlow(Flow):
             text, may_go_on = tr("&Use these values…"), learning.can_use_values
         elif step in {LearningStep.TEST, LearningStep.FAILED}:
             text = ""
-        ends = {LearningStep.TEST, LearningStep.FAILED, LearningStep.ENDED}
+        final_steps = {LearningStep.TEST, LearningStep.FAILED, LearningStep.ENDED}
         return Shown(
             title,
             titles,
@@ -146,7 +146,7 @@ class LearnFlow(Flow):
             may_go_on=may_go_on,
             may_go_back=step in {LearningStep.TRAVEL, LearningStep.REVIEW},
             closes=self._offers_test or step in {LearningStep.TEST, LearningStep.DOUBT},
-            close="" if step in ends else tr("Cancel"),
+            close="" if step in final_steps else tr("Cancel"),
         )
 
     def _page_of(self, step: LearningStep) -> Page:
@@ -237,7 +237,8 @@ def _travel_text(learning: Learning) -> str:
         "Push every stick forward or right first, all the way; then the other way. Move switches "
         "to all positions. Hold each end until it is ticked, then click Next."
     )
-    slow = [c.travel for c in learning.channels if c.travel and c.travel.is_slow]
+    travels = [channel.travel for channel in learning.channels]
+    slow = [travel for travel in travels if travel and travel.is_slow]
     if not slow:
         return text
     reason = tr(
@@ -249,7 +250,9 @@ def _travel_text(learning: Learning) -> str:
 
 
 def _review_text(learning: Learning) -> str:
-    rejected = ", ".join(str(c.number) for c in learning.included if not c.can_be_used)
+    rejected = ", ".join(
+        str(channel.number) for channel in learning.included if not channel.can_be_used
+    )
     if not any(channel.choice is not None for channel in learning.channels):
         return tr("Nothing was learned. Go back, or start over.")
     if not learning.included:

@@ -27,8 +27,8 @@ from trex_gui.ui.widgets.labels import Muted, Note, Sign
 
 ChannelT = TypeVar("ChannelT", bound=LearnedChannel | StickTest)
 
-_TEXT_WIDTH = 24  # characters, of the text beside a strip
-_MIN_LINES = 3.2  # height of a strip, in lines of text
+_TEXT_WIDTH = 24  # of the text beside a strip, in characters
+_MIN_LINES = 3.2  # minimum height of a strip, in lines of text
 
 
 class InputStrip(ChannelStrip):
@@ -57,7 +57,7 @@ class InputStrip(ChannelStrip):
         raw: int | None,
         output: int | None = None,
     ) -> None:
-        """Add a sample if it is new. `raw` is `None` without a signal."""
+        """Add a sample if it is new. `raw` is `None` if there is no signal."""
         if (source, marks) != self._scale:
             self._scale = source, marks
             self.set_scale(source, marks)
@@ -131,8 +131,8 @@ class RestRow(ChannelRow[LearnedChannel]):
         if neutral is None:
             text = text or tr("not sampled yet")
         elif not text and neutral.invalid < 1:
-            place = neutral.source.text(neutral.value)
-            text = tr("at rest: {0}, noise {1}").format(place, neutral.noise_text)
+            position = neutral.source.text(neutral.value)
+            text = tr("at rest: {0}, noise {1}").format(position, neutral.noise_text)
         self.text.show_note(text, alarming=bool(problems))
 
 
@@ -140,7 +140,7 @@ class EndState(Enum):
     OPEN = "○", "muted", tr_noop("{0} end: not reached yet")
     HOLD = "▸", "window_text", tr_noop("{0} end: hold it there")
     DONE = "✓", "good", tr_noop("{0} end: reached")
-    NEEDLESS = "", "muted", tr_noop("{0} end: not needed")  # a switch reached its other end
+    NEEDLESS = "", "muted", tr_noop("{0} end: not needed")  # the switch reached its other end
 
 
 class EndSign(QLabel):

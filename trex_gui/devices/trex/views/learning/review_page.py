@@ -68,10 +68,11 @@ class ChannelForm(QWidget):
                 f"learn{field.capitalize()}Edit{number}",
                 accessible=tr("{0} of channel {1}").format(name.replace("&", ""), number),
             )
-            was = Muted("", self)
-            for column, widget in enumerate((ui.label(self, text=name, buddy=editor), editor, was)):
+            old_value = Muted("", self)
+            widgets = ui.label(self, text=name, buddy=editor), editor, old_value
+            for column, widget in enumerate(widgets):
                 grid.addWidget(widget, row, column)
-            self._editors[field], self._old_values[field] = editor, was
+            self._editors[field], self._old_values[field] = editor, old_value
             editor.valueChanged.connect(partial(self._on_value_changed, field))
             editor.rejected.connect(partial(self._problem.show_note, alarming=True))
         self._reversed = ui.check_box(
@@ -181,7 +182,9 @@ class ReviewPage(Page):
         theme().changed.connect(self._show_signs)
         self._on_changed()
         problems = (bool(form.channel.result_problems) for form in self._forms)
-        self._tabs.setCurrentIndex(next((i for i, found in enumerate(problems) if found), 0))
+        self._tabs.setCurrentIndex(
+            next((i for i, has_problem in enumerate(problems) if has_problem), 0)
+        )
 
     @property
     def _form(self) -> ChannelForm:

@@ -74,9 +74,9 @@ class SticksPage(Page):
         self._learn.setEnabled(not blocker)
         self._blocker.show_note(blocker, alarming=True)
         self._right.setVisible(self._has_one_stick)
-        one = tr("The stick is fully &forward now")
-        two = tr("Both sticks are fully &forward now")
-        self._forward.setText(one if self._has_one_stick else two)
+        one_stick = tr("The stick is fully &forward now")
+        two_sticks = tr("Both sticks are fully &forward now")
+        self._forward.setText(one_stick if self._has_one_stick else two_sticks)
         can_push = self._device.is_connected and not self._device.writer.is_rejected
         for button in (self._forward, self._right):
             button.setEnabled(can_push)
@@ -118,7 +118,7 @@ class SticksPage(Page):
 
 
 class WiringPage(Page):
-    """Page for the motor wiring. Its layout does not shift while motors are armed."""
+    """Page for the motor wiring. The layout does not shift while motors are armed."""
 
     def __init__(self, device: Device, setup: RobotSetup) -> None:
         super().__init__("setupWiringPage", tr("Hold a button, then click what moved"))

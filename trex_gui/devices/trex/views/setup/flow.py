@@ -104,9 +104,9 @@ class SetupFlow(Flow):
 
     def shown(self) -> Shown:
         setup, step, title = self.setup, self.setup.step, tr("Set up my robot")
-        names = {each: self._titles[each].replace("&", "") for each in setup.steps}
+        names = {key: self._titles[key].replace("&", "") for key in setup.steps}
         titles, now = list(names.values()), setup.steps.index(step)
-        undone = [names[each] for each in setup.open_steps]
+        undone = [names[key] for key in setup.open_steps]
         if self._is_learning:
             shown = self._learn.shown()
             shown = replace(shown, title=title, titles=titles, now=now, undone=undone)

@@ -158,7 +158,7 @@ class LimitsPage(Page):
         self._hint.show_note(self._hint_text())
 
     def _show_ramps(self, preset: Preset | None) -> None:
-        """Show ramps and values of a preset. `None`: of the board."""
+        """Show the ramps and values of a preset, or of the board if `None`."""
         parameters = self._device.parameters
         values = parameters.values
         wire = values.stored if preset is None else preset.values(parameters.model_key)
@@ -181,11 +181,11 @@ class LimitsPage(Page):
         )
         text = f"{text} {tr(CURRENT_ACCURACY)}"
         if preset is not None and preset.product != self._device.parameters.model_key:
-            other = tr(
+            foreign = tr(
                 "This example was made for a {0}, which measures current in other units. Your "
                 "board keeps its current limit."
             )
-            text = f"{other.format(device_table().model(preset.product).name)} {text}"
+            text = f"{foreign.format(device_table().model(preset.product).name)} {text}"
         return text
 
     @Slot(float)

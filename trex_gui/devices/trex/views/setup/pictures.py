@@ -105,17 +105,19 @@ def paint_driver(driver: Driver, painter: QPainter, box: QRectF) -> None:
     else:
         painter.drawLine(QPointF(13, 2), QPointF(13, -0.5))
         painter.drawRoundedRect(QRectF(0.5, 2, 15, 8), 1.4, 1.4)
-        is_one = driver is Driver.ONE_STICK
+        has_one_stick = driver is Driver.ONE_STICK
         painter.setBrush(color("base"))
-        for x in (8.0,) if is_one else (4.6, 11.4):
+        for x in (8.0,) if has_one_stick else (4.6, 11.4):
             middle = QPointF(x, 6)
             painter.drawEllipse(middle, 3, 3)
             painter.setPen(QPen(color("accent"), 0.45, c=Qt.PenCapStyle.RoundCap))
-            ways = [QPointF(0, -1), QPointF(0, 1), QPointF(-1, 0), QPointF(1, 0)]
-            for way in ways[: 4 if is_one else 2]:
-                across = QPointF(way.y(), way.x()) * 0.6
-                tip = middle + way * 2.3
-                painter.drawPolyline([tip - way * 0.7 + across, tip, tip - way * 0.7 - across])
+            directions = [QPointF(0, -1), QPointF(0, 1), QPointF(-1, 0), QPointF(1, 0)]
+            for direction in directions[: 4 if has_one_stick else 2]:
+                across = QPointF(direction.y(), direction.x()) * 0.6
+                tip = middle + direction * 2.3
+                painter.drawPolyline(
+                    [tip - direction * 0.7 + across, tip, tip - direction * 0.7 - across]
+                )
             painter.setBrush(color("accent"))
             painter.drawEllipse(middle, 0.6, 0.6)
             painter.setPen(pen)
@@ -124,25 +126,25 @@ def paint_driver(driver: Driver, painter: QPainter, box: QRectF) -> None:
 
 
 def paint_ramp(ramp: float, brake: float, painter: QPainter, box: QRectF) -> None:
-    """Paint the speed over a start and a reversal.
+    """Paint the speed during a start and a reversal.
 
     `ramp`: seconds to full speed. `brake`: seconds of braking.
     """
 
-    def place(seconds: float, speed: float) -> QPointF:
+    def point(seconds: float, speed: float) -> QPointF:
         y = box.center().y() - speed * box.height() / 2
         return QPointF(box.left() + seconds / _SPAN_S * box.width(), y)
 
     reversal = _REVERSAL_S + brake
-    end = min(ramp, _REVERSAL_S)  # a slow ramp does not reach full speed
-    top = end / ramp if ramp else 1.0
-    start = place(0, 0), place(end, top), place(_REVERSAL_S, top), place(_REVERSAL_S, 0)
-    back = place(reversal, 0), place(reversal + ramp, -1), place(_SPAN_S + ramp, -1)
+    ramp_end = min(ramp, _REVERSAL_S)  # a slow ramp does not reach full speed
+    top = ramp_end / ramp if ramp else 1.0
+    start = point(0, 0), point(ramp_end, top), point(_REVERSAL_S, top), point(_REVERSAL_S, 0)
+    back = point(reversal, 0), point(reversal + ramp, -1), point(_SPAN_S + ramp, -1)
     color = theme().color
     painter.save()
     painter.setPen(QPen(color("hatch"), 1))
-    painter.drawLine(place(0, 0), place(_SPAN_S, 0))
-    painter.drawLine(place(0, -1), place(0, 1))
+    painter.drawLine(point(0, 0), point(_SPAN_S, 0))
+    painter.drawLine(point(0, -1), point(0, 1))
     painter.setClipRect(box.adjusted(-3, -3, 0, 3))
     painter.setPen(QPen(color("accent"), 2.5))
     painter.setBrush(Qt.BrushStyle.NoBrush)
