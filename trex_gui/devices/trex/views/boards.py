@@ -117,7 +117,7 @@ class BoardPanel(QWidget):
     @Slot(QListWidgetItem)
     def _on_item_activated(self, item: QListWidgetItem) -> None:
         self._boards.select(item.data(_NUMBER))
-        self._update()  # the current item changes after the other board is read
+        self._update()  # restores the current item until the other board is read
 
     @Slot()
     def _update(self) -> None:

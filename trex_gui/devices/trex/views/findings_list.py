@@ -28,17 +28,17 @@ class FindingsList(QWidget):
     line_chosen = Signal(int)  # line number, from 1
 
     def __init__(
-        self, where: str, after: QWidget, parent: QWidget | None = None, *, is_wide: bool = False
+        self, prefix: str, after: QWidget, parent: QWidget | None = None, *, is_wide: bool = False
     ) -> None:
-        """Create the list. `where` is the prefix of its object names.
+        """Create the list. `prefix` is the prefix of its object names.
 
         Tab moves from `after` to the list. If `is_wide` is true, buttons show the whole proposal.
         """
         super().__init__(parent)
         self._after = after
         self._is_wide = is_wide
-        self._where = where
-        self.setObjectName(f"{where}Findings")
+        self._prefix = prefix
+        self.setObjectName(f"{prefix}Findings")
         self.setAccessibleName(tr("Findings about the settings"))
         self._findings: tuple[Remark, ...] = ()
         self._with_lines = False
@@ -95,7 +95,7 @@ class FindingsList(QWidget):
             sign = _SIGNS[Severity.WARNING]
             accept = link(
                 line,
-                f"{self._where}Accept{number}",
+                f"{self._prefix}Accept{number}",
                 no_mnemonic(finding.proposal) if self._is_wide else tr("Accept"),
                 accessible=finding.proposal,
                 on_click=partial(self.accepted.emit, finding),
@@ -109,9 +109,9 @@ class FindingsList(QWidget):
         if line_number is not None and self._with_lines:
             show_line = partial(self.line_chosen.emit, line_number)
             title = tr("Show line {0}").format(line_number)
-            actions.append(link(line, f"{self._where}Line{number}", title, on_click=show_line))
+            actions.append(link(line, f"{self._prefix}Line{number}", title, on_click=show_line))
         text = f"{text[:1].upper()}{text[1:]}"
-        message = label(line, f"{self._where}Finding{number}", text, wrap=True, expand=True)
+        message = label(line, f"{self._prefix}Finding{number}", text, wrap=True, expand=True)
         mark = Sign(line)
         mark.show_sign(*sign)
         for action in actions:

@@ -60,5 +60,5 @@ TOPICS = {  # object name → topic
 
 
 def message_help() -> MessageHelp:
-    others = [*(blocker.text for blocker in DriveBlocker), *(entry.name for entry in UNSEEN)]
-    return MessageHelp([*texts_of(ErrorCode), *texts_of(PortFault), *others])
+    texts = [*(blocker.text for blocker in DriveBlocker), *(entry.name for entry in UNSEEN)]
+    return MessageHelp([*texts_of(ErrorCode), *texts_of(PortFault), *texts])

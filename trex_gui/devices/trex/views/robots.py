@@ -28,15 +28,15 @@ class RobotsDialog(ReusedDialog):
         self,
         device: Device,
         connect: Callable[[str], object],
-        found: Callable[[dict[str, str]], object],
+        set_served: Callable[[dict[str, str]], object],
         parent: QWidget,
     ) -> None:
         """Create the dialog.
 
-        `connect` is called with a URL, `found` with a mapping of URLs to labels.
+        `connect` is called with a URL, `set_served` with a mapping of URLs to labels.
         """
         super().__init__(parent)
-        self._device, self._connect, self._found = device, connect, found
+        self._device, self._connect, self._set_served = device, connect, set_served
         self._rows: list[dict[str, Any]] = []
         self._robots = Robots()  # keeps connections open, so that a stop is not delayed
         self.setObjectName("robotsDialog")
@@ -98,7 +98,7 @@ class RobotsDialog(ReusedDialog):
         if rows:
             self._table.selectRow(0)
         self._on_selected()
-        self._found({row["url"]: f"{row['name']}  ({row['url']})" for row in rows})
+        self._set_served({row["url"]: f"{row['name']}  ({row['url']})" for row in rows})
 
     def _on_failed(self, error: StudioError) -> None:
         self._search.setEnabled(True)

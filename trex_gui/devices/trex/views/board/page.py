@@ -196,11 +196,11 @@ class BoardPage(QWidget):
         self._on_text_due()
 
 
-def _open_text(done: SetUp) -> str:
+def _open_text(set_up: SetUp) -> str:
     steps = {
-        tr("sticks learned"): done.sticks,
-        tr("current limits"): done.limits,
-        tr("serial timeout"): done.timeout,
+        tr("sticks learned"): set_up.sticks,
+        tr("current limits"): set_up.limits,
+        tr("serial timeout"): set_up.timeout,
     }
     words = (f"{'✓' if is_done else '○'} {text}" for text, is_done in steps.items())
     return "   ".join(word.replace(" ", "\N{NO-BREAK SPACE}") for word in words)

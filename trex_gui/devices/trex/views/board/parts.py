@@ -72,7 +72,7 @@ class BoardPart(QAbstractButton, Spoken):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         self._painted = event.rect()
-        # Set at each paint, because styles clear it for buttons.
+        # Set in every paint event, because styles clear it for buttons.
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent, bool(self.ground))
         with Painter(self) as painter:
             if self.ground:
