@@ -48,9 +48,9 @@ class BoardPlan:
 class ApplyToBoards(QObject):
     """Reads several boards, then writes the same settings to each.
 
-    Device numbers and serial settings stay. Silent boards, other models, and boards that have
-    changed since the review are skipped. A write error ends the work, as does a stop of the motors.
-    At the end the first board is selected again.
+    Device numbers and serial settings stay unchanged. Silent boards, boards of another model, and
+    boards that have changed since the review are skipped. A write error or a stop of the motors
+    ends the work. In the end, the board that was selected at the start is selected again.
     """
 
     changed = Signal()  # `plans` or `is_running`
@@ -64,8 +64,8 @@ class ApplyToBoards(QObject):
         self.is_running = False
         self.is_writing = False  # false for a review
         self.was_stopped = False  # *Stop* has ended the work
-        self._wanted: Settings | None = None
-        self._home: int | None = None  # selected board at the start
+        self._target: Settings | None = None
+        self._home: int | None = None  # board that was selected at the start
         self._is_cancelled = False
         self._current: int | None = None  # board being written
         device.applied.connect(self._on_applied)
@@ -76,7 +76,7 @@ class ApplyToBoards(QObject):
     def review(self, settings: Settings, numbers: Collection[int]) -> None:
         if self.is_running:
             return
-        self._wanted = settings.without(REACH)
+        self._target = settings.without(REACH)
         self._start([BoardPlan(number) for number in sorted(numbers)], is_writing=False)
 
     def write(self, numbers: Collection[int]) -> None:
@@ -115,7 +115,7 @@ class ApplyToBoards(QObject):
         self._set(number, step, problem)
         self._continue()
 
-    # --- One board after the other ------------------------------------------------------
+    # --- Boards, one by one --------------------------------------------------------------
 
     def _continue(self) -> None:
         waiting = [plan.number for plan in self.plans if plan.step is BoardStep.WAITING]
@@ -149,11 +149,11 @@ class ApplyToBoards(QObject):
         if self.is_writing and self._is_cancelled:
             self._finish_board(number, BoardStep.SKIPPED)
             return
-        if (blocker := self._device.writer.blocker) or self._wanted is None:
+        if (blocker := self._device.writer.blocker) or self._target is None:
             self._finish_board(number, BoardStep.FAILED, blocker)
             return
         try:
-            changes = diff_against_draft(self._device.draft, self._wanted, is_stored=True)
+            changes = diff_against_draft(self._device.draft, self._target, is_stored=True)
         except BadRequest as unfit:
             self._finish_board(number, BoardStep.FAILED, error_text(unfit))
             return
@@ -195,7 +195,7 @@ class ApplyToBoards(QObject):
         failed = [result for result in results if result.error is not None]
         if failed:
             names = ", ".join(self._device.draft.name_of(result.key) for result in failed)
-            reasons = dict.fromkeys(error_text(each.error) for each in failed if each.error)
+            reasons = dict.fromkeys(error_text(result.error) for result in failed if result.error)
             text = tr("Not verified: {0}. {1}").format(names, " ".join(reasons))
             self._set(number, BoardStep.FAILED, text)
             self._is_cancelled = True

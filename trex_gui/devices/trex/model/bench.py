@@ -1,4 +1,4 @@
-"""Bench tests of a motor while a button is held."""
+"""Bench tests that drive a motor while a button is held."""
 
 from dataclasses import replace
 from datetime import UTC, datetime
@@ -17,10 +17,10 @@ from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import new_timer, now
 
-_HOLDER = "bench"  # name that acquires the motors
-_MAX_RUNS = 10  # tests in memory for comparison
-_HIGHEST_COUNT = 255  # the current measurement is one byte (0x8D)
-_TUNED = ("acceleration", "brake_duration", "current_limit", "current_limit_p")  # key suffixes
+_HOLDER = "bench"  # holder name for `Motors.acquire`
+_MAX_RUNS = 10  # tests that stay in memory for comparison
+_HIGHEST_COUNT = 255  # the board reports a current in one byte (0x8D)
+_TUNED_SUFFIXES = ("acceleration", "brake_duration", "current_limit", "current_limit_p")
 
 _ABORT_COUNTS = 100
 """Default abort current in counts: 15 A, or 4 A on a Jr.
@@ -28,8 +28,8 @@ _ABORT_COUNTS = 100
 Near the continuous ratings of the drivers (13 A and 2.5 A).
 """
 
-_STEP_MS = 20  # the board renews its outputs every 10 ms
-_TAIL = 0.6  # s; currents are recorded while the motor brakes
+_STEP_MS = 20  # the board updates its outputs every 10 ms
+_TAIL = 0.6  # s; duration of recording while the motor brakes
 
 
 class Phase(Enum):
@@ -41,13 +41,13 @@ class Phase(Enum):
 class Bench(QObject):
     """Runs one test at a time while a button is held.
 
-    Releasing the button brakes the motor. A test aborts on excessive current, a fault, missing
-    readings or loss of serial control, which stops, disarms and locks out all motors.
+    Releasing the button brakes the motor. Excessive current, a fault, missing readings or loss of
+    serial control aborts a test. An abort stops, disarms and locks out all motors.
     """
 
-    changed = Signal()  # `plan`, `phase` or `blocker`, but not new readings
+    changed = Signal()  # `plan`, `phase` or `blocker`; not emitted for new readings
     started = Signal()
-    finished = Signal(object)  # the finished `Run`, now the last of `runs`
+    finished = Signal(object)  # the finished `Run`, which is also the last of `runs`
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -58,7 +58,7 @@ class Bench(QObject):
         self._motors = device.motors
         self._run: Run | None = None
         self._ends_at_limit = False
-        self._ampere = 0.0  # unit of `plan.abort_current`
+        self._ampere = 0.0  # A per count when `plan.abort_current` was set
         self._start = self._last_reading = 0.0
         self._setpoints: list[tuple[float, int]] = []
         self._readings: list[tuple[float, float]] = []
@@ -101,7 +101,7 @@ class Bench(QObject):
         return self._device.telemetry.ampere * _HIGHEST_COUNT
 
     def tuned_keys(self) -> tuple[str, ...]:
-        return tuple(f"motor{self.plan.motor}_{name}" for name in _TUNED)
+        return tuple(f"motor{self.plan.motor}_{name}" for name in _TUNED_SUFFIXES)
 
     @property
     def blocker(self) -> str:
@@ -171,7 +171,7 @@ class Bench(QObject):
         self.changed.emit()
         self.finished.emit(run)
 
-    # --- While it runs ------------------------------------------------------------------
+    # --- During a test ------------------------------------------------------------------
 
     @Slot()
     def _on_step(self) -> None:
@@ -224,8 +224,8 @@ class Bench(QObject):
             self.changed.emit()
         elif self._motors.holder != _HOLDER:
             # If the connection is lost, `_finish` adds the reason.
-            known = self._motors.is_available or self._motors.stop_reason
-            self._end(End.ABORTED, self._external_reason() if known else "")
+            is_reason_known = self._motors.is_available or self._motors.stop_reason
+            self._end(End.ABORTED, self._external_reason() if is_reason_known else "")
 
     @Slot()
     def _on_link_changed(self) -> None:
@@ -250,13 +250,13 @@ class Bench(QObject):
             return tr("Serial commands no longer reach the motors.")
         return self._motors.stop_reason or tr("Stop was pressed.")
 
-    # --- The end ------------------------------------------------------------------------
+    # --- End of a test -------------------------------------------------------------------
 
     def _end(self, end: End, reason: str = "") -> None:
         self.phase = Phase.BRAKING
         if end is not End.ABORTED:
             self._motors.release(_HOLDER)
-        elif self._motors.holder == _HOLDER:  # otherwise the motors are stopped already
+        elif self._motors.holder == _HOLDER:  # otherwise the motors are already stopped
             self._motors.press_stop(reason=reason)
         if self._run is not None:
             self._run = replace(self._run, end=end, reason=reason, ended=now() - self._start)

@@ -21,7 +21,7 @@ from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.translations import error_text
 
-_PRESENCE_MS = 2000  # interval of presence queries, which take at most 4 % of the line
+_PRESENCE_MS = 2000  # interval of presence queries, which use at most 4 % of the line's time
 
 
 class Presence(Enum):
@@ -44,15 +44,15 @@ class LineBoard:
         return f"{self.number} · {self.signature}" if self.signature else str(self.number)
 
 
-Done = Callable[[StudioError | None], None]  # called with `None` or an error
+Done = Callable[[StudioError | None], None]  # called with the error, or `None` for success
 
 
 class BoardList(QObject):
     """Boards found on the line of a device.
 
-    Device numbers distinguish the boards. A scan probes every number, which moves no motor and
-    clears no error. Once several boards are known, commands carry the number of the selected
-    board. Without a number they would reach every board.
+    Device numbers distinguish the boards. A scan probes every number. Probing moves no motor and
+    clears no error. Once several boards are known, commands carry the number of the selected board.
+    Without a number they would reach every board.
     """
 
     changed = Signal()  # any attribute or property
@@ -60,7 +60,7 @@ class BoardList(QObject):
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._device = device
-        # Sorted by number; also from an earlier scan of this port
+        # Sorted by number; may be from an earlier scan of this port
         self.boards: tuple[LineBoard, ...] = ()
         self.scanned: int | None = None  # count of probed numbers; `None` while no scan runs
         self.is_selecting = False
@@ -75,7 +75,7 @@ class BoardList(QObject):
 
     @property
     def selected(self) -> int | None:
-        """Number of the shown board, if any."""
+        """Number of the selected board, if any."""
         device = self._device
         if device.settings is not None and device.settings.device_number is not None:
             return device.settings.device_number
@@ -114,7 +114,7 @@ class BoardList(QObject):
         is_driven = device.motors.armed or device.may_move or device.driving.is_group
         return device.is_writable and not (is_driven or self.is_selecting)
 
-    # --- Finding ------------------------------------------------------------------------
+    # --- Scanning -----------------------------------------------------------------------
 
     def scan(self) -> None:
         """Probe every device number. Arming the motors ends the scan."""
@@ -214,7 +214,7 @@ class BoardList(QObject):
         settings = self._device.settings
         return settings is not None and settings.device_number is not None
 
-    # --- Selecting ----------------------------------------------------------------------
+    # --- Selection ----------------------------------------------------------------------
 
     def select(self, number: int, then: Done = lambda _error: None) -> None:
         """Select another board after the present board is stopped.
@@ -290,9 +290,9 @@ class BoardList(QObject):
         if before and selected is not None and self.is_addressed:
             others = [board for board in before if board.number != selected]
             boards = [board for board in others if board.presence is not Presence.SELECTED]
-            if self.is_selecting:  # else the number of the board was changed
-                left = (board for board in others if board.presence is Presence.SELECTED)
-                boards += (replace(board, presence=Presence.RESPONDING) for board in left)
+            if self.is_selecting:  # otherwise the number of the board was changed
+                former = (board for board in others if board.presence is Presence.SELECTED)
+                boards += (replace(board, presence=Presence.RESPONDING) for board in former)
             boards.append(LineBoard(selected, self._device.signature, Presence.SELECTED))
             self.boards = tuple(sorted(boards, key=lambda board: board.number))
             if {board.number for board in self.boards} != {board.number for board in before}:

@@ -1,4 +1,4 @@
-"""Sentences on the function of a channel and its calibration."""
+"""Sentences about a channel and its calibration."""
 
 from trex_gui.core.errors import StudioError
 from trex_gui.core.texts import signed_text
@@ -45,7 +45,7 @@ _SWITCHES = (4, 5)
 
 
 def input_text(source: InputSource, count: int) -> str:
-    """Return count and physical value: `1500 µs (3750)`."""
+    """Return the count and its physical value: `1500 µs (3750)`."""
     first, second = units().ordered(source.text(count), str(count))
     return f"{first} ({second})"
 
@@ -68,7 +68,7 @@ def function_text(
     overridden: bool = False,
     mixed: bool | None = None,
 ) -> str:
-    """Return a sentence on the present function of a channel.
+    """Return a sentence about the function of a channel.
 
     `curve` (for `source`) and `mixed` (mix jumper is on) are `None` if unknown. `overridden`:
     serial commands control a board in RC or analog mode.
@@ -117,7 +117,7 @@ def source_instructions(source: InputSource, mode: Mode) -> str:
 
 
 def known_text(known: Known) -> str:
-    """Return the time of calibrations: `read 2026-03-14 15:09`."""
+    """Return the time of a calibration, such as `read 2026-03-14 15:09`."""
     text = tr("applied {0}") if known.is_applied else tr("read {0}")
     return text.format(local_time(known.time))
 
@@ -135,7 +135,7 @@ def write_failure(error: StudioError) -> str:
 
 
 def wrong_order(calibration: Calibration, source: InputSource) -> str:
-    """Return the reason for a rejection by the board, or empty."""
+    """Return the reason why the board rejects it, or empty."""
     problem = calibration.problem(source.text)
     return tr("The board would reject this: {0}.").format(problem) if problem else ""
 
@@ -148,19 +148,20 @@ def input_range_text(source: InputSource) -> str:
 
 
 def beyond_input(calibration: Calibration, source: InputSource) -> str:
-    """Return sentences on calibration values that no valid input reaches. May be empty.
+    """Return sentences about values that no valid input reaches. May be empty.
 
     Ref: Pololu TReX User's Guide 4.c: a pulse that is shorter than 0.5 ms or longer than 2.5 ms
     is an error.
     """
-    lowest, highest, limits = source.lowest_count, source.highest_count, input_range_text(source)
+    lowest, highest = source.lowest_count, source.highest_count
+    range_text = input_range_text(source)
     if not lowest <= calibration.neutral <= highest:
         text = tr("Neutral ({0}) is beyond the input. {1} No stick position gives 0.")
-        return text.format(_exactly(calibration.neutral, source), limits)
+        return text.format(_exactly(calibration.neutral, source), range_text)
     ends = {tr("Minimum"): calibration.minimum, tr("Maximum"): calibration.maximum}
     text = tr("{0} ({1}) is beyond the input. {2} Full output on that side is never reached.")
     return " ".join(
-        text.format(end, _exactly(count, source), limits)
+        text.format(end, _exactly(count, source), range_text)
         for end, count in ends.items()
         if not lowest <= count <= highest
     )
@@ -174,7 +175,7 @@ def _exactly(count: int, source: InputSource) -> str:
 
 
 def concern(calibration: Calibration, source: InputSource) -> str:
-    """Return a warning of an invalid or useless calibration."""
+    """Return a warning about an invalid or useless calibration."""
     if text := wrong_order(calibration, source) or beyond_input(calibration, source):
         return text
     return deadband_problem(calibration, source, "minimum", "maximum")

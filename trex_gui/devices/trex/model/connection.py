@@ -53,27 +53,27 @@ log = logging.getLogger(__name__)
 
 
 class Connection(DeviceConnection[ConnectionSettings]):
-    device_read = Signal(object)  # the `Connected` of a board that was read
-    ready = Signal()  # after `device_read`; `link` is `CONNECTED`
-    leaving = Signal()  # before the line is closed or another board selected
-    not_responding = Signal(object)  # the `NotResponding`
+    device_read = Signal(object)  # a `Connected`: the board was read
+    ready = Signal()  # `link` is now `CONNECTED`; emitted after `device_read`
+    leaving = Signal()  # emitted before the line is closed or another board is selected
+    not_responding = Signal(object)  # a `NotResponding`
     guardian_changed = Signal()  # `is_guarded`
     stop_sent = Signal()  # a stop was sent but is not confirmed yet
-    motors_stopped = Signal(object)  # a `MotorsStopped`: the session stopped motors by itself
+    motors_stopped = Signal(object)  # a `MotorsStopped`: the session stopped motors on its own
     commands_repeated = Signal(object)  # a `CommandsRepeated`
     sampled = Signal(object)  # a `Batch`
     served = Signal(object)  # a report that only the server of a board sends
-    of_board = Signal(int, object)  # number of another board of the group, and its report
+    of_board = Signal(int, object)  # number and report of another board in the group
     progressed = Signal(int, int, str)  # steps done, total steps, next step
 
     def __init__(self, parent: QObject | None = None) -> None:
         self._decoder = TrexDecoder()
         super().__init__(self._decoder, parent)
-        self.port_rates: frozenset[int] | None = None  # supported by the port; `None` if unknown
+        self.port_rates: frozenset[int] | None = None  # rates of the port; `None` if unknown
         self.selection = 0  # see `Connected.selection`
         self.is_guarded = False  # the guardian process is ready
         self._watchers = {"window"}
-        self._relayed = {  # reports that are only relayed
+        self._relayed = {  # reports that are relayed unchanged
             Batch: self.sampled,
             MotorsStopped: self.motors_stopped,
             CommandsRepeated: self.commands_repeated,
@@ -82,10 +82,10 @@ class Connection(DeviceConnection[ConnectionSettings]):
         self.started.connect(self._submit_watched)
 
     def watch(self, watcher: str, watching: bool) -> None:
-        """Poll at full rate while there is any watcher."""
-        before = bool(self._watchers)
+        """Poll at the full rate while there are watchers."""
+        was_watched = bool(self._watchers)
         (self._watchers.add if watching else self._watchers.discard)(watcher)
-        if bool(self._watchers) != before:
+        if bool(self._watchers) != was_watched:
             self._submit_watched()
 
     @Slot()
@@ -93,7 +93,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
         self.submit(SetWatched(bool(self._watchers), traffic=bool(self._watchers)))
 
     def expect(self, settings: tuple[ConnectionSettings, ...]) -> None:
-        """Set the line settings of reconnect attempts."""
+        """Set the line settings for reconnect attempts."""
         self.submit(SetReconnectCandidates(settings))
 
     def moves(self, request: object) -> bool:
@@ -109,7 +109,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
         return isinstance(request, Write)
 
     def new_session(self, settings: ConnectionSettings, *, may_move: bool) -> SessionFactory:
-        from trex_gui.devices.trex.serve.sessions import session_at  # noqa: PLC0415 - not at the start
+        from trex_gui.devices.trex.serve.sessions import session_at  # noqa: PLC0415 - for a fast start
 
         self.is_guarded = False
         return lambda inbox, emit: session_at(
@@ -124,8 +124,8 @@ class Connection(DeviceConnection[ConnectionSettings]):
     ) -> None:
         """Address another board on the open line.
 
-        `link` is `CONNECTING` until the board is read. `sharing` has the numbers of all known
-        boards. If the selection fails, the present board stays connected or silent.
+        `link` is `CONNECTING` until the board is read. `sharing` contains the numbers of
+        all known boards. If the selection fails, `link` and `status` are restored.
         """
         before = self.link, self.status
 
@@ -143,7 +143,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
     def stop_now(self, *, ending: bool = False) -> None:
         """Stop every motor. With `ending`, also close the port. Thread-safe.
 
-        Does not wait and reports nothing. `Motors.stop` has to follow in the window's thread.
+        Does not wait, and reports nothing. Call `Motors.stop` next, in the window's thread.
         Setpoints queued after the stop are dropped until motors are armed again.
         """
         stop = Stop(NO_HANDLER)
@@ -198,7 +198,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
 
 
 class MemberConnection(Connection):
-    """Connection to another board of the group of `main`."""
+    """Connection to another board in the group of `main`."""
 
     def __init__(self, main: Connection, number: int, parent: QObject | None = None) -> None:
         super().__init__(parent)

@@ -61,7 +61,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.demo_board = DemoBoard(self.simulator, self)
         self._last: Port | None = None  # port of the last connection attempt
         LossWhileDriven(device, self)
-        self._stops = 0  # automatic stops so far
+        self._stops = 0  # number of automatic stops so far
         self._unconfirmed = ""  # reason of an unconfirmed stop, or empty
 
         self.simulator.ended.connect(self._reset_demo_settings)
@@ -71,8 +71,8 @@ class TrexController(DeviceController[ConnectionSettings]):
         device.link_changed.connect(self._record_settings)
         device.line_judged.connect(self.changed)
         device.motors.arming_changed.connect(self.changed)
-        for changed in (device.link_changed, device.motors.arming_changed):
-            changed.connect(self._report_late_stop)
+        for signal in (device.link_changed, device.motors.arming_changed):
+            signal.connect(self._report_late_stop)
         device.connection.progressed.connect(self.progressed)
 
     @property
@@ -93,7 +93,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.changed.emit()
 
     def connect_to(self, port: Port) -> None:
-        if not self.may_move:  # else motors may still turn at `_last`
+        if not self.may_move:  # otherwise motors at `_last` may still turn
             self._last = port
         self.device.motors.adapter = "" if port.adapter is None else port.adapter.key
         super().connect_to(port)
@@ -205,7 +205,7 @@ class TrexController(DeviceController[ConnectionSettings]):
             self.link is not ConnectionState.CONNECTED
             or self.is_armed
             or self.may_move
-            # Another program or a stick may drive.
+            # Another program or a stick may be driving.
             or any(amps > noise for amps in device.telemetry.motor_currents or ())
         )
 
@@ -217,7 +217,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         """Reconnect if motors may turn. A new session first sends a stop."""
         device = self.device
         if not self.may_move or self._last is None:
-            # The known serial timeout may belong to another board.
+            # `loss_text` may use the serial timeout of another board.
             text = device.driving.lost_board or device.loss_text
             device.notifier.warn(text, lasts=lambda: device.may_stop_matter)
             return
@@ -233,7 +233,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self._unconfirmed = ""
         self._stops += 1
         if self.device.link is ConnectionState.DISCONNECTED:
-            return self._out_of_reach(reason) if self.device.may_move else ""
+            return self._unreachable_text(reason) if self.device.may_move else ""
         number = self._stops
         self.device.driving.stop(
             lambda error: self._on_stopped(number, reason, error), reason=f"{reason}."
@@ -244,15 +244,15 @@ class TrexController(DeviceController[ConnectionSettings]):
         if number != self._stops:
             return
         if error is None:
-            text = self._confirmed(reason)
+            text = self._confirmation_text(reason)
         elif isinstance(error, TrexError) and error.code is ErrorCode.CLOSED:
             text = tr("{0}. The line is closed.").format(reason)
             if self.may_move:
-                text = self._out_of_reach(reason)
+                text = self._unreachable_text(reason)
         else:
             self._unconfirmed = reason if self.may_move else ""
             text = tr("{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.")
-            if isinstance(error, NoReply):  # the error has the cause and the remedy
+            if isinstance(error, NoReply):  # the error names the cause and the remedy
                 text = "{0}. {1}"
             text = text.format(reason, error_sentence(error))
         self.stop_reported.emit(text)
@@ -263,17 +263,17 @@ class TrexController(DeviceController[ConnectionSettings]):
             self._unconfirmed = ""
         elif self._unconfirmed and self.device.is_connected and not self.may_move:
             reason, self._unconfirmed = self._unconfirmed, ""
-            self.stop_reported.emit(self._confirmed(reason))
+            self.stop_reported.emit(self._confirmation_text(reason))
 
-    def _confirmed(self, reason: str) -> str:
-        by_serial = self.device.board.serial_controls
-        if by_serial is None:  # not read yet, or not responding
+    def _confirmation_text(self, reason: str) -> str:
+        serial_controls = self.device.board.serial_controls
+        if serial_controls is None:  # not read yet, or not responding
             return tr("{0}. The board has confirmed the stop.").format(reason)
-        if not by_serial:
+        if not serial_controls:
             return f"{reason}. {tr(BEYOND_A_STOP)}"
         return tr("{0}, so the motors were stopped.").format(reason)
 
-    def _out_of_reach(self, reason: str) -> str:
+    def _unreachable_text(self, reason: str) -> str:
         return tr(
             "{0}. No board is connected that could be stopped, and motors may still turn: cut "
             "their power."

@@ -1,4 +1,4 @@
-"""Simulated board as operated from its panel."""
+"""Simulated board, as operated from its panel."""
 
 import json
 import re
@@ -18,7 +18,7 @@ _SIGNAL = re.compile(r"([\d.]+) ?(us|V)", re.IGNORECASE)  # noise may follow
 _SIGNAL_UNITS = {InputSource.RC: "US", InputSource.ANALOG: "V"}
 
 
-BOOT_TEXTS = {  # by step of a boot mode, as reported by `show`
+BOOT_TEXTS = {  # text for each step of a boot mode, as reported by `show`
     "learning: ready": tr_noop("Learning: remove the Mix jumper to begin."),
     "learning: waiting for a signal": tr_noop("Learning: waits for a signal on any input."),
     "learning: neutrals": tr_noop("Learning: leave the sticks centred for two seconds."),
@@ -41,9 +41,9 @@ class DemoChannel:
 
     def stick(self, source: InputSource) -> float | None:
         """Return the stick position in µs or V, if known."""
-        found = _SIGNAL.match(self.signal)
-        if found and found[2].upper() == _SIGNAL_UNITS[source]:
-            return float(found[1])
+        match = _SIGNAL.match(self.signal)
+        if match and match[2].upper() == _SIGNAL_UNITS[source]:
+            return float(match[1])
         return None if self.raw is None else source.physical(self.raw)
 
 
@@ -96,34 +96,34 @@ class DemoSnapshot:
 
 
 def read_snapshot(text: str) -> DemoSnapshot:
-    shown: dict[str, Any] = json.loads(text)
-    states = "power", "safe_start", "override", "serial_controls", "boot_mode"
+    state: dict[str, Any] = json.loads(text)
+    names = "power", "safe_start", "override", "serial_controls", "boot_mode"
     return DemoSnapshot(
-        **{name: shown[name] for name in (*states, "battery", "supply")},
-        mode=Mode(shown["mode"]),
-        jumpers=DemoJumpers(**shown["jumpers"]),
-        leds=DemoLeds(**shown["leds"]),
-        required=shown["parameters"]["required_channels"],
-        channels=tuple(DemoChannel(row["signal"], row["raw"]) for row in shown["channels"]),
+        **{name: state[name] for name in (*names, "battery", "supply")},
+        mode=Mode(state["mode"]),
+        jumpers=DemoJumpers(**state["jumpers"]),
+        leds=DemoLeds(**state["leds"]),
+        required=state["parameters"]["required_channels"],
+        channels=tuple(DemoChannel(row["signal"], row["raw"]) for row in state["channels"]),
         motors=tuple(
             DemoMotor(**{field.name: row[field.name] for field in fields(DemoMotor)})
-            for row in shown["motors"]
+            for row in state["motors"]
         ),
-        line=DemoLine(**shown["line"]),
+        line=DemoLine(**state["line"]),
     )
 
 
-_OFF_MS = 1000  # power off, long enough for the program to notice
+_OFF_MS = 1000  # duration of power off, long enough for the program to notice
 
 
 class DemoBoard(DemoDevice[DemoSnapshot]):
     """Simulated TReX with its sticks."""
 
-    factory_reset = Signal()  # before the board is reset to its initial state
+    factory_reset = Signal()  # emitted before the board is reset to its initial state
 
     def __init__(self, simulator: Simulator, parent: QObject | None = None) -> None:
         super().__init__(simulator, read_snapshot, parent)
-        self._held: dict[int, float] = {}  # position of each held stick, 0-1
+        self._held: dict[int, float] = {}  # channel → position of a held stick, 0 to 1
         self._after_off: tuple[str, ...] = ()
         self._off = new_timer(self, _OFF_MS, self._on_off_long_enough, single_shot=True)
 
@@ -151,7 +151,7 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
         self._send(f"jumper so-ground {switch(on)}")
 
     def corrupt(self, error: str) -> None:
-        """Corrupt the next byte: `framing`, `parity` or `overrun`."""
+        """Corrupt the next byte with a `framing`, `parity` or `overrun` error."""
         self._send(f"line error {error}")
 
     # --- Motors and sticks --------------------------------------------------------------
@@ -187,8 +187,8 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
                 self._held.pop(channel, None)
             elif channel not in self._held:
                 value = state.stick(snapshot.source) if state.has_signal else None
-                share = 0.5 if value is None else (value - low) / (high - low)
-                self._held[channel] = min(max(share, 0.0), 1.0)
+                position = 0.5 if value is None else (value - low) / (high - low)
+                self._held[channel] = min(max(position, 0.0), 1.0)
             if state.has_signal:
                 self._send_stick(channel)
         self.changed.emit()
@@ -228,7 +228,7 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
     @Slot()
     def _on_off_long_enough(self) -> None:
         if "factory" in self._after_off:
-            self._held.clear()  # sticks moved in the meantime
+            self._held.clear()  # the user may have moved sticks while the power was off
         for line in self._after_off:
             self._send(line)
 
@@ -236,7 +236,7 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
         before = self.snapshot
         super()._show(snapshot)
         if before is not None and before.source is not snapshot.source:
-            # The sticks now give voltages instead of pulses, or vice versa. They stay in place.
+            # The sticks now output voltages instead of pulses, or vice versa. Their positions stay.
             for channel in self._held:
                 if snapshot.channels[channel - 1].has_signal:
                     self._send_stick(channel)

@@ -1,4 +1,4 @@
-"""Drive status of a device, and blockers of held controls."""
+"""Drive status, and reasons that block held controls."""
 
 from collections.abc import Iterable
 
@@ -54,7 +54,7 @@ def setpoint_of(device: Device, motor: int, inputs: DriveInputs) -> MotorSetpoin
 
 
 def fault_text(statuses: Iterable[DriveStatus]) -> str:
-    return " ".join(each.text for each in statuses if each.blocker is DriveBlocker.FAULT)
+    return " ".join(status.text for status in statuses if status.blocker is DriveBlocker.FAULT)
 
 
 def held_drive_blocker(device: Device, holder: str) -> str:

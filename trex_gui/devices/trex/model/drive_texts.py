@@ -35,7 +35,7 @@ def direction_text(speed: int) -> str:
 
 
 def speed_text(speed: int) -> str:
-    """Return a signed speed and its share: `forward 64 (50 %)`."""
+    """Return a signed speed and its percentage: `forward 64 (50 %)`."""
     return direction_text(speed) + (f" ({share_text(speed)})" if speed else "")
 
 
@@ -64,7 +64,7 @@ def limit_text(device: Device, motor: int) -> str:
 
 # --- The serial timeout -----------------------------------------------------------------
 
-_OFFERED_S = (0.5, 1.0, 2.0, 5.0)  # in 0.5 s a robot at 2 m/s goes a metre
+_OFFERED_S = (0.5, 1.0, 2.0, 5.0)  # at 2 m/s, a robot moves 1 m in 0.5 s
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,13 +94,13 @@ def _own_warning(device: Device) -> TimeoutWarning | None:
 def timeout_warning_on(
     settings: ConnectionSettings, timeout: float, stop: TimeoutStop, *, is_guarded: bool
 ) -> TimeoutWarning | None:
-    """Return the problem of a timeout in seconds (0: off)."""
+    """Return a warning about a timeout in seconds (0: off)."""
     latency = latency_of(settings.url) + settings.timeouts.extra
 
-    def sustains(seconds: float) -> bool:
+    def survives(seconds: float) -> bool:
         return survives_a_loss(settings.line, seconds, latency)
 
-    better = next(filter(sustains, _OFFERED_S), _OFFERED_S[-1])
+    better = next(filter(survives, _OFFERED_S), _OFFERED_S[-1])
     if timeout == 0 and is_guarded:
         text = tr("Serial timeout is off: motors keep turning if the cable or this computer fails.")
     elif timeout == 0:
@@ -126,7 +126,7 @@ def timeout_warning_on(
             "board when it was tried: they keep turning if the cable or this computer fails."
         )
         better = max(better, timeout)
-    elif timeout >= better or sustains(timeout):
+    elif timeout >= better or survives(timeout):
         if is_guarded:
             return None
         text = tr(

@@ -14,14 +14,15 @@ from trex_gui.devices.trex.session.messages import Batch
 from trex_gui.ui.notifier import Answer
 from trex_gui.ui.runtime import now
 
-_MARGIN_S = 1.0  # for the motor to come to rest
+_MARGIN_S = 1.0  # time for the motor to come to rest
 
 
 class LossWhileDriven(QObject):
     """Reports the stop of a board that was lost while driven.
 
-    If the board has latched its serial timeout, asks the user whether the timeout stopped the
-    motor. The program cannot know, because it sends a stop first. Simulated boards are skipped.
+    If the board has latched a serial timeout, asks the user whether the timeout stopped the motor.
+    The program cannot know, because it sends a stop first. The user is not asked about simulated
+    boards.
     """
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
@@ -29,8 +30,8 @@ class LossWhileDriven(QObject):
         self._device = device
         self._lost_at: float | None = None
         self._lost_place = ""
-        self._has_shutdown = False  # UART-Error Shutdown was on
-        self._silent_for: float | None = None  # duration of a silence that may have stopped motors
+        self._has_shutdown = False  # UART-Error Shutdown was on when the board was lost
+        self._silent_for: float | None = None  # seconds of a silence that may have stopped motors
         self._has_timed_out = False
 
         device.connection.not_responding.connect(self._on_lost)
@@ -54,18 +55,18 @@ class LossWhileDriven(QObject):
         device, lost_at = self._device, self._lost_at
         if lost_at is None or device.may_stop_matter or not device.is_connected:
             return
-        self._lost_at, here = None, device.settings
-        if here is None or device.driving.place != self._lost_place:
-            return  # perhaps another board; `driving` warns of it
+        self._lost_at, settings = None, device.settings
+        if settings is None or device.driving.place != self._lost_place:
+            return  # this may be another board; `driving` warns about it
         device.notifier.info.emit(tr("The board is back. It has confirmed the stop."))
         seconds = now() - lost_at
-        if not here.name and seconds > (device.serial_timeout_s or 0) + _MARGIN_S:
+        if not settings.name and seconds > (device.serial_timeout_s or 0) + _MARGIN_S:
             self._silent_for = seconds
             self._prompt()
 
     @Slot(object)
     def _on_sampled(self, batch: Batch) -> None:
-        statuses = (each for each in batch.samples if isinstance(each, LatchedStatus))
+        statuses = (sample for sample in batch.samples if isinstance(sample, LatchedStatus))
         if any(status.uart & UartError.TIMEOUT for status in statuses):
             self._has_timed_out = True
             self._prompt()
@@ -78,10 +79,10 @@ class LossWhileDriven(QObject):
             "its Serial Timeout stop the motor meanwhile?"
         ).format(Number(self._silent_for))
         self._silent_for = None
-        save, shutdown = self._device.board.memory.record_trial, self._has_shutdown
+        record_trial, shutdown = self._device.board.memory.record_trial, self._has_shutdown
         worked, failed = TimeoutTrial(True, shutdown), TimeoutTrial(False, shutdown)
         self._device.notifier.prompt(
             text,
-            Answer("timeoutWorked", tr("It stopped"), partial(save, worked)),
-            Answer("timeoutFailed", tr("It kept turning"), partial(save, failed)),
+            Answer("timeoutWorked", tr("It stopped"), partial(record_trial, worked)),
+            Answer("timeoutFailed", tr("It kept turning"), partial(record_trial, failed)),
         )

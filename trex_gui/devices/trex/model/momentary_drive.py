@@ -10,14 +10,15 @@ from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.ui.runtime import new_timer, now
 
-GROWTH = 127.0  # speed steps per second: full speed after a second (inferred)
+GROWTH = 127.0  # speed steps per second; full speed takes one second (inferred)
 _GROWTH_MS = 20
 
 
 class MomentaryDrive(QObject):
-    """Drives with forward and turn, as holder `name`.
+    """Sets speeds from forward and turn, as holder `name`.
 
-    Speeds grow by `GROWTH` a second, so that a tapped key causes no jump. They fall at once.
+    Speeds increase by `GROWTH` per second, so that a tapped key causes no jump. They decrease at
+    once.
     """
 
     def __init__(self, motors: Motors, name: str) -> None:
@@ -40,7 +41,7 @@ class MomentaryDrive(QObject):
         return not (self.joint or self._motors.linked)
 
     def steer(self, forward: float, turn: float) -> bool:
-        """Drive forward and turn, each -1 to 1. Return whether the motors were acquired."""
+        """Set forward and turn, each -1 to 1. Return whether the motors were acquired."""
         if not self._motors.acquire(self.name):
             return False
         self._direction = forward, turn
@@ -81,38 +82,39 @@ class MomentaryDrive(QObject):
 def grown(
     speeds: tuple[float, float], goal: tuple[float, float], limit: float
 ) -> tuple[float, float]:
-    """Return the next speeds towards the goal.
+    """Return the next speeds on the way to the goal.
 
-    Speeds grow by `limit` at most, in proportion, so that the curve stays. They fall at once, and
-    to zero if the direction changes.
+    Speeds increase by at most `limit`, in proportion, so that the robot stays on its curve. They
+    decrease at once, and drop to zero if the direction changes.
     """
     left, right = (
-        math.copysign(min(abs(speed), abs(aim)), aim) if speed * aim > 0 else 0.0
-        for speed, aim in zip(speeds, goal, strict=True)
+        math.copysign(min(abs(speed), abs(target)), target) if speed * target > 0 else 0.0
+        for speed, target in zip(speeds, goal, strict=True)
     )
     growth = max(abs(goal[0] - left), abs(goal[1] - right))
     if growth <= limit:
         return goal
-    share = limit / growth
-    return left + share * (goal[0] - left), right + share * (goal[1] - right)
+    fraction = limit / growth
+    return left + fraction * (goal[0] - left), right + fraction * (goal[1] - right)
 
 
 def mix(forward: float, turn: float, ceiling: int = FULL_SCALE) -> tuple[int, int]:
     """Return speeds of motors 1 (left) and 2. `forward` and `turn` are -1 to 1.
 
-    The board mixes channels in the same way (inferred, reference section 3). A sum beyond full
-    speed reduces both speeds in proportion. `ceiling` (1 to 127) is the speed at full deflection.
+    The board mixes channels in the same way (inferred, reference section 3). If a sum exceeds full
+    speed, both speeds are reduced in proportion. `ceiling` (1 to 127) is the speed at full
+    deflection.
     """
     left, right = forward + turn, forward - turn
     scale = ceiling / max(1.0, abs(left), abs(right))
     return round(left * scale), round(right * scale)
 
 
-TURN_WHILE_GOING = 0.5  # turn with forward or back: at 1, one side would stop
+TURN_WHILE_GOING = 0.5  # turn while driving forward or back; at 1, one side would stop
 
 
 class Heading(Enum):
-    """Forward and turn of a key. Forward and right are positive."""
+    """Forward and turn values of a key. Forward and right are positive."""
 
     FORWARD = 1, 0
     BACK = -1, 0
@@ -123,5 +125,5 @@ class Heading(Enum):
 def keys_setpoint(held: Iterable[Heading]) -> tuple[float, float]:
     """Return forward and turn. Opposite keys cancel each other."""
     headings = set(held)
-    forward, turn = (sum(heading.value[way] for heading in headings) for way in (0, 1))
+    forward, turn = (sum(heading.value[axis] for heading in headings) for axis in (0, 1))
     return float(forward), turn * (TURN_WHILE_GOING if forward else 1.0)

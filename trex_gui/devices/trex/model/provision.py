@@ -1,4 +1,4 @@
-"""Setup of boards one after the other, from a profile."""
+"""Setup of several boards, one by one, from a profile."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -42,22 +42,22 @@ class ProvisionStep(Enum):
 class Provision(QObject):
     """Sets up each connected board after the user's review."""
 
-    changed = Signal()  # any attribute below
+    changed = Signal()  # any public attribute
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.step = ProvisionStep.PROFILE
-        self.board: ProvisionedBoard | None = None  # line in the record, proposed or final
+        self.board: ProvisionedBoard | None = None  # line of the record, proposed or final
         self.comparison = Comparison(())  # differences, before or after the write
-        self.done: list[ProvisionedBoard] = []  # lines of the record since `start`
-        self.problem = ""  # reason why the board or record cannot be used
+        self.done: list[ProvisionedBoard] = []  # lines added to the record since `start`
+        self.problem = ""  # reason why the board or the record cannot be used
         self.pulses = MotorPulses(device, self)
         self.turns_motors = False
         self._device = device
         self._profile: Settings | None = None
         self._record: ProvisionRecord | None = None
         self._is_ending = False
-        self._saving: Callable[[], None] | None = None  # next step once the record is saved
+        self._saving: Callable[[], None] | None = None  # called once the record is saved
         device.link_changed.connect(self._on_board_changed)
         device.state_changed.connect(self._on_board_changed)
         device.applied.connect(self._on_applied)
@@ -73,7 +73,7 @@ class Provision(QObject):
         self._on_board_changed()
 
     def write(self) -> None:
-        """Write the reviewed values, after the number is recorded."""
+        """Record the number, then write the reviewed values."""
         if self.step is ProvisionStep.REVIEW and self.board and self._device.writer.can_apply:
             self._set_step(ProvisionStep.WRITE)
             self._save(self.board, self._write)
@@ -100,7 +100,7 @@ class Provision(QObject):
             self._saving = None
             self._set_step(ProvisionStep.PROFILE)
 
-    # --- One board after the other ------------------------------------------------------
+    # --- Boards, one by one --------------------------------------------------------------
 
     @Slot()
     def _on_board_changed(self) -> None:

@@ -48,7 +48,7 @@ def status_text(device: Device) -> str:
         f"remapped {telemetry.remapped_of(channel)}"
         for channel in CHANNELS
     ]
-    lines += [f"Not read: {key}: {why}" for key, why in state.unread.items()]
+    lines += [f"Not read: {key}: {reason}" for key, reason in state.unread.items()]
     return "\n".join([*lines, ""])
 
 

@@ -6,25 +6,23 @@ from enum import IntEnum
 from functools import cached_property
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Signal, Slot
 
 from trex_gui.core.timing import TEXT_INTERVAL
 from trex_gui.core.translation import tr
+from trex_gui.devices.trex.calibration.channel_curve import is_mixed
 from trex_gui.devices.trex.client.telemetry import Currents, Newest, Raw, Remapped, Sample
+from trex_gui.devices.trex.model.settings.draft import SettingsDraft
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import CHANNELS
+from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.plotting.traces import TraceInfo
 
 if TYPE_CHECKING:
     from trex_gui.ui.plotting.history import SampleHistory
-from PySide6.QtCore import Slot
 
-from trex_gui.devices.trex.calibration.channel_curve import is_mixed
-from trex_gui.devices.trex.model.settings.draft import SettingsDraft
-from trex_gui.devices.trex.protocol.parameters import ParameterKey
-
-_CURRENT_HISTORY = 288_000  # an hour at 80 samples a second
-_INPUT_HISTORY = 3_000  # a minute at 50 samples a second
+_CURRENT_HISTORY = 288_000  # samples; one hour at 80 per second
+_INPUT_HISTORY = 3_000  # samples; one minute at 50 per second
 _UNKNOWN = (math.nan,) * len(CHANNELS)
 _CHANNEL_COLORS = ("good", "warning", "dirty", "muted", "plot_text")
 
@@ -37,7 +35,7 @@ Series = IntEnum(
 """Columns of `Telemetry.currents`."""
 
 _TYPES = ["float64" if s in {Series.CURRENT1, Series.CURRENT2} else "float16" for s in Series]
-"""Series other than currents hold whole numbers from -127 to 127."""
+"""Every series except the currents consists of whole numbers from -127 to 127."""
 
 
 def board_traces() -> list[TraceInfo]:
@@ -73,7 +71,7 @@ def values_of_series(
 
 
 def _new_history(columns: Sequence[str], capacity: int) -> "SampleHistory":
-    from trex_gui.ui.plotting.history import SampleHistory  # noqa: PLC0415 - numpy takes long
+    from trex_gui.ui.plotting.history import SampleHistory  # noqa: PLC0415 - numpy loads slowly
 
     return SampleHistory(columns, capacity=capacity)
 
@@ -81,26 +79,26 @@ def _new_history(columns: Sequence[str], capacity: int) -> "SampleHistory":
 class Telemetry(QObject):
     """Newest values, with the history of currents and inputs.
 
-    A row of `currents` holds the currents of both motors (A), their speed setpoints (-127 to 127)
-    and the remapped channels at that moment. Unknown values are NaN, as are channels without a
-    signal in `inputs`. The newest values are `None` before and after a connection.
+    A row of `currents` contains the currents of both motors (A), their speed setpoints (-127 to
+    127) and the remapped channels at the time of the sample. Unknown values are NaN. In `inputs`,
+    channels without a signal are NaN. Without a connection, the newest values are `None`.
     """
 
-    updated = Signal()  # new samples, at most once a display frame
-    # Like `updated` while a window is visible; also when a window becomes visible
+    updated = Signal()  # new samples, at most once per display frame
+    # Like `updated`, but only while a window is visible. Also when a window becomes visible
     frame_due = Signal()
-    text_due = Signal()  # like `frame_due` but for text, at most once in `TEXT_INTERVAL`
+    text_due = Signal()  # like `frame_due`, but for text, at most once per `TEXT_INTERVAL`
 
     def __init__(
         self, drive_of: Callable[[int], Drive | None], newest: Newest, parent: QObject | None = None
     ) -> None:
         super().__init__(parent)
-        self.newest = newest  # owned by the board's mirror
+        self.newest = newest  # owned by the `BoardMirror`
         self.latest: float = 0.0
         self.samples = 0
         self._is_visible = True
         self._text_at = -math.inf
-        self.ampere = 0.15  # A per count; the value of a TReX until a board is read
+        self.ampere = 0.15  # A per count; initially the value of a TReX
         self._drive_of = drive_of
 
     @cached_property
@@ -123,7 +121,7 @@ class Telemetry(QObject):
         self._renew_views()
 
     def add(self, sample: Sample) -> None:
-        """Add a sample. `finish` shows it."""
+        """Add a sample. `finish` updates the views."""
         if isinstance(sample, Raw):
             values = (math.nan if count is None else count for count in sample.counts)
             self.inputs.append(sample.time, *values)
@@ -176,14 +174,14 @@ class Telemetry(QObject):
         return self.remapped[CHANNELS.index(channel)] if self.remapped else None
 
 
-_ENOUGH = 3  # equal results in a row that make the state known
+_MIN_RESULTS = 3  # consecutive equal results that make the state known
 
 
 class MixJumper(QObject):
     """State of the mix jumper.
 
-    No command reads the jumper. Its state is inferred while a stick is off neutral: computed
-    outputs of channels 1 and 2 are compared with the outputs that the board reports.
+    No command reads the jumper. While a stick is off neutral, its state is inferred by comparing
+    the computed outputs of channels 1 and 2 with the outputs that the board reports.
     """
 
     changed = Signal()
@@ -206,7 +204,7 @@ class MixJumper(QObject):
             return
         self._count = self._count + 1 if mixed is self._candidate else 1
         self._candidate = mixed
-        if self._count >= _ENOUGH:
+        if self._count >= _MIN_RESULTS:
             self._set(mixed)
 
     def clear(self) -> None:
@@ -227,7 +225,7 @@ class MixJumper(QObject):
     def _on_text_due(self) -> None:
         telemetry, draft = self._telemetry, self._draft
         reported = telemetry.remapped
-        if draft.parameters.values.active_of(ParameterKey.MOTOR_MODE) == 1:  # nothing is mixed
+        if draft.parameters.values.active_of(ParameterKey.MOTOR_MODE) == 1:  # not mixed
             self.clear()
             return
         first, second, flip = (draft.stored_curve(channel) for channel in (1, 2, 4))

@@ -36,7 +36,7 @@ Index = QModelIndex | QPersistentModelIndex
 _COLUMNS = len(ParameterColumn)
 _GROUPS = ("motors", "channels", "serial", "system")  # in the order of settings files
 
-# Created once, because Qt requests flags a thousand times in each paint event
+# Created once, because Qt requests flags a thousand times per paint event
 _HEADING = Qt.ItemFlag.NoItemFlags  # arrow keys skip it
 _FIXED = Qt.ItemFlag.ItemIsSelectable | Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemNeverHasChildren
 _EDITABLE = _FIXED | Qt.ItemFlag.ItemIsEditable
@@ -45,8 +45,8 @@ _EDITABLE = _FIXED | Qt.ItemFlag.ItemIsEditable
 class ParameterRole(IntEnum):
     """Data of a cell besides its text. A heading has GROUP only.
 
-    RESET describes a reset to the default, `None` for a value at its default. The name cell of a
-    row has the data of its first value.
+    RESET is a text about a reset to the default, or `None` for a value at its default. The name
+    cell of a row returns the data of the row's first value.
     """
 
     KEY = Qt.ItemDataRole.UserRole
@@ -59,7 +59,10 @@ class ParameterRole(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class ParameterRow:
-    """Heading or setting. `keys` has a key for each motor, or a single key."""
+    """Heading or setting.
+
+    `keys` contains a key for cell_key motor, or a single key. A heading has no keys.
+    """
 
     group: str
     name: str
@@ -71,15 +74,15 @@ def _number(wires: Sequence[int]) -> int:
 
 
 class ParameterModel(QAbstractTableModel):
-    """Table of settings with a column for each motor.
+    """Table of settings with a column for cell_key motor.
 
-    Edits use an undo stack. Prescaler and maximum of a PWM share a cell with the frequency, whose
-    edit role is a `frequency_code`.
+    Edits can be undone. The prescaler and the maximum of a PWM share a cell, which shows the
+    frequency. Its edit role is a `frequency_code`.
     """
 
-    pending_changed = Signal()  # an edit or a stored value
+    pending_changed = Signal()  # an edit or a stored value has changed
     rejected = Signal(str)  # reason for the user
-    rounded = Signal(str)  # rounded value, for the user
+    rounded = Signal(str)  # the rounded value as text for the user
 
     def __init__(self, parent: QObject | None = None, undo: QUndoStack | None = None) -> None:
         super().__init__(parent)
@@ -87,9 +90,9 @@ class ParameterModel(QAbstractTableModel):
         self.values = ParameterValues()
         self.text = ParameterText(self.values)
         self.rows: list[ParameterRow] = []  # grouped by task
-        self.places: dict[str, tuple[int, int]] = {}  # row and column by key
+        self._positions: dict[str, tuple[int, int]] = {}  # key → row and column
         self.model_key = ""  # empty before `load`
-        self.both_motors = False  # an edit of one motor applies to both
+        self.both_motors = False  # an edit for one motor applies to both
         self._headers = (tr("Parameter"), tr("Motor 1"), tr("Motor 2"))
         self.titles = {
             "motors": tr("Motors and speed ramp"),
@@ -101,7 +104,9 @@ class ParameterModel(QAbstractTableModel):
             "system": tr("System"),
         }
         self._motor_colors = {ParameterColumn.MOTOR1: "motor1", ParameterColumn.MOTOR2: "motor2"}
-        self._sources: dict[int, Callable[[str], Any]] = {  # data of a value, by role
+        self._sources: dict[
+            int, Callable[[str], Any]
+        ] = {  # role → function that returns the data of a value
             Qt.ItemDataRole.DisplayRole: self.text.value,
             Qt.ItemDataRole.EditRole: self._number,
             Qt.ItemDataRole.AccessibleTextRole: self.text.spoken,
@@ -129,8 +134,8 @@ class ParameterModel(QAbstractTableModel):
     ) -> None:
         """Load stored values, and the errors of unread parameters.
 
-        `keep_edits` retains edits if the model is the same. `active` has values known to be active.
-        `open_ended` is for a file, in which every parameter is optional.
+        `keep_edits` retains edits if the model is the same. `active` contains values that are known
+        to be active. `open_ended` is for a file, in which every parameter is optional.
         """
         pending = self.values.modified
         readable = sorted(specs.readable, key=lambda spec: _GROUPS.index(spec.group))
@@ -152,7 +157,7 @@ class ParameterModel(QAbstractTableModel):
             self.values.record_active(key, wire)
         self.model_key = specs.model.key
         problems = self.values.problems.items()
-        failed_edits = {key: why for key, why in problems if self.values.is_modified(key)}
+        failed_edits = {key: reason for key, reason in problems if self.values.is_modified(key)}
         self.values.problems = failed_edits | dict(unread)
         if has_other_rows:
             self.endResetModel()
@@ -164,8 +169,8 @@ class ParameterModel(QAbstractTableModel):
     def _arrange_rows(self) -> None:
         groups: dict[str, list[ParameterRow]] = {group: [] for group in self.titles}
         for key, spec in self.values.specs.items():
-            is_named_by_another = key != self.text.keys_of(key)[-1] or key.startswith("motor2_")
-            if not is_named_by_another:
+            has_own_row = key == self.text.keys_of(key)[-1] and not key.startswith("motor2_")
+            if has_own_row:
                 other = other_motor_key(key)
                 keys = (key,) if other is None else (key, other)
                 groups[spec.task].append(ParameterRow(spec.task, self.text.short_title(key), keys))
@@ -173,11 +178,11 @@ class ParameterModel(QAbstractTableModel):
         for group, rows in groups.items():
             if rows:
                 self.rows += [ParameterRow(group, self.titles[group]), *rows]
-        self.places = {
-            each: (place, column)
-            for place, row in enumerate(self.rows)
+        self._positions = {
+            cell_key: (index, column)
+            for index, row in enumerate(self.rows)
             for column, key in enumerate(row.keys, ParameterColumn.MOTOR1)
-            for each in self.text.keys_of(key)
+            for cell_key in self.text.keys_of(key)
         }
 
     def record_stored(self, stored: Mapping[str, int]) -> None:
@@ -196,12 +201,12 @@ class ParameterModel(QAbstractTableModel):
                 self._emit_changed(result.key)
 
     def set_accepted(self, accepted: Accepted) -> None:
-        """Set values beyond inferred limits that a board has stored."""
+        """Set values beyond inferred limits that boards have stored."""
         if accepted == self.values.accepted:
             return
         self.values.accepted = dict(accepted)
         for key in accepted:
-            if key in self.places:
+            if key in self._positions:
                 self._emit_changed(key)
         self.pending_changed.emit()
 
@@ -213,17 +218,21 @@ class ParameterModel(QAbstractTableModel):
         return sum(bool(row.keys) for row in self.rows)
 
     def is_editable(self, key: str) -> bool:
-        return all(self.values.can_edit(each) for each in self.text.keys_of(key))
+        return all(self.values.can_edit(cell_key) for cell_key in self.text.keys_of(key))
 
     def open_key(self, key: str) -> str | None:
-        """Return the key of a value that may exceed its limits."""
-        keys = (each for each in self.text.keys_of(key) if self.values.specs[each].has_open_values)
+        """Return the key of a value that may exceed its limits, if any."""
+        keys = (
+            cell_key
+            for cell_key in self.text.keys_of(key)
+            if self.values.specs[cell_key].has_open_values
+        )
         return next(keys, None) if self.is_editable(key) else None
 
     # --- Edits --------------------------------------------------------------------------
 
     def edit(self, key: str, wire: int, *, alone: bool = False, forced: bool = False) -> None:
-        """Edit a value. The stored value removes the edit.
+        """Edit a value. Setting the stored value removes the edit.
 
         With `both_motors`, the other motor gets the same value unless `alone`. `forced` allows
         values beyond inferred limits.
@@ -239,13 +248,13 @@ class ParameterModel(QAbstractTableModel):
 
     def edit_frequency(self, key: str, code: int) -> None:
         keys = self.text.keys_of(key)
-        self._edit(dict(zip(keys, frequency_wires(code), strict=True)), self._all_with(key))
+        self._edit(dict(zip(keys, frequency_wires(code), strict=True)), self._keys_to_change(key))
 
     def _edit(
         self, values: Mapping[str, int], keys: Sequence[str], *, forced: bool = False
     ) -> None:
         if all(wire == self.values.value_of(key) for key, wire in values.items()):
-            return  # an editor closed without a change must not edit the other motor either
+            return  # closing an editor without a change must not edit the other motor
         wires = {key: values.get(key, values.get(other_motor_key(key) or "", 0)) for key in keys}
         for key, wire in wires.items():
             if wire != self.values.stored.get(key):
@@ -256,18 +265,28 @@ class ParameterModel(QAbstractTableModel):
 
     def reset(self, key: str) -> None:
         if self.is_editable(key):
-            self._change({each: self.values.specs[each].default for each in self._all_with(key)})
+            self._change(
+                {
+                    cell_key: self.values.specs[cell_key].default
+                    for cell_key in self._keys_to_change(key)
+                }
+            )
 
     def restore(self, key: str) -> None:
         if self.is_editable(key):
-            self._change({each: self.values.stored.get(each) for each in self._all_with(key)})
+            self._change(
+                {
+                    cell_key: self.values.stored.get(cell_key)
+                    for cell_key in self._keys_to_change(key)
+                }
+            )
 
     def remove(self, key: str) -> None:
         if self.values.can_remove(key):
-            self._change(dict.fromkeys(filter(self.values.can_remove, self._all_with(key))))
+            self._change(dict.fromkeys(filter(self.values.can_remove, self._keys_to_change(key))))
 
     def discard_edits(self) -> None:
-        """Restore the stored values, with an undo step for each."""
+        """Restore the stored values, with an undo step for cell_key."""
         for key in self.values.modified:
             self._change({key: self.values.stored.get(key)})
 
@@ -275,7 +294,7 @@ class ParameterModel(QAbstractTableModel):
         others = map(self.values.other_motor_of, keys if self.both_motors else ())
         return (*keys, *filter(None, others))
 
-    def _all_with(self, key: str) -> tuple[str, ...]:
+    def _keys_to_change(self, key: str) -> tuple[str, ...]:
         return self._with_other_motor(self.text.keys_of(key))
 
     def _change(self, wires: Mapping[str, int | None]) -> None:
@@ -291,13 +310,13 @@ class ParameterModel(QAbstractTableModel):
             if any(motor_name(other) != motor for other in wires):
                 title = tr("Motors 1 and 2 {0}").format(self.text.short_title(key))
             self._undo.beginMacro(title)
-        for each in edits:
-            self._undo.push(each)
+        for edit in edits:
+            self._undo.push(edit)
         if len(edits) > 1:
             self._undo.endMacro()
 
     def _apply_edit(self, key: str, wire: int | None) -> None:
-        """Apply an edit. Ignores parameters that the present board lacks."""
+        """Apply an edit. Ignore parameters that the present board lacks."""
         if self.values.can_edit(key):
             if wire is None:
                 self.values.remove(key)
@@ -309,8 +328,8 @@ class ParameterModel(QAbstractTableModel):
     # --- Qt -----------------------------------------------------------------------------
 
     def index_of(self, key: str) -> QModelIndex:
-        place = self.places.get(key)
-        return QModelIndex() if place is None else self.index(*place)
+        position = self._positions.get(key)
+        return QModelIndex() if position is None else self.index(*position)
 
     def rowCount(self, parent: Index | None = None) -> int:
         return 0 if parent is not None and parent.isValid() else len(self.rows)
@@ -355,7 +374,7 @@ class ParameterModel(QAbstractTableModel):
         return _number(wires) if len(wires) == len(self.text.keys_of(key)) else None
 
     def default_number(self, key: str) -> int:
-        return _number([self.values.specs[each].default for each in self.text.keys_of(key)])
+        return _number([self.values.specs[cell_key].default for cell_key in self.text.keys_of(key)])
 
     def _problem(self, key: str) -> str | None:
         return next(filter(None, map(self.values.problems.get, self.text.keys_of(key))), None)
@@ -371,7 +390,9 @@ class ParameterModel(QAbstractTableModel):
         if role != Qt.ItemDataRole.DisplayRole or index.column() > 0:
             return None
         members = (row for row in self.rows if row.group == heading.group)
-        keys = (each for row in members for key in row.keys for each in self.text.keys_of(key))
+        keys = (
+            cell_key for row in members for key in row.keys for cell_key in self.text.keys_of(key)
+        )
         modified = sum(map(self.values.is_modified, keys))
         text = tr("{0} ({1} modified)") if modified else "{0}"
         return text.format(heading.name, modified)
@@ -394,7 +415,7 @@ class ParameterModel(QAbstractTableModel):
     # --- Change notification ------------------------------------------------------------
 
     def _emit_changed(self, key: str) -> None:
-        row = self.places[key][0]
-        heading = next(each for each in range(row, -1, -1) if not self.rows[each].keys)
-        for place in (row, heading):
-            self.dataChanged.emit(self.index(place, 0), self.index(place, _COLUMNS - 1))
+        row = self._positions[key][0]
+        heading = next(index for index in range(row, -1, -1) if not self.rows[index].keys)
+        for changed in (row, heading):
+            self.dataChanged.emit(self.index(changed, 0), self.index(changed, _COLUMNS - 1))

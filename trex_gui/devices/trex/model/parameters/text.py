@@ -25,7 +25,7 @@ _HIGHEST_PWM = 20_000.0  # Hz (inferred), for drivers without a rating
 
 
 class ParameterColumn(IntEnum):
-    """Columns of the table. MOTOR1 has the parameters of the whole board."""
+    """Columns of the table. MOTOR1 also shows the parameters of the whole board."""
 
     NAME = 0
     MOTOR1 = 1
@@ -34,7 +34,7 @@ class ParameterColumn(IntEnum):
 
 class ParameterText:
     def __init__(self, values: ParameterValues) -> None:
-        self.frequencies: tuple[int, ...] = ()  # codes, slowest first
+        self.frequencies: tuple[int, ...] = ()  # codes, lowest frequency first
         self._guide = ""
         self._values = values
         self._pairs: dict[str, tuple[str, ...]] = {}
@@ -66,21 +66,21 @@ class ParameterText:
 
     def short_title(self, key: str) -> str:
         """Return the name without its motor, such as `Current Limit`."""
-        is_alone = len(self.keys_of(key)) == 1
-        return self._values.specs[key].short_name if is_alone else tr("PWM Frequency")
+        has_single_key = len(self.keys_of(key)) == 1
+        return self._values.specs[key].short_name if has_single_key else tr("PWM Frequency")
 
     def value(self, key: str) -> str:
         keys, wires = self.keys_of(key), self.wires(key)
         if len(wires) < len(keys):
             is_optional = all(map(self._values.can_edit, keys))
             return tr("not given") if is_optional else tr("not read")
-        return self._shown(key, wires)
+        return self._text_of(key, wires)
 
     def wires(self, key: str) -> list[int]:
         wires = map(self._values.value_of, self.keys_of(key))
         return [wire for wire in wires if wire is not None]
 
-    def _shown(self, key: str, wires: Sequence[int]) -> str:
+    def _text_of(self, key: str, wires: Sequence[int]) -> str:
         text = self._physical(key, wires)
         is_number = len(wires) == 1 and self._values.specs[key].kind not in _IN_WORDS
         return units().ordered(text, str(wires[0]))[0] if is_number else text
@@ -91,14 +91,14 @@ class ParameterText:
         return self._values.specs[key].text(wires[0])
 
     def with_wire(self, key: str, wires: Sequence[int]) -> str:
-        """Return wire and physical value: `15 (1.5 s)`."""
+        """Return the wire value and the physical value: `15 (1.5 s)`."""
         text, numbers = self._physical(key, wires), _numbers(wires)
         return text if text == numbers else f"{numbers} ({text})"
 
     def change(self, key: str) -> str:
-        """Return the value and a different stored value: `8.1 A, was off`."""
+        """Return the value, with the stored value if different: `8.1 A, was off`."""
         value, stored = self.value(key), self.stored(key)
-        if not any(self._values.is_modified(each) for each in self.keys_of(key)):
+        if not any(self._values.is_modified(cell_key) for cell_key in self.keys_of(key)):
             return value
         return tr("{0}, was {1}").format(value, stored or tr("not given"))
 
@@ -118,13 +118,13 @@ class ParameterText:
     def limits(self, key: str) -> str:
         spec = self._values.specs[key]
         is_own = units().own_first or len(self.keys_of(key)) > 1
-        shown = self._range(key) if is_own else spec.short_range()
-        return tr("{0} · default: {1}").format(shown, self._shown(key, self._defaults(key)))
+        limits = self._range(key) if is_own else spec.short_range()
+        return tr("{0} · default: {1}").format(limits, self._text_of(key, self._defaults(key)))
 
     def summary(self, key: str) -> str:
-        """Return wire value, number and weakest evidence."""
+        """Return the wire value, the parameter number and the weakest evidence."""
         wires = self.wires(key)
-        numbers = [f"{self._values.specs[each].number:#04x}" for each in self.keys_of(key)]
+        numbers = [f"{self._values.specs[cell_key].number:#04x}" for cell_key in self.keys_of(key)]
         parts = (
             tr("wire {0}").format(_numbers(wires)) if wires else "",
             ", ".join(numbers),
@@ -133,7 +133,7 @@ class ParameterText:
         return " · ".join(part.strip(" ()") for part in parts if part)
 
     def _grades(self, key: str) -> list[Grade]:
-        specs = [self._values.specs[each] for each in self.keys_of(key)]
+        specs = [self._values.specs[cell_key] for cell_key in self.keys_of(key)]
         return [max(spec.grade(*fields) for spec in specs) for fields in _GRADED]
 
     def about(self, key: str) -> tuple[str, ...]:
@@ -148,18 +148,20 @@ class ParameterText:
             tr("Range: {0}{1}.").format(self._range(key), limits.mark),
             self._also_accepted(keys),
             tr("Default: {0}{1}.").format(self.with_wire(key, self._defaults(key)), default.mark),
-            *(self._values.specs[each].doubt for each in keys),
+            *(self._values.specs[cell_key].doubt for cell_key in keys),
             *(self._evidence.get(grade, "") for grade in sorted({limits, default, meaning})),
         )
         return tuple(filter(None, sentences))
 
     def _also_accepted(self, keys: Sequence[str]) -> str:
-        wires = sorted(wire for each in keys for wire in self._values.accepted.get(each, ()))
+        wires = sorted(
+            wire for cell_key in keys for wire in self._values.accepted.get(cell_key, ())
+        )
         text = tr("This firmware has stored beyond that: wire value {0}.")
         return text.format(", ".join(map(str, wires))) if wires else ""
 
     def guide(self, key: str) -> tuple[str, str]:
-        """Return address and title in the user's guide."""
+        """Return the address and title of a user's guide section."""
         section = self._values.specs[key].section
         if not section:
             return self._guide, tr("User's guide of the board")
@@ -171,15 +173,15 @@ class ParameterText:
         return self._values.specs[key].range_text()
 
     def _defaults(self, key: str) -> list[int]:
-        return [self._values.specs[each].default for each in self.keys_of(key)]
+        return [self._values.specs[cell_key].default for cell_key in self.keys_of(key)]
 
     def notes(self, key: str) -> tuple[str, ...]:
-        """Return sentences on problems, and on a different active value."""
+        """Return sentences about problems and a different active value."""
         keys = self.keys_of(key)
-        active = [self._values.active.get(each) for each in keys]
-        sentences = [self._values.problems.get(each, "") for each in keys]
+        active = [self._values.active.get(cell_key) for cell_key in keys]
+        sentences = [self._values.problems.get(cell_key, "") for cell_key in keys]
         if (wire := active[0]) is not None:
-            sentences.append(tr("Still active: {0}.").format(self._shown(key, [wire])))
+            sentences.append(tr("Still active: {0}.").format(self._text_of(key, [wire])))
         return tuple(filter(None, sentences))
 
     def _other_motor(self, key: str) -> str:
@@ -192,12 +194,12 @@ class ParameterText:
         return tr("Reset to default: {0}").format(self.with_wire(key, self._defaults(key)))
 
     def stored(self, key: str) -> str:
-        wires = [self._values.stored.get(each) for each in self.keys_of(key)]
+        wires = [self._values.stored.get(cell_key) for cell_key in self.keys_of(key)]
         known = [wire for wire in wires if wire is not None]
-        return self._shown(key, known) if len(known) == len(wires) else ""
+        return self._text_of(key, known) if len(known) == len(wires) else ""
 
     def spoken(self, key: str) -> str:
-        """Return name, value and edit for a screen reader."""
+        """Return the name, value and edit for a screen reader."""
         text = tr("{0}: {1}.").format(self.title(key), self.change(key))
         return " ".join(filter(None, (text, self._other_motor(key), *self.notes(key))))
 
@@ -215,7 +217,7 @@ def frequency_wires(code: int) -> tuple[int, int]:
 
 @cache
 def frequency_codes(board: Model) -> tuple[int, ...]:
-    """Return codes of the suitable PWM frequencies, slowest first."""
+    """Return the codes of suitable PWM frequencies, lowest first."""
     choices = device_table().pwm.choices(board.highest_pwm or _HIGHEST_PWM)
     return tuple(frequency_code(*pair) for pair in choices)
 

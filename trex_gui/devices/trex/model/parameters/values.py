@@ -17,7 +17,7 @@ class ParameterValues:
     stored: dict[str, int] = field(default_factory=dict)
     edited: dict[str, int] = field(default_factory=dict)  # values that differ from `stored`
     removed: set[str] = field(default_factory=set)  # stored keys that Save leaves out
-    active: dict[str, int] = field(default_factory=dict)  # where `stored` awaits a power cycle
+    active: dict[str, int] = field(default_factory=dict)  # values in use until a power cycle
     optional: frozenset[str] = frozenset()  # keys that may have no value in a file
     problems: dict[str, str] = field(default_factory=dict)  # error texts of failed reads and writes
     # Values beyond inferred limits that boards with this firmware have stored
@@ -76,7 +76,7 @@ class ParameterValues:
 
     @property
     def modified(self) -> tuple[str, ...]:
-        """Keys that are edited or left out."""
+        """Keys whose values are edited or removed."""
         return tuple(filter(self.is_modified, self.specs))
 
     @property
@@ -113,10 +113,10 @@ class ParameterValues:
     # --- Changes ------------------------------------------------------------------------
 
     def edit(self, spec: ParameterSpec, wire: int | None) -> None:
-        """Edit a value. The stored value, or `None`, removes the edit.
+        """Edit a value. Setting the stored value or `None` removes the edit.
 
         Raises:
-            BadRequest: the value is outside limits that are not inferred.
+            BadRequest: the value exceeds a limit that is not inferred.
         """
         if wire is None or wire == self.stored.get(spec.key):
             self.edited.pop(spec.key, None)
@@ -125,7 +125,7 @@ class ParameterValues:
         self.removed.discard(spec.key)
 
     def remove(self, key: str) -> None:
-        """Remove an optional value. Ignores required parameters."""
+        """Remove an optional value. Ignore required parameters."""
         if key in self.optional:
             self.edited.pop(key, None)
             if key in self.stored:

@@ -15,7 +15,7 @@ Channel = int | CalibrationKey  # a key, or a channel (1-5) of the active input 
 
 
 class Calibrations(QObject):
-    """Calibrations of both input sources. A board shows only the active source."""
+    """Calibrations of both input sources. A board reports the active source only."""
 
     changed = Signal()  # a stored or an edited calibration
 
@@ -27,7 +27,7 @@ class Calibrations(QObject):
         self._undo = undo or QUndoStack(self)
         self._model_key = ""
         self._stored: dict[CalibrationKey, Calibration] = {}
-        self._seen: dict[CalibrationKey, Calibration] = {}
+        self._last_known: dict[CalibrationKey, Calibration] = {}  # of both sources
         self._open_ended = False
 
     # --- Values -------------------------------------------------------------------------
@@ -67,9 +67,9 @@ class Calibrations(QObject):
         return self._open_ended or self._key(channel) in self._stored
 
     def _latest(self, key: CalibrationKey) -> Calibration | None:
-        """Return the stored or the last shown calibration."""
-        seen = None if self._open_ended else self._seen.get(key)
-        return self._stored.get(key, seen)
+        """Return the stored calibration, or else the last known calibration."""
+        last_known = None if self._open_ended else self._last_known.get(key)
+        return self._stored.get(key, last_known)
 
     def _key(self, channel: Channel) -> CalibrationKey:
         if isinstance(channel, CalibrationKey):
@@ -95,25 +95,26 @@ class Calibrations(QObject):
         if model_key != self._model_key or not keep_edits:
             self.edited.clear()
             self.removed.clear()
-            self._seen.clear()
+            self._last_known.clear()
         self._model_key = model_key
         self.source = source
         self._open_ended = open_ended
-        self._stored = {self._key(channel): found for channel, found in stored.items()}
-        self._seen.update(self._stored)
+        self._stored = {self._key(channel): calibration for channel, calibration in stored.items()}
+        self._last_known.update(self._stored)
         self.edited = {k: e for k, e in self.edited.items() if self._latest(k) != e}
         self.removed &= self._stored.keys()
         self.changed.emit()
 
     def clear_seen(self) -> None:
-        """Discard calibrations of another board, except edited channels."""
-        self._seen = {key: seen for key, seen in self._seen.items() if key in self.edited}
+        """Clear the last known calibrations, except for edited channels."""
+        known = self._last_known.items()
+        self._last_known = {key: value for key, value in known if key in self.edited}
 
     def record_stored(self, stored: Mapping[int, Calibration]) -> None:
         for channel, calibration in stored.items():
             key = self._key(channel)
             if self._stored.get(key) != calibration:
-                self._stored[key] = self._seen[key] = calibration
+                self._stored[key] = self._last_known[key] = calibration
                 if self.edited.get(key) == calibration:
                     del self.edited[key]
         self.changed.emit()
@@ -121,9 +122,9 @@ class Calibrations(QObject):
     # --- Edits --------------------------------------------------------------------------
 
     def edit(self, channel: Channel, calibration: Calibration, *, run: object = None) -> None:
-        """Edit a calibration. The stored calibration removes the edit.
+        """Edit a calibration. Setting the stored calibration removes the edit.
 
-        Consecutive edits with the same `run` are one undo step.
+        Consecutive edits with the same `run` form one undo step.
 
         Raises:
             BadRequest: the board would reject the values.
@@ -137,7 +138,7 @@ class Calibrations(QObject):
         self._change(self._key(channel), self.stored(channel))
 
     def remove(self, channel: Channel) -> None:
-        """Remove a calibration from a file. Has no effect for a board."""
+        """Remove a calibration from a file. Has no effect on a board."""
         if self._open_ended:
             self._change(self._key(channel), None)
 

@@ -22,8 +22,8 @@ _LAYOUT = "\t\n\v\f\r\x1b\xa0"
 class SettingsDocument(QObject):
     """Text of a file, and a draft of its settings.
 
-    The user edits the text while it has errors, and the draft afterwards. Edits retain the comments
-    and order of the text.
+    While the text has errors, the user edits the text. Once it is readable, the user edits the
+    draft. Edits retain the comments and the order of the text.
     """
 
     changed = Signal()  # text, findings, file or `readable`
@@ -38,8 +38,8 @@ class SettingsDocument(QObject):
         self._base = text
         self._saved = text
         self._text = text
-        self.on_disk: bytes | None = None  # content of the file when it was opened or saved
-        self.readable = False  # the text has settings
+        self.on_disk: bytes | None = None  # content of the file when it was last opened or saved
+        self.readable = False  # the settings were read from the text
         self._trouble = ""
         self._findings: tuple[Finding, ...] = ()
         self._timer = new_timer(self, 0, self._publish, single_shot=True)
@@ -58,7 +58,7 @@ class SettingsDocument(QObject):
         """Create a document from a file.
 
         Raises:
-            SettingsError: the file is too large, or not a text.
+            SettingsError: the file is too large, or is not text.
         """
         text, doubt = text_of(data, path.name)
         document = cls(text, path.name, path=path, doubt=doubt)
@@ -67,10 +67,10 @@ class SettingsDocument(QObject):
 
     @classmethod
     def of_settings(cls, settings: Settings, name: str, title: str) -> "SettingsDocument":
-        """Create a new file with settings. Invalid values become comments.
+        """Create a new file from settings. Invalid values become comments.
 
         Raises:
-            BadRequest: model and firmware lack a key of the settings.
+            BadRequest: the settings have a key that the model or firmware lacks.
         """
         return cls(write_settings(settings, title_lines=[title]), name)
 
@@ -91,7 +91,7 @@ class SettingsDocument(QObject):
 
     @property
     def trouble(self) -> str:
-        """Reason why edits do not fit the text, or empty."""
+        """Reason why edits do not fit into the text, or empty."""
         self._update_text()
         return self._trouble
 
@@ -146,7 +146,7 @@ class SettingsDocument(QObject):
         if fresh:
             self._base = text
         if settings is not None and settings == self.settings:
-            self.draft.load_settings(settings)  # undoing makes it an edit again
+            self.draft.load_settings(settings)  # undo turns a saved value into an edit again
         self._stale = True
         self._publish()
 
@@ -179,10 +179,10 @@ class SettingsDocument(QObject):
 def text_of(data: bytes, name: str) -> tuple[str, Finding | None]:
     """Return the text of a file, with its byte order mark.
 
-    Also return a finding if the encoding is guessed.
+    Also return a finding if the encoding was guessed.
 
     Raises:
-        SettingsError: the file is too large, or not a text.
+        SettingsError: the file is too large, or is not text.
     """
     try:
         text = decode(data, name)

@@ -22,17 +22,17 @@ class EditOffer:
 
 
 class EditBackup(QObject):
-    """Saves edits, and offers edits of an earlier run."""
+    """Saves edits, and offers the edits of an earlier run."""
 
-    offered = Signal()  # `offer` is new or gone
-    failed = Signal(str)  # reason for the user, once until saving works
+    offered = Signal()  # `offer` was set or cleared
+    failed = Signal(str)  # reason for the user; not repeated until saving has worked
 
     def __init__(self, draft: SettingsDraft, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.offer: EditOffer | None = None  # saved until restored or discarded
         self._draft = draft
         self.files = BoardFiles(EditFiles(), self)
-        self._board: BoardIdentity | None = None  # owner of the edits in the draft
+        self._board: BoardIdentity | None = None  # board to which the edits in the draft belong
         self._is_read = False  # the file of this board was read
         self._has_file = False
         self._undecided: Settings | None = None  # saved edits that are not in the draft
@@ -46,7 +46,8 @@ class EditBackup(QObject):
     def close_board(self, *, is_deselected: bool = False) -> None:
         """Pause saving until `set_board`, while the draft is loaded.
 
-        `is_deselected`: another board on the line is selected. Edits return with the former board.
+        `is_deselected`: another board on the line was selected. The edits return when this board is
+        selected again.
         """
         stored = self._draft.stored
         if is_deselected and stored is not None and self._board is not None and self._draft.pending:
@@ -60,10 +61,10 @@ class EditBackup(QObject):
         self._board = None
 
     def set_board(self, *, opened: bool, is_simulated: bool = False) -> None:
-        """Save edits of this board. Offer edits of an earlier run.
+        """Save edits of this board. Offer the edits of an earlier run.
 
-        Simulated and real boards have separate files. The same board gets its offer again only when
-        `opened`. Edits of settings that could not be read stay saved.
+        Simulated and real boards have separate files. For the same board, the offer is repeated
+        only if `opened`. Edits of settings that could not be read stay saved.
         """
         stored = self._draft.stored
         if stored is None:
@@ -81,7 +82,7 @@ class EditBackup(QObject):
         if self._closed_edits is not None:
             keys = set() if self._undecided is None else self._undecided.keys
             keys |= self._out_of_reach(self._closed_edits)
-            self._undecided = _only(self._closed_edits, keys)
+            self._undecided = _subset(self._closed_edits, keys)
         self._on_changed()
         if self._undecided is not None and (opened or self.offer is None):
             self._is_read = False
@@ -90,12 +91,12 @@ class EditBackup(QObject):
     # --- Decisions ----------------------------------------------------------------------
 
     def restore(self) -> None:
-        """Restore the offered edits, except settings edited meanwhile."""
+        """Restore the offered edits, except for settings with newer edits."""
         if self.offer is None:
             return
         rows = [row for row in self.offer.rows if not self._draft.is_modified(row.key)]
         if self._undecided is not None:
-            self._undecided = _only(self._undecided, self._out_of_reach(self._undecided))
+            self._undecided = _subset(self._undecided, self._out_of_reach(self._undecided))
         self._draft.stage(rows, tr("Restore edits"))
         self._set_offer(None)
 
@@ -148,26 +149,26 @@ class EditBackup(QObject):
         self.failed.emit(text.format(error_sentence(failure)))
 
     @Slot(object, object)
-    def _on_found(self, board: BoardIdentity, found: SavedEdits | None) -> None:
+    def _on_found(self, board: BoardIdentity, saved: SavedEdits | None) -> None:
         if board != self._board or self._is_read:
             return
         offer = None
-        self._is_read, self._has_file = True, found is not None
-        if found is not None:
-            changes = diff_against_draft(self._draft, found.settings).rows
+        self._is_read, self._has_file = True, saved is not None
+        if saved is not None:
+            changes = diff_against_draft(self._draft, saved.settings).rows
             is_modified = self._draft.is_modified
             rows = tuple(row for row in changes if row.changed and not is_modified(row.key))
-            keys = {row.key for row in rows} | self._out_of_reach(found.settings)
-            self._undecided = _only(found.settings, keys)
-            offer = EditOffer(rows, found) if rows else None
+            keys = {row.key for row in rows} | self._out_of_reach(saved.settings)
+            self._undecided = _subset(saved.settings, keys)
+            offer = EditOffer(rows, saved) if rows else None
         self._set_offer(offer)
 
     def _out_of_reach(self, edits: Settings) -> set[str]:
-        """Return the keys that the draft neither holds nor accepts."""
+        """Return the keys that the draft neither contains nor accepts."""
         can_edit, is_modified = self._draft.can_edit, self._draft.is_modified
         return {key for key in edits.keys if not can_edit(key) and not is_modified(key)}
 
 
-def _only(edits: Settings, keys: Collection[str]) -> Settings | None:
-    part = edits.only(keys)
-    return part if part.keys else None
+def _subset(edits: Settings, keys: Collection[str]) -> Settings | None:
+    subset = edits.only(keys)
+    return subset if subset.keys else None
