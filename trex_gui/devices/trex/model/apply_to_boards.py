@@ -115,7 +115,7 @@ class ApplyToBoards(QObject):
         self._set(number, step, problem)
         self._continue()
 
-    # --- Boards, one by one --------------------------------------------------------------
+    # --- Boards, one by one -------------------------------------------------------------
 
     def _continue(self) -> None:
         waiting = [plan.number for plan in self.plans if plan.step is BoardStep.WAITING]

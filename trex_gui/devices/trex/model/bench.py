@@ -250,7 +250,7 @@ class Bench(QObject):
             return tr("Serial commands no longer reach the motors.")
         return self._motors.stop_reason or tr("Stop was pressed.")
 
-    # --- End of a test -------------------------------------------------------------------
+    # --- End of a test ------------------------------------------------------------------
 
     def _end(self, end: End, reason: str = "") -> None:
         self.phase = Phase.BRAKING

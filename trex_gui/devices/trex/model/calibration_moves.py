@@ -37,29 +37,29 @@ def moved(c: Calibration, handle: Handle, count: int) -> tuple[Calibration, str]
     match handle:
         case Handle.MINIMUM:
             limits = 0, min(c.neutral, c.maximum - 1)
-            why = tr("Minimum cannot pass neutral.")
+            reason = tr("Minimum cannot pass neutral.")
             if c.neutral >= c.maximum:
-                why = tr("Minimum and maximum must differ.")
+                reason = tr("Minimum and maximum must differ.")
         case Handle.NEUTRAL:
             limits = c.minimum, c.maximum
             if count < c.minimum:
-                why = tr("Neutral cannot pass minimum.")
+                reason = tr("Neutral cannot pass minimum.")
             else:
-                why = tr("Neutral cannot pass maximum.")
+                reason = tr("Neutral cannot pass maximum.")
         case Handle.MAXIMUM:
             limits = max(c.neutral, c.minimum + 1), HIGHEST_CODED
-            why = tr("Maximum cannot pass neutral.")
+            reason = tr("Maximum cannot pass neutral.")
             if c.neutral <= c.minimum:
-                why = tr("Minimum and maximum must differ.")
+                reason = tr("Minimum and maximum must differ.")
         case Handle.DEADBAND_LOW | Handle.DEADBAND_HIGH:
             field = "deadband"
             value = count - c.neutral if handle is Handle.DEADBAND_HIGH else c.neutral - count
             limits = 0, max(c.neutral - c.minimum, c.maximum - c.neutral, 0)
-            why = tr("The deadband cannot be wider than the travel.")
+            reason = tr("The deadband cannot be wider than the travel.")
             if value < 0:
-                why = tr("The deadband ends at neutral.")
+                reason = tr("The deadband ends at neutral.")
     limited = max(limits[0], min(limits[1], value))
-    return replace(c, **{field: limited}), "" if limited == value else why
+    return replace(c, **{field: limited}), "" if limited == value else reason
 
 
 def within_input(
@@ -70,8 +70,8 @@ def within_input(
     A handle that is already outside the range may stay there. Also return a sentence on the range
     if the count was limited, or an empty string.
     """
-    now = handle.count(calibration)
-    lowest, highest = min(source.lowest_count, now), max(source.highest_count, now)
+    position = handle.count(calibration)
+    lowest, highest = min(source.lowest_count, position), max(source.highest_count, position)
     if lowest <= count <= highest:
         return count, ""
     return (lowest if count < lowest else highest), input_range_text(source)

@@ -53,7 +53,7 @@ from trex_gui.ui.runtime import now
 from trex_gui.ui.translations import error_text
 
 _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
-_NAMED = 3  # written settings that an event names
+_NAMED = 3  # number of written settings that an event names
 
 
 class Device(QObject):
@@ -66,7 +66,7 @@ class Device(QObject):
     lease_changed = Signal()  # driver or queue of a served board
     applied = Signal(object)  # a `WriteResult` for each value
     sampled = Signal(object)  # a `Batch`, after the models are updated
-    stop_wanted = Signal()  # stop pressed without a connection, while motors may turn
+    stop_wanted = Signal()  # stop was pressed without a connection, while motors may turn
 
     def __init__(
         self,
@@ -80,9 +80,9 @@ class Device(QObject):
         super().__init__(parent)
         self.notifier = notifier or Notifier(self)
         self.motors = Motors(self)
-        self.main = main or self  # owner of the motors that the user drives
+        self.main = main or self  # device whose `motors` the user drives
         self.others: list[Device] = []  # other boards of the group
-        self.wheels: dict[int, Wheel] = {}  # by motor, in a group
+        self.wheels: dict[int, Wheel] = {}  # motor → wheel, in a group
         self.draft = SettingsDraft(self)  # stored settings and edits
         self.parameters = self.draft.parameters
         self.calibrations = self.draft.calibrations
@@ -160,7 +160,7 @@ class Device(QObject):
         return name_of_board(self.state.signature, number)
 
     def named(self, text: str) -> str:
-        """Return a text, with the board number in a group."""
+        """Return a text. In a group, it starts with the board number."""
         settings = self.connection.settings
         if settings is None or not self.wheels:
             return text
@@ -211,12 +211,12 @@ class Device(QObject):
     # --- User actions -------------------------------------------------------------------
 
     def connect_to(self, settings: ConnectionSettings) -> None:
-        """Open a line and read the board. Closes another line first."""
+        """Close an open line, then open this line and read the board."""
         may_move = self.may_move or bool(self.driving.lost_board)
         self.connection.open(settings, may_move=may_move)
 
     def set_visible(self, visible: bool) -> None:
-        """Set whether a window is visible. Otherwise polling is slow."""
+        """Set whether a window is visible. Poll slowly without a visible window."""
         self.connection.watch("window", visible)
         self.telemetry.set_visible(visible)
 
@@ -341,7 +341,7 @@ class Device(QObject):
         if opened:
             self.events.clear()
         unit = state.signature.model.current_unit
-        if opened or unit != self.telemetry.ampere:  # another model may be at the same line
+        if opened or unit != self.telemetry.ampere:  # the line may now have another model
             self.telemetry.start(unit)
         self.edit_backup.close_board()
         self.draft.set_state(
@@ -350,7 +350,7 @@ class Device(QObject):
         self._handle_files(read.report, opened=opened)
 
     def _handle_files(self, report: Connected, *, opened: bool) -> None:
-        """Read the saved files of the board. `opened`: it may be another board."""
+        """Read the saved files of the board. `opened`: this may be another board."""
         state, is_simulated = report.state, bool(report.settings.name)
         self.edit_backup.set_board(opened=opened, is_simulated=is_simulated)
         self.records.set_kind(state.signature, opened=opened, is_simulated=is_simulated)
@@ -371,7 +371,7 @@ class Device(QObject):
 
     @Slot(object)
     def _on_replaced(self, path: Path) -> None:
-        """Report every file so far, because messages replace each other."""
+        """Report all files so far, because each message replaces the last message."""
         self._replaced.append(path)
         text = tr(
             "Edits, notes or settings were kept here for another board with this device number. "

@@ -53,7 +53,7 @@ class DriveController(QObject):
     """Sends setpoints and stops of the motors to the board.
 
     After the line was opened or silent, a different board may respond. Its confirmations do not
-    count before it is read.
+    count until it is read.
     """
 
     changed = Signal()  # `reaches_several`, or a stop was confirmed
@@ -74,24 +74,26 @@ class DriveController(QObject):
         self._motors = motors
         self._mirror = board
         self._connection = connection
-        self._lost_with: ConnectionSettings | None = None  # line on which motors may turn
-        self._lost_place = ""  # `place` of the line in `_lost_with`
+        self._lost_with: ConnectionSettings | None = (
+            None  # settings of the line on which motors may turn
+        )
+        self._lost_place = ""  # `place` of that line
         self._board: Connected | None = None  # newest report of the board
         # Set by a group. `lacking` returns the number of a board that cannot be driven.
         self.routed: Callable[[SetpointRequest], Routed] = lambda request: ((None, request),)
         self.lacking: Callable[[], int | None] = lambda: None
-        self.named: Callable[[str], str] = str  # adds the number of the board in a group
+        self.named: Callable[[str], str] = str  # in a group, adds the board number
         self.reaches_several = False  # commands without a number reach several boards
         self._was_read = False  # a board was read since the line was opened
         self._is_identified = False  # `_board` was read since the last silence
         self._lost: list[Connected] = []  # boards that were driven before another board replied
         self._is_loss_reported = True
-        self._after_stop: list[AfterStop] = []  # callbacks of the next stop
-        self._unanswered: list[AfterStop] = []  # callbacks of stops without an outcome
+        self._after_stop: list[AfterStop] = []  # callbacks for the next stop
+        self._unanswered: list[AfterStop] = []  # callbacks for stops without an outcome
         self._heartbeat = new_timer(self, round(HEARTBEAT_INTERVAL * 1000), self._on_heartbeat_due)
         self._unreported = 0  # heartbeats since the last report of the session
-        self._armed_at = ""  # local time, as in the guardian's log
-        self._unsent = new_timer(self, 0, self._on_stop_not_sent, single_shot=True)
+        self._armed_at = ""  # local time in the format of the guardian's log
+        self._unsent_timer = new_timer(self, 0, self._on_stop_not_sent, single_shot=True)
 
         motors.arming_changed.connect(self._on_arming_changed)
         motors.requested.connect(self._on_drive_requested)
@@ -104,14 +106,14 @@ class DriveController(QObject):
         connection.line_closed.connect(self._on_closed)
         connection.ready.connect(self._report_lost)
         connection.motors_stopped.connect(self._on_motors_stopped)
-        connection.stop_sent.connect(self._unsent.stop)
-        connection.line_closed.connect(self._unsent.stop)
+        connection.stop_sent.connect(self._unsent_timer.stop)
+        connection.line_closed.connect(self._unsent_timer.stop)
 
     def update_available(self) -> None:
         """Allow arming only while commands reach the motors.
 
         While channels are in control, the board stores a command until channel 5 hands over
-        control. A motor would start unexpectedly.
+        control. A motor would then start unexpectedly.
         """
         reaches_one = self._is_connected and not self.reaches_several
         allowed = reaches_one and bool(self._mirror.serial_controls) and self.lacking() is None
@@ -127,7 +129,10 @@ class DriveController(QObject):
             self.changed.emit()
 
     def stop(self, then: AfterStop, reason: str = "") -> None:
-        """Stop everything and disarm. `then` is called once, with the error if unconfirmed."""
+        """Stop everything and disarm.
+
+        `then` is called once, with an error if the stop is not confirmed.
+        """
         self._after_stop.append(then)
         self._motors.stop(reason)
 
@@ -155,7 +160,9 @@ class DriveController(QObject):
         )
         if all(map(self._connection.submit, routed)):
             self.may_move = True
-            self.driven.update(each.motor for each in setpoints_in(request) if not is_idle(each))
+            self.driven.update(
+                setpoint.motor for setpoint in setpoints_in(request) if not is_idle(setpoint)
+            )
 
     @Slot()
     def _on_arming_changed(self) -> None:
@@ -182,7 +189,7 @@ class DriveController(QObject):
         # Two replies in a row may be late. The guardian acts earlier.
         if settings and seconds >= settings.timeouts.guardian + 5 * latency_of(settings.url):
             self._motors.stop(tr("The connection is not responding."))
-            self._unsent.stop()
+            self._unsent_timer.stop()
             self._on_stop_not_sent()
 
     @Slot()
@@ -191,7 +198,7 @@ class DriveController(QObject):
         self._unanswered += waiting
 
         def report(outcome: Outcome) -> None:
-            self._unsent.stop()
+            self._unsent_timer.stop()
             self._on_stopped(outcome)
             self._call_back(waiting, outcome.error)
 
@@ -200,10 +207,12 @@ class DriveController(QObject):
         elif (
             self.may_move
             and self._connection.settings is not None
-            and not self._unsent.isActive()  # pressing Stop again must not delay the report
+            and not self._unsent_timer.isActive()  # pressing Stop again must not delay the report
         ):
-            self._unsent.setInterval(round(1000 * self._connection.settings.timeouts.guardian))
-            self._unsent.start()
+            self._unsent_timer.setInterval(
+                round(1000 * self._connection.settings.timeouts.guardian)
+            )
+            self._unsent_timer.start()
 
     def _call_back(self, waiting: Sequence[AfterStop], error: StudioError | None) -> None:
         for then in waiting:
@@ -213,7 +222,7 @@ class DriveController(QObject):
 
     @Slot()
     def _on_stop_not_sent(self) -> None:
-        """Warn of a hung session. Without heartbeats, the guardian stops the motors."""
+        """Warn about a hung session. Without heartbeats, the guardian stops the motors."""
         text = tr("The connection is not responding, so the stop could not be sent.")
         parts = [turning_text(self.driven), tr("Cut the power."), text]
         if self._connection.is_guarded:
@@ -223,7 +232,10 @@ class DriveController(QObject):
 
     def _report_guardian(self, found: tuple[int, list[tuple[str, StopResult]]]) -> None:
         _, stops = found
-        if any(at >= self._armed_at and how is StopResult.CONFIRMED for at, how in stops[-1:]):
+        if any(
+            stopped_at >= self._armed_at and result is StopResult.CONFIRMED
+            for stopped_at, result in stops[-1:]
+        ):
             self._notifier.danger_lasts = never
             self._notifier.info.emit(
                 tr("The guardian process stopped the motors, and the board confirmed it.")
@@ -268,7 +280,7 @@ class DriveController(QObject):
             self._connection.request(Stop, self._on_stopped)
 
     def _on_confirmed(self) -> None:
-        # A setpoint that was sent after the stop moves a motor again.
+        # A setpoint that was sent after the stop may have moved a motor again.
         self.may_move = self._motors.armed or (self.may_move and not self._is_identified)
         if not self.may_move:
             self.driven.clear()
@@ -387,7 +399,7 @@ class DriveController(QObject):
 
 
 def _may_be_same(first: Connected, second: Connected) -> bool:
-    """Return whether both may be one board. Only simulated boards have a name."""
+    """Return whether both may be the same board. Only simulated boards have a name."""
     has_same_name = first.settings.name == second.settings.name
     return has_same_name and may_be_same_board(first.state, second.state)
 

@@ -17,8 +17,8 @@ from trex_gui.gamepad.profile import (
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
 
-HOLDER = "gamepad"  # name that acquires the motors
-STEP_MS = 17  # about the frame rate of a screen
+HOLDER = "gamepad"  # holder name for `Motors.acquire`
+STEP_MS = 17  # about the duration of a screen frame
 
 _NOTHING = PilotRequest(0.0, 0.0, Waits.REST, stop=False)
 
@@ -26,11 +26,11 @@ _NOTHING = PilotRequest(0.0, 0.0, Waits.REST, stop=False)
 class Gamepad(QObject):
     """Reads a gamepad, and sets speeds from its sticks.
 
-    `set_unattended` prevents driving, but not the stop button of the gamepad. One gamepad is
-    read at a time. Each kind of gamepad has its own saved profile.
+    `set_unattended` prevents driving, but does not disable the stop button of the gamepad. One
+    gamepad is read at a time. Each kind of gamepad has its own saved profile.
     """
 
-    changed = Signal()  # any attribute but `state` and `request`
+    changed = Signal()  # any attribute except `state` and `request`
     moved = Signal()  # `state` and `request`, many times a second
 
     def __init__(self, device: Device, source: SdlPads, parent: QObject | None = None) -> None:
@@ -44,11 +44,11 @@ class Gamepad(QObject):
         self.failure = ""  # reason and remedy if gamepads cannot be read
         self.pads: tuple[Pad, ...] = ()  # connected gamepads
         self.pad: Pad | None = None  # gamepad being read
-        self.gone = ""  # name of a disconnected gamepad
+        self.gone = ""  # name of the gamepad that was disconnected
         self.profile = GamepadProfile()
         self.state: PadState | None = None  # state of `pad`; `None` while no gamepad is read
         self.request = _NOTHING  # setpoints of `pad`, even if not sent
-        self.text = ""  # state as a sentence; empty while switched off
+        self.text = ""  # state or failure as a sentence; may be empty
         self._pilot = Pilot(self.profile)
         self._has_read = False  # the gamepad was read since the pilot started
         self._unattended = ""
@@ -132,7 +132,7 @@ class Gamepad(QObject):
             self._report()
             return
         state = self._source.read(pad)
-        if state is None:  # gone since the last scan, or silent
+        if state is None:  # disconnected since the last scan, or silent
             self._on_pad_lost(pad)
             self._refresh()
             return
@@ -252,7 +252,7 @@ def axis_text(pad: Pad, number: int) -> str:
 
 
 def _with_part(text: str, part: str) -> str:
-    """Append the name of a part. Falls back to SDL's own name."""
+    """Append the name of a part. Unknown parts have SDL's own name."""
     words = {
         "leftx": tr("left stick, sideways"),
         "lefty": tr("left stick, up and down"),

@@ -50,16 +50,16 @@ class BoardGroup(QObject):
         """Return the saved wheels of these boards, or a default."""
         boards = sorted(numbers)
         with suppress(ValueError):
-            saved = unpacked(Preferences().text(self._key(boards)))
+            saved = unpacked(Preferences().text(self._preference_key(boards)))
             if {wheel.board for wheel in saved} == set(boards):
                 return saved
         return front_and_back(boards)
 
     def join(self, wheels: Sequence[Wheel]) -> None:
-        """Drive the boards of these wheels together. Opens the line again."""
+        """Reopen the line to drive the boards of these wheels together."""
         settings, numbers = self._device.settings, sorted({wheel.board for wheel in wheels})
         if settings is not None:
-            Preferences().set(self._key(numbers), packed(wheels))
+            Preferences().set(self._preference_key(numbers), packed(wheels))
             self._device.connect_to(settings.with_group(numbers))
 
     @property
@@ -73,7 +73,7 @@ class BoardGroup(QObject):
         if (settings := self._device.settings) is not None:
             self._device.connect_to(replace(settings, group=()))
 
-    def _key(self, numbers: Sequence[int]) -> str:
+    def _preference_key(self, numbers: Sequence[int]) -> str:
         settings = self._device.settings
         url = "" if settings is None else quote(settings.url, safe="")
         return f"wheels/{url}/{'-'.join(map(str, numbers))}"

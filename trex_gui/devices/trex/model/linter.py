@@ -1,4 +1,4 @@
-"""Settings check, updated after edits and changes of the connection."""
+"""Settings check, updated after edits and connection changes."""
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -70,5 +70,5 @@ class BoardLinter(SettingsLinter):
             self.set_context(None)
             return
         stored = self._device.parameters.values.stored.get(ParameterKey.SERIAL_TIMEOUT)
-        self._drove |= self._device.motors.armed or bool(stored)  # a computer drives
+        self._drove |= self._device.motors.armed or bool(stored)  # a computer drives the motors
         self.set_context(Context(self._drove, self._device.connection.port_rates, settings.line))

@@ -18,24 +18,24 @@ _STEP_MS = 100
 _KEY = "motors/lockout"
 
 FIRST_CEILING = round(0.3 * FULL_SCALE)
-"""Default speed ceiling (inferred). A robot with swapped motors can still be caught."""
+"""Default speed ceiling (inferred). At this speed, a robot with swapped motors can be caught."""
 
 LOCKOUT = 3.0
 """Default lockout after a pressed stop, in seconds (inferred).
 
-Without a lockout, a slider that is still being dragged starts its motor again.
+Without a lockout, a slider that is still being dragged would start its motor again.
 """
 
-LONGEST = 10.0  # s of lockout
+LONGEST = 10.0  # s; longest lockout
 _AUXILIARY = 0  # number of the auxiliary motor
 
 
 class Motors(QObject):
-    """Setpoints of both motors and the auxiliary, ignored before `arm`.
+    """Setpoints of motors 1 and 2 and of the auxiliary motor.
 
-    A momentary control (pad, keys, gamepad, bench test) acquires the motors and passes its name as
-    `holder` with each setpoint. Until `release`, only its setpoints count. Setpoints outside their
-    range raise `BadRequest`.
+    Setpoints are ignored before `arm`. A momentary control (pad, keys, gamepad, bench test)
+    acquires the motors and passes its name as `holder` with each setpoint. Until `release`, only
+    its setpoints count. Setpoints outside their range raise `BadRequest`.
 
     Set attributes through methods, except `accelerate`, `lockout` and `adapter`.
     """
@@ -52,7 +52,7 @@ class Motors(QObject):
         super().__init__(parent)
         self.accelerate = True  # speeds follow the board's ramp
         self._store = Preferences()
-        # Seconds after `press_stop`, 0 to 10
+        # Seconds of lockout after `press_stop`, 0 to 10
         self.lockout = self._store.real(_KEY, LOCKOUT, 0.0, LONGEST)
         self.armed = False
         self.is_available = False  # serial commands can drive
@@ -60,17 +60,17 @@ class Motors(QObject):
         self.holder = ""  # name of the control that has acquired the motors
         self.auxiliary = 0  # setpoint of the auxiliary motor, 0-127
         self.board = ""  # key of the saved ceiling; empty before a board is read
-        self.adapter = ""  # distinguishes identical boards; empty if unknown
+        self.adapter = ""  # adapter that distinguishes identical boards; empty if unknown
         self.is_first_drive = True  # no ceiling was ever set for this board
         self.ceiling = FIRST_CEILING  # highest speed that is sent, 1-127
-        # Not raised while a control is held: a resting stick must not speed up motors
+        # Not raised while a control is held, because a motionless stick must not speed up motors
         self.ceiling_in_force = FIRST_CEILING
         self.are_sides = False  # motors 1 and 2 are the sides of a group
-        self.linked = False  # a setpoint of one motor applies to both
+        self.linked = False  # a setpoint for one motor applies to both
         self.release_brake = FULL_SCALE  # duty when a momentary control ends, 0 (coast) to 127
         self._drives: dict[int, Drive] = {}
         self._held: set[int] = set()
-        self._options: tuple[bool, bool] | None = None  # saved while a control overrides them
+        self._options: tuple[bool, bool] | None = None  # `accelerate` and `linked` to restore
         self._locked_until = -math.inf
         self._announced = 0
         self._lockout_timer = new_timer(self, _STEP_MS, self._on_lockout_step)
@@ -85,7 +85,7 @@ class Motors(QObject):
 
     @property
     def text(self) -> str:
-        """Setpoints in short: `motor 1 +90, motor 2 brake`."""
+        """Short text of the setpoints: `motor 1 +90, motor 2 brake`."""
         parts = []
         for motor, drive in sorted(self._drives.items()):
             value = tr("brake") if drive.is_brake else signed_text(drive.signed)
@@ -102,7 +102,7 @@ class Motors(QObject):
     def set_board(self, board: str, *, is_renamed: bool = False) -> None:
         """Load the saved ceiling of a board. Unlink the motors.
 
-        With `is_renamed`, ceiling and link stay. The ceiling is saved under the new name.
+        With `is_renamed`, the ceiling and the link stay. The ceiling is saved under the new name.
         """
         board = "-".join(filter(None, (board, self.adapter)))
         if board == self.board:
@@ -203,11 +203,11 @@ class Motors(QObject):
 
     @Slot()
     def _on_lockout_step(self) -> None:
-        left = math.ceil(self.locked_for)
-        if not left:
+        seconds = math.ceil(self.locked_for)
+        if not seconds:
             self._lockout_timer.stop()
-        if left != self._announced:
-            self._announced = left
+        if seconds != self._announced:
+            self._announced = seconds
             self.arming_changed.emit()
 
     def stop(self, reason: str = "") -> None:
@@ -234,7 +234,7 @@ class Motors(QObject):
     # --- Momentary controls -------------------------------------------------------------
 
     def acquire(self, holder: str, *, accelerate: bool | None = None) -> bool:
-        """Reserve the motors for a control. Return whether it holds them now.
+        """Reserve the motors for a control. Return whether they are reserved.
 
         A given `accelerate` overrides the ramp option and unlinks the motors until `release`.
         """

@@ -36,12 +36,12 @@ class TrexPacketSender(PacketSender):
         except BadRequest as error:
             return SendPreview(blocker=str(error))
         lines, risky = [self._line(packet) for packet in packets], list(map(_is_risky, packets))
-        # If space is short, prefer packets that move or store something.
+        # If there are too many packets, prefer packets that move or store something.
         by_risk = sorted(range(len(lines)), key=lambda index: not risky[index])
         shown = [lines[index] for index in sorted(by_risk[:_MAX_LINES])]
-        if left := len(lines) - len(shown):
-            shown.append(tr("and %n more packet(s)", "", left))
-        text, details = "\n".join(shown), "\n".join(lines) if left else ""
+        if hidden := len(lines) - len(shown):
+            shown.append(tr("and %n more packet(s)", "", hidden))
+        text, details = "\n".join(shown), "\n".join(lines) if hidden else ""
         return SendPreview(text, self._blocker(packets), any(risky), details)
 
     def send(self, text: str) -> None:

@@ -16,7 +16,7 @@ from trex_gui.ui.playback.player import Curves, RecordingPlayer
 from trex_gui.ui.plotting.history import MAX_GAP, SampleHistory
 from trex_gui.ui.plotting.traces import Traces
 
-MAX_ROWS = 3_000_000  # ten hours at 80 rows a second, 240 MB
+MAX_ROWS = 3_000_000  # ten hours at 80 rows per second, 240 MB
 
 
 class Playback(RecordingPlayer[Header, Record, BoardSnapshot]):
@@ -45,7 +45,7 @@ def _rows(state: BoardSnapshot, records: Iterable[Record], unit: float) -> list[
 
 
 def limits_in(text: str) -> Mapping[str, float]:
-    """Return current limits (A) in settings, by curve name."""
+    """Return the current limits (A) in a settings text, by curve name."""
     try:
         settings, _ = read_settings(text.encode("utf-8"), "settings")
     except (SettingsError, UnicodeError):

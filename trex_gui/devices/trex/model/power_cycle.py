@@ -50,8 +50,8 @@ class PowerCycle(QObject):
     def start(self, failed: Collection[str] = ()) -> None:
         """Wait until the board is switched off and on.
 
-        `failed` has keys that were not written. If a key affects the line, the search includes all
-        settings that Apply expected.
+        `failed` contains keys that were not written. If any of these keys affects the line, the
+        search includes all line settings that Apply expected.
         """
         state, settings = self._device.state, self._device.settings
         if state is None or settings is None or not self._device.is_connected:

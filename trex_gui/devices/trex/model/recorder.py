@@ -38,8 +38,8 @@ _KEEP = "recording/keep_events"
 class Recorder(RecordThread[Record]):
     """Records the session of a device into a file.
 
-    A recording ends with the connection. It also ends when the board or its input source has
-    changed, since the header would be wrong. It continues while the board does not respond.
+    A recording ends with the connection. It also ends when the board or its input source
+    changes, because the header would then be wrong. It continues while the board does not respond.
     """
 
     _watcher = "recording"  # name for `Connection.watch`
@@ -49,9 +49,9 @@ class Recorder(RecordThread[Record]):
         self._device = device
         self._board: tuple[object, ...] = ()
         self._settings = ""
-        # A per count by board number: of the group, and of the boards in the header
-        self._others: dict[int, float] = {}
-        self._recorded: dict[int, float] = {}
+        # Board number → A per count
+        self._others: dict[int, float] = {}  # other boards of the group
+        self._recorded: dict[int, float] = {}  # other boards in the header
 
         device.sampled.connect(self._on_sampled)
         device.connection.of_board.connect(self._on_other_board)
@@ -138,9 +138,9 @@ _START_DELAY = 0.5  # s; recording must not slow down the stop
 class EventRecorder(Recorder):
     """Records each fault and stop in a separate file.
 
-    The last seconds are in memory. Faults, tripped current limits and serial timeouts are always
-    recorded. Stops and a lost board are recorded only if this program drove a motor. Events during
-    a recording of the user get no separate file.
+    The last seconds are buffered in memory. Faults, tripped current limits and serial timeouts are
+    always recorded. Stops and a lost board are recorded only if this program drove a motor. No
+    separate file is written while the user records.
     """
 
     _watcher = "event recording"
@@ -149,9 +149,9 @@ class EventRecorder(Recorder):
         self._recent = deque[Record]()
         self._template: Header | None = None  # for the connected board
         self._before: BoardSnapshot | None = None  # state of the board before `_recent`
-        self._driven: dict[int, bool] = {}  # by motor; 0 is the auxiliary motor
+        self._driven: dict[int, bool] = {}  # motor (0: auxiliary) → true while driven
         self._event: Event | None = None  # cause of the recording
-        self._user = user  # records on request of the user
+        self._user = user  # records at the user's request
         super().__init__(device, parent)
         self.is_on = Preferences().flag(_KEEP, default=True)
         start_ms, end_ms = round(1000 * _START_DELAY), round(1000 * _AFTER)
@@ -165,7 +165,7 @@ class EventRecorder(Recorder):
     @Slot(int, object)
     def _on_other_board(self, number: int, report: Report) -> None:
         super()._on_other_board(number, report)
-        if not self.recording:  # the next header has every present board
+        if not self.recording:  # the next header lists every board of the group
             self._recorded = self._others
 
     @property

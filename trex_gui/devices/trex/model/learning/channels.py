@@ -21,10 +21,10 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, channels
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.runtime import new_timer, now
 
-_ASIDE = {InputSource.RC: 250, InputSource.ANALOG: 102}
+_CHECK_OFFSETS = {InputSource.RC: 250, InputSource.ANALOG: 102}
 """Offset from rest, in counts (100 us, 0.5 V), at which the speed of a throttle is checked."""
 
-_FAST = FULL_SCALE // 2  # highest output there without a warning
+_FAST = FULL_SCALE // 2  # highest output at that offset without a warning
 
 
 _Finding = tuple[ProblemKind, str, tuple[object, ...]]  # kind, variant and values of a problem
@@ -65,10 +65,10 @@ class Check:
             yield from self._neutral_moved()
         if (idle := self.travel.idle) is not None:
             source = self.neutral.source
-            place = self.neutral.value + idle.value * _ASIDE[source]
-            place = min(max(place, source.lowest_count), source.highest_count)
-            if (speed := abs(self.curve.output(place))) > _FAST:
-                yield ProblemKind.SPEEDS_UP, "", (text(place), str(speed), FULL_SCALE)
+            position = self.neutral.value + idle.value * _CHECK_OFFSETS[source]
+            position = min(max(position, source.lowest_count), source.highest_count)
+            if (speed := abs(self.curve.output(position))) > _FAST:
+                yield ProblemKind.SPEEDS_UP, "", (text(position), str(speed), FULL_SCALE)
 
     def _useless(self) -> Iterator[_Finding]:
         calibration, source, idle = self.curve.calibration, self.neutral.source, self.travel.idle
@@ -95,18 +95,18 @@ class Check:
         if threshold is None:
             return
         rest, text = self.neutral.value, self.neutral.source.text
-        place = text(round(threshold))
+        threshold_text = text(round(threshold))
         if abs(rest - threshold) <= self.neutral.deadband:
-            yield ProblemKind.SWITCHES_AT_REST, "", (text(rest), place)
+            yield ProblemKind.SWITCHES_AT_REST, "", (text(rest), threshold_text)
         positions = rest, *(self.travel.end(way) for way in Way)
         active = {self.curve.is_switched(self.channel, position) for position in positions}
         if len(active) == 1:
             variant = "ACTIVE" if active.pop() else "INACTIVE"
-            yield ProblemKind.NEVER_SWITCHES, variant, (place,)
+            yield ProblemKind.NEVER_SWITCHES, variant, (threshold_text,)
 
     @property
     def remark(self) -> str:
-        """Sentences on the switching point. Empty for a stick."""
+        """Sentences about the switching point. Empty for a stick."""
         threshold = self.curve.threshold(self.channel)
         if threshold is None:
             return ""
@@ -126,21 +126,21 @@ Counts = tuple[int | None, ...]  # raw counts of channels 1-5; `None` without a 
 _STALLED_AFTER = 1.0  # s without a measurement
 _TICK_MS = 200
 
-_SAME_VALUE = 0.012
+_MIN_INTERVAL = 0.012
 """Minimum time between two samples, in seconds.
 
-The board renews its inputs every 20 ms. A delayed line reads one wild pulse several times in a
-burst, which must not look like a held stick.
+The board updates its inputs every 20 ms. After a delay, one stray pulse may be read several times
+in a burst. It must not look like a held stick.
 """
 
 _SILENT_AFTER = 0.5  # s without a valid sample
 
 
 class MeasuredInputs(QObject):
-    """Passes on each measurement once, between `start` and `end`."""
+    """Reports each measurement once, between `start` and `end`."""
 
     arrived = Signal(object)  # new measurements, a list of (seconds, `Counts`)
-    stalled_changed = Signal()  # `stalled`: expected measurements do not arrive
+    stalled_changed = Signal()  # `stalled`; true while no measurements arrive
 
     def __init__(self, telemetry: Telemetry, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -170,16 +170,16 @@ class MeasuredInputs(QObject):
             return
         inputs = self._telemetry.inputs
         first = int(inputs.times.searchsorted(self._last_time, side="right"))
-        found: list[tuple[float, Counts]] = []
+        measurements: list[tuple[float, Counts]] = []
         for index, moment in enumerate(inputs.times[first:].tolist(), first):
             self._received_at = now()
-            if moment - self._last_time < _SAME_VALUE:
+            if moment - self._last_time < _MIN_INTERVAL:
                 continue
             self._last_time = moment
             row = [inputs.values(column)[index] for column in range(len(CHANNELS))]
-            found.append((moment, tuple(None if math.isnan(v) else int(v) for v in row)))
-        if found:
-            self.arrived.emit(found)
+            measurements.append((moment, tuple(None if math.isnan(v) else int(v) for v in row)))
+        if measurements:
+            self.arrived.emit(measurements)
 
     @Slot()
     def _on_tick(self) -> None:
@@ -316,8 +316,8 @@ class LearnedChannel:
             return self.proposal.problems
         if (check := self._check) is not None:
             return self.proposal.problems + check.problems
-        refused = self.choice.calibration.problem()
+        reason = self.choice.calibration.problem()
         return (
             *self.proposal.problems,
-            CalibrationProblem(ProblemKind.REFUSED, "CHOSEN", (refused,)),
+            CalibrationProblem(ProblemKind.REFUSED, "CHOSEN", (reason,)),
         )

@@ -38,7 +38,11 @@ class LearningStep(Enum):
     FAILED = auto()
 
 
-_MOVING = {LearningStep.NEUTRAL, LearningStep.TRAVEL, LearningStep.TEST}  # steps that use sticks
+_MOVING = {
+    LearningStep.NEUTRAL,
+    LearningStep.TRAVEL,
+    LearningStep.TEST,
+}  # steps in which sticks are moved
 
 _MEASURING = _MOVING | {LearningStep.REVIEW}
 
@@ -46,7 +50,8 @@ _MEASURING = _MOVING | {LearningStep.REVIEW}
 class Learning(QObject):
     """Learns channels of a board in serial mode.
 
-    The sticks move no motor. Only `use_values` edits settings, and nothing is written.
+    The sticks move no motor. Only `use_values` edits settings. Nothing is written to the
+    board.
     """
 
     started = Signal()  # the rest positions will be measured
@@ -58,8 +63,8 @@ class Learning(QObject):
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.step = LearningStep.ENDED
-        self.trouble = ""  # reason of a failure or doubt, for the user
-        self.news = ""  # occasion of the test; empty if the user started it
+        self.trouble = ""  # reason for a failure or doubt, for the user
+        self.news = ""  # message before a test; empty if the user started it
         self.numbers: tuple[int, ...] = ()  # channels of the last run
         self.channels: tuple[LearnedChannel, ...] = ()
         self.tests: StickTests | None = None  # `None` before the test step
@@ -93,7 +98,7 @@ class Learning(QObject):
     @property
     def seconds_left(self) -> float:
         neutrals = [channel.neutral for channel in self.channels]
-        return max(SAMPLING_SECONDS if rest is None else rest.seconds_left for rest in neutrals)
+        return max(SAMPLING_SECONDS if n is None else n.seconds_left for n in neutrals)
 
     @property
     def can_go_on(self) -> bool:
@@ -215,7 +220,7 @@ class Learning(QObject):
             return
         self.preconditions.start()
         self._set_step(LearningStep.STOPPING)
-        if self.step is LearningStep.STOPPING:  # else a precondition is violated already
+        if self.step is LearningStep.STOPPING:  # otherwise a precondition is already violated
             self._standstill.start()
 
     @Slot()
@@ -235,17 +240,17 @@ class Learning(QObject):
         self._set_step(LearningStep.DOUBT)
 
     @Slot(str)
-    def _on_stop_failed(self, why: str) -> None:
+    def _on_stop_failed(self, reason: str) -> None:
         text = tr("Cannot continue: the motors could not be confirmed as stopped. {0}")
-        self._fail(text.format(why))
+        self._fail(text.format(reason))
 
     @Slot(str)
-    def _on_violated(self, why: str) -> None:
+    def _on_violated(self, reason: str) -> None:
         if self.is_test:
             outcome = tr("The test has ended; it changes nothing in the board.")
         else:
             outcome = tr("Nothing was changed.")
-        self._fail(f"{why} {outcome}")
+        self._fail(f"{reason} {outcome}")
 
     def _wait_at_rest(self) -> None:
         source = self.preconditions.source

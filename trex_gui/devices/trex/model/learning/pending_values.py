@@ -14,7 +14,7 @@ _REVERSED = ParameterKey.REVERSED_CHANNELS
 
 
 class PendingLearnedValues(QObject):
-    """Edits the draft with learned values, and reports their writes.
+    """Puts learned values into the draft, and reports their writes.
 
     Values that are undone, edited again or lost with the connection are not reported.
     """
@@ -49,7 +49,7 @@ class PendingLearnedValues(QObject):
         self._waiting = {}
 
     def has_edit(self, number: int) -> bool:
-        """Return whether calibration or direction of a channel is edited."""
+        """Return whether the calibration or direction of a channel is edited."""
         return self._calibration_edits((number,)) > 0 or number in self._turned()
 
     def other_edits(self, numbers: Sequence[int]) -> int:
@@ -74,16 +74,16 @@ class PendingLearnedValues(QObject):
         good = [result for result in results if result.error is None]
         written = {result.channel for result in good}
         is_turned = any(result.key == _REVERSED for result in good)
-        found = tuple(
+        stored_numbers = tuple(
             number
             for number, choice in self._waiting.items()
             if (number in written or is_turned)
             and self._device.calibrations.stored(number) == choice.calibration
         )
-        for number in found:
+        for number in stored_numbers:
             del self._waiting[number]
-        if found:
-            self.stored.emit(found)
+        if stored_numbers:
+            self.stored.emit(stored_numbers)
 
     @Slot()
     def _on_link_changed(self) -> None:

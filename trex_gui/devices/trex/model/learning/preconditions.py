@@ -1,4 +1,4 @@
-"""Preconditions of learning channels: no motor moves."""
+"""Preconditions for learning channels: no motor moves."""
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -12,25 +12,25 @@ from trex_gui.ui.translations import error_text
 
 
 def mode_blocker(device: Device) -> str:
-    """Return the reason why the mode prevents learning, or empty."""
+    """Return the reason text the mode prevents learning, or empty."""
     state = device.state
     if state is None or state.mode.is_serial:
         return ""
-    why = tr(
+    text = tr(
         "The board is in {0} mode: the sticks drive the motors, and it rejects settings. Switch "
         "it off, remove the mode jumper and switch it on."
     )
     if device.board.serial_controls:
-        why = tr(
+        text = tr(
             "The board is in {0} mode. Channel 5 has given the motors to the serial line, but with "
             "the next move of its switch the sticks drive the motors again; and the board rejects "
             "settings. Switch it off, remove the mode jumper and switch it on."
         )
-    return why.format(state.mode.source.word)
+    return text.format(state.mode.source.word)
 
 
 class CalibrationPreconditions(QObject):
-    """Watches a board whose channels are learned or tested.
+    """Watches a board while its channels are learned or tested.
 
     In RC and analog mode, the sticks drive the motors, and the board rejects settings. Serial
     override (channel 5) ends with the next move of its switch. Armed motors are a violation only
@@ -38,7 +38,7 @@ class CalibrationPreconditions(QObject):
     Ref: Pololu TReX User's Guide 4.a; command documentation 0x82, 0xA0-0xA4, 0xAF.
     """
 
-    violated = Signal(str)  # reason for the user, once between `start` and `end`
+    violated = Signal(str)  # reason for the user; at most once between `start` and `end`
 
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -104,9 +104,9 @@ class CalibrationPreconditions(QObject):
         return ""
 
 
-_QUIET = 3  # consecutive readings without current at standstill
+_QUIET_READINGS = 3  # consecutive readings without current that confirm standstill
 
-_COUNTS = 2.5
+_MAX_COUNTS = 2.5
 """Highest current at standstill, in counts: 0.38 A on a TReX, 0.1 A on a Jr.
 
 Inferred: a reading is an average of 64 samples and varies by one count.
@@ -116,9 +116,9 @@ Inferred: a reading is an average of 64 samples and varies by one count.
 class StandstillCheck(QObject):
     """Stops the motors, then watches the currents.
 
-    After a confirmed stop, another controller on the same line may drive the motors again (User's
-    Guide 5: one UART for both connectors). In joint mode the board measures no current, and the
-    confirmation suffices.
+    After a confirmed stop, another controller on the same line may drive the motors again, because
+    both connectors share one UART (User's Guide 5). In joint mode the board measures no current, so
+    the confirmation suffices.
     """
 
     confirmed = Signal()  # the stop is confirmed, and no current flows
@@ -151,14 +151,15 @@ class StandstillCheck(QObject):
             self.cancel()
             self.failed.emit(error_text(error))
             return
-        # Readings from before the stop may still arrive, but not for long.
+        # Readings taken before the stop may still arrive, but only for a short time.
         self._since = self._device.telemetry.latest
         self._timer.start(round(self._device.timeouts.standstill * 1000))
 
     @Slot()
     def _on_updated(self) -> None:
         if self._since is not None and all(
-            len(readings) == _QUIET and max(readings) <= self._limit for readings in self._last()
+            len(readings) == _QUIET_READINGS and max(readings) <= self._limit
+            for readings in self._last_currents()
         ):
             self.cancel()
             self.confirmed.emit()
@@ -167,7 +168,7 @@ class StandstillCheck(QObject):
     def _on_timeout(self) -> None:
         drawing = [
             tr("motor {0} draws {1:.1f} A").format(motor, Number(readings[-1]))
-            for motor, readings in enumerate(self._last(), 1)
+            for motor, readings in enumerate(self._last_currents(), 1)
             if readings and max(readings) > self._limit
         ]
         self.cancel()
@@ -178,11 +179,11 @@ class StandstillCheck(QObject):
 
     @property
     def _limit(self) -> float:
-        return _COUNTS * self._device.telemetry.ampere
+        return _MAX_COUNTS * self._device.telemetry.ampere
 
-    def _last(self) -> tuple[list[float], list[float]]:
+    def _last_currents(self) -> tuple[list[float], list[float]]:
         """Return the last currents of both motors since the stop."""
         currents, since = self._device.telemetry.currents, self._since
         first = int(currents.times.searchsorted(since, side="right")) if since is not None else 0
-        first = max(first, len(currents.times) - _QUIET)
+        first = max(first, len(currents.times) - _QUIET_READINGS)
         return currents.values(0)[first:].tolist(), currents.values(1)[first:].tolist()

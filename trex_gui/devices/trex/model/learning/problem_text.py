@@ -15,7 +15,7 @@ def problems_text(problems: tuple[CalibrationProblem, ...]) -> str:
 
 
 def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
-    """Return sentences by kind and variant, in the present language."""
+    """Return the sentences for each kind and variant."""
     kind = ProblemKind
     moved = tr("It moved during sampling, between {0} and {1}. Release it and sample again.")
     worn = tr(

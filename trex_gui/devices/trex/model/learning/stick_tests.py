@@ -16,7 +16,7 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
-_HELD = 3  # consecutive samples (60 ms) at a reached end or position
+_HELD = 3  # consecutive samples (60 ms) that count as a reached position
 _REST_SECONDS = 0.5  # duration of zero output at rest
 
 
@@ -68,7 +68,7 @@ class StickTest:
 
     @property
     def text(self) -> str:
-        """Next task of the user, or the result."""
+        """Next task for the user, or the result."""
         if self.ignored:
             return tr("Ignored: the board holds it at neutral. There is nothing to test.")
         if self.output is None:
@@ -89,14 +89,14 @@ class StickTest:
             return text.format(", ".join(map(direction_text, missing)))
         if self.output == 0:
             return tr("Full output reached. Let it rest for a moment.")
-        now = signed_text(self.output)
+        output = signed_text(self.output)
         return tr(
             "Full output reached. Release it: at rest the output must be 0, but it is {0}."
-        ).format(now)
+        ).format(output)
 
 
 def idle_side(curve: ChannelCurve) -> int:
-    """Return the output sign of the shorter side of rest."""
+    """Return the sign of the output on the shorter side of rest."""
     up = curve.calibration.maximum - curve.calibration.neutral
     down = curve.calibration.neutral - curve.calibration.minimum
     if up == down:
@@ -105,7 +105,7 @@ def idle_side(curve: ChannelCurve) -> int:
 
 
 class StickTests:
-    """Tests of some channels. Other channels only count for safe-start."""
+    """Tests of some channels. Other channels matter for safe-start only."""
 
     def __init__(self, device: Device, numbers: Sequence[int]) -> None:
         self.tests = tuple(StickTest(number, device.calibrations.source) for number in numbers)

@@ -45,7 +45,7 @@ _EDITABLE = _FIXED | Qt.ItemFlag.ItemIsEditable
 class ParameterRole(IntEnum):
     """Data of a cell besides its text. A heading has GROUP only.
 
-    RESET is a text about a reset to the default, or `None` for a value at its default. The name
+    RESET is a text about a reset to the default. It is `None` for a value at its default. The name
     cell of a row returns the data of the row's first value.
     """
 
@@ -61,7 +61,7 @@ class ParameterRole(IntEnum):
 class ParameterRow:
     """Heading or setting.
 
-    `keys` contains a key for cell_key motor, or a single key. A heading has no keys.
+    `keys` contains a key for each motor, or a single key. A heading has no keys.
     """
 
     group: str
@@ -74,7 +74,7 @@ def _number(wires: Sequence[int]) -> int:
 
 
 class ParameterModel(QAbstractTableModel):
-    """Table of settings with a column for cell_key motor.
+    """Table of settings with a column for each motor.
 
     Edits can be undone. The prescaler and the maximum of a PWM share a cell, which shows the
     frequency. Its edit role is a `frequency_code`.
@@ -104,9 +104,7 @@ class ParameterModel(QAbstractTableModel):
             "system": tr("System"),
         }
         self._motor_colors = {ParameterColumn.MOTOR1: "motor1", ParameterColumn.MOTOR2: "motor2"}
-        self._sources: dict[
-            int, Callable[[str], Any]
-        ] = {  # role → function that returns the data of a value
+        self._sources: dict[int, Callable[[str], Any]] = {  # role → getter of a value's data
             Qt.ItemDataRole.DisplayRole: self.text.value,
             Qt.ItemDataRole.EditRole: self._number,
             Qt.ItemDataRole.AccessibleTextRole: self.text.spoken,
@@ -222,11 +220,8 @@ class ParameterModel(QAbstractTableModel):
 
     def open_key(self, key: str) -> str | None:
         """Return the key of a value that may exceed its limits, if any."""
-        keys = (
-            cell_key
-            for cell_key in self.text.keys_of(key)
-            if self.values.specs[cell_key].has_open_values
-        )
+        specs = (self.values.specs[cell_key] for cell_key in self.text.keys_of(key))
+        keys = (spec.key for spec in specs if spec.has_open_values)
         return next(keys, None) if self.is_editable(key) else None
 
     # --- Edits --------------------------------------------------------------------------
@@ -265,28 +260,20 @@ class ParameterModel(QAbstractTableModel):
 
     def reset(self, key: str) -> None:
         if self.is_editable(key):
-            self._change(
-                {
-                    cell_key: self.values.specs[cell_key].default
-                    for cell_key in self._keys_to_change(key)
-                }
-            )
+            keys = self._keys_to_change(key)
+            self._change({cell_key: self.values.specs[cell_key].default for cell_key in keys})
 
     def restore(self, key: str) -> None:
         if self.is_editable(key):
-            self._change(
-                {
-                    cell_key: self.values.stored.get(cell_key)
-                    for cell_key in self._keys_to_change(key)
-                }
-            )
+            keys = self._keys_to_change(key)
+            self._change({cell_key: self.values.stored.get(cell_key) for cell_key in keys})
 
     def remove(self, key: str) -> None:
         if self.values.can_remove(key):
             self._change(dict.fromkeys(filter(self.values.can_remove, self._keys_to_change(key))))
 
     def discard_edits(self) -> None:
-        """Restore the stored values, with an undo step for cell_key."""
+        """Restore the stored values, with an undo step for each value."""
         for key in self.values.modified:
             self._change({key: self.values.stored.get(key)})
 

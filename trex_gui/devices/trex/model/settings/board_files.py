@@ -1,4 +1,4 @@
-"""Files of boards, saved and read in a thread."""
+"""One file for each board, saved and read in a thread."""
 
 import logging
 from collections.abc import Callable, Mapping
@@ -26,7 +26,7 @@ from trex_gui.ui.workers.file_worker import Done, FileTask, ProgressCallback
 
 log = logging.getLogger(__name__)
 
-_DELAY_MS = 500  # a crash loses only the changes since then
+_DELAY_MS = 500  # a crash loses at most the changes of this period
 
 _CLOSING_MS = 1000
 
@@ -39,22 +39,22 @@ class _Result:
     found: object
     failure: SettingsError | None
     unsaved: Mapping[BoardIdentity, Any]
-    moved: frozenset[BoardIdentity] = frozenset()  # their old file may be of another board
+    moved: frozenset[BoardIdentity] = frozenset()  # an existing file may belong to another board
     aside: tuple[Path, ...] = ()  # new paths of renamed files
 
 
 class BoardFiles(QObject):
-    """Saves, then reads a file for each board."""
+    """Saves and reads one file for each board."""
 
     found = Signal(object, object)  # the board, and its content; `None` without a valid file
-    failed = Signal(object)  # `SettingsError`, once until saving works
+    failed = Signal(object)  # `SettingsError`; not repeated until saving has worked
     replaced = Signal(object)  # new `Path` of another board's file, see `move`
 
     def __init__(self, files: EditFiles | BoardRecords, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._files = files
         self._due: dict[BoardIdentity, Any] = {}  # the newest unsaved `Content` of each board
-        self._moved: set[BoardIdentity] = set()  # boards whose file may be of another board
+        self._moved: set[BoardIdentity] = set()  # boards whose file may belong to another board
         self._to_read: BoardIdentity | None = None  # the board whose file is to be read
         self._is_failing = False
         self._task = FileTask(self)
@@ -122,7 +122,7 @@ class BoardFiles(QObject):
         if result.board is not None and result.board == self._to_read:
             self._to_read = None
             self.found.emit(result.board, result.found)
-        has_new = self._due.keys() - result.unsaved.keys()  # unsaved files wait for a change
+        has_new = self._due.keys() - result.unsaved.keys()  # failed files wait for the next change
         if has_new or self._to_read is not None:
             self._timer.start()
 
@@ -138,15 +138,15 @@ def _work(
     found: object = None
     unsaved: dict[BoardIdentity, Any] = {}
     aside: list[Path] = []
-    for each, content in due.items():
+    for owner, content in due.items():
         try:
-            if each in moved and (other := put_aside(files.path(each))) is not None:
+            if owner in moved and (other := put_aside(files.path(owner))) is not None:
                 aside.append(other)
-            moved.discard(each)
-            files.save(each, content)
+            moved.discard(owner)
+            files.save(owner, content)
         except SettingsError as error:
             failure = error
-            unsaved[each] = content
+            unsaved[owner] = content
     try:
         found = None if board is None else files.load(board)
     except SettingsError as error:
@@ -158,18 +158,18 @@ class RecordFiles(QObject):
     """Files of a `BoardMemory`, and `AcceptedValues` of the parameters."""
 
     changed = Signal()  # content of `memory`
-    failed = Signal(str)  # reason for the user, once until saving works
-    doubted = Signal(str)  # warning that the record may be of another board, for the user
+    failed = Signal(str)  # reason for the user; not repeated until saving has worked
+    doubted = Signal(str)  # warning for the user: the record may belong to another board
 
     def __init__(self, draft: SettingsDraft, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._notes, self._parameters = draft.notes, draft.parameters
         self._records = BoardRecords()
         self._accepted = AcceptedValues()
-        self._kind: Signature | None = None  # kind of board whose accepted values are set
+        self._kind: Signature | None = None  # kind of board for which accepted values are set
         self.memory = BoardMemory(self)
         self.files = BoardFiles(self._records, self)
-        # Called by the memory
+        # Called by `memory`
         self.find, self.save, self.move = self.files.read, self.files.save, self.files.move
         self.record_change = self.changed.emit
 

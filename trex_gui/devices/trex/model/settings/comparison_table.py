@@ -35,7 +35,10 @@ _NONE = "–"
 
 
 class ComparisonColumn(IntEnum):
-    """Columns, OUTCOME only after a write. The user role is the row's key."""
+    """Columns of the table. OUTCOME exists after a write only.
+
+    The user role returns the key of the row.
+    """
 
     SETTING = 0
     BEFORE = 1
@@ -68,8 +71,8 @@ class ComparisonTable(QAbstractTableModel):
     ) -> None:
         """Show a comparison with every change ticked.
 
-        `before` and `after` are column titles. `outcomes` has reasons of failures by key, empty for
-        a stored value.
+        `before` and `after` are column titles. `outcomes`: key → reason of the failure, empty
+        for a stored value.
         """
         self.beginResetModel()
         self.comparison = comparison
@@ -232,33 +235,33 @@ def renew_rows(
     new_rows: Sequence[RowT],
     key: Callable[[RowT], Hashable],
 ) -> None:
-    """Update the `rows` of a model in place.
+    """Update the `rows` of a model in index.
 
-    Selection, scroll position and check boxes stay. `key` identifies a row. Resets the model if
-    remaining rows change their order.
+    Selection, scroll position and check boxes are retained. `key` identifies a row. The model is
+    reset if the remaining rows change their order.
     """
     if not rows and not new_rows:
         return
     keys = [key(row) for row in new_rows]
     old_keys = [key(row) for row in rows]
-    stay = set(keys) & set(old_keys)
-    if not rows or [k for k in old_keys if k in stay] != [k for k in keys if k in stay]:
+    remaining = set(keys) & set(old_keys)
+    if not rows or [k for k in old_keys if k in remaining] != [k for k in keys if k in remaining]:
         model.beginResetModel()
         rows[:] = new_rows
         model.endResetModel()
         return
     root = QModelIndex()
-    for place in reversed(range(len(rows))):
-        if key(rows[place]) not in stay:
-            model.beginRemoveRows(root, place, place)
-            del rows[place]
+    for index in reversed(range(len(rows))):
+        if key(rows[index]) not in remaining:
+            model.beginRemoveRows(root, index, index)
+            del rows[index]
             model.endRemoveRows()
-    for place, row in enumerate(new_rows):
-        if place >= len(rows) or key(rows[place]) != keys[place]:
-            model.beginInsertRows(root, place, place)
-            rows.insert(place, row)
+    for index, row in enumerate(new_rows):
+        if index >= len(rows) or key(rows[index]) != keys[index]:
+            model.beginInsertRows(root, index, index)
+            rows.insert(index, row)
             model.endInsertRows()
-        elif rows[place] != row:
-            rows[place] = row
-            last = model.index(place, model.columnCount() - 1)
-            model.dataChanged.emit(model.index(place, 0), last)
+        elif rows[index] != row:
+            rows[index] = row
+            last = model.index(index, model.columnCount() - 1)
+            model.dataChanged.emit(model.index(index, 0), last)

@@ -1,4 +1,4 @@
-"""Settings and notes with their edits and undo."""
+"""Settings and notes with their edits and undo stack."""
 
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
@@ -26,7 +26,7 @@ from trex_gui.ui.devices.undo import Edit
 
 
 class Notes(QObject):
-    """Notes by key. Edits can be undone, and need no Apply.
+    """Notes by key. Edits can be undone and need no Apply.
 
     A board cannot store notes. They are saved on this computer, see `BoardMemory`.
     """
@@ -60,7 +60,8 @@ class Notes(QObject):
     def edit(self, key: str, text: str, *, name: str = "", run: object = None) -> None:
         """Replace a note. An empty text removes the note.
 
-        Undo shows `name`. Consecutive edits of a note with the same `run` are one undo step.
+        The undo text contains `name`. Consecutive edits of a note with the same `run` form one undo
+        step.
         """
         before, after = self.of(key), clean_note(text)[:LONGEST_NOTE].rstrip()
         if self.are_known and after != before:
@@ -69,10 +70,10 @@ class Notes(QObject):
                 Edit(title, self._apply_edit, (self._owner, key), before, after, run=run)
             )
 
-    def _apply_edit(self, place: tuple[object, str], text: str) -> None:
-        owner, key = place
+    def _apply_edit(self, owner_and_key: tuple[object, str], text: str) -> None:
+        owner, key = owner_and_key
         if owner != self._owner or not self.are_known:
-            return  # the note of another board
+            return  # the note belongs to another board
         self._notes.pop(key, None)
         if text:
             self._notes[key] = text
@@ -81,10 +82,10 @@ class Notes(QObject):
 
 
 class SettingsDraft(QObject):
-    """Stored settings, their edits, and the undo stack of both."""
+    """Stored settings, their edits, and an undo stack."""
 
     loaded = Signal()  # the stored settings were read again
-    pending_changed = Signal()  # `pending`, or an edit
+    pending_changed = Signal()  # `pending` or an edit has changed
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -95,7 +96,7 @@ class SettingsDraft(QObject):
         self.reset_pending = False  # the board resets its parameters at the next start
         self._product: Model | None = None
         self._firmware: str | None = None
-        # Of boards that are not selected: stored and active values, and `reset_pending`
+        # Stored values, active values and `reset_pending` of boards that are not selected
         self._set_aside: dict[BoardIdentity, tuple[dict[str, int], dict[str, int], bool]] = {}
 
         self.parameters.pending_changed.connect(self.pending_changed)
@@ -119,7 +120,7 @@ class SettingsDraft(QObject):
         return ChannelCurve.stored(number, calibration, self.parameters.values.stored.get)
 
     def select_state(self, state: DeviceState, connection: ConnectionSettings | None) -> None:
-        """Load the settings of another board on the line. Discards edits.
+        """Load the settings of another board on the line. Discard edits.
 
         Values that wait for a power cycle are restored when their board is selected again.
         """
@@ -142,9 +143,9 @@ class SettingsDraft(QObject):
         power_cycled: bool,
         opened: bool = False,
     ) -> None:
-        """Load the settings of a board. Edits stay if its model is the same.
+        """Load the settings of a board. Edits stay if the model is the same.
 
-        Changed stored values show that a pending reset is complete. `opened`: the line was just
+        A pending reset is complete if the stored values have changed. `opened`: the line was just
         opened.
         """
         if opened:
@@ -191,7 +192,7 @@ class SettingsDraft(QObject):
 
     def _start(self, product: Model, firmware: str | None) -> None:
         if self._product is None or self._product.key != product.key:
-            self.undo.clear()  # the edits belong to another kind of board
+            self.undo.clear()  # the edits belong to another model
         self._product = product
         self._firmware = firmware
 
@@ -228,12 +229,12 @@ class SettingsDraft(QObject):
         return self.parameters.values.can_edit(key)
 
     def stage(self, rows: Iterable[ComparisonRow], text: str) -> None:
-        """Edit settings and notes like the right side of a comparison.
+        """Set settings and notes to the right side of a comparison.
 
-        This is one undo step. Rows without an editable right side are skipped.
+        The edits form one undo step. Rows without an editable right side are skipped.
 
         Raises:
-            BadRequest: no board accepts a value. Nothing is changed.
+            BadRequest: a value is invalid for every board. Nothing is changed.
         """
         all_rows = list(rows)
         edits = [row for row in all_rows if row.after is not None and self.can_edit(row.key)]
@@ -274,10 +275,10 @@ class SettingsDraft(QObject):
 def diff_against_draft(
     draft: SettingsDraft, settings: Settings, *, is_stored: bool = False
 ) -> Comparison:
-    """Compare the draft with its state after other settings.
+    """Compare the draft with its state after a change to `settings`.
 
-    `is_stored` compares the stored settings, without edits. The result names settings that the
-    board lacks or does not accept now.
+    `is_stored` compares the stored settings, without edits. The result also names settings that
+    the board lacks or does not accept now.
 
     Raises:
         BadRequest: the settings are for another model, or the draft is empty.

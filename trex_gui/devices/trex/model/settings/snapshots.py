@@ -56,18 +56,19 @@ def _read(
 class SnapshotTable(QAbstractTableModel):
     """Snapshots that match a search, newest first.
 
-    Threads list and load the files. Damage below the head of a file is found on loading.
+    Files are listed and loaded in threads. Listing reads the header of each file. Damage below the
+    header is found when the file is loaded.
     """
 
     listed = Signal()  # the folder was read, or the search has changed
-    loaded = Signal()  # `content_of` has another snapshot
+    loaded = Signal()  # `content_of` can return another snapshot
     failed = Signal(str)  # reason for the user
 
     def __init__(self, history: SettingsHistory, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._history = history
         self.snapshots: list[Snapshot] = []
-        self.listing: tuple[Snapshot, ...] | None = None  # `None` before the folder was read
+        self.listing: tuple[Snapshot, ...] | None = None  # `None` until the folder is read
         self._contents: dict[Path, tuple[Stamp, Settings | str]] = {}  # settings or damage
         self._loading: set[Path] = set()
         self._words: list[str] = []
@@ -99,7 +100,7 @@ class SnapshotTable(QAbstractTableModel):
         self.listed.emit()
 
     def _matching(self, listing: tuple[Snapshot, ...]) -> list[Snapshot]:
-        return [each for each in listing if not self._words or self._matches(each)]
+        return [snapshot for snapshot in listing if not self._words or self._matches(snapshot)]
 
     def _matches(self, snapshot: Snapshot) -> bool:
         text = " ".join((*self._cells(snapshot), self._tip(snapshot))).casefold()
@@ -113,16 +114,19 @@ class SnapshotTable(QAbstractTableModel):
         return next((row for row, snapshot in rows if snapshot.path == path), None)
 
     def neighbour(self, snapshot: Snapshot) -> Snapshot | None:
-        """Return the next newer snapshot, or else the next older."""
+        """Return the nearest undamaged snapshot of the same model.
+
+        Newer snapshots are preferred.
+        """
         row = self.row_of(snapshot.path)
         if row is None:
             return None
         others = [*reversed(self.snapshots[:row]), *self.snapshots[row + 1 :]]
-        alike = (other for other in others if other.product == snapshot.product)
-        return next((other for other in alike if not self.problem_of(other)), None)
+        same_model = (other for other in others if other.product == snapshot.product)
+        return next((other for other in same_model if not self.problem_of(other)), None)
 
     def content_of(self, snapshot: Snapshot) -> Settings | str | None:
-        """Return settings or damage. `None` while loading."""
+        """Return the settings or the damage. `None` while loading."""
         stamp, content = self._contents.get(snapshot.path, (None, None))
         if stamp == snapshot.stamp:
             return content
@@ -213,7 +217,7 @@ class SnapshotTable(QAbstractTableModel):
         return "\n".join(lines)
 
     def time_text(self, snapshot: Snapshot) -> str:
-        """Return local time, `today 14:03`. The tooltip has seconds."""
+        """Return the local time, such as `today 14:03`."""
         local = snapshot.taken.astimezone()
         today, clock = datetime.now().astimezone().date(), f"{local:%H:%M}"
         if local.date() == today:

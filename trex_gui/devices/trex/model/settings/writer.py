@@ -31,7 +31,7 @@ _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
 
 
 class SettingsWriter(QObject):
-    """Writes settings, one write at a time. Failed values stay edits.
+    """Writes settings, one write at a time. Failed values remain edits.
 
     Before every write, a snapshot of the stored settings is saved in the background. Without a
     snapshot nothing is written. `finished` or `failed` reports each result.
@@ -63,7 +63,7 @@ class SettingsWriter(QObject):
 
     @property
     def is_saving_snapshot(self) -> bool:
-        """True before anything is sent, while `cancel` works."""
+        """True while `cancel` works, before anything is sent."""
         return self._cancel_snapshot is not None
 
     @property
@@ -94,7 +94,8 @@ class SettingsWriter(QObject):
     def apply(self, only: Collection[str] | None = None) -> None:
         """Write every edit, or only edits with these keys.
 
-        The session first gets the line settings after the write, since power may fail during it.
+        The session first receives the new line settings, because the board may lose power during
+        the write.
         """
         if self._draft.reset_pending or self._state_to_change() is None:
             return
@@ -136,8 +137,8 @@ class SettingsWriter(QObject):
     def reset_to_factory(self) -> None:
         """Request a reset of every parameter at the next start.
 
-        Pending edits are discarded once the board accepts. Its reply is the only confirmation,
-        since the reset cannot be read back.
+        Pending edits are discarded once the board accepts the request. The reply is the only
+        confirmation, because the reset cannot be read back.
         """
         if self.running or (state := self._state_to_change()) is None:
             return
@@ -189,7 +190,7 @@ class SettingsWriter(QObject):
             self._connection.expect(reconnect_candidates(link, state.parameters, stored, firmware))
 
     def cancel(self) -> bool:
-        """Cancel a write that was not sent. Return whether it was cancelled."""
+        """Cancel a write that was not sent yet. Return whether it was cancelled."""
         if self._cancel_snapshot is None:
             return False
         self.end()

@@ -1,4 +1,4 @@
-"""Short pulses of a motor, which show its wheel."""
+"""Short motor pulses that identify the wheel of a motor."""
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -10,7 +10,7 @@ from trex_gui.devices.trex.model.motors import FIRST_CEILING
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.ui.runtime import new_timer
 
-_HOLDER = "setup"  # name that acquires the motors
+_HOLDER = "setup"  # holder name for `Motors.acquire`
 
 WEAK, STRONGER = round(0.2 * FULL_SCALE), FIRST_CEILING
 """Speeds of a pulse (inferred). 20 % turns most geared motors with free wheels, and moves a robot
@@ -77,7 +77,7 @@ class MotorPulses(QObject):
     def start(self, motor: int, *, stronger: bool = False) -> bool:
         if self.motor or self.blocker:
             return False
-        # With a slow ramp nothing would move within a pulse.
+        # With a slow ramp, the motor would not move within a pulse.
         if not self._motors.acquire(_HOLDER, accelerate=False):
             return False
         self.motor, self._speed = motor, STRONGER if stronger else WEAK
@@ -111,5 +111,5 @@ class MotorPulses(QObject):
     @Slot()
     def _on_link_changed(self) -> None:
         if not self._device.is_connected:
-            self.wheels_are_free = False  # the robot may be put down meanwhile
+            self.wheels_are_free = False  # the user may put the robot down
         self.changed.emit()

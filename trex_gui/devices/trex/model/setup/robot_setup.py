@@ -30,7 +30,7 @@ _RAMPS = (
 
 
 class Preset(Enum):
-    """Kind of robot. The value is the file name of a sample."""
+    """Kind of robot. The value is the name of a sample file."""
 
     TANK = "tank_with_mix.txt"
     ROVER = "rover_with_serial_override.txt"
@@ -76,7 +76,10 @@ class SetupStep(Enum):
 
 
 class RobotSetup(QObject):
-    """Steps of the assistant. Only `next` edits settings, and nothing is written to the board."""
+    """Steps of the assistant.
+
+    Only `next` edits settings. Nothing is written to the board.
+    """
 
     changed = Signal()
 
@@ -94,7 +97,7 @@ class RobotSetup(QObject):
         self.pulses = MotorPulses(device, self)
         self._device = device
         self._learning = learning
-        self._completed: set[SetupStep] = set()  # completed with `next`
+        self._completed: set[SetupStep] = set()  # steps that were completed with `next`
 
         learning.edited.connect(self._handle_learned)
         learning.stored.connect(self._handle_learned)
@@ -131,8 +134,8 @@ class RobotSetup(QObject):
             case SetupStep.DRIVER:
                 return True
             case SetupStep.JUMPERS if driver.uses_sticks and device.mix_jumper.is_on is not None:
-                is_right = device.mix_jumper.is_on is (driver is Driver.ONE_STICK)
-                return is_right and step in self._completed
+                is_correct = device.mix_jumper.is_on is (driver is Driver.ONE_STICK)
+                return is_correct and step in self._completed
             case SetupStep.STICKS:
                 return self.knows_sticks
             case SetupStep.MOTORS if device.is_connected and device.board.is_joint:

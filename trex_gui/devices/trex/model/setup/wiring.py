@@ -37,7 +37,7 @@ class Movement(Enum):
 class Rewiring:
     """Wiring changes that no setting can replace."""
 
-    exchange_motors: bool  # motors 1 and 2 exchange their pairs of wires
+    exchange_motors: bool  # the wire pairs of motors 1 and 2 are exchanged
     reverse: frozenset[Side]  # motors whose two wires are exchanged
 
     def __bool__(self) -> bool:
@@ -64,11 +64,11 @@ class Wiring:
         return cls(sides[0] is Side.RIGHT, frozenset(filter(None, backward)))
 
     def rewiring(self, driver: Driver) -> Rewiring:
-        """Return the wires that have to be exchanged.
+        """Return the necessary changes of the wiring.
 
         The board stores directions of channels (parameter 0x03), not of motors. Serial commands
-        ignore these directions. With mixing, they can reverse both motors, or exchange left and
-        right. Without mixing, they can reverse each motor.
+        ignore these directions. With mixing, the directions can reverse both motors, or exchange
+        left and right. Without mixing, they can reverse each motor.
         """
         nothing: frozenset[Side] = frozenset()
         match driver:
