@@ -155,20 +155,25 @@ class BoardList(QObject):
 
     def _finish_scan(self) -> None:
         missing = {Presence.SILENT, Presence.UNKNOWN}
-        found = [board for board in self.boards if board.presence not in missing]
-        self.boards = tuple(found)
+        present = [board for board in self.boards if board.presence not in missing]
+        self.boards = tuple(present)
         self._save_numbers()
         text = tr(
             "No other board replies on this line. Each needs power, the serial settings of this "
             "one, and a device number of its own."
         )
-        if len(found) > 1:
-            text = tr("%n board(s) on this line.", "", len(found))
+        if len(present) > 1:
+            text = tr("%n board(s) on this line.", "", len(present))
         self._device.notifier.info.emit(text)
         self._on_state_changed()
         settings = self._device.settings
-        readable = [board.number for board in found if board.presence is not Presence.UNREADABLE]
-        if len(found) > 1 and readable and settings is not None and settings.device_number is None:
+        readable = [board.number for board in present if board.presence is not Presence.UNREADABLE]
+        if (
+            len(present) > 1
+            and readable
+            and settings is not None
+            and settings.device_number is None
+        ):
             selected = self.selected
             self._select(selected if selected in readable else readable[0])
 

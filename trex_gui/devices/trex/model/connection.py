@@ -109,7 +109,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
         return isinstance(request, Write)
 
     def new_session(self, settings: ConnectionSettings, *, may_move: bool) -> SessionFactory:
-        from trex_gui.devices.trex.serve.sessions import session_at  # noqa: PLC0415 - for a fast start
+        from trex_gui.devices.trex.serve.sessions import session_at  # noqa: PLC0415 - slow to import
 
         self.is_guarded = False
         return lambda inbox, emit: session_at(
@@ -124,8 +124,8 @@ class Connection(DeviceConnection[ConnectionSettings]):
     ) -> None:
         """Address another board on the open line.
 
-        `link` is `CONNECTING` until the board is read. `sharing` contains the numbers of
-        all known boards. If the selection fails, `link` and `status` are restored.
+        `link` is `CONNECTING` until the board is read. `sharing` contains the numbers of all known
+        boards. If the selection fails, `link` and `status` are restored.
         """
         before = self.link, self.status
 

@@ -62,7 +62,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self._last: Port | None = None  # port of the last connection attempt
         LossWhileDriven(device, self)
         self._stops = 0  # number of automatic stops so far
-        self._unconfirmed = ""  # reason of an unconfirmed stop, or empty
+        self._unconfirmed = ""  # reason for an unconfirmed stop, or empty
 
         self.simulator.ended.connect(self._reset_demo_settings)
         self.demo_board.factory_reset.connect(self._reset_demo_settings)

@@ -53,7 +53,7 @@ from trex_gui.ui.runtime import now
 from trex_gui.ui.translations import error_text
 
 _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
-_NAMED = 3  # number of written settings that an event names
+_MAX_NAMED = 3  # written settings that an event names
 
 
 class Device(QObject):
@@ -261,9 +261,9 @@ class Device(QObject):
         self.link_changed.emit()
         done = [self.draft.name_of(result.key) for result in results if result.error is None]
         failed = len(results) - len(done)
-        text = ", ".join(done[:_NAMED])
-        if len(done) > _NAMED:
-            text = tr("{0} and {1} more").format(text, len(done) - _NAMED)
+        text = ", ".join(done[:_MAX_NAMED])
+        if len(done) > _MAX_NAMED:
+            text = tr("{0} and {1} more").format(text, len(done) - _MAX_NAMED)
         if failed:
             text = tr("{0} ({1} failed)").format(text, failed).strip()
         self.events.add(EventKind.APPLY, tr("Apply: {0}").format(text), is_problem=failed > 0)
@@ -341,7 +341,7 @@ class Device(QObject):
         if opened:
             self.events.clear()
         unit = state.signature.model.current_unit
-        if opened or unit != self.telemetry.ampere:  # the line may now have another model
+        if opened or unit != self.telemetry.ampere:  # another model may be on the line now
             self.telemetry.start(unit)
         self.edit_backup.close_board()
         self.draft.set_state(

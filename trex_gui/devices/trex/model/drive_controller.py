@@ -74,9 +74,7 @@ class DriveController(QObject):
         self._motors = motors
         self._mirror = board
         self._connection = connection
-        self._lost_with: ConnectionSettings | None = (
-            None  # settings of the line on which motors may turn
-        )
+        self._lost_settings: ConnectionSettings | None = None  # line on which motors may turn
         self._lost_place = ""  # `place` of that line
         self._board: Connected | None = None  # newest report of the board
         # Set by a group. `lacking` returns the number of a board that cannot be driven.
@@ -326,7 +324,7 @@ class DriveController(QObject):
             self.may_move = False
         if self.may_move and before is not None and not _may_be_same(before, report):
             self._lost.append(before)
-            self._lost_with = None
+            self._lost_settings = None
             self._is_loss_reported = False
         still_lost = [lost for lost in self._lost if not _may_be_same(lost, report)]
         is_back = len(still_lost) < len(self._lost)
@@ -368,8 +366,8 @@ class DriveController(QObject):
         if last is not None:
             if self._was_read:
                 self.may_move = last.may_move or (self.may_move and not self._is_identified)
-            if self.may_move and self._lost_with is None:
-                self._lost_with, self._lost_place = self._connection.settings, self.place
+            if self.may_move and self._lost_settings is None:
+                self._lost_settings, self._lost_place = self._connection.settings, self.place
         self._motors.set_available(False)
         unanswered, error = [*self._unanswered], None if last is None else last.error
         self._call_back(unanswered, error or TrexError(ErrorCode.CLOSED))
@@ -386,10 +384,10 @@ class DriveController(QObject):
                 )
             text = text.format(_name_of(self._board), self._board.settings.label)
             self._notifier.warn(f"{text} {self.lost_board}", lasts=lambda: bool(self._lost))
-        lost, settings = self._lost_with, self._connection.settings
+        lost, settings = self._lost_settings, self._connection.settings
         if lost is None or self.may_move or not self._is_connected:
             return
-        self._lost_with = None
+        self._lost_settings = None
         if settings is not None and self.place != self._lost_place:
             text = tr(
                 "The line to {0} was lost before a stop was confirmed. The board at this port has "

@@ -55,7 +55,7 @@ class BoardLinter(SettingsLinter):
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(device.draft, parent)
         self._device = device
-        self._drove = False
+        self._computer_drives = False
 
         device.link_changed.connect(self._on_board_changed)
         device.motors.arming_changed.connect(self._on_board_changed)
@@ -66,9 +66,11 @@ class BoardLinter(SettingsLinter):
     def _on_board_changed(self) -> None:
         settings = self._device.settings
         if settings is None or not self._device.is_connected:
-            self._drove = False
+            self._computer_drives = False
             self.set_context(None)
             return
         stored = self._device.parameters.values.stored.get(ParameterKey.SERIAL_TIMEOUT)
-        self._drove |= self._device.motors.armed or bool(stored)  # a computer drives the motors
-        self.set_context(Context(self._drove, self._device.connection.port_rates, settings.line))
+        self._computer_drives |= self._device.motors.armed or bool(stored)
+        self.set_context(
+            Context(self._computer_drives, self._device.connection.port_rates, settings.line)
+        )

@@ -37,7 +37,7 @@ class LossWhileDriven(QObject):
         device.connection.not_responding.connect(self._on_lost)
         device.connection.line_closed.connect(self._on_lost)
         device.driving.changed.connect(self._on_confirmed)
-        device.connection.ready.connect(self._on_confirmed)  # the stop may be confirmed already
+        device.connection.ready.connect(self._on_confirmed)  # the stop may already be confirmed
         device.sampled.connect(self._on_sampled)
 
     @Slot()

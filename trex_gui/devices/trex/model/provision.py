@@ -100,7 +100,7 @@ class Provision(QObject):
             self._saving = None
             self._set_step(ProvisionStep.PROFILE)
 
-    # --- Boards, one by one --------------------------------------------------------------
+    # --- Boards, one by one -------------------------------------------------------------
 
     @Slot()
     def _on_board_changed(self) -> None:

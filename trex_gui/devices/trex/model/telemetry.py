@@ -225,8 +225,8 @@ class MixJumper(QObject):
     def _on_text_due(self) -> None:
         telemetry, draft = self._telemetry, self._draft
         reported = telemetry.remapped
-        if draft.parameters.values.active_of(ParameterKey.MOTOR_MODE) == 1:  # not mixed
-            self.clear()
+        if draft.parameters.values.active_of(ParameterKey.MOTOR_MODE) == 1:
+            self.clear()  # joint mode has no mixing
             return
         first, second, flip = (draft.stored_curve(channel) for channel in (1, 2, 4))
         if first and second and flip and reported and not flip.is_switched(4, telemetry.raw_of(4)):

@@ -38,11 +38,7 @@ class LearningStep(Enum):
     FAILED = auto()
 
 
-_MOVING = {
-    LearningStep.NEUTRAL,
-    LearningStep.TRAVEL,
-    LearningStep.TEST,
-}  # steps in which sticks are moved
+_MOVING = {LearningStep.NEUTRAL, LearningStep.TRAVEL, LearningStep.TEST}  # steps that move sticks
 
 _MEASURING = _MOVING | {LearningStep.REVIEW}
 

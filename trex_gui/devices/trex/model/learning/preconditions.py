@@ -12,7 +12,7 @@ from trex_gui.ui.translations import error_text
 
 
 def mode_blocker(device: Device) -> str:
-    """Return the reason text the mode prevents learning, or empty."""
+    """Return the reason why the mode prevents learning, or empty."""
     state = device.state
     if state is None or state.mode.is_serial:
         return ""

@@ -157,7 +157,7 @@ class StickTests:
 
     @property
     def safe_start_text(self) -> str:
-        """Sentence on safe-start, as if the channels were in control."""
+        """Sentence about safe-start, as if the channels were in control."""
         if not self.has_samples:
             return ""
         text = tr("In {0} mode safe-start would release the motors now.")

@@ -39,7 +39,7 @@ class _Result:
     found: object
     failure: SettingsError | None
     unsaved: Mapping[BoardIdentity, Any]
-    moved: frozenset[BoardIdentity] = frozenset()  # an existing file may belong to another board
+    moved: frozenset[BoardIdentity] = frozenset()  # boards whose file may belong to another board
     aside: tuple[Path, ...] = ()  # new paths of renamed files
 
 
@@ -135,7 +135,7 @@ def _work(
     _progress: ProgressCallback,
 ) -> _Result:
     failure: SettingsError | None = None
-    found: object = None
+    loaded: object = None
     unsaved: dict[BoardIdentity, Any] = {}
     aside: list[Path] = []
     for owner, content in due.items():
@@ -148,10 +148,10 @@ def _work(
             failure = error
             unsaved[owner] = content
     try:
-        found = None if board is None else files.load(board)
+        loaded = None if board is None else files.load(board)
     except SettingsError as error:
         log.warning("a file of a board is left out: %s", error)
-    return _Result(board, found, failure, unsaved, frozenset(moved), tuple(aside))
+    return _Result(board, loaded, failure, unsaved, frozenset(moved), tuple(aside))
 
 
 class RecordFiles(QObject):

@@ -235,7 +235,7 @@ def renew_rows(
     new_rows: Sequence[RowT],
     key: Callable[[RowT], Hashable],
 ) -> None:
-    """Update the `rows` of a model in index.
+    """Update the `rows` of a model in place.
 
     Selection, scroll position and check boxes are retained. `key` identifies a row. The model is
     reset if the remaining rows change their order.

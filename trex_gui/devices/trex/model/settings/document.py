@@ -190,10 +190,10 @@ def text_of(data: bytes, name: str) -> tuple[str, Finding | None]:
         text = data.decode("cp1252", errors="replace")
         if not all(c.isprintable() or c in _LAYOUT for c in text) or "\ufffd" in text:
             raise
-        found = error.findings[0]
+        finding = error.findings[0]
         message = tr(
             "{0}; it is shown as Western European text. Check the characters that are not plain "
             "letters; Save writes UTF-8"
-        ).format(found.message)
-        return text, Finding(found.line, found.key, message)
+        ).format(finding.message)
+        return text, Finding(finding.line, finding.key, message)
     return (BYTE_ORDER_MARK + text if data.startswith(BYTE_ORDER_MARK.encode()) else text), None
