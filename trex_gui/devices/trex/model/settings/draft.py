@@ -32,7 +32,7 @@ class Notes(QObject):
     """
 
     changed = Signal()
-    edited = Signal()  # by the user
+    edited = Signal()  # the user edited a note
 
     def __init__(self, parent: QObject | None = None, undo: QUndoStack | None = None) -> None:
         super().__init__(parent)

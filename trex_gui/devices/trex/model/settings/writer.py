@@ -38,7 +38,7 @@ class SettingsWriter(QObject):
     """
 
     changed = Signal()  # `running` has become true, or `is_saving_snapshot` false
-    written = Signal(object)  # the `Written`, before `finished`
+    written = Signal(object)  # a `Written`, emitted before `finished`
     finished = Signal(object)  # a `WriteResult` for each value
     failed = Signal(str)  # reason for the user
 

@@ -7,7 +7,7 @@ from enum import Enum, StrEnum, auto
 
 class Driver(Enum):
     ONE_STICK = auto()  # the mix jumper is on: channel 2 drives, channel 1 turns
-    TWO_STICKS = auto()  # the mix jumper is off: channel 1 is motor 1, channel 2 motor 2
+    TWO_STICKS = auto()  # the mix jumper is off: channel 1 drives motor 1, channel 2 motor 2
     COMPUTER = auto()  # by serial commands
 
     @property
