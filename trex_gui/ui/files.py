@@ -29,13 +29,13 @@ background: "set[_Job[Any]]" = set()  # running jobs; the process must not exit 
 def end_background(timeout_ms: int) -> bool:
     """End all background jobs. Return whether they ended in time.
 
-    Jobs that save files are cancelled after `timeout_ms`, other jobs at once.
+    Jobs that save files are cancelled after `timeout_ms`. Other jobs are cancelled at once.
     """
-    jobs, end = tuple(background), now() + timeout_ms / 1000
+    jobs, deadline = tuple(background), now() + timeout_ms / 1000
     for job in jobs:
         if not job.saves:
             job.cancel()
-    if all(job.wait(max(0, round((end - now()) * 1000))) for job in jobs):
+    if all(job.wait(max(0, round((deadline - now()) * 1000))) for job in jobs):
         return True
     for job in jobs:
         job.cancel()
@@ -86,9 +86,9 @@ def in_background(
     then: Callable[[ResultT], object],
     failed: Callable[[StudioError], object],
 ) -> None:
-    """Run `work` in a new thread. Then call `then` or `failed` in the GUI thread.
+    """Run `work` in a new thread.
 
-    Calls neither function if the owner has been destroyed.
+    Calls `then` or `failed` in the GUI thread, unless the owner has been destroyed.
     """
     start_in_background(owner, lambda _progress: work(), then, failed)
 
@@ -105,7 +105,7 @@ def start_in_background(
     then: Callable[[ResultT], object],
     failed: Callable[[StudioError], object],
 ) -> Callable[[], None]:
-    """Run `work` like `in_background`. Return a function that cancels the work."""
+    """Run `work` like `in_background`. Return a function that cancels it."""
     return _Job(owner, work, then, failed).cancel
 
 
@@ -116,7 +116,7 @@ def write_in_background(
     notifier: Notifier,
     saved: Callable[[int], str],
 ) -> None:
-    """Write a text file atomically. Then report `saved(rows)` or the error."""
+    """Write a text file atomically. Report `saved(rows)` or the error."""
     work = partial(write_text, path, write)
     report = notifier.info.emit
     _Job(owner, work, lambda rows: report(saved(rows)), notifier.report_error, saves=True)
@@ -140,7 +140,7 @@ def write_text(
 
 
 def save_picture(path: Path, image: QImage) -> None:
-    """Save a picture in the format of its file extension.
+    """Save a picture in the format given by the file extension.
 
     Raises:
         SettingsError: the picture cannot be written. The old file is unchanged.

@@ -1,4 +1,4 @@
-"""Startup message about a crash, a guardian's stop, or boards left running."""
+"""Startup message about a crash, a stop by the guardian, or running boards."""
 
 from functools import partial
 
@@ -29,11 +29,12 @@ _STOPS = {
 def report_last_run(
     notifier: Notifier, errors: str = "", *, has_crashed: bool = False, until: str = ""
 ) -> None:
-    """Report running boards and the guardian's stops, or else a crash.
+    """Report running boards and stops by the guardian.
 
-    Each stop is reported once, but again while a board is left running. Stops during `trexcmd`
-    count too. Events from `until` on are ignored. The default is the time when this program
-    could first move motors. `errors`: lines that say why boards are still running.
+    Without them, report a crash. Each stop is reported once, or repeatedly while a board is left
+    running. Stops during `trexcmd` are included. Events from `until` on are ignored. By default,
+    this is the time when this program could first move motors. `errors`: reasons why boards are
+    still running, one per line.
     """
     until = until or watching_since()
     store = Preferences()
@@ -73,7 +74,7 @@ def report_last_run(
 
 
 def stop_left_running(notifier: Notifier) -> None:
-    """Stop boards left running by opening their ports. Report the result."""
+    """Open the ports of running boards to stop them. Report the result."""
 
     def stop() -> str:
         errors = []

@@ -17,8 +17,8 @@ log = logging.getLogger(__name__)
 
 MAX_EVENTS = 10_000  # per event log
 MAX_ENTRIES = 2000  # per message log
-_MAX_LENGTH = 2000  # characters of one entry
-_REPEAT_TIME = 1.0  # seconds in which a repeated text is dropped
+_MAX_LENGTH = 2000  # characters per entry
+_REPEAT_TIME = 1.0  # seconds during which a repeated message is dropped
 _SIGN = "⚠"
 
 
@@ -27,7 +27,7 @@ class EventLog(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.all: list[Event] = []  # in order of time
+        self.all: list[Event] = []  # in chronological order
 
     def add(self, kind: EventKind, text: str, *, is_problem: bool = False) -> None:
         self.put(Event(now(), kind, text, is_problem))
@@ -46,7 +46,7 @@ class LogEntry:
     time: datetime  # local
     text: str  # one line, for the user
     is_problem: bool
-    line: str  # displayed line: time, warning sign of a problem, text
+    line: str  # displayed line: time, warning sign if it is a problem, text
 
 
 class Log(QObject):
@@ -71,8 +71,8 @@ class Log(QObject):
             if is_repeated and last.is_problem >= is_problem:
                 return
         sign = f"{_SIGN} " if is_problem else ""
-        whole = f"{moment:%Y-%m-%d %H:%M:%S}  {sign}{line}"
-        self.entries.append(LogEntry(moment, line, is_problem, whole))
+        full_line = f"{moment:%Y-%m-%d %H:%M:%S}  {sign}{line}"
+        self.entries.append(LogEntry(moment, line, is_problem, full_line))
         log.info("%s%s", sign, line)
         self.added.emit(self.entries[-1])
 

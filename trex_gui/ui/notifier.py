@@ -14,7 +14,7 @@ from trex_gui.ui.translations import error_sentence
 class Remedy(Enum):
     FIND = auto()  # scan for a board whose line settings are unknown
     RECONNECT = auto()  # reconnect to the last port
-    PLUG_IN = auto()  # reconnect to a missing port; the message ends when the port appears
+    PLUG_IN = auto()  # reconnect to a missing port; the message disappears when the port appears
     SET_UP_CRC = auto()  # enable error detection on the line
     CHECK_BOARD = auto()  # show the checklist for a board that does not respond
     STOP_THEM = auto()  # stop motors left running; the message stays until they are stopped
@@ -56,7 +56,7 @@ def remedies_of(error: BaseException, *, may_be_found: bool = False) -> Remedies
 
 
 def never() -> bool:
-    """Return false. Default of `Notifier.warn`: the next message may replace the danger."""
+    """Return false, so that any message may replace a danger."""
     return False
 
 
@@ -65,19 +65,19 @@ class Notifier(QObject):
     error = Signal(str)  # message about a failure and its cause
     danger = Signal(str)  # message about an immediate danger and its cure
     remedies_offered = Signal(object)  # the `Remedies` for the latest message
-    resolved = Signal(object)  # a `Remedy` that is obsolete; ends messages that offer it
-    # Emitted after the current event. Handling the event may clear the banner.
+    resolved = Signal(object)  # an obsolete `Remedy`; clears messages that offer it
+    # Forwarded after the current event, since its handler may clear the banner.
     delayed_info = Signal(str)
     delayed_error = Signal(str)
     delayed_report = Signal(str, object)  # arguments of `report`
     cleared = Signal()
-    shown_changed = Signal()  # `shown` has changed
-    logged = Signal(str, bool)  # any message, and whether it is an error
+    shown_changed = Signal()
+    logged = Signal(str, bool)  # any message, and true for an error or a danger
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.shown = ""  # message in the banner
-        self.danger_lasts: Callable[[], bool] = never  # True while the danger must stay visible
+        self.danger_lasts: Callable[[], bool] = never  # returns true while the danger must stay
         self.shows_problem = False  # True while the banner shows an error or a danger
         self.delayed_info.connect(self.info, Qt.ConnectionType.QueuedConnection)
         self.delayed_error.connect(self.error, Qt.ConnectionType.QueuedConnection)
@@ -99,7 +99,7 @@ class Notifier(QObject):
         self.error.emit(error_sentence(error))
 
     def warn(self, text: str, remedies: Remedies = (), lasts: Callable[[], bool] = never) -> None:
-        """Emit `danger` with buttons. While `lasts()`, no other message replaces it."""
+        """Emit `danger` with buttons. While `lasts()` is true, only another danger replaces it."""
         self.danger.emit(text)
         self.remedies_offered.emit(remedies)
         self.danger_lasts = lasts

@@ -25,7 +25,8 @@ class Preferences:
     """Values by key. An invalid value is logged and counts as missing.
 
     A user may edit the file, so a value may have any type or size. Only a regular file is
-    opened, since a pipe would block. Without a regular file, values last until the program ends.
+    opened, since opening a pipe would block. Without a regular file, values last until the
+    program ends.
     """
 
     def __init__(self) -> None:
@@ -68,17 +69,18 @@ class Preferences:
 def _open() -> QSettings:
     form = QSettings.defaultFormat()
     if form is QSettings.Format.NativeFormat and sys.platform in {"win32", "darwin"}:
-        return QSettings()  # Qt opens no file on these systems
-    # `QSettings` opens a file to return its folder, so use the name of no file.
+        return QSettings()  # these systems store the preferences
+    # `QSettings` opens the file whose name it returns, so use one that does not exist.
     unused_settings = QSettings(form, QSettings.Scope.UserScope, "TReX Studio, no such file")
     unused = Path(unused_settings.fileName())
     folder, suffix = unused.parent, unused.suffix
     organization = QCoreApplication.organizationName()
     path = folder / organization / f"{QCoreApplication.applicationName()}{suffix}"
-    for each in (path, folder / f"{organization}{suffix}", path.with_name(f"{path.name}.lock")):
-        if problem := _problem(each):
-            _report(each, problem)
-            return QSettings(str(each / "unused"), QSettings.Format.IniFormat)
+    lock = path.with_name(f"{path.name}.lock")
+    for file in (path, folder / f"{organization}{suffix}", lock):
+        if problem := _problem(file):
+            _report(file, problem)
+            return QSettings(str(file / "unused"), QSettings.Format.IniFormat)
     remove_stale_files(path)
     return QSettings()
 
@@ -90,16 +92,19 @@ def _report(path: Path, problem: str) -> None:
 
 @cache
 def remove_stale_files(path: Path) -> None:
-    """Remove old locks and temporary files of killed programs beside a file."""
+    """Remove abandoned locks and temporary files beside `path`.
+
+    Killed programs leave such files.
+    """
     stale = re.compile(re.escape(path.name) + r"\.(lock(\.rmlock)+|[A-Za-z]{6})")
     with contextlib.suppress(OSError):
-        for each in path.parent.iterdir():
-            if stale.fullmatch(each.name) and each.lstat().st_mtime < time.time() - _ABANDONED_S:
-                each.unlink()
+        for file in path.parent.iterdir():
+            if stale.fullmatch(file.name) and file.lstat().st_mtime < time.time() - _ABANDONED_S:
+                file.unlink()
 
 
 def _problem(path: Path) -> str:
-    """Return the reason why Qt must not open a file, or an empty string."""
+    """Return the reason not to open a file, or an empty string."""
     try:
         status = path.stat()
     except OSError:
@@ -122,7 +127,7 @@ def _text(value: object) -> str:
         return value
     if isinstance(value, int | float) and not isinstance(value, bool):
         return str(value)
-    raise ValueError(f"{value!r} is not a text")
+    raise ValueError(f"{value!r} is not text")
 
 
 def _path(value: object) -> str:
@@ -143,4 +148,4 @@ NumberT = TypeVar("NumberT", int, float)
 def _in_range(number: NumberT, lowest: NumberT, highest: NumberT) -> NumberT:
     if lowest <= number <= highest:
         return number
-    raise ValueError(f"{number} is not from {lowest} to {highest}")
+    raise ValueError(f"{number} is not between {lowest} and {highest}")

@@ -31,12 +31,12 @@ class Program:
         self.ports = Ports(plugins)
         self._scanner = scanner = DeviceScanner(plugins, timeouts=self.timeouts)
         last = last_device()
-        makers = {
+        factories = {
             plugin.key: partial(self._create_controller, plugin)
             for plugin in sorted(plugins, key=lambda plugin: plugin.key != last)
         }
-        self.device_manager = manager = DeviceManager(makers, scanner)
-        # Connect before the window, which needs the workspace of the device.
+        self.device_manager = manager = DeviceManager(factories, scanner)
+        # Connect these slots before those of the window, which need the workspace.
         manager.changed.connect(self._add_current_workspace)
         manager.current_changed.connect(self._add_current_workspace)
         self._workspaces: dict[str, Workspace] = {}
@@ -75,8 +75,8 @@ class Program:
                 page.ensure_plot()
 
     def workspace(self, device: str) -> Workspace:
-        found = self._workspaces.get(device)
-        return found or self._add_workspace(self.device_manager.controller(device))
+        existing = self._workspaces.get(device)
+        return existing or self._add_workspace(self.device_manager.controller(device))
 
     @property
     def workspaces(self) -> Mapping[str, Workspace]:
@@ -94,7 +94,7 @@ class Program:
         self.device_manager.connect_to(port)
 
     def open_file(self, path: Path, *, connecting: bool) -> None:
-        """Open a file of the command line in the workspace for its type.
+        """Open a file from the command line in the workspace for its type.
 
         While `connecting`, a file that needs the device waits for the connection.
         """
@@ -114,25 +114,28 @@ class Program:
         workspaces = self.workspaces.items()
         kinds = [(key, kind) for key, workspace in workspaces for kind in workspace.file_kinds]
         suffix = path.suffix.lower()
-        return next((found for found in kinds if suffix in found[1].suffixes), kinds[0])
+        return next((item for item in kinds if suffix in item[1].suffixes), kinds[0])
 
     def report_last_run(self, *, has_crashed: bool = False) -> None:
-        """Report running motors, a guardian's stop, or a crash. Repeat this at each connection."""
+        """Report running motors, stops by the guardian, or a crash.
+
+        All but a crash are also reported at each connection.
+        """
         report_last_run(self._notifier, has_crashed=has_crashed)
         self._notifier.cleared.connect(partial(report_last_run, self._notifier))
 
     def shut_down(self) -> bool:
-        """Stop the motors, close the line, then end recordings.
+        """Stop the motors, close the line, and end recordings.
 
         Return whether all threads have ended. Qt aborts if a running thread is destroyed.
         """
-        ends = [self.device_manager.shut_down()]
-        ends += [workspace.shut_down() for workspace in self._workspaces.values()]
-        ends.append(end_background(_FILES_TIMEOUT_MS))
-        return all(ends) and have_orphans_ended()
+        results = [self.device_manager.shut_down()]
+        results += [workspace.shut_down() for workspace in self._workspaces.values()]
+        results.append(end_background(_FILES_TIMEOUT_MS))
+        return all(results) and have_orphans_ended()
 
     def close(self) -> bool:
-        """Shut down and destroy everything. Needs a running event loop.
+        """Shut down and destroy everything. Requires a running event loop.
 
         Return whether all threads have ended. Otherwise nothing is destroyed, and the process
         must end with `os._exit`.
@@ -143,19 +146,19 @@ class Program:
         return True
 
     def destroy(self) -> None:
-        """Destroy the window and its models. Call `shut_down` before.
+        """Destroy the window and its models. Call `shut_down` first.
 
-        Otherwise Qt crashes: the interpreter destroys the remaining objects in any order, after
-        it has disabled their event handlers.
+        Without `destroy`, Qt crashes at exit. The interpreter would destroy the objects in any
+        order, after disabling their event handlers.
         """
         for workspace in self._workspaces.values():
             workspace.prepare_to_close()
             workspace.finish()
         manager = self.device_manager
         models = (manager, *manager.controllers, manager.scanner, self.ports, self._notifier)
-        for part in (self.window.help_dialog, self.window, *models):
-            if part is not None:
-                part.deleteLater()
+        for item in (self.window.help_dialog, self.window, *models):
+            if item is not None:
+                item.deleteLater()
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
     def end(self) -> None:

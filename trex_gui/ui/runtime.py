@@ -32,7 +32,7 @@ class Runtime:
         QThread.start(thread, priority)
 
     def wait(self, thread: QThread, milliseconds: int) -> bool:
-        """Wait for a thread to end. Return whether it has ended. -1 waits forever."""
+        """Wait for a thread to end. Return whether it has ended. -1: wait forever."""
         return QThread.wait(thread, QDeadlineTimer(milliseconds))
 
     def process(self, parent: QObject) -> QProcess:
@@ -51,14 +51,14 @@ def runtime() -> Runtime:
 
 def use_runtime(runtime: Runtime) -> Runtime:
     global _runtime
-    before, _runtime = _runtime, runtime
-    return before
+    previous, _runtime = _runtime, runtime
+    return previous
 
 
 def new_timer(
     parent: QObject, milliseconds: int, then: Callable[[], object], *, single_shot: bool = False
 ) -> QTimer:
-    """Create a timer without starting it. At 0 ms it fires after the current event."""
+    """Create a timer without starting it. With 0 ms, it fires after the current event."""
     timer = _runtime.timer(parent)
     timer.setInterval(milliseconds)
     timer.setSingleShot(single_shot)

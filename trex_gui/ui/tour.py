@@ -1,4 +1,4 @@
-"""Automatic screenshots of every page and dialog, light and dark."""
+"""Automatic screenshots of every page and dialog, in light and dark schemes."""
 
 import sys
 from collections.abc import Callable, Iterator, Sequence
@@ -19,15 +19,15 @@ _SIZE = QSize(1440, 800)  # fits a page beside the panel of the simulated device
 _SETTLE_MS = 2500
 _STEP_MS = 200
 _STOP_MS = 100  # time to send the stop
-_TIMEOUT_MS = 30_000  # a busy computer is slow, and a stop is confirmed only on a quiet line
+_TIMEOUT_MS = 30_000  # for slow computers; a stop is confirmed only on a quiet line
 
 TourStep = Callable[[], object]  # part of the tour; repeated while it returns `False`
 
 
 class Tour(QObject):
-    """Tour of each simulated device, with the steps of its plugin. Writes PNG files."""
+    """Tour of all simulated devices, with steps from their plugins. Writes PNG files."""
 
-    finished = Signal(bool)  # True: all pictures are written; False: a step failed
+    finished = Signal(bool)  # True if all pictures are written, false if a step failed
 
     def __init__(
         self,
@@ -102,27 +102,27 @@ class Tour(QObject):
             if widget is not None:
                 yield partial(self.write, widget, name, scheme)
 
-    def trigger_action(self, action: str) -> bool:
-        found = self._program.window.findChild(QAction, action)
-        if found is None or not found.isEnabled():
+    def trigger_action(self, name: str) -> bool:
+        action = self._program.window.findChild(QAction, name)
+        if action is None or not action.isEnabled():
             return False
-        found.trigger()
+        action.trigger()
         return True
 
-    def press(self, button: str) -> bool:
-        found = self._program.window.findChild(QAbstractButton, button)
-        if found is None or not (found.isVisible() and found.isEnabled()):
+    def press(self, name: str) -> bool:
+        button = self._program.window.findChild(QAbstractButton, name)
+        if button is None or not (button.isVisible() and button.isEnabled()):
             return False
-        found.click()
+        button.click()
         return True
 
-    def is_visible(self, widget: str) -> bool:
-        found = self._program.window.findChild(QWidget, widget)
-        return found is not None and found.isVisible()
+    def is_visible(self, name: str) -> bool:
+        widget = self._program.window.findChild(QWidget, name)
+        return widget is not None and widget.isVisible()
 
     def write(self, widget: QWidget, name: str, scheme: Scheme) -> None:
         for leds in widget.findChildren(Leds):
-            leds.show_moment(0.0)  # blinking LEDs are lit at this moment
+            leds.show_moment(0.0)  # when blinking LEDs are lit
         path = self._folder / f"{name}-{scheme}.png"
         if widget.grab().save(str(path)):
             sys.stdout.write(f"{path}\n")

@@ -11,7 +11,7 @@ from trex_gui.core.resource_files import resource
 from trex_gui.core.translation import tr, use_translations
 from trex_gui.ui.preferences import Preferences
 
-CONTEXT = "trex_gui"  # the only translation context: a text has one translation everywhere
+CONTEXT = "trex_gui"  # the only context, so that a text has one translation everywhere
 ENGLISH = QLocale(QLocale.Language.English)
 LANGUAGES = {"en": "English", "de": "Deutsch", "fr": "Français"}
 AS_THE_SYSTEM = "system"
@@ -30,7 +30,10 @@ def select_language(code: str) -> None:
 
 
 def selected_locale() -> QLocale:
-    """Return the system's locale if it has the selected language, else a generic locale."""
+    """Return the locale of the selected language.
+
+    The system's locale takes precedence over a generic locale.
+    """
     system, code = QLocale.system(), selected_language()
     is_system = code in {AS_THE_SYSTEM, system.name().partition("_")[0]}
     return system if is_system else QLocale(code)
@@ -40,37 +43,37 @@ def install_translations(app: QApplication, locale: QLocale) -> list[QTranslator
     """Install English plural forms, and the language of `locale` if available.
 
     Numbers, dates and layout direction follow the installed language. Texts that are already
-    visible do not change. Before another installation, remove the returned translators.
+    visible do not change. Remove the returned translators before the next call.
     """
     folder = str(resource("translations"))
-    english, catalog, of_qt = (QTranslator(app) for _ in range(3))
+    english, catalog, qt_catalog = (QTranslator(app) for _ in range(3))
     english.load(ENGLISH, "trex_gui", "_", folder)
     installed: list[QTranslator] = [english]
-    shown = ENGLISH
+    language = ENGLISH
     if locale.language() != ENGLISH.language() and catalog.load(locale, "trex_gui", "_", folder):
-        shown = QLocale(catalog.language())
+        language = QLocale(catalog.language())
         qt_folder = QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)
-        of_qt.load(shown, "qtbase", "_", qt_folder)  # the buttons of dialogs
-        installed += [of_qt, catalog]
+        qt_catalog.load(language, "qtbase", "_", qt_folder)  # buttons of dialogs
+        installed += [qt_catalog, catalog]
     for translator in installed:
         app.installTranslator(translator)
-    is_shown = (locale.language(), locale.zeroDigit()) == (shown.language(), shown.zeroDigit())
-    formats = locale if is_shown else shown
+    is_installed = locale.language() == language.language()
+    formats = locale if is_installed and locale.zeroDigit() == language.zeroDigit() else language
     QLocale.setDefault(formats)
-    app.setLayoutDirection(shown.textDirection())
+    app.setLayoutDirection(language.textDirection())
     use_translations(partial(QCoreApplication.translate, CONTEXT), formats.decimalPoint())
     return installed
 
 
 def error_text(error: BaseException) -> str:
-    """Return the message of an error. An error with a code is translated."""
+    """Return the message of an error, translated if it has a code."""
     if isinstance(error, CodedError):
         return describe(error.code, error.fields, tr)
     return str(error)
 
 
 def error_sentence(error: BaseException | None) -> str:
-    """Return the message of an error with exactly one full stop at its end."""
+    """Return the message of an error, ending in one full stop."""
     return f"{error_text(error).rstrip('. ')}." if error is not None else ""
 
 

@@ -1,4 +1,4 @@
-"""Order of physical units and the device's own numbers in texts."""
+"""Order of physical values and the device's own numbers in texts."""
 
 from functools import cache
 
@@ -10,7 +10,7 @@ _KEY = "units/own_first"
 
 
 class Units(QObject):
-    """Order for the whole program. `units()` returns the only instance."""
+    """Setting of the whole program. `units()` returns the only instance."""
 
     changed = Signal()
 
