@@ -16,7 +16,7 @@ _MAX_TIME_LABELS = 7
 
 FULL_COUNTS = 127.0  # largest speed and largest value of a remapped channel
 _SMALLEST_END = 1.0
-_SHRINK_BELOW = 0.8  # an axis shrinks if its values fit into this part of the smaller range
+_SHRINK_BELOW = 0.8  # an axis shrinks if its values fit into this fraction of the smaller range
 MIN_SPAN = 0.05  # seconds; four samples of currents
 MAX_SPAN = 4 * 3600.0  # seconds; longer than a full history
 
@@ -44,9 +44,10 @@ def spread(
     space = high - low - sum(widths) - gap * max(0, len(widths) - 1)
     if space < 0:
         return None
-    # Labels without space between them. Their shifts upwards must not decrease.
+    # Centres of labels packed from `low`. Their upward shifts must not decrease.
     packed = [low + sum(widths[:n]) + gap * n + width / 2 for n, width in enumerate(widths)]
-    shifts = [min(max(at - lowest, 0), space) for at, lowest in zip(centres, packed, strict=True)]
+    offsets = (centre - lowest for centre, lowest in zip(centres, packed, strict=True))
+    shifts = [min(max(offset, 0), space) for offset in offsets]
     from_below = accumulate(shifts, max)
     from_above = reversed([*accumulate(reversed(shifts), min)])
     pairs = zip(packed, from_below, from_above, strict=True)
@@ -54,21 +55,24 @@ def spread(
 
 
 class ValueAxis:
-    """Axis for one unit, always with 0. It grows at once but shrinks late.
+    """Axis for one unit, always including 0. It grows at once and shrinks with hysteresis.
 
-    Its ends are 1, 2 or 5 times a power of ten. An axis of plain counts reaches from -127 to 127,
-    unless values exceed this range.
+    Its limits are 1, 2 or 5 times a power of ten. An axis of plain counts extends from -127 to
+    127, unless values exceed this range.
     """
 
     def __init__(self, unit: str, top: float | None = None) -> None:
-        """`top`: fixed upper end, by default that of the values."""
+        """`top`: fixed upper limit. By default, the axis fits the values."""
         self.unit = unit
         self._top = top
         self._low, self._high = 0.0, top or _SMALLEST_END
         self._largest = top or 0.0  # largest magnitude of the values
 
     def fit(self, extremes: Sequence[tuple[float, float]]) -> None:
-        """Fit pairs of lowest and highest values. Without pairs, change nothing."""
+        """Fit the axis to pairs of lowest and highest values.
+
+        Without pairs, the axis does not change.
+        """
         if extremes and self._top is None:
             self._high = _fitted_end(self._high, max(high for _, high in extremes))
             lowest = min(low for low, _ in extremes)
@@ -88,13 +92,16 @@ class ValueAxis:
 
     @property
     def reach(self) -> tuple[float, float]:
-        """Values at the edges of the plot, beyond `ends`."""
+        """Values at the edges of the plot: `ends` with a margin."""
         low, high = self.ends
         margin = (high - low) * 0.012
         return low - margin, high + margin
 
     def labels(self, limit: int) -> Labels:
-        """Return up to `limit` (or six) round values, or the ends. The last label has the unit."""
+        """Return labels at round values, or at the ends.
+
+        There are at most `limit` labels, and at most six. The last label has the unit.
+        """
         low, high = self.ends
         if limit < 5 and (limit < 2 or self._is_fixed):
             return value_labels([low, high], self.unit)
@@ -202,7 +209,7 @@ class Span:
             self.length, self.live = self._live_length, True
 
     def show(self, start: float, end: float) -> None:
-        """Freeze the view at two times, in either order."""
+        """Freeze the view between two times, in either order."""
         self.freeze()
         middle = (start + end) / 2
         self.set_length(abs(end - start))
@@ -217,7 +224,7 @@ class Span:
             self._limit_end()
 
     def pan(self, seconds: float) -> None:
-        """Freeze the view and move it to later or, if negative, earlier times."""
+        """Freeze the view and move it. Negative: to earlier times."""
         self.freeze()
         self._end += seconds
         self._limit_end()

@@ -1,6 +1,6 @@
 """Plot area in the theme's colours: axes, grid, shapes and mouse events.
 
-Only this module imports pyqtgraph, which takes as long to load as Qt. Import it lazily.
+Only this module imports pyqtgraph, which takes as long to load as Qt. Import this module lazily.
 """
 
 from typing import Any, TypeVar
@@ -17,7 +17,7 @@ from trex_gui.ui.widgets.behaviour import strokes
 from trex_gui.ui.widgets.builders import column
 from trex_gui.ui.widgets.painted import never_mirror
 
-_LABEL_MARGIN = 60  # pixels by which a label may exceed its axis
+_LABEL_MARGIN = 60  # pixels by which a label may extend beyond its axis
 _ZOOM = 0.8  # factor per notch of the mouse wheel
 
 
@@ -92,17 +92,17 @@ class _MouseBox(pg.ViewBox):  # type: ignore[misc] # pyqtgraph has no types
             return
         event.accept()
         with_shift = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)
-        here, button = event.scenePos(), event.button()
+        position, button = event.scenePos(), event.button()
         if button != Qt.MouseButton.LeftButton or with_shift:
             if not event.isFinish():
-                self.canvas.panned.emit(here.x() - event.lastScenePos().x())
+                self.canvas.panned.emit(position.x() - event.lastScenePos().x())
             return
         pressed = event.buttonDownScenePos()
         if event.isFinish():
             self.rbScaleBox.hide()
-            self.canvas.selected.emit(pressed.x(), here.x())
+            self.canvas.selected.emit(pressed.x(), position.x())
         else:
-            left, right = self.mapFromScene(pressed).x(), self.mapFromScene(here).x()
+            left, right = self.mapFromScene(pressed).x(), self.mapFromScene(position).x()
             self.updateScaleBox(QPointF(left, 0), QPointF(right, self.height()))
 
     def wheelEvent(self, event: Any, axis: int | None = None) -> None:  # noqa: ARG002 - base
@@ -117,14 +117,14 @@ class _MouseBox(pg.ViewBox):  # type: ignore[misc] # pyqtgraph has no types
 
 
 class PlotCanvas(QWidget):
-    """Plot with axes that the caller sets. Pixels count from the left of `viewport`."""
+    """Plot whose axes the caller sets. Pixels are relative to `viewport`."""
 
     arranged = Signal()  # the size of the plot or the range of an axis has changed
-    hovered = Signal(float)  # pixel of the mouse
+    hovered = Signal(float)  # x pixel of the mouse
     unhovered = Signal()
-    clicked = Signal(float)  # pixel of a left click
-    selected = Signal(float, float)  # first and last pixel of a dragged span
-    zoomed = Signal(float, float)  # factor for the span, and pixel that must not move
+    clicked = Signal(float)  # x pixel of a left click
+    selected = Signal(float, float)  # x pixels where a drag starts and ends
+    zoomed = Signal(float, float)  # factor for the span, and x pixel that must not move
     panned = Signal(float)  # pixels to the right
 
     def __init__(
@@ -171,7 +171,7 @@ class PlotCanvas(QWidget):
     def add_curve(
         self, color: str, width: float = 1, style: Qt.PenStyle = Qt.PenStyle.SolidLine
     ) -> Curve:
-        """Add a line through points. A width of 1 is fastest, without antialiasing."""
+        """Add a line through points. A width of 1 is fastest, but not antialiased."""
         kind = pg.PlotCurveItem if width > 1 else _ThinCurve
         item = kind(antialias=width > 1, skipFiniteCheck=True)
         item.setSegmentedLineMode("off")  # segments would interrupt the dashes
@@ -184,14 +184,14 @@ class PlotCanvas(QWidget):
     def add_line(
         self, color: str, style: Qt.PenStyle = Qt.PenStyle.SolidLine, *, vertical: bool = False
     ) -> Line:
-        """Add a straight line. It is hidden until it has a value."""
+        """Add a straight line. It is hidden until `set_value` is called."""
         item = pg.InfiniteLine(angle=90 if vertical else 0)
         item.setAcceptedMouseButtons(Qt.MouseButton.NoButton)
         item.hide()
         return self._add(Line(item, color, _pen(self.devicePixelRatioF(), style)))
 
     def add_band(self, color: str) -> Band:
-        """Add a filled range below all other items. It is hidden until it has ends."""
+        """Add a filled range below all other items. It is hidden until `set_range` is called."""
         item = pg.LinearRegionItem(movable=False, pen=QPen(Qt.PenStyle.NoPen))
         item.setZValue(-20)
         item.hide()
@@ -217,17 +217,20 @@ class PlotCanvas(QWidget):
         self._axes["bottom"].setTicks([x_labels])
         self._axes["left"].setTicks([y_labels])
         path = QPainterPath()
-        for at, _ in x_labels:
-            path.moveTo(at, y[0])
-            path.lineTo(at, y[1])
-        for at, _ in y_labels:
-            path.moveTo(x[0], at)
-            path.lineTo(x[1], at)
+        for value, _ in x_labels:
+            path.moveTo(value, y[0])
+            path.lineTo(value, y[1])
+        for value, _ in y_labels:
+            path.moveTo(x[0], value)
+            path.lineTo(x[1], value)
         self._grid.setPath(path)
         self.arranged.emit()
 
     def set_right_axis(self, labels: Labels) -> None:
-        """Label values of the left axis on the right. Without labels, hide the right axis."""
+        """Set the right axis's labels, at values of the left axis.
+
+        Without labels, hide the right axis.
+        """
         axis = self._axes["right"]
         if bool(labels) != self._has_right_axis:
             self._has_right_axis = bool(labels)
@@ -241,7 +244,7 @@ class PlotCanvas(QWidget):
 
     @property
     def right_edge(self) -> float:
-        """Right end of the right axis or, without it, of the plot, in pixels."""
+        """Right edge of the plot, including its right axis, in pixels."""
         width = float(self._axes["right"].width()) if self._has_right_axis else 0.0
         return self.frame.right() + width
 
@@ -290,7 +293,7 @@ class PlotCanvas(QWidget):
         grid.setCosmetic(True)
         self._grid.setPen(grid)
         for axis in self._axes.values():
-            axis.setPen(QPen(Qt.PenStyle.NoPen))  # the border of the box is the frame
+            axis.setPen(QPen(Qt.PenStyle.NoPen))  # the view box has a border
             axis.setTickPen(QPen(color("plot_frame"), 1))
             axis.setTextPen(QPen(color("plot_text"), 1))
         for shape in self._shapes:
@@ -303,7 +306,7 @@ class PlotCanvas(QWidget):
 
 
 def _pen(pixels: float, style: Qt.PenStyle) -> QPen:
-    # A cosmetic pen has a width in screen pixels at any scale of the axes.
+    # The width of a cosmetic pen is in screen pixels at any scale.
     pen = QPen(Qt.GlobalColor.black, pixels, style)
     pen.setCosmetic(True)
     return pen

@@ -1,4 +1,7 @@
-"""Export of a plot as CSV or as a picture. Loads pyqtgraph: import it lazily."""
+"""Export of a plot as CSV or as a picture.
+
+Loads pyqtgraph, so import this module lazily.
+"""
 
 import csv
 import math
@@ -34,8 +37,8 @@ from trex_gui.ui.workers.file_worker import ProgressCallback
 _LIGHT = "export/light_background"
 
 SIZE = QSize(1200, 700)
-_SCALE = 2  # pixels of a PNG per unit of `SIZE`, for print and high-resolution screens
-_CHUNK = 2000  # rows of CSV between two reports of progress
+_SCALE = 2  # PNG pixels per unit of `SIZE`, for print and high-resolution screens
+_CHUNK = 2000  # CSV rows between two progress reports
 _LEFT = 70
 _FONT_PIXELS = 15
 _HEADING_HEIGHT = 26
@@ -53,7 +56,7 @@ class ExportButton(QToolButton):
         name: str = "currents",
         tables: bool = True,
     ) -> None:
-        """`name`: proposed file name. `tables`: offer CSV, and add date and time to names."""
+        """`name`: proposed file name. `tables`: offer CSV, and add date and time to file names."""
         super().__init__(parent)
         self.setObjectName("exportButton" if tables else "pictureButton")
         self.setText(tr("E&xport") if tables else tr("Pictu&re"))
@@ -115,8 +118,8 @@ class ExportButton(QToolButton):
         write = partial(
             write_csv,
             heads=[(trace.name, trace.unit) for trace in source.traces],
-            # The history may change while the copies are written. Copying a million rows
-            # takes 0.1 to 0.3 s.
+            # Copied, since the history may change while the file is written. A million rows
+            # take 0.1 to 0.3 s.
             columns=[column.copy() for column in (times, *values)],
             events=[(event.time, event.text) for event in source.events_between(start, end)],
             origin=self._plot.origin if self._plot.origin is not None else source.span[0],
@@ -159,8 +162,8 @@ def write_csv(
     """Write curves as CSV (RFC 4180). Return the number of samples.
 
     Each row has the time in seconds since `origin`, the values and the events since the previous
-    row. Unknown values are empty. `heads`: name and unit of each curve. `columns`: times, then
-    the values of each curve. `events`: times and texts. All times must be sorted.
+    row. Unknown values are empty cells. `heads`: name and unit of each curve. `columns`: times,
+    then the values of each curve. `events`: times and texts. All times must be sorted.
     """
     writer = csv.writer(file)
     names = [f"{name} ({unit})" if unit else name for name, unit in heads]

@@ -1,4 +1,4 @@
-"""Table of curves, which is the legend of a plot, and list of events."""
+"""Table of curves, which serves as a legend, and list of events."""
 
 import math
 from enum import IntEnum, auto
@@ -53,7 +53,7 @@ class TraceColumn(IntEnum):
     LOW = auto()
 
 
-_STATISTICS = {  # columns with a field of `Statistics`
+_STATISTICS = {  # column → field of `Statistics`
     TraceColumn.PEAK: "high",
     TraceColumn.MEAN: "mean",
     TraceColumn.RMS: "rms",
@@ -63,7 +63,7 @@ _WIDEST = {TraceColumn.NOW: f"{WARNING_SIGN} 00.00 A", TraceColumn.CHARGE: "000.
 
 
 class TraceTable(QAbstractTableModel):
-    """One row per curve of a plot. The user checks the curves to draw."""
+    """Table with one row per curve. The user checks the curves to draw."""
 
     def __init__(self, plot: TracePlot, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -71,7 +71,7 @@ class TraceTable(QAbstractTableModel):
         self._traces: tuple[TraceInfo, ...] = ()
         self._statistics: dict[str, Statistics] = {}
         visible = tr("In the visible span")
-        self._heads = (  # in the order of `TraceColumn`
+        self._headers = (  # in the order of `TraceColumn`
             (tr("Curve"), tr("Select the curves to draw")),
             (tr("Now"), tr("Newest value; ⚠ means 80 % of the limit or more")),
             (tr("Peak"), visible),
@@ -122,10 +122,10 @@ class TraceTable(QAbstractTableModel):
         }
         return needed.get(column, True)
 
-    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - as Qt has it
+    def rowCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - Qt's signature
         return 0 if parent.isValid() else len(self._traces)
 
-    def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - as Qt has it
+    def columnCount(self, parent: Index = QModelIndex()) -> int:  # noqa: B008 - Qt's signature
         return 0 if parent.isValid() else len(TraceColumn)
 
     def headerData(
@@ -136,9 +136,9 @@ class TraceTable(QAbstractTableModel):
         column = TraceColumn(section)
         match role:
             case Qt.ItemDataRole.DisplayRole:
-                return self._heads[column][0]
+                return self._headers[column][0]
             case Qt.ItemDataRole.ToolTipRole:
-                return plain(self._heads[column][1])
+                return plain(self._headers[column][1])
             case Qt.ItemDataRole.TextAlignmentRole if column is not TraceColumn.CURVE:
                 return _RIGHT
         return None
@@ -212,7 +212,7 @@ class TraceTable(QAbstractTableModel):
             LimitState.NEAR: tr("{0}, {1}: {2}, near its limit"),
             LimitState.OVER: tr("{0}, {1}: {2}, over its limit"),
         }[self._limit_state(trace, column)]
-        return text.format(trace.label, self._heads[column][0], self._text(trace, column))
+        return text.format(trace.label, self._headers[column][0], self._text(trace, column))
 
     def _value(self, source: Traces, name: str, column: TraceColumn) -> float | None:
         cursor, mark = self._plot.cursor_time, self._plot.mark_time
@@ -330,7 +330,7 @@ class EventList(QListWidget):
         self.clear()
         for event in self._events:
             dot = swatch(theme().color(EVENT_LOOKS[event.kind][0]), QSize(8, 8))
-            # The connection was opened before the first sample.
+            # The event of the new connection precedes the first sample.
             elapsed = max(0.0, event.time - (self._origin or 0.0))
             text = f"{clock_text(elapsed)}  {event.text}"
             item = QListWidgetItem(QIcon(dot), text, self)

@@ -1,7 +1,7 @@
 """Sample history in bounded memory, with fast plots and statistics of any span.
 
-`SampleColumn` stores the extremes of blocks of rows. With them, a plot of a million samples
-takes as long as one of ten thousand.
+`SampleColumn` stores the extremes of each block of rows. So plotting a million samples takes no
+longer than plotting ten thousand.
 """
 
 import itertools
@@ -21,18 +21,17 @@ Points = tuple[Floats, Floats]  # times and values; NaN interrupts the curve
 CAPACITY = 1_000_000  # rows
 MAX_GAP = 0.5  # seconds, or 40 samples of currents; a longer gap interrupts a curve
 _INITIAL_ROWS = 4096
-
 _MAX_GAPS_DRAWN = 200  # only the longest gaps of a span are drawn
 BLOCK = 64  # rows per summary
 _STEPS = 16  # parts of the capacity; one part is dropped at a time
 
 
 class SampleColumn:
-    """Values of one column, and a summary of each complete block.
+    """Values of one column, with a summary of each complete block.
 
-    Extremes ignore NaN, except in a block of NaN only. Integrals use the trapezoidal rule. The
-    interval before a row belongs to the row. It counts as zero if it is longer than `max_gap`
-    seconds or if one of its values is NaN.
+    Extremes ignore NaN, unless a block consists of NaN only. Integrals use the trapezoidal
+    rule. The interval before a row belongs to the row. It counts as zero if it is longer than
+    `max_gap` seconds, or if one of its values is NaN.
     """
 
     def __init__(self, kind: str, max_gap: float) -> None:
@@ -55,13 +54,13 @@ class SampleColumn:
         values = self.values[start:end].reshape(-1, BLOCK)
         for reduce, summary in zip((np.fmin, np.fmax), self._extremes, strict=True):
             reduce.reduce(values, axis=1, out=summary[first:stop])
-        added = self._intervals(times, start, end).reshape(3, -1, BLOCK)
-        np.add.reduce(added, axis=2, out=self._integrals[:, first:stop])
+        integrals = self._intervals(times, start, end).reshape(3, -1, BLOCK)
+        np.add.reduce(integrals, axis=2, out=self._integrals[:, first:stop])
         self._blocks = stop
 
-    def drop(self, rows: int, left: int) -> None:
-        """Drop the first `rows` rows, a multiple of `BLOCK`. `left` rows remain."""
-        self.values[:left] = self.values[rows : rows + left].copy()
+    def drop(self, rows: int, remaining: int) -> None:
+        """Drop the first `rows` rows. Their number is a multiple of `BLOCK`."""
+        self.values[:remaining] = self.values[rows : rows + remaining].copy()
         dropped, blocks = rows // BLOCK, self._blocks
         self._blocks -= dropped
         for summaries in (self._extremes, self._integrals):
@@ -72,7 +71,8 @@ class SampleColumn:
     ) -> tuple[NDArray[np.intp], Floats, Floats]:
         """Split rows `first` to `stop` into parts. Return their first rows and extremes.
 
-        Parts are blocks, and single rows at the ends. Fewer than `min_blocks` are split up.
+        Parts are complete blocks, and single rows at the ends. If there are fewer than
+        `min_blocks` blocks, all parts are single rows.
         """
         start, end = self._complete_blocks(first, stop)
         if end - start < min_blocks * BLOCK:
@@ -81,11 +81,11 @@ class SampleColumn:
         starts = np.concatenate([ends[0], np.arange(start, end, BLOCK), ends[1]])
         before, after = self.values[first:start], self.values[end:stop]
         blocks = self._extremes[:, start // BLOCK : end // BLOCK]
-        low, high = (np.concatenate([before, each, after]) for each in blocks)
+        low, high = (np.concatenate([before, extremes, after]) for extremes in blocks)
         return starts, low, high
 
     def integrals(self, times: Floats, first: int, stop: int) -> tuple[float, float, float]:
-        """Return seconds, integral and integral of squares of rows `first` to `stop`."""
+        """Return seconds, integral and integral of squares for rows `first` to `stop`."""
         start, end = self._complete_blocks(first + 1, stop)
         total = self._integrals[:, start // BLOCK : end // BLOCK].sum(axis=1)
         for part in ((first + 1, start), (end, stop)):
@@ -98,7 +98,7 @@ class SampleColumn:
         return (start, end) if start < end else (stop, stop)
 
     def _intervals(self, times: Floats, first: int, stop: int) -> Floats:
-        """Return the integrals of the interval before each row, with shape (3, rows)."""
+        """Integrate the interval before each row. The result has the shape (3, rows)."""
         integrals = np.zeros((3, stop - first))
         start = max(first, 1)  # row 0 has no interval
         values = self.values[start - 1 : stop].astype(np.float64)
@@ -113,7 +113,10 @@ class SampleColumn:
 
 
 def _resized(array: Floats, size: int, used: int) -> Floats:
-    """Copy an array with a new size of its last dimension. Copy the first `used` values."""
+    """Return a copy whose last dimension has another size.
+
+    Only the first `used` values are copied.
+    """
     resized = np.empty((*array.shape[:-1], size), array.dtype)
     resized[..., :used] = array[..., :used]
     return resized
@@ -121,7 +124,7 @@ def _resized(array: Floats, size: int, used: int) -> Floats:
 
 @dataclass(frozen=True, slots=True)
 class Statistics:
-    """Statistics of a curve in a span, without its gaps. NaN: unknown."""
+    """Statistics of a curve over a span, excluding gaps. NaN: unknown."""
 
     seconds: float = 0.0  # total time with samples
     integral: float = 0.0  # unit × seconds
@@ -132,9 +135,9 @@ class Statistics:
 
 
 class SampleHistory:
-    """The last `capacity` rows, in order of time. NaN: unknown value.
+    """The last `capacity` rows, in chronological order. NaN: unknown value.
 
-    `columns`: number of columns, or numpy's type of each column. "float16" stores integers up to
+    `columns`: number of columns, or numpy type of each column. "float16" stores integers up to
     2048 exactly. `max_gap`: seconds. Adding a row takes constant time on average.
     """
 
@@ -153,18 +156,18 @@ class SampleHistory:
         self._times: Floats = np.empty(0)
         self._columns = [SampleColumn(kind, self._max_gap) for kind in self._kinds]
         self._size = 0
-        self._gaps: list[tuple[float, float]] = []  # end and length
+        self._gaps: list[tuple[float, float]] = []  # end and length of each gap
 
     def __len__(self) -> int:
         return min(self._size, self.capacity)
 
     @property
     def times(self) -> Floats:
-        """A view, oldest first. It is valid until a row is added."""
+        """View of the times, oldest first. Valid until a row is added."""
         return self._times[self._start : self._size]
 
     def values(self, column: int) -> Floats:
-        """Return a view, oldest first. It is valid until a row is added."""
+        """Return a view of the values, oldest first. Valid until a row is added."""
         return self._columns[column].values[self._start : self._size]
 
     @property
@@ -172,7 +175,7 @@ class SampleHistory:
         return (float(self.times[0]), float(self.times[-1])) if self._size else None
 
     def append(self, time: float, *values: float) -> None:
-        """Add a row. A time before the newest row is set to its time."""
+        """Add a row. If `time` is before the newest row, use the time of that row."""
         self._reserve(1)
         end = self._size
         if end:
@@ -186,7 +189,7 @@ class SampleHistory:
         self._grow(end + 1)
 
     def extend(self, times: Floats, values: Sequence[Floats]) -> None:
-        """Add rows in order of time. `values`: one array per column."""
+        """Add rows in chronological order. `values`: one array per column."""
         for first in range(0, len(times), self._step):
             span = slice(first, first + self._step)
             self._extend(times[span], [column[span] for column in values])
@@ -199,8 +202,8 @@ class SampleHistory:
             column.values[end:stop] = new
         start = max(end, 1)
         width = self._times[start:stop] - self._times[start - 1 : stop - 1]
-        for at in np.flatnonzero(width > self._max_gap):
-            self._gaps.append((float(self._times[start + at]), float(width[at])))
+        for index in np.flatnonzero(width > self._max_gap):
+            self._gaps.append((float(self._times[start + index]), float(width[index])))
         self._grow(stop)
 
     def _grow(self, size: int) -> None:
@@ -222,12 +225,12 @@ class SampleHistory:
             column.resize(allocated, self._size)
 
     def _drop(self, rows: int) -> None:
-        left = self._size - rows
-        self._times[:left] = self._times[rows : self._size].copy()
+        remaining = self._size - rows
+        self._times[:remaining] = self._times[rows : self._size].copy()
         for column in self._columns:
-            column.drop(rows, left)
-        self._size = left
-        oldest = float(self._times[0]) if left else math.inf
+            column.drop(rows, remaining)
+        self._size = remaining
+        oldest = float(self._times[0]) if remaining else math.inf
         self._gaps = [gap for gap in self._gaps if gap[0] > oldest]
 
     @property
@@ -245,7 +248,7 @@ class SampleHistory:
         return self._start + first, self._start + max(first, stop)
 
     def value_at(self, column: int, time: float) -> float:
-        """Return the last value up to a time. NaN in a gap and before the first value."""
+        """Return the last value at or before a time. NaN in a gap and before the first value."""
         _, stop = self._rows(-math.inf, time)
         if stop == self._start or time - self._times[stop - 1] > self._max_gap:
             return math.nan
@@ -264,11 +267,12 @@ class SampleHistory:
         return Statistics(seconds, integral, integral / seconds, rms, low, high)
 
     def points(self, column: int, start: float, end: float, bins: int) -> Points:
-        """Return the samples of a span, reduced to two points per bin if there are many.
+        """Return the samples of a span, or two points per bin if there are many samples.
 
-        The points of a bin are its lowest and highest value. They rise or fall like the samples.
-        Bins start at multiples of their width, so that a scrolling plot does not flicker. One
-        more sample at each end extends the curve to the edges. The last point is always a sample.
+        The two points are the lowest and the highest value, which rise or fall like the samples.
+        Bins start at multiples of their width, so that a scrolling plot does not flicker. An
+        additional sample at each end extends the curve to the edges. The last point is always a
+        sample.
         """
         first, stop = self._rows(start, end)
         first, stop = max(self._start, first - 1), min(self._size, stop + 1)
@@ -288,14 +292,14 @@ class SampleHistory:
         if first >= stop:
             return []
         low, high = float(self._times[first]), float(self._times[stop - 1])
-        ended = itemgetter(0)
-        from_, to = (bisect_right(self._gaps, time, key=ended) for time in (low, high))
-        gaps = [gap for gap in self._gaps[from_:to] if gap[1] > max_gap]
+        gap_end = itemgetter(0)
+        after, until = (bisect_right(self._gaps, time, key=gap_end) for time in (low, high))
+        gaps = [gap for gap in self._gaps[after:until] if gap[1] > max_gap]
         if len(gaps) > _MAX_GAPS_DRAWN:
             gaps = sorted(gaps, key=itemgetter(1))[-_MAX_GAPS_DRAWN:]
-        ends = sorted(int(self._times[: self._size].searchsorted(at)) for at, _ in gaps)
-        edges = [first, *ends, stop]
-        return [(a, b) for a, b in itertools.pairwise(edges) if a < b]
+        starts = sorted(int(self._times[: self._size].searchsorted(end)) for end, _ in gaps)
+        edges = [first, *starts, stop]
+        return [(start, end) for start, end in itertools.pairwise(edges) if start < end]
 
     def _piece(self, column: int, first: int, stop: int, width: float) -> Points:
         seconds = float(self._times[stop - 1] - self._times[first])
@@ -305,19 +309,20 @@ class SampleHistory:
             return self._times[first:stop].copy(), column_values[first:stop].copy()
         starts, low, high = self._columns[column].extremes(first, stop, 2 * bins)
         times = self._times[first:stop]
-        ends = np.arange(math.floor(times[0] / width), math.floor(times[-1] / width)) + 1
-        heads = np.unique(starts.searchsorted([first, *(first + times.searchsorted(ends * width))]))
-        heads = heads[heads < len(starts)]
-        low, high = np.fmin.reduceat(low, heads), np.fmax.reduceat(high, heads)
-        begins = starts[heads]
-        ends = np.append(begins[1:], stop) - 1
-        falling = column_values[ends] < column_values[begins]
-        values = np.empty(2 * len(begins) + 1)
+        edges = np.arange(math.floor(times[0] / width), math.floor(times[-1] / width)) + 1
+        first_rows = [first, *(first + times.searchsorted(edges * width))]
+        indices = np.unique(starts.searchsorted(first_rows))
+        indices = indices[indices < len(starts)]
+        low, high = np.fmin.reduceat(low, indices), np.fmax.reduceat(high, indices)
+        bin_starts = starts[indices]
+        bin_ends = np.append(bin_starts[1:], stop) - 1
+        falling = column_values[bin_ends] < column_values[bin_starts]
+        values = np.empty(2 * len(bin_starts) + 1)
         values[0:-1:2] = np.where(falling, high, low)
         values[1:-1:2] = np.where(falling, low, high)
         times = np.empty_like(values)
-        times[0:-1:2] = self._times[begins]
-        times[1:-1:2] = (self._times[begins] + self._times[ends]) / 2
+        times[0:-1:2] = self._times[bin_starts]
+        times[1:-1:2] = (self._times[bin_starts] + self._times[bin_ends]) / 2
         times[-1] = self._times[stop - 1]
         values[-1] = column_values[stop - 1]
         return times, values

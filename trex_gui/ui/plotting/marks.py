@@ -1,4 +1,4 @@
-"""Widgets around a plot, for events, names of curves, and values at the cursor."""
+"""Widgets around a plot for events, curve names and values at the cursor."""
 
 import math
 from collections.abc import Collection, Sequence
@@ -35,7 +35,7 @@ _READOUT_DISTANCE = 8  # pixels between cursor and readout
 
 
 def value_text(value: float, unit: str, *, mean: bool = False) -> str:
-    """Format a value with its unit, or a signed count. A `mean` has another decimal."""
+    """Format a value with its unit, or a signed count. A `mean` has one more decimal."""
     if not math.isfinite(value):
         return NO_VALUE
     text = f"{value:+.0f}" if round(value) else "0"
@@ -47,7 +47,7 @@ def value_text(value: float, unit: str, *, mean: bool = False) -> str:
 
 
 def charge_text(statistics: Statistics) -> str:
-    """Format a current's charge in Ah or, below 1 Ah, in mAh."""
+    """Format the charge of a current in Ah, or in mAh below 1 Ah."""
     if not statistics.seconds:
         return NO_VALUE
     charge = statistics.integral / 3600
@@ -73,25 +73,25 @@ class EventMarks(Painted):
     def sizeHint(self) -> QSize:
         return QSize(100, self.fontMetrics().height() + 2)
 
-    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002 - it is small
+    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002 - the widget is small
         metrics, end = self.fontMetrics(), float(self.width())
         with Painter(self) as painter:
             for x, marked in reversed(self.marks):
                 color, noun = EVENT_LOOKS[marked.kind]
                 word = tr(noun)
-                wide = metrics.horizontalAdvance(word) + 4.0
-                left = max(0.0, min(x - wide / 2, end - wide))
-                if left + wide > end or x - (left + wide / 2) > _MAX_SHIFT:
+                width = metrics.horizontalAdvance(word) + 4.0
+                left = max(0.0, min(x - width / 2, end - width))
+                if left + width > end or x - (left + width / 2) > _MAX_SHIFT:
                     return
                 painter.setPen(theme().color(color))
-                box = QRectF(left, 0, wide, metrics.height())
+                box = QRectF(left, 0, width, metrics.height())
                 painter.drawText(box, Qt.AlignmentFlag.AlignCenter, word)
                 painter.drawLine(int(x), self.height() - 2, int(x), self.height())
                 end = left - 4
 
     def _near(self, x: float) -> list[Event]:
         distance = max(_HOVER_DISTANCE, self.fontMetrics().averageCharWidth() * 2)
-        return [event for at, event in self.marks if abs(at - x) <= distance]
+        return [event for mark_x, event in self.marks if abs(mark_x - x) <= distance]
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
@@ -128,7 +128,7 @@ class CurveTags(Painted):
         widths = [metrics.horizontalAdvance(trace.tag) for trace in self._traces.values()]
         return QSize(max(widths) + metrics.averageCharWidth() + 4 if widths else 0, 0)
 
-    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002 - it is small
+    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002 - the widget is small
         ends = sorted((y, name) for name, y in self._heights.items() if name in self._traces)
         height = self.fontMetrics().height() + 1.0
         centres = spread([y for y, _ in ends], [height] * len(ends), 0, self.height(), 2)

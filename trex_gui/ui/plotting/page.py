@@ -1,4 +1,4 @@
-"""A page with a plot."""
+"""Base class of pages with a plot."""
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QShowEvent
@@ -6,9 +6,9 @@ from PySide6.QtWidgets import QWidget
 
 
 class PlotPage(QWidget):
-    """Page that creates its plot when it is first shown, or soon after the start.
+    """Page that creates its plot when first shown, or soon after the start.
 
-    Subclasses import pyqtgraph in `add_plot`, since it takes as long to load as Qt.
+    Subclasses import pyqtgraph in `add_plot`, since pyqtgraph takes as long to load as Qt.
     """
 
     plot_added = Signal()
@@ -25,7 +25,10 @@ class PlotPage(QWidget):
         raise NotImplementedError
 
     def show_moment(self, time: float, text: str) -> None:
-        """Show the event with this text or else the time. Ignored without a time axis."""
+        """Show the event with this text, or else the time.
+
+        Pages without a time axis do nothing.
+        """
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -1,4 +1,7 @@
-"""Plot with controls, statistics, events and export. Loads pyqtgraph: import it lazily."""
+"""Plot with controls, statistics, events and export.
+
+Loads pyqtgraph, so import this module lazily.
+"""
 
 import math
 from collections.abc import Sequence
@@ -26,7 +29,7 @@ from trex_gui.ui.widgets.labels import PageHead
 
 _WINDOWS = (10, 30, 60, 300, 600, 1800, 3600)  # selectable spans in seconds
 _DEFAULT_SECONDS = 30.0
-_TOPS = (1, 2, 5, 10, 20, 50)  # selectable ends of the left axis in A
+_TOPS = (1, 2, 5, 10, 20, 50)  # selectable upper limits of the left axis in A
 _MAX_TOP = 1e6
 _COLORS = {
     "blue": ("motor1", tr_noop("Blue")),
@@ -40,7 +43,7 @@ _COLORS = {
     "grey": ("muted", tr_noop("Grey")),
     "foreground": ("plot_text", tr_noop("As text")),
 }
-"""Name in the preferences → name in the theme, and name for the user."""
+"""Name in the preferences → name in the theme and name for the user."""
 
 _COLOR_NAMES = {color: name for name, (color, _) in _COLORS.items()}
 
@@ -56,7 +59,7 @@ class TracePanel(QWidget):
         super().__init__(parent)
         self._store = Preferences()
         self._key = f"{key}/"
-        self._default_colors: dict[str, str] = {}  # by name of the curve
+        self._default_colors: dict[str, str] = {}  # curve name → colour
 
         self.plot: TracePlot = TracePlot(self)
         self.notifier = Notifier(self)
@@ -157,7 +160,7 @@ class TracePanel(QWidget):
 
     @Slot()
     def _update_widths(self) -> None:
-        """Fit the width of the table. Does nothing once the user has moved the handle."""
+        """Fit the width of the table, unless the user has moved the handle."""
         if self._store.data(f"{self._key}figures_splitter").isEmpty():
             figures = self._view.sizeHint().width()
             self._below.setSizes([figures, max(0, self._below.width() - figures)])
@@ -256,7 +259,10 @@ class TracePanel(QWidget):
         self._window.setPlaceholderText(duration_text(span.length))
 
     def show_moment(self, time: float, text: str) -> None:
-        """Show the last event with this text up to a time, or else the time."""
+        """Show the last event with this text at or before a time.
+
+        Without such an event, show the time.
+        """
         self.refresh()
         source = self.plot.source
         events = [] if source is None else source.events_between(-math.inf, time)

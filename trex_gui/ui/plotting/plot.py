@@ -1,4 +1,7 @@
-"""Plot of traces, live or at a past span. Loads pyqtgraph: import it lazily."""
+"""Plot of traces, live or for a past span.
+
+Loads pyqtgraph, so import this module lazily.
+"""
 
 import math
 from collections.abc import Sequence
@@ -23,10 +26,10 @@ from trex_gui.ui.widgets.labels import Muted
 from trex_gui.ui.widgets.painted import Painted
 
 BINS = 500  # parts of the width, each with two points
-_PAN = 0.25  # share of the span per key press
+_PAN = 0.25  # fraction of the span per key press
 _ZOOM = 0.7  # factor per key press
-_FINE, _COARSE = 0.002, 0.05  # steps of the cursor, as shares of the span
-_NEAR_MARK = 6  # pixels; a click this near removes the mark
+_FINE, _COARSE = 0.002, 0.05  # steps of the cursor, as fractions of the span
+_NEAR_MARK = 6  # pixels; a click this close to the mark removes it
 
 _KEYS = tr_noop(
     "Left and Right move the cursor, with Shift in large steps; its values are read "
@@ -39,9 +42,9 @@ FloatsT = TypeVar("FloatsT", float, Floats)
 class TracePlot(Painted):
     """Curves on up to two axes, with limits, events, a cursor and a mark.
 
-    Curves of the source's first unit are on the left axis, other curves on the right axis. The
-    right axis is drawn in values of the left axis, because a second view box takes as long as a
-    second plot. x counts from the right edge, so that only the curves of a live plot move.
+    Curves with the source's first unit use the left axis. Other curves use the right axis. Their
+    values are converted to the left axis, because a second view box is as slow as a second plot.
+    x is relative to the right edge, so that only the curves of a live plot move.
     """
 
     spoken_role = QAccessible.Role.Chart
@@ -60,14 +63,14 @@ class TracePlot(Painted):
         self.source: Traces | None = None
         self.shown: set[str] = set()  # names of the visible curves
         self.origin: float | None = None  # time of the first sample; displayed times count from it
-        self.peaks_since: float | None = None  # start of held peaks; `None`: not held
+        self.peaks_since: float | None = None  # start of peak hold; `None`: off
         self.cursor_time: float | None = None
         self.mark_time: float | None = None
-        self.top: float | None = None  # end of the left axis; `None`: fits the values
+        self.top: float | None = None  # upper limit of the left axis; `None`: fit the values
         self._left, self._right = ValueAxis(""), ValueAxis("")
         self._shapes: dict[str, tuple[Curve, Line, Line]] = {}  # name → curve, limit, peak
         self._drawn_axes: object = None  # parameters of the drawn axes
-        self._hovered: float | None = None  # pixel of the mouse
+        self._hovered: float | None = None  # x pixel of the mouse
         self.setObjectName("tracePlot")
         self.setAccessibleName(name or tr("Plot of currents and speeds against time"))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
@@ -143,7 +146,7 @@ class TracePlot(Painted):
         self.colors_changed.emit()
 
     def set_top(self, top: float | None) -> None:
-        """Set the end of the left axis. `None`: fit the visible curves."""
+        """Set the upper limit of the left axis. `None`: fit the visible curves."""
         self.top = top
         self._left = ValueAxis(self._left.unit, top)
         self.draw()
@@ -177,7 +180,7 @@ class TracePlot(Painted):
         self.view_changed.emit()
 
     def draw(self) -> None:
-        """Draw a frame, in a time independent of the number of samples."""
+        """Draw a frame. The time does not depend on the number of samples."""
         source, span = self.source, self.span
         if source is None:
             return
@@ -186,7 +189,7 @@ class TracePlot(Painted):
             self.origin = None
         else:
             span.set_available(*available)
-            # The origin does not move when a full history drops its first samples.
+            # The origin does not move when a full history drops its oldest samples.
             if self.origin is None or available[0] < self.origin:
                 self.origin = available[0]
         lines = self._fit_axes(source)
@@ -202,7 +205,7 @@ class TracePlot(Painted):
         self._tags.set_heights(heights)
 
     def _fit_axes(self, source: Traces) -> dict[str, Points]:
-        """Fit the axes to the visible curves. Return curve → points."""
+        """Fit the axes to the visible curves. Return curve name → points."""
         span, lines = self.span, {}
         extremes: dict[bool, list[tuple[float, float]]] = {False: [], True: []}
         for trace in source.traces:
@@ -230,13 +233,13 @@ class TracePlot(Painted):
         self._drawn_axes = axes
         since = since_labels(span.start - origin, span.end - origin)
         x_labels = ago_labels(span.length) if span.live else since
-        # The right axis comes first, since it changes the width of the plot.
+        # Set the right axis first, since it changes the width of the plot.
         labels = right.labels(limit) if has_right else []
         self._canvas.set_right_axis([(right.map_to(left, value), text) for value, text in labels])
         self._canvas.set_axes((-span.length, 0.0), left.reach, x_labels, left.labels(limit))
 
     def _draw_curves(self, source: Traces, lines: dict[str, Points]) -> dict[str, float]:
-        """Draw the curves. Return curve → y of its end in pixels."""
+        """Draw the curves. Return curve name → y pixel of its end."""
         heights = {}
         for trace in source.traces:
             curve, line = self._shapes[trace.name][0], lines.get(trace.name)
@@ -252,22 +255,22 @@ class TracePlot(Painted):
         low, high = self._left.reach
         end = self.span.end
         for kind, line in self._events.items():
-            at = np.array([event.time - end for event in events if event.kind is kind])
-            line.set_visible(bool(len(at)))
-            if len(at):
-                y = np.tile([low, high, math.nan], len(at))
-                line.set_points(np.repeat(at, 3), y, gaps=True)
+            x = np.array([event.time - end for event in events if event.kind is kind])
+            line.set_visible(bool(len(x)))
+            if len(x):
+                y = np.tile([low, high, math.nan], len(x))
+                line.set_points(np.repeat(x, 3), y, gaps=True)
         self._marks.set_marks([(self._canvas.x_of(event.time - end), event) for event in events])
 
     def is_right(self, trace: TraceInfo) -> bool:
-        """Return whether a curve is on the right axis. Such curves are dotted."""
+        """Return whether a curve uses the right axis. Such curves are dotted."""
         return trace.unit != self._left.unit
 
     def _height(self, trace: TraceInfo, value: FloatsT) -> FloatsT:
         if not self.is_right(trace):
             return value
-        at0, at1 = (self._right.map_to(self._left, each) for each in (0.0, 1.0))
-        return at0 + value * (at1 - at0)
+        height0, height1 = (self._right.map_to(self._left, level) for level in (0.0, 1.0))
+        return height0 + value * (height1 - height0)
 
     def peak_of(self, name: str) -> float | None:
         """Return the held peak of a curve, or `None`."""
@@ -291,11 +294,11 @@ class TracePlot(Painted):
         time, source = self.cursor_time, self.source
         if time is None or source is None or not self.span.start <= time <= self.span.end:
             self._readout.hide()
-            empty = self._empty.isVisibleTo(self)
-            self.setAccessibleDescription(self._empty.text() if empty else tr(_KEYS))
+            is_empty = self._empty.isVisibleTo(self)
+            self.setAccessibleDescription(self._empty.text() if is_empty else tr(_KEYS))
             return
         self._readout.show_values(source, time, self.mark_time, self.origin or 0.0, self.shown)
-        if self._hovered is None:  # otherwise a screen reader would read out each frame
+        if self._hovered is None:  # otherwise a screen reader would read each frame aloud
             self.setAccessibleDescription(self._readout.text())
         self._readout.show_beside(self._canvas.x_of(time - self.span.end), self._canvas.frame)
 
@@ -311,8 +314,9 @@ class TracePlot(Painted):
     @Slot(float)
     def _on_clicked(self, x: float) -> None:
         mark = self.mark_time
-        near = mark is not None and abs(self._canvas.x_of(mark - self.span.end) - x) < _NEAR_MARK
-        self.set_mark(None if near else self._time_at(x))
+        mark_x = None if mark is None else self._canvas.x_of(mark - self.span.end)
+        is_near = mark_x is not None and abs(mark_x - x) < _NEAR_MARK
+        self.set_mark(None if is_near else self._time_at(x))
 
     def _zoom(self, factor: float, around: float) -> None:
         self.span.zoom(factor, around)

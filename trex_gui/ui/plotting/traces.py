@@ -23,7 +23,10 @@ class TraceInfo:
 
 
 class Traces:
-    """Curves of a history, with their limits by name, and events in chronological order."""
+    """Curves of a history, with limits and events.
+
+    `limits`: curve name → limit. `events`: in chronological order.
+    """
 
     def __init__(
         self,
@@ -54,7 +57,7 @@ class Traces:
 
     @property
     def right_unit(self) -> str:
-        """Unit other than `left_unit`. Empty for plain counts or without a right axis."""
+        """Unit of the right axis. Empty for plain counts or without a right axis."""
         return next((t.unit for t in self.traces if t.unit != self.left_unit), "")
 
     def points(self, name: str, start: float, end: float, bins: int) -> "Points":
@@ -68,7 +71,10 @@ class Traces:
         return self._history.value_at(self._columns[name], time)
 
     def samples(self, start: float, end: float) -> "tuple[Floats, Sequence[Floats]]":
-        """Return times and each curve's values, as views that are valid until a row is added."""
+        """Return the times and each curve's values.
+
+        The views are valid until a row is added.
+        """
         rows = self._history.rows(start, end)
         columns = [self._history.values(column)[rows] for column in range(len(self.traces))]
         return self._history.times[rows], columns
