@@ -27,12 +27,11 @@ if TYPE_CHECKING:
 
 _SEARCH_WIDTH = 26  # average characters
 
-
 ViewT = TypeVar("ViewT", bound=View)
 
 
 class LogPage(View):
-    help_wanted = Signal(str)  # help topic of the line with the cursor
+    help_wanted = Signal(str)  # help topic of the line at the cursor
 
     def __init__(
         self, log: Log, key: str, message_help: MessageHelp, parent: QWidget | None = None

@@ -1,4 +1,4 @@
-"""Problem cards and the quality of the connection."""
+"""Problem cards, and the quality of the connection."""
 
 import math
 from collections.abc import Sequence
@@ -20,14 +20,14 @@ from trex_gui.ui.widgets.labels import LiveLabel, Muted, Sign
 from trex_gui.ui.widgets.painted import Painted, Painter
 from trex_gui.ui.widgets.view import View
 
-_MINUTE, _SLOT = 60.0, 0.5  # seconds: width of the plot, and of one point
-_MAX_LATENESS = 5.0  # seconds after which the log has a row and its reply
+_MINUTE, _SLOT = 60.0, 0.5  # seconds: widths of the plot and of a point
+_MAX_LATENESS = 5.0  # seconds until a row and its reply are in the log
 
 
 @dataclass(frozen=True, slots=True)
 class Problem:
     key: str  # identifier; prefix of the card's object names
-    title: str  # with the state: "Motor 1 fault, active now"
+    title: str  # including the state: "Motor 1 fault, active now"
     text: str  # meaning and remedy, for the user
     times: str  # count and time of the last occurrence, for the user
     is_active: bool = False
@@ -35,7 +35,7 @@ class Problem:
     page: str = ""  # key of a page with details, or empty
     topic: str = ""  # help topic, or empty
     name: str = ""  # text of the problem in the traffic log
-    seen_at: float = 0.0  # last occurrence, in seconds of the monotonic clock
+    seen_at: float = 0.0  # time of the last occurrence on the monotonic clock, in seconds
 
     @property
     def line(self) -> str:
@@ -163,10 +163,12 @@ class RoundTrips(Painted):
         return QSize(0, 3 * self.fontMetrics().height())
 
     def refresh(self) -> None:
-        """Add new rows, and earlier rows with new replies."""
+        """Add new rows, and earlier rows whose reply has arrived."""
         since, self._refreshed = self._refreshed - _MAX_LATENESS, now()
         self._oldest = int(self._refreshed / _SLOT) - round(_MINUTE / _SLOT) + 1
-        self._seconds = {slot: s for slot, s in self._seconds.items() if slot >= self._oldest}
+        self._seconds = {
+            slot: seconds for slot, seconds in self._seconds.items() if slot >= self._oldest
+        }
         for row in reversed(self._traffic.everything.rows):
             slot = int(row.time / _SLOT)
             if row.time < since or slot < self._oldest:
@@ -212,7 +214,7 @@ class ProblemsPage(View):
         raise NotImplementedError
 
     def since(self) -> datetime | None:
-        """Return the local time since which the device is watched, or `None`."""
+        """Return the local time when monitoring started, or `None`."""
         raise NotImplementedError
 
     def readings(self) -> Sequence[Reading]:
@@ -232,11 +234,11 @@ class ProblemsPage(View):
         self._shown = sorted(problems, key=lambda problem: not problem.is_active)
         for key in self._cards.keys() - newest.keys():
             self._cards.pop(key).deleteLater()
-        for place, problem in enumerate(self._shown):
+        for index, problem in enumerate(self._shown):
             card = self._cards.get(problem.key) or ProblemCard(problem.key, self)
             self._cards[problem.key] = card
-            if self._column.indexOf(card) != place:
-                self._column.insertWidget(place, card)
+            if self._column.indexOf(card) != index:
+                self._column.insertWidget(index, card)
             card.show_problem(problem)
             card.setVisible(self.matches(problem.line))
         self._note.setText(self._status_text())
@@ -269,5 +271,5 @@ class ProblemsPage(View):
         return [
             *(problem.line for problem in self._shown if self.matches(problem.line)),
             self._note.text(),
-            *(tr("{0}: {1}").format(each.caption, each.value) for each in self.readings()),
+            *(tr("{0}: {1}").format(item.caption, item.value) for item in self.readings()),
         ]

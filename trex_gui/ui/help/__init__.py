@@ -1,1 +1,1 @@
-"""The help inside the program: its pages, its window, and the sections on messages."""
+"""Built-in help: pages, window, search, and topics for messages."""

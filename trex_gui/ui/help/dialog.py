@@ -26,7 +26,7 @@ _HEADING_MARGIN = "margin-top:14px"
 _TAG = re.compile(r"<[^>]*>")
 _HEADING = re.compile(r"(<h[1-6][^>]*>)(.*?)(</h[1-6]>)", re.DOTALL)  # in Qt's HTML
 
-_SHOWN = {".md", ".py"}  # files to show here; the desktop may run a Python file
+_SHOWN_SUFFIXES = {".md", ".py"}  # files shown in this window; the desktop might run a Python file
 
 
 def page_url(topic: str) -> QUrl:
@@ -38,7 +38,7 @@ def page_url(topic: str) -> QUrl:
 
 class HelpDialog(ReusedDialog):
     def __init__(self) -> None:
-        super().__init__()  # Windows would keep the dialog above a parent
+        super().__init__()  # Windows would keep the dialog above its parent
         self.setWindowFlags(Qt.WindowType.Window)  # can be maximised
         self.setWindowIcon(application_icon())
         self.setObjectName("helpDialog")
@@ -62,8 +62,8 @@ class HelpDialog(ReusedDialog):
         close = ui.button(self, "helpClose", tr("&Close"), on_click=self.close)
         splitter = ui.splitter(self, "", Qt.Orientation.Horizontal, (self._list, 0), (text, 1))
         splitter.setSizes([230, 950])
-        head = ui.label(self, text=tr("Help"), size="title")
-        ui.column(head, (splitter, 1), ui.row(*steps, 1, close, margins=0), into=self)
+        heading = ui.label(self, text=tr("Help"), size="title")
+        ui.column(heading, (splitter, 1), ui.row(*steps, 1, close, margins=0), into=self)
         self._list.currentRowChanged.connect(self._on_chosen)
         text.sourceChanged.connect(self._select)
 
@@ -79,8 +79,8 @@ class HelpDialog(ReusedDialog):
             self._text.setSource(page_url(self._names[row]))
 
     @Slot(QUrl)
-    def _select(self, shown: QUrl) -> None:
-        name = shown.fileName()  # `source` is still the previous page
+    def _select(self, url: QUrl) -> None:
+        name = url.fileName()  # `source` is still the previous page
         with QSignalBlocker(self._list):
             self._list.setCurrentRow(self._names.index(name) if name in self._names else -1)
 
@@ -89,12 +89,12 @@ class _Browser(QTextBrowser):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         ui.named(self, "helpText", accessible=tr("Help"))
-        # Always visible, since pictures fit the remaining width.
+        # Always visible, since pictures are scaled to the remaining width.
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOn)
         self._resized = new_timer(self, _RESIZED_MS, self.reload, single_shot=True)
         follow_theme(self, "help", self.reload)
 
-    def doSetSource(  # noqa: N802 - of Qt
+    def doSetSource(  # noqa: N802 - Qt's name
         self,
         name: QUrl | str,
         type: QTextDocument.ResourceType = QTextDocument.ResourceType.UnknownResource,  # noqa: A002
@@ -103,22 +103,22 @@ class _Browser(QTextBrowser):
         url = QUrl(name)
         if url.isEmpty():
             return
-        whole = self.source().resolved(url)
-        if Path(whole.toLocalFile()).suffix in _SHOWN:
-            super().doSetSource(whole, QTextDocument.ResourceType.HtmlResource)
+        full_url = self.source().resolved(url)
+        if Path(full_url.toLocalFile()).suffix in _SHOWN_SUFFIXES:
+            super().doSetSource(full_url, QTextDocument.ResourceType.HtmlResource)
         else:
-            QDesktopServices.openUrl(whole)
+            QDesktopServices.openUrl(full_url)
 
-    def loadResource(self, kind: int, name: QUrl | str) -> Any:  # noqa: N802 - of Qt
-        whole = self.source().resolved(QUrl(name))
+    def loadResource(self, kind: int, name: QUrl | str) -> Any:  # noqa: N802 - Qt's name
+        full_url = self.source().resolved(QUrl(name))
         if kind == QTextDocument.ResourceType.HtmlResource.value:
-            return self._html(whole)
+            return self._html(full_url)
         if kind == QTextDocument.ResourceType.ImageResource.value:
-            return self._picture(whole)
+            return self._picture(full_url)
         return super().loadResource(kind, name)
 
-    def _html(self, shown: QUrl) -> str:
-        path = Path(shown.toLocalFile())
+    def _html(self, url: QUrl) -> str:
+        path = Path(url.toLocalFile())
         if path.suffix == ".py":
             return f"<pre>{escape(path.read_text(encoding='utf-8'))}</pre>"
         (page,) = (page for page in pages() if page.name == path.name)
@@ -134,7 +134,7 @@ class _Browser(QTextBrowser):
         dark = theme().color("window").lightness() < 128
         path = url.toLocalFile()
         image = QImage(path.replace("-light.", "-dark.") if dark else path)
-        if image.isNull():  # Qt also requests wrong addresses
+        if image.isNull():  # Qt also requests invalid addresses
             return image
         image = image.convertToFormat(QImage.Format.Format_RGB32)
         width = self.viewport().width() - 2 * round(self.document().documentMargin())
@@ -156,7 +156,7 @@ class _Browser(QTextBrowser):
 
 
 def _with_anchor(heading: re.Match[str]) -> str:
-    start, shown, end = heading.groups()
-    anchor = anchor_of(unescape(_TAG.sub("", shown)))
+    start, title, end = heading.groups()
+    anchor = anchor_of(unescape(_TAG.sub("", title)))
     start = start.replace("margin-top:0px", _HEADING_MARGIN)
-    return f'{start}<a name="{anchor}">{shown}</a>{end}'
+    return f'{start}<a name="{anchor}">{title}</a>{end}'

@@ -33,14 +33,14 @@ class MessageHelp:
         self._texts = tuple(texts)
 
     def headings(self) -> dict[str, str]:
-        """Return translated headings by topic."""
+        """Return topic → translated heading."""
         return {
             message_topic(text): heading_of(tr(text)) for text in self._texts if heading_of(text)
         }
 
     def topic(self, message: str) -> str:
         """Return the topic for a message or log line. Empty if no text matches."""
-        # Of several matches, the longest contains the others.
+        # The longest of several matches contains the others.
         return max(self._matches(message), default=(0, ""))[1]
 
     def _matches(self, message: str) -> Iterable[tuple[int, str]]:
@@ -53,7 +53,7 @@ class MessageHelp:
 
 @cache
 def _pattern(text: str) -> tuple[int, re.Pattern[str]]:
-    """Return the length of a text without fields, and a pattern to find the text."""
+    """Return a text's length without fields, and a pattern that finds the text."""
     parts = _FIELD.split(" ".join(text.split()).rstrip(". "))
     pattern = ".+?".join(map(re.escape, parts)).removeprefix(".+?").removesuffix(".+?")
     return sum(map(len, parts)), re.compile(pattern)
@@ -64,7 +64,10 @@ def texts_of(codes: Iterable[Enum]) -> list[str]:
 
 
 def topic_in_front(topics: Mapping[str, str], page: QWidget | None) -> str:
-    """Return the topic of the focused widget or else the page. `topics` are by object name."""
+    """Return the help topic of the focused widget, or else of the page.
+
+    `topics`: object name → topic.
+    """
     widget = QApplication.focusWidget() or QApplication.activeWindow()
     while widget is not None:
         if widget.objectName() in topics:

@@ -26,7 +26,7 @@ class Section:
 
     @property
     def topic(self) -> str:
-        """Link address, such as `page.md#anchor`."""
+        """Link target, such as `page.md#anchor`."""
         return f"{self.page}#{self.anchor}"
 
 

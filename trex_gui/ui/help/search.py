@@ -14,11 +14,11 @@ from trex_gui.core.resource_files import resource
 
 Kind = Literal["page", "parameter", "action", "message", "help"]
 
-_KINDS = {"help": 0.8, "message": 0.6}  # weights; 1 for other kinds
+_KIND_WEIGHTS = {"help": 0.8, "message": 0.6}  # 1 for other kinds
 _TEXT = 0.65  # weight of a word in the text; words in the title weigh up to 1
 _SYNONYM, _MISSPELT = 0.8, 0.5  # weights of synonyms and of similar words
 _WHOLE = 2  # factor if the query contains the whole title
-_MIN_LETTERS = 4  # length of a word that may match inside another word
+_MIN_LETTERS = 4  # minimum length of a word that may match inside another word
 _MAX_HITS = 20
 
 _ENDING = re.compile(
@@ -46,12 +46,12 @@ def _words(text: str) -> Sequence[str]:
 
 @cache
 def _synonyms() -> Mapping[str, set[str]]:
-    """Return word → synonyms. The empty string maps to the words to ignore."""
-    found: dict[str, set[str]] = defaultdict(set)
+    """Return word → synonyms. The empty string maps to words to ignore."""
+    synonyms: dict[str, set[str]] = defaultdict(set)
     for line in resource("search_words.txt").read_text(encoding="utf-8").splitlines():
         for word in _words(line) if line[:1] != "-" else [""]:
-            found[word].update(_words(line))
-    return found
+            synonyms[word].update(_words(line))
+    return synonyms
 
 
 def _similarity(typed: str, word: str) -> float:
@@ -69,48 +69,58 @@ class SearchIndex:
         # word → index of a findable → weight of the word
         self._weights: dict[str, dict[int, float]] = defaultdict(lambda: defaultdict(float))
         self._match = cache(self._new_match)  # reused while the user types the next word
-        texts = [_words(f"{each.place} {each.key} {each.text}") for each in self._all]
+        texts = [
+            _words(f"{findable.place} {findable.key} {findable.text}") for findable in self._all
+        ]
         mean = sum(map(len, texts)) / max(1, len(texts))
-        for number, (each, text) in enumerate(zip(self._all, texts, strict=True)):
+        for index, (findable, text) in enumerate(zip(self._all, texts, strict=True)):
             norm = 0.5 + 0.7 * len(text) / mean
             for word, count in Counter(text).items():
-                self._weights[word][number] = _TEXT * count / (count + norm)
-            for word in (title := _words(each.title)):
-                self._weights[word][number] += 1 / sqrt(1 + len(title) / 4)
+                self._weights[word][index] = _TEXT * count / (count + norm)
+            for word in (title := _words(findable.title)):
+                self._weights[word][index] += 1 / sqrt(1 + len(title) / 4)
 
     def find(self, query: str) -> list[Findable]:
         """Return the matches, best first. An empty query matches all pages."""
-        typed: list[str] = []
+        words: list[str] = []
         for word in _words(query):  # synonyms count once
-            alike = {word, *_synonyms().get(word, ())}
-            if word not in _synonyms()[""] and alike.isdisjoint(typed):
-                typed.append(word)
-        if not typed:
-            return [each for each in self._all if each.kind == "page"]
+            variants = {word, *_synonyms().get(word, ())}
+            if word not in _synonyms()[""] and variants.isdisjoint(words):
+                words.append(word)
+        if not words:
+            return [findable for findable in self._all if findable.kind == "page"]
         scores: dict[int, float] = defaultdict(float)
-        matched: dict[int, float] = defaultdict(float)
-        for values, similarities in map(self._match, typed):
-            for number, value in values.items():
-                scores[number] += value
-                matched[number] += similarities[number]
-        for number, each in enumerate(self._all):
-            whole = _WHOLE if {*_words(each.title)} <= {*_words(query)} else 1
-            scores[number] *= matched[number] * _KINDS.get(each.kind, 1) * whole
+        totals: dict[int, float] = defaultdict(float)  # of similarities
+        for values, similarities in map(self._match, words):
+            for index, value in values.items():
+                scores[index] += value
+                totals[index] += similarities[index]
+        for index, findable in enumerate(self._all):
+            whole = _WHOLE if {*_words(findable.title)} <= {*_words(query)} else 1
+            scores[index] *= totals[index] * _KIND_WEIGHTS.get(findable.kind, 1) * whole
         best = sorted(filter(scores.get, scores), key=scores.__getitem__, reverse=True)
-        return [self._all[number] for number in best[:_MAX_HITS]]
+        return [self._all[index] for index in best[:_MAX_HITS]]
 
     def _new_match(self, typed: str) -> tuple[Mapping[int, float], Mapping[int, float]]:
-        """Return the word's score and its best similarity, each by index of a findable."""
-        same, words = _synonyms().get(typed, {typed}), self._weights
-        alike = {word: max(_similarity(each, word) for each in same) * _SYNONYM for word in words}
-        alike = {word: max(found, _similarity(typed, word)) for word, found in alike.items()}
-        if not any(alike.values()):
-            alike = dict.fromkeys(get_close_matches(typed, words, cutoff=0.75), _MISSPELT)
-        values: dict[int, float] = defaultdict(float)
+        """Match the findables with a word.
+
+        Return index of a findable → score, and index of a findable → best similarity.
+        """
+        synonyms, words = _synonyms().get(typed, {typed}), self._weights
+        similarity_of = {
+            word: max(_similarity(synonym, word) for synonym in synonyms) * _SYNONYM
+            for word in words
+        }
+        similarity_of = {
+            word: max(value, _similarity(typed, word)) for word, value in similarity_of.items()
+        }
+        if not any(similarity_of.values()):
+            similarity_of = dict.fromkeys(get_close_matches(typed, words, cutoff=0.75), _MISSPELT)
+        scores: dict[int, float] = defaultdict(float)
         similarities: dict[int, float] = defaultdict(float)
-        for word, similarity in alike.items():
-            for number, weight in words[word].items() if similarity else ():
-                values[number] = max(values[number], similarity * weight)
-                similarities[number] = max(similarities[number], similarity)
+        for word, similarity in similarity_of.items():
+            for index, weight in words[word].items() if similarity else ():
+                scores[index] = max(scores[index], similarity * weight)
+                similarities[index] = max(similarities[index], similarity)
         rarity = log(1 + len(self._all) / (1 + sum(similarities.values())))
-        return {number: rarity * value for number, value in values.items()}, similarities
+        return {index: rarity * score for index, score in scores.items()}, similarities

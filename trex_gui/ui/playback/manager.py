@@ -1,4 +1,4 @@
-"""Control of recordings, and windows of open recordings."""
+"""Recording controls, and windows of open recordings."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -91,7 +91,7 @@ class RecordingManager(QObject, Generic[WindowT]):
     """Starts recordings, and owns the windows of open recordings."""
 
     changed = Signal()  # `recorder.recording` or `recorder.can_record` has changed
-    used = Signal(object)  # the `Path` of a recording, after it was opened or completed
+    used = Signal(object)  # the `Path` of a recording that was opened or completed
 
     def __init__(
         self,
@@ -111,7 +111,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         self._notifier = notifier
         self._window = window
         self._folder_key = f"{store}/folder"
-        self._last: tuple[bool, bool] | None = None
+        self._last_state: tuple[bool, bool] | None = None
         self.recorder = recorder
         recorder.setParent(self)
         self.indicator = RecordIndicator(recorder, window, prefix=prefix)
@@ -246,6 +246,6 @@ class RecordingManager(QObject, Generic[WindowT]):
     def _on_changed(self) -> None:
         # Ignore changes of size, which do not affect menus.
         state = (self.recorder.recording, self.recorder.can_record)
-        if state != self._last:
-            self._last = state
+        if state != self._last_state:
+            self._last_state = state
             self.changed.emit()

@@ -1,4 +1,4 @@
-"""Playback of a recording, which a thread loads first."""
+"""Playback of a recording that a thread loads."""
 
 from collections.abc import Callable, Iterable, Sequence
 from contextlib import closing
@@ -23,7 +23,7 @@ from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.workers.file_worker import Done, FileTask, ProgressCallback
 
 _MAX_EVENT_LENGTH = 500  # characters
-_CLOSE_TIMEOUT_MS = 500  # less than `Timeouts.heartbeat`: a later heartbeat stops the motors
+_CLOSE_TIMEOUT_MS = 500  # less than `Timeouts.heartbeat`, since a late heartbeat stops the motors
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,9 +39,9 @@ class Curves(Generic[RecordT, StateT]):
 class LoadedRecording(Generic[HeaderT, RecordT, StateT]):
     replay: Replay[HeaderT, RecordT, StateT]
     history: SampleHistory  # newest rows
-    events: tuple[Event, ...]  # in order of time
+    events: tuple[Event, ...]  # in chronological order
     end: float  # latest time on the session's clock
-    rows: int  # number of all rows
+    rows: int  # number of rows, including dropped rows
 
 
 def load_recording(
@@ -50,7 +50,7 @@ def load_recording(
     curves: Curves[RecordT, StateT],
     progress: ProgressCallback,
 ) -> LoadedRecording[HeaderT, RecordT, StateT]:
-    """Read a recording, in some seconds per recorded hour.
+    """Read a recording. Takes a few seconds per recorded hour.
 
     Raises:
         RecordingError: the file cannot be read.
@@ -75,8 +75,8 @@ def load_recording(
 
 
 def _event(marker: Marker) -> Event:
-    known = marker.kind in set(EventKind)
-    kind = EventKind(marker.kind) if known else EventKind.NOTE
+    is_known = marker.kind in set(EventKind)
+    kind = EventKind(marker.kind) if is_known else EventKind.NOTE
     return Event(marker.time, kind, marker.text[:_MAX_EVENT_LENGTH])
 
 
@@ -95,9 +95,10 @@ def _export(
 
 
 class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
-    """Recording with a position from `start` to `end`, in seconds of the session's clock.
+    """Recording with a playback position.
 
-    A subclass defines the curves of a device. Before loading, only the header is available.
+    The position is between `start` and `end`, in seconds on the session's clock. A subclass
+    defines the curves of a device. Before loading, only the header is available.
     """
 
     progressed = Signal()  # `share`, `is_busy` or `end` has changed
@@ -105,7 +106,7 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
     playing_changed = Signal()
     loaded = Signal()
     exported = Signal(object)  # the `Path` of the exported file
-    failed = Signal(str)  # error of loading or export, for the user
+    failed = Signal(str)  # loading or export error, for the user
 
     def __init__(
         self,
@@ -114,7 +115,7 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
         curves: Curves[RecordT, StateT],
         parent: QObject | None = None,
     ) -> None:
-        """`recording` is open but not loaded. `initial`: state before its start."""
+        """`recording` is open but not loaded. `initial`: state before the recording starts."""
         super().__init__(parent)
         self.start = self.end = self.position = recording.header.clock
         self.speed = 1.0  # 1 is real time
@@ -147,7 +148,7 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
             self.moved.emit()
 
     def play(self) -> None:
-        """Continue from the position. At the end, start again."""
+        """Play from the position. At the end, start from the beginning."""
         if self.position >= self.end:
             self.set_position(self.start)
         self._last_frame = now()
@@ -166,8 +167,8 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
 
     @Slot()
     def _on_frame(self) -> None:
-        before, self._last_frame = self._last_frame, now()
-        self.advance(self._last_frame - before)
+        previous, self._last_frame = self._last_frame, now()
+        self.advance(self._last_frame - previous)
 
     def traces_of(self, history: SampleHistory, events: Sequence[Event]) -> Traces:
         raise NotImplementedError
@@ -221,7 +222,7 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
         return {"device": self._recording.format.device, **self.header.values()}
 
     def export(self, path: Path, start: float, end: float) -> None:
-        """Write a span as CSV or MCAP. Emits `exported` or `failed` at the end."""
+        """Write a span as CSV or MCAP. Emits `exported` or `failed` when done."""
         if self.is_loaded and not self.is_busy:
             span, header = (start, end), self.export_header(start)
             self._start(partial(_export, self._recording, path, span, header))

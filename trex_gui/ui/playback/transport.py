@@ -16,7 +16,7 @@ if TYPE_CHECKING:  # numpy takes as long to load as the window
 
 SPEEDS = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
 
-_PER_SECOND = 100  # slider steps per second: about the rate of the samples
+_PER_SECOND = 100  # slider steps per second; about the sample rate
 
 
 class _TimeSlider(QSlider, Spoken):

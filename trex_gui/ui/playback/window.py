@@ -27,14 +27,14 @@ from trex_gui.ui.widgets.placement import fit_on_screen, restore_geometry, save_
 
 _REDRAW_DELAY_MS = 100
 
-_EVENT_MARGIN = 5.0  # seconds around a selected event, after zooming in from a long span
+_EVENT_MARGIN = 5.0  # seconds before and after a selected event, if the span was long
 _CSV_SUFFIX = ".csv"
 
 
 class RecordingWindow(QMainWindow):
     """Window of one recording. A subclass for each device calls `arrange`.
 
-    It has a stop button, since it may cover the main window while motors are turning.
+    The window has a stop button, since it may cover the main window while motors are turning.
     """
 
     closed = Signal()
@@ -51,7 +51,7 @@ class RecordingWindow(QMainWindow):
         self.player: RecordingPlayer[Any, Any, Any] = playback
         playback.setParent(self)
         self._name = name
-        self._marked: float | None = None
+        self._last_mark: float | None = None
 
         self.notifier = Notifier(self)
         self.banner = Banner(self, self.notifier)
@@ -121,8 +121,6 @@ class RecordingWindow(QMainWindow):
         self.update_state()
         if self.player.is_loaded:
             self._on_loaded()
-
-    # --- For each device ----------------------------------------------------------------
 
     def device_text(self) -> str:
         raise NotImplementedError
@@ -242,11 +240,11 @@ class RecordingWindow(QMainWindow):
 
     @Slot()
     def _on_cursor_changed(self) -> None:
-        """Move to a new mark. Without a cursor, show the position of the playback."""
+        """Move the playback to a new mark. Without a cursor, show its position."""
         mark = self.plot.mark_time
-        if mark is not None and mark != self._marked:
+        if mark is not None and mark != self._last_mark:
             self.player.set_position(mark)
-        self._marked = mark
+        self._last_mark = mark
         if self.plot.cursor_time is None and self.player.is_loaded:
             self.plot.set_cursor(self.player.position)
             return

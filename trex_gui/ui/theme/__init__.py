@@ -1,1 +1,1 @@
-"""Colours and icons: light, dark and high contrast."""
+"""Colours and icons in light, dark and high-contrast schemes."""

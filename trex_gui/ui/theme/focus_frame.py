@@ -1,4 +1,4 @@
-"""Frame around the focused widget, since Fusion's own marks are hard to see."""
+"""Frame around the focused widget, since Fusion's own focus marks are hard to see."""
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QRect, Qt, Slot
 from PySide6.QtGui import QRegion
@@ -10,7 +10,7 @@ _TYPE = QEvent.Type
 _CHANGES = {_TYPE.Hide, _TYPE.Move, _TYPE.ParentChange, _TYPE.Resize, _TYPE.Show}
 
 
-# PySide would treat the widget of a `QFocusFrame` as a child and delete it.
+# Not a `QFocusFrame`: PySide would treat its widget as a child and delete the widget.
 class FocusFrame(QObject):
     def __init__(self, app: QApplication) -> None:
         super().__init__(app)
@@ -38,9 +38,9 @@ class FocusFrame(QObject):
         self._move()
 
     def _remove(self) -> None:
-        for each in self._watched:
-            if Shiboken.isValid(each):
-                each.removeEventFilter(self)
+        for widget in self._watched:
+            if Shiboken.isValid(widget):
+                widget.removeEventFilter(self)
         self._watched.clear()
         if self._frame is not None and Shiboken.isValid(self._frame):
             self._frame.hide()
@@ -60,9 +60,9 @@ class FocusFrame(QObject):
         window = self._watched[-1]
         area = _area_of(self._watched[0], window).adjusted(-_MARGIN, -_MARGIN, _MARGIN, _MARGIN)
         visible = QRegion(area)
-        for each in self._watched:
-            if isinstance(each.parentWidget(), QAbstractScrollArea):  # may cut off the widget
-                visible &= QRegion(_area_of(each, window))
+        for widget in self._watched:
+            if isinstance(widget.parentWidget(), QAbstractScrollArea):  # clips its content
+                visible &= QRegion(_area_of(widget, window))
         frame.setGeometry(area)
         frame.setMask(visible.translated(-area.topLeft()))
         # Qt ignores an empty mask, and a hidden button may have the focus.
@@ -71,7 +71,7 @@ class FocusFrame(QObject):
 
 
 def _area_of(widget: QWidget, window: QWidget) -> QRect:
-    """Return the area of a widget in its window. For a tab bar: of its current tab."""
+    """Return the area of a widget, or of a tab bar's current tab, in the window."""
     area = QRect(QPoint(), widget.size())
     if isinstance(widget, QTabBar):
         area = widget.tabRect(widget.currentIndex())

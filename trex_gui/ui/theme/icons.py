@@ -1,4 +1,4 @@
-"""Icons of the program in colours of the theme."""
+"""Icons in colours of the theme."""
 
 from functools import cache
 
@@ -10,14 +10,14 @@ from PySide6.QtWidgets import QAbstractButton, QLabel
 from trex_gui.core.resource_files import resource
 from trex_gui.ui.theme.theme import follow_theme, theme
 
-_SIZES = (16, 24, 32, 48, 64)  # pixels; Qt scales the next larger size down
+_SIZES = (16, 24, 32, 48, 64)  # pixels; Qt scales down the next larger size
 _CELLS = tuple((sum(_SIZES[:index]), size) for index, size in enumerate(_SIZES))  # left, size
 _BUTTON_ICON = 16  # pixels at a font size of 100 %, as in Fusion
 
 
 def icon(name: str, color: str = "icon") -> QIcon:
-    """Return an icon in a colour of the current theme. It does not follow the theme."""
-    colors = (theme().color(each).rgb() for each in (color, "muted", "highlighted_text"))
+    """Return an icon in a colour of the current theme. It does not follow later changes."""
+    colors = (theme().color(key).rgb() for key in (color, "muted", "highlighted_text"))
     return _render(name, *colors)
 
 

@@ -27,7 +27,7 @@ FONT_SIZES = (90, 100, 110, 125, 150, 175)  # percent of the system's font size
 _SCHEME, _FONT_SIZE = "window/scheme", "window/font_size"
 
 _SIZES = {"title": 1.6, "heading": 1.15, "caption": 0.9}  # relative to the application's font
-_INDICATOR = 16  # pixels at a font size of 100 %: check box and radio button
+_INDICATOR = 16  # size of check boxes and radio buttons in pixels, at a font size of 100 %
 CARD_PADDING = 16  # pixels inside a card
 _BELOW_TITLE = 8  # pixels below the title of a card
 
@@ -84,11 +84,11 @@ def read_colours(scheme: str) -> Colours:
     tables = tomllib.loads(resource(f"themes/{scheme}.toml").read_text(encoding="utf-8"))
 
     def colours(table: str) -> dict[str, QColor]:
-        found = {name: QColor.fromString(text) for name, text in tables[table].items()}
-        for name, color in found.items():
+        parsed = {name: QColor.fromString(text) for name, text in tables[table].items()}
+        for name, color in parsed.items():
             if not color.isValid():
                 raise ValueError(f"{scheme}.toml, {table}.{name}: not a colour")
-        return found
+        return parsed
 
     named = {name: color for table in _COLOUR_TABLES for name, color in colours(table).items()}
     return Colours(colours("palette"), colours("disabled"), named)
@@ -97,7 +97,7 @@ def read_colours(scheme: str) -> Colours:
 class Theme(QObject):
     """Scheme and font size in use. `theme()` returns the only instance."""
 
-    changed = Signal()  # after a change of colours or font size in the application
+    changed = Signal()  # the colours or the font size have changed
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -112,22 +112,22 @@ class Theme(QObject):
 
     def color(self, name: str) -> QColor:
         """Return a copy of a named colour or palette role."""
-        found = self._colours.named.get(name) or self._colours.palette.get(name)
-        if found is None:
+        color = self._colours.named.get(name) or self._colours.palette.get(name)
+        if color is None:
             raise KeyError(f"the theme has no colour {name!r}")
-        return QColor(found)
+        return QColor(color)
 
     @contextmanager
     def painted_as(self, scheme: str) -> Iterator[None]:
-        """Use another scheme inside the block, for a picture. Repaints no widget."""
-        before, self._colours = self._colours, read_colours(scheme)
+        """Use another scheme inside the block, without repainting widgets."""
+        previous, self._colours = self._colours, read_colours(scheme)
         try:
             yield
         finally:
-            self._colours = before
+            self._colours = previous
 
     def install(self, app: QApplication) -> None:
-        """Set the Fusion style and the palette. From now on, follow the system."""
+        """Set the Fusion style and the palette. Follow changes in the system."""
         if self._app is None:  # the palette is still the system's
             self._system_was_dark = app.palette().window().color().lightnessF() < 0.5
             self._system_font = app.font()
@@ -144,8 +144,8 @@ class Theme(QObject):
         self.choice = choice
         if self._app is not None:
             # On some platforms this also affects title bars and native dialogs.
-            known = {"system": Qt.ColorScheme.Unknown, "light": Qt.ColorScheme.Light}
-            self._app.styleHints().setColorScheme(known.get(choice, Qt.ColorScheme.Dark))
+            qt_schemes = {"system": Qt.ColorScheme.Unknown, "light": Qt.ColorScheme.Light}
+            self._app.styleHints().setColorScheme(qt_schemes.get(choice, Qt.ColorScheme.Dark))
         self._show()
 
     def set_font_size(self, percent: int) -> None:
@@ -177,13 +177,13 @@ class Theme(QObject):
         self._colours = read_colours(scheme)
         if self._app is not None:
             palette = self._colours.qpalette()
-            # The platform may have replaced the palette since.
+            # The platform may have replaced the palette.
             if changes or self._app.palette() != palette:
                 self._app.setPalette(palette)
                 QToolTip.setPalette(palette)
             sheet = self._colours.style_sheet(scheme, self._app.font(), self.font_size)
             if self._app.styleSheet() != sheet:
-                # Replacing the sheet directly would style each widget once per ancestor: 0.6 s.
+                # Replacing the sheet directly takes 0.6 s: Qt styles a widget once per ancestor.
                 self._app.setStyleSheet("")
                 self._app.setStyleSheet(sheet)
         if changes:
@@ -192,7 +192,7 @@ class Theme(QObject):
 
 @cache
 def theme() -> Theme:
-    """Return the only theme of the application. Without `install` it is light."""
+    """Return the only theme of the application. It is light before `install`."""
     return Theme()
 
 
@@ -270,12 +270,12 @@ def set_look(widget: QWidget, look: str) -> None:
 
 
 def set_style_property(widget: QWidget, name: str, value: object) -> None:
-    """Set a property of the style sheet. Restyle the widget and its children."""
+    """Set a property that `style.qss` uses. Restyle the widget and its children."""
     if widget.property(name) == value:
         return
     widget.setProperty(name, value)
     if widget.testAttribute(Qt.WidgetAttribute.WA_WState_Polished):
-        for each in (widget, *widget.findChildren(QWidget)):
-            each.style().unpolish(each)
-            each.style().polish(each)
+        for restyled in (widget, *widget.findChildren(QWidget)):
+            restyled.style().unpolish(restyled)
+            restyled.style().polish(restyled)
         QCoreApplication.sendEvent(widget, QEvent(QEvent.Type.StyleChange))  # updates the padding

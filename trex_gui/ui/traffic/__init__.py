@@ -1,1 +1,1 @@
-"""The page that shows every packet on the line."""
+"""Page that shows every packet on the line."""

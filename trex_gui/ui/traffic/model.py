@@ -1,4 +1,4 @@
-"""Newest transactions of a line."""
+"""Newest transactions on a line."""
 
 import itertools
 import time
@@ -14,11 +14,11 @@ from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.workers.file_worker import ProgressCallback
 from trex_gui.ui.workers.session_thread import SessionThread
 
-MAX_ROWS = 20_000  # per buffer: less than a minute of full telemetry
+MAX_ROWS = 20_000  # per buffer; less than a minute of full telemetry
 _REPORTED = 2000  # rows per buffer in a report for support
 
-_CHUNK = 100  # rows written between two reports of progress
-_TRIMMED = MAX_ROWS * 9 // 10  # rows left after the oldest are dropped
+_CHUNK = 100  # rows written between two progress reports
+_TRIMMED = MAX_ROWS * 9 // 10  # rows that remain after the oldest are dropped
 _INTERVAL_MS = 100  # period of reading the log
 
 
@@ -52,7 +52,7 @@ class RowBuffer:
 class TrafficModel(QObject):
     """Transactions of a session thread.
 
-    Telemetry soon displaces other rows, so a second buffer has only rows without polls.
+    Telemetry soon displaces other rows, so a second buffer omits successful polls.
     """
 
     changed = Signal()  # new rows, or new bytes in the last row
@@ -69,7 +69,7 @@ class TrafficModel(QObject):
         self._assembler = TransactionAssembler(decoder, numbers=numbers)
         self.search_log = TrafficLog()  # traffic of device scans
         self._search = TransactionAssembler(decoder, numbers=numbers, is_search=True)
-        self._typed: list[bytes] = []  # typed requests without a row
+        self._typed: list[bytes] = []  # typed requests that have no row yet
         self._newest = 0  # number of the newest row
         self._epoch = time.time() - now()  # wall time at 0 on the session's clock
         new_timer(self, _INTERVAL_MS, self.pull).start()

@@ -1,4 +1,4 @@
-"""Page of the traffic log, with all bytes on the line and their meaning."""
+"""Traffic page, with all bytes on the line and their meaning."""
 
 from collections.abc import Sequence
 from functools import partial
@@ -129,7 +129,7 @@ class TrafficPage(View):
         self._summarize()
 
     def show_moment(self, time: float, text: str) -> None:
-        """Select the row nearest to `time`, preferably with `text`."""
+        """Select the row nearest to `time`, preferably a row with `text`."""
         row = self._table.row_near(time, text)
         self._view.selectRow(row)
         self._view.scrollTo(self._table.index(row, 0), TrafficView.ScrollHint.PositionAtCenter)
@@ -137,10 +137,12 @@ class TrafficPage(View):
         self._paused.setChecked(self._polling.isChecked())  # otherwise the row scrolls away
 
     def _summarize(self) -> None:
-        traffic, count = self._traffic, QLocale().toString
+        traffic, number_text = self._traffic, QLocale().toString
         shown = tr("{0} of {1} shown")
         parts = [
-            shown.format(count(self._table.rowCount()), count(traffic.everything.count)),
+            shown.format(
+                number_text(self._table.rowCount()), number_text(traffic.everything.count)
+            ),
             tr("%n fault(s)", "", traffic.faults) if traffic.faults else tr("no faults"),
         ]
         if not self._polling.isChecked():
@@ -148,7 +150,7 @@ class TrafficPage(View):
         if self._paused.isChecked():
             parts.append(tr("paused"))
         if lost := traffic.log.lost:  # the GUI thread was blocked
-            parts.append(tr("events lost: {0}").format(count(lost)))
+            parts.append(tr("events lost: {0}").format(number_text(lost)))
         self.summarized.emit(", ".join(parts))
         self._view.set_placeholder(self._placeholder())
 

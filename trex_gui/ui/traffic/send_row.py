@@ -1,4 +1,4 @@
-"""Field to type and send bytes, with a preview of their meaning."""
+"""Input field for bytes to send, with a preview of their meaning."""
 
 from dataclasses import dataclass
 

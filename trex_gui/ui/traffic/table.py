@@ -29,7 +29,7 @@ _SAMPLES = (
     ("00:00:00.000", "80 07 2F 7E 00 55 2A", "54 52 65 58 31 2E 32 00 00 00", "1000.0"),
     ("00:00:00.000", "80 07 2F", "54 52 65 58", "1000.0"),
 )
-"""Texts that set the column widths, in wide and in narrow windows.
+"""Texts that set the column widths in wide and in narrow windows.
 
 Longer texts are elided. The details below the table show all bytes.
 """
@@ -44,7 +44,7 @@ Index = QModelIndex | QPersistentModelIndex
 
 
 class TrafficTable(QAbstractTableModel):
-    """One row per transaction. Only `refresh` adds rows, so a hidden page costs nothing."""
+    """Table with one row per transaction. Only `refresh` adds rows."""
 
     def __init__(self, traffic: TrafficModel, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -57,7 +57,7 @@ class TrafficTable(QAbstractTableModel):
         self._faults = False
         self._text = ""
         self._paused_at: int | None = None
-        self._heads = tr("Time"), tr("Sent"), tr("Received"), tr("Took (ms)"), tr("Meaning")
+        self._headers = tr("Time"), tr("Sent"), tr("Received"), tr("Took (ms)"), tr("Meaning")
         follow_theme(self, "font", self._update_font)
         traffic.cleared.connect(self.rebuild)
 
@@ -71,7 +71,10 @@ class TrafficTable(QAbstractTableModel):
         return self._traffic.everything if with_polling else self._traffic.without_polling
 
     def set_filter(self, *, polling: bool, faults: bool, text: str) -> None:
-        """Show polls, only faults, or only rows that contain `text`."""
+        """Select the visible rows.
+
+        `polling`: show polls. `faults`: show only faults. `text`: show only rows that contain it.
+        """
         self._polling, self._faults, self._text = polling, faults, text.strip().casefold()
         self.rebuild()
 
@@ -81,15 +84,15 @@ class TrafficTable(QAbstractTableModel):
 
     def rebuild(self) -> None:
         self.beginResetModel()
-        last = self._paused_at
-        known = [row for row in self._source.rows if last is None or row.number <= last]
-        self.rows = [row for row in known if self._matches(row)]
-        self._record_listed(self._source.count - len(self._source.rows) + len(known), known)
+        newest = self._paused_at
+        rows = [row for row in self._source.rows if newest is None or row.number <= newest]
+        self.rows = [row for row in rows if self._matches(row)]
+        self._record_listed(self._source.count - len(self._source.rows) + len(rows), rows)
         self.endResetModel()
 
     def refresh(self) -> None:
         self._remove_dropped()
-        if self._last is not None:  # may have more bytes
+        if self._last is not None:  # may have received more bytes
             self._update(self._last)
         new = [row for row in self._source.since(self._count) if self._matches(row)]
         if new:
@@ -114,12 +117,12 @@ class TrafficTable(QAbstractTableModel):
 
     def _update(self, row: Transaction) -> None:
         """Update a row with new bytes. It may start or stop matching the filter."""
-        listed = bool(self.rows) and self.rows[-1] is row
+        is_listed = bool(self.rows) and self.rows[-1] is row
         matches = self._matches(row)
         last = len(self.rows) - 1
-        if listed and matches:
+        if is_listed and matches:
             self.dataChanged.emit(self.index(last, 0), self.index(last, MEANING))
-        elif listed:
+        elif is_listed:
             self.beginRemoveRows(QModelIndex(), last, last)
             self.rows.pop()
             self.endRemoveRows()
@@ -138,13 +141,13 @@ class TrafficTable(QAbstractTableModel):
         return any(self._text in text.casefold() for text in texts)
 
     def row_near(self, time: float, text: str) -> int:
-        """Return the index of the row nearest to `time`, preferably a row that contains `text`.
+        """Return the index of the row nearest to `time`, or -1 in an empty table.
 
-        Return -1 if the table is empty.
+        Prefer a row with `text` within a second.
         """
 
-        def rank(number: int) -> tuple[bool, float]:
-            row = self.rows[number]
+        def rank(index: int) -> tuple[bool, float]:
+            row = self.rows[index]
             distance = abs(row.time - time)
             return distance > 1 or text not in self._decoder.decoded(row).text, distance
 
@@ -162,7 +165,7 @@ class TrafficTable(QAbstractTableModel):
         if orientation is not Qt.Orientation.Horizontal:
             return None
         if role == Qt.ItemDataRole.DisplayRole:
-            return self._heads[section]
+            return self._headers[section]
         return _alignment(section) if role == Qt.ItemDataRole.TextAlignmentRole else None
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> object:
@@ -252,7 +255,7 @@ class TrafficView(QTableView):
             ]
             if sum(widths) + _MIN_MEANING * unit <= self.viewport().width():
                 break
-        if widths == self._widths:  # retain columns that the user has resized
+        if widths == self._widths:  # the user may have resized the columns
             return
         self._widths = widths
         header = self.horizontalHeader()
@@ -311,10 +314,10 @@ class RowDetails(QPlainTextEdit):
     def _lines(self, row: Transaction) -> list[str]:
         shown = self._decoder.shown
         settings = row.settings
-        head = f"{self._table.text(row, TIME)}  #{row.number}"
+        heading = f"{self._table.text(row, TIME)}  #{row.number}"
         if settings is not None:
-            head = tr("{0} at {1}").format(head, settings.short)
-        lines = [head]
+            heading = tr("{0} at {1}").format(heading, settings.short)
+        lines = [heading]
         if row.sent:
             lines.append(tr("sent      {0}").format(shown(row.sent)))
         if row.received:

@@ -1,1 +1,1 @@
-"""Threads of the program, for lines, scans, files and recordings."""
+"""Worker threads for lines, scans, files and recordings."""

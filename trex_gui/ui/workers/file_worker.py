@@ -16,8 +16,8 @@ log = logging.getLogger(__name__)
 
 _PROGRESS_INTERVAL = 0.05  # seconds
 
-# Seconds of work, then of a pause in which session and GUI threads run. Python itself switches
-# threads only every 5 ms, which would delay their many short tasks.
+# Seconds of work, and of the pause after it, in which session and GUI threads run. Python itself
+# switches threads only every 5 ms, which would delay the many short tasks of these threads.
 _WORK, _PAUSE = 0.01, 0.001
 
 ProgressCallback = Callable[[float], None]  # receives the completed share, 0 to 1
@@ -28,7 +28,7 @@ class _CancelledError(Exception): ...
 
 @dataclass(frozen=True, slots=True)
 class Done:
-    """Outcome of work. Cancelled work has neither a result nor an error."""
+    """Outcome of a worker's function. Cancelled work has neither a result nor an error."""
 
     result: object = None
     error: StudioError | None = None
@@ -70,7 +70,7 @@ class FileWorker(WorkerThread):
         return self._cancelled.is_set()
 
     def cancel(self) -> None:
-        """End the work at its next report of progress."""
+        """End the work at its next progress report."""
         self._cancelled.set()
 
     def _report(self, share: float) -> None:
@@ -92,7 +92,7 @@ class FileTask(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._worker: FileWorker | None = None
-        self._abandoned: FileWorker | None = None  # a worker that `close` could not end
+        self._abandoned: FileWorker | None = None  # worker that outlasted `close`
 
     @property
     def is_running(self) -> bool:
@@ -110,7 +110,7 @@ class FileTask(QObject):
             self._worker.cancel()
 
     def close(self, timeout_ms: int, *, finish_ms: int = 0) -> bool:
-        """Cancel the work after `finish_ms`. Then wait up to `timeout_ms`.
+        """Cancel the work after `finish_ms`. Wait up to `timeout_ms` for its end.
 
         Return whether the thread has ended.
         """

@@ -131,7 +131,7 @@ class RecordThread(QObject, Generic[RecordT]):
         first: Sequence[RecordT | Marker] = (),
         prepare: Callable[[], object] = lambda: None,
     ) -> None:
-        """Record into a new file. First call `prepare` in the new thread."""
+        """Record into a new file. Calls `prepare` first, in the new thread."""
 
         def open_writer() -> RecordingWriter[HeaderT, RecordT]:
             prepare()
@@ -169,7 +169,7 @@ class RecordThread(QObject, Generic[RecordT]):
             self.changed.emit()
 
     def stop_early(self, message: str) -> None:
-        """End the recording and report the reason. `{0}` in the message is the file."""
+        """End the recording and report the reason. `{0}` in the message becomes the path."""
         self.stop()
         self.ended_early.emit(message.format(self.path))
 

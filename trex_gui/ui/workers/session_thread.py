@@ -64,13 +64,13 @@ class SessionThread(QObject):
         super().__init__(parent)
         self.log = TrafficLog()  # filled if `traffic.logged` opens the line
         self._worker: LineWorker | None = None
-        self._late: LineWorker | None = None  # worker after `shut_down`, for its last report
+        self._late: LineWorker | None = None  # worker after `shut_down`, until its last report
         self._ending: list[LineWorker] = []  # orphans, and workers after their last report
         self.last: Closed | None = None
         self._may_move = False
         self._ids = itertools.count(1)
-        self._handlers: dict[int, Callable[[Outcome], None]] = {}  # by request id
-        self._writes: set[int] = set()  # ids of pending writes
+        self._handlers: dict[int, Callable[[Outcome], None]] = {}  # request id → handler
+        self._writes: set[int] = set()  # request ids of pending writes
 
     def moves(self, request: object) -> bool:
         """Return whether a request may start a motor."""
@@ -105,18 +105,19 @@ class SessionThread(QObject):
         return True
 
     def submit_now(self, *requests: object) -> None:
-        """Queue requests that start no motor. For emergencies, from any thread.
+        """Queue requests that start no motor. Thread-safe, for emergencies.
 
-        All requests go to one session, even if the next session starts meanwhile.
+        All requests go to the same session, even if another session starts.
         """
         if (worker := self._worker) is not None:
             for request in requests:
                 worker.submit(request)
 
     def request(self, create: Callable[[int], object], then: Callable[[Outcome], None]) -> bool:
-        """Queue the request that `create` returns for an id. Pass its outcome to `then`.
+        """Queue a request. Pass its outcome to `then`.
 
-        Return whether a session is open. Otherwise `then` is not called.
+        `create` returns the request for an id. Return whether a session is open. If none is
+        open, `then` is not called.
         """
         if not self.is_open:
             return False
@@ -134,9 +135,9 @@ class SessionThread(QObject):
     def shut_down(self) -> bool:
         """Close the session within a second. Return whether it ended in time.
 
-        Waits up to three seconds for pending writes, and delivers their outcomes. Reports nothing
-        else, but sets `last`. A thread that does not end in time is orphaned: `closed` is emitted
-        if it ends later. Another call waits again.
+        Waits up to three seconds for pending writes, and delivers their outcomes. Other reports
+        are dropped, but `last` is set. A thread that does not end in time is orphaned, and
+        `closed` is emitted when it ends. Another call waits again.
         """
         worker, self._worker = self._worker, None
         if worker is None:

@@ -1,7 +1,7 @@
-"""Worker threads, orphaned threads, and garbage collection.
+"""Worker threads, orphaned threads and garbage collection.
 
 Qt aborts if a running thread is destroyed. So the owner of a thread that does not end in time
-passes the thread to `adopt_orphan`. While an orphan is running, the process must not exit
+passes it to `adopt_orphan`. While an orphan is running, the process must not exit
 normally.
 """
 
@@ -59,7 +59,7 @@ def have_orphans_ended() -> bool:
 class GuiThreadCollector(QObject):
     """Confines Python's garbage collector to the GUI thread.
 
-    Python collects garbage in any thread, usually that of a busy line. Destroying a widget
+    Python collects garbage in any thread, usually the thread of a busy line. Destroying a widget
     outside the GUI thread crashes the process.
     """
 
