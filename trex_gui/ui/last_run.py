@@ -31,10 +31,10 @@ def report_last_run(
 ) -> None:
     """Report running boards and stops by the guardian.
 
-    Without them, report a crash. Each stop is reported once, or repeatedly while a board is left
-    running. Stops during `trexcmd` are included. Events from `until` on are ignored. By default,
-    this is the time when this program could first move motors. `errors`: reasons why boards are
-    still running, one per line.
+    If there are none, report a crash. Each stop is reported once, or repeatedly while a board is
+    left running. Stops during `trexcmd` are included. Events from `until` on are ignored. The
+    default is the time when this program could first move motors. `errors`: reasons why boards
+    are still running, one per line.
     """
     until = until or watching_since()
     store = Preferences()

@@ -77,7 +77,7 @@ class Notifier(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.shown = ""  # message in the banner
-        self.danger_lasts: Callable[[], bool] = never  # returns true while the danger must stay
+        self.danger_lasts: Callable[[], bool] = never  # true while a danger must stay visible
         self.shows_problem = False  # True while the banner shows an error or a danger
         self.delayed_info.connect(self.info, Qt.ConnectionType.QueuedConnection)
         self.delayed_error.connect(self.error, Qt.ConnectionType.QueuedConnection)

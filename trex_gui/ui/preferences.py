@@ -69,7 +69,7 @@ class Preferences:
 def _open() -> QSettings:
     form = QSettings.defaultFormat()
     if form is QSettings.Format.NativeFormat and sys.platform in {"win32", "darwin"}:
-        return QSettings()  # these systems store the preferences
+        return QSettings()  # the system stores the preferences
     # `QSettings` opens the file whose name it returns, so use one that does not exist.
     unused_settings = QSettings(form, QSettings.Scope.UserScope, "TReX Studio, no such file")
     unused = Path(unused_settings.fileName())

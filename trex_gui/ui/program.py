@@ -119,7 +119,7 @@ class Program:
     def report_last_run(self, *, has_crashed: bool = False) -> None:
         """Report running motors, stops by the guardian, or a crash.
 
-        All but a crash are also reported at each connection.
+        Motors and stops are reported again at each connection.
         """
         report_last_run(self._notifier, has_crashed=has_crashed)
         self._notifier.cleared.connect(partial(report_last_run, self._notifier))

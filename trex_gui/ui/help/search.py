@@ -90,7 +90,7 @@ class SearchIndex:
         if not words:
             return [findable for findable in self._all if findable.kind == "page"]
         scores: dict[int, float] = defaultdict(float)
-        totals: dict[int, float] = defaultdict(float)  # of similarities
+        totals: dict[int, float] = defaultdict(float)  # sums of similarities
         for values, similarities in map(self._match, words):
             for index, value in values.items():
                 scores[index] += value
@@ -104,21 +104,21 @@ class SearchIndex:
     def _new_match(self, typed: str) -> tuple[Mapping[int, float], Mapping[int, float]]:
         """Match the findables with a word.
 
-        Return index of a findable → score, and index of a findable → best similarity.
+        Return the score and the best similarity for each index of a findable.
         """
         synonyms, words = _synonyms().get(typed, {typed}), self._weights
-        similarity_of = {
+        matches = {
             word: max(_similarity(synonym, word) for synonym in synonyms) * _SYNONYM
             for word in words
         }
-        similarity_of = {
-            word: max(value, _similarity(typed, word)) for word, value in similarity_of.items()
+        matches = {
+            word: max(value, _similarity(typed, word)) for word, value in matches.items()
         }
-        if not any(similarity_of.values()):
-            similarity_of = dict.fromkeys(get_close_matches(typed, words, cutoff=0.75), _MISSPELT)
+        if not any(matches.values()):
+            matches = dict.fromkeys(get_close_matches(typed, words, cutoff=0.75), _MISSPELT)
         scores: dict[int, float] = defaultdict(float)
         similarities: dict[int, float] = defaultdict(float)
-        for word, similarity in similarity_of.items():
+        for word, similarity in matches.items():
             for index, weight in words[word].items() if similarity else ():
                 scores[index] = max(scores[index], similarity * weight)
                 similarities[index] = max(similarities[index], similarity)

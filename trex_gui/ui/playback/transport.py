@@ -39,7 +39,7 @@ class _TimeSlider(QSlider, Spoken):
 class TransportBar(QWidget):
     """Controls for the position and speed of a playback.
 
-    Arrow keys move the position by 1 s, page keys by 10 s.
+    Arrow keys move the position by 1 s. Page keys move it by 10 s.
     """
 
     def __init__(

@@ -55,10 +55,10 @@ def spread(
 
 
 class ValueAxis:
-    """Axis for one unit, always including 0. It grows at once and shrinks with hysteresis.
+    """Axis for one unit, always including 0.
 
-    Its limits are 1, 2 or 5 times a power of ten. An axis of plain counts extends from -127 to
-    127, unless values exceed this range.
+    It grows at once and shrinks with hysteresis. Its limits are 1, 2 or 5 times a power of ten.
+    An axis of plain counts extends from -127 to 127, unless values exceed this range.
     """
 
     def __init__(self, unit: str, top: float | None = None) -> None:

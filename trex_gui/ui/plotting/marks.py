@@ -102,7 +102,7 @@ class EventMarks(Painted):
 
 
 class CurveTags(Painted):
-    """Strip right of the plot with a tag at the end of each curve."""
+    """Strip to the right of the plot with a tag at the end of each curve."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)

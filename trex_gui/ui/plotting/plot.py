@@ -62,7 +62,7 @@ class TracePlot(Painted):
         self.span = Span()
         self.source: Traces | None = None
         self.shown: set[str] = set()  # names of the visible curves
-        self.origin: float | None = None  # time of the first sample; displayed times count from it
+        self.origin: float | None = None  # time of the first sample, displayed as 0
         self.peaks_since: float | None = None  # start of peak hold; `None`: off
         self.cursor_time: float | None = None
         self.mark_time: float | None = None

@@ -143,7 +143,7 @@ class Theme(QObject):
     def set_scheme(self, choice: Scheme) -> None:
         self.choice = choice
         if self._app is not None:
-            # On some platforms this also affects title bars and native dialogs.
+            # On some platforms, this also affects title bars and native dialogs.
             qt_schemes = {"system": Qt.ColorScheme.Unknown, "light": Qt.ColorScheme.Light}
             self._app.styleHints().setColorScheme(qt_schemes.get(choice, Qt.ColorScheme.Dark))
         self._show()

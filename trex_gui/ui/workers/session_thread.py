@@ -87,7 +87,7 @@ class SessionThread(QObject):
         return self._worker is not None
 
     def start(self, create_session: SessionFactory, *, may_move: bool) -> None:
-        """Start a session. `may_move`: motors may still be turning from an earlier session."""
+        """Start a session. `may_move`: motors may still be turning after an earlier session."""
         self._may_move = may_move
         self._late = self.last = None
         self._worker = LineWorker(create_session)

@@ -1,8 +1,7 @@
 """Worker threads, orphaned threads and garbage collection.
 
-Qt aborts if a running thread is destroyed. So the owner of a thread that does not end in time
-passes it to `adopt_orphan`. While an orphan is running, the process must not exit
-normally.
+Qt aborts if a running thread is destroyed. If a thread does not end in time, its owner passes
+it to `adopt_orphan`. While an orphan is running, the process must not exit normally.
 """
 
 import gc
