@@ -1,1 +1,1 @@
-"""Transactions with a TReX, and reading and writing of its settings."""
+"""Client for a TReX: transactions, and reads and writes of its settings."""

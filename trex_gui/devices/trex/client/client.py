@@ -1,7 +1,7 @@
 """Transactions with a board, one at a time.
 
-A TReX cannot receive while it replies, so a request waits for the previous reply. Deadlines add the
-time of the bytes on the wire to the delay of the board. Every use of the line raises
+A TReX cannot receive while it replies, so a request waits for the previous reply. A deadline is the
+delay of the board plus the time of the bytes on the wire. Every use of the line raises
 `PortUnavailable` if the line is gone.
 """
 
@@ -47,8 +47,8 @@ BOARD_DELAY = 0.005
 Inferred, except for the response delay.
 """
 
-LONGEST_REPLY = 16  # bytes: ten for five raw channels, a CRC, and the echo of the request
-_ECHO_PROBES = 2  # one corrupted byte must not hide an echo
+LONGEST_REPLY = 16  # in bytes: ten for five raw channels, a CRC, and the echo of the request
+_ECHO_PROBES = 2  # so that one corrupted byte does not hide an echo
 
 
 class Requester(Protocol):
@@ -64,7 +64,7 @@ class Counters:
     requests: int = 0
     missing: int = 0  # missing or incomplete replies
     corrupted: int = 0  # corrupted replies
-    unsolicited: int = 0  # bytes that belong to no reply, discarded
+    unsolicited: int = 0  # discarded bytes that belong to no reply
     slowest: float = 0.0  # longest successful round trip in seconds
     replies: int = 0  # complete replies
 
@@ -85,13 +85,13 @@ class TrexClient:
         echo: bool = False,
         wire: _Wire | None = None,
     ) -> None:
-        self.echo = echo  # True if sent bytes come back, as on the RS-232 side of the board
+        self.echo = echo  # True if sent bytes are echoed, as on the RS-232 side of the board
         # True to send a null command before waiting for a late reply, so that the board's serial
         # timeout does not stop driven motors
         self.keepalive_while_waiting = False
         self.counters = Counters()
         self.transport = transport
-        self.settings = settings  # has the current number of the board
+        self.settings = settings  # updated when the board gets another device number
         self._wire = wire or _Wire(transport.clock())
         self._stop_sequence: tuple[ConnectionSettings, bool, str, StopSequence] | None = None
 
@@ -101,13 +101,13 @@ class TrexClient:
     def request(self, command: Command[ReplyT_co]) -> ReplyT_co:
         """Send a command and return its parsed reply.
 
-        A motor command has no reply: the call returns at once, and the next request waits until
-        the bytes have left the port.
+        A motor command has no reply, so the call returns at once. The next request waits until the
+        bytes have left the port.
 
         Raises:
-            BadRequest: a value is out of range; nothing was sent.
+            BadRequest: a value is out of range. Nothing was sent.
             NoReply: the reply is missing or incomplete at its deadline.
-            BadReply: the received bytes are no reply to this command.
+            BadReply: the received bytes are not a reply to this command.
         """
         return self._request(command, self.settings.framing).value
 
@@ -124,7 +124,9 @@ class TrexClient:
         return reply
 
     def send_packet(self, packet: Packet | Malformed) -> Reply[object]:
-        """Send typed bytes and return the reply, or all received bytes if they are no packet.
+        """Send bytes typed by the user. Return the reply.
+
+        If the bytes are not a packet, all received bytes count as the reply.
 
         Raises:
             NoReply, BadReply: as for `request`.
@@ -160,8 +162,8 @@ class TrexClient:
         while isinstance(state, NeedData):
             # The rest of the reply needs at least its time on the wire.
             missing = state.size
-            left = deadline + line.seconds(len(received) + missing) - self.transport.clock()
-            chunk = self.transport.read(missing, max(left, 0.0))
+            remaining = deadline + line.seconds(len(received) + missing) - self.transport.clock()
+            chunk = self.transport.read(missing, max(remaining, 0.0))
             received += chunk
             state = parser.feed(chunk)
             if isinstance(state, NeedData) and len(chunk) < missing:
@@ -204,12 +206,12 @@ class TrexClient:
             self._read_echo(packet)
 
     def detect_echo(self, before: Callable[[], None] | None = None) -> bool:
-        """Detect with null commands if sent bytes come back. Set and return `echo`.
+        """Send null commands to detect an echo. Set and return `echo`.
 
         `before` is called before each null command.
 
         Raises:
-            BadReply: unsolicited bytes arrive without end, so the device is no TReX.
+            BadReply: bytes keep arriving, so the device is not a TReX.
         """
         self.echo = False
         for _ in range(_ECHO_PROBES):
@@ -238,7 +240,7 @@ class TrexClient:
         return late.removesuffix(self._null) if self.echo and self.keepalive_while_waiting else late
 
     def _reject_late_reply(self, reply: bytes) -> None:
-        """Raise `BadReply` if more bytes follow: `reply` belongs to an earlier request."""
+        """Raise `BadReply` if more bytes follow, since `reply` then belongs to an old request."""
         more = self.transport.read(1, self.transport.latency)
         if more:
             more += self.transport.read(
@@ -256,9 +258,9 @@ class TrexClient:
         return self.transport.read(len(packet), seconds)
 
     def stop_sequence(self, board: str) -> StopSequence:
-        """Return the packets for the guardian. `board`: name of the board in messages."""
-        known = self._stop_sequence
-        if known is None or known[:3] != (self.settings, self.echo, board):
+        """Return the stop packets for the guardian. `board`: name of the board in messages."""
+        cached = self._stop_sequence
+        if cached is None or cached[:3] != (self.settings, self.echo, board):
             framing, line = self.settings.framing, self.settings.line
             packets = b"".join(map(framing.encode, STOP))
             query = framing.encode(GetStatus())
@@ -269,8 +271,8 @@ class TrexClient:
             stop = StopSequence(
                 packets, (query,), size, Status.UART_ERROR, self.echo, seconds, note
             )
-            known = self._stop_sequence = (self.settings, self.echo, board, stop)
-        return known[3]
+            cached = self._stop_sequence = (self.settings, self.echo, board, stop)
+        return cached[3]
 
     def drain(self) -> None:
         self.transport.wait(self._wire.free_at - self.transport.clock())
@@ -280,7 +282,7 @@ class TrexClient:
 
     @property
     def has_crc(self) -> bool:
-        """True if replies have a CRC. Parity is checked by the board only."""
+        """True if replies have a CRC. Only the board checks the parity."""
         return self.settings.line.has_crc
 
     @property
@@ -293,7 +295,7 @@ class TrexClient:
         return self.transport.latency + self.settings.timeouts.extra + BOARD_DELAY
 
     def _new_number(self, command: object, framing: Framing) -> int | None:
-        """Return the device number that a command gives to the connected board."""
+        """Return the device number that a command assigns to the connected board."""
         if (
             isinstance(command, SetParameter)
             and command.number == parameter_number(ParameterKey.DEVICE_NUMBER)

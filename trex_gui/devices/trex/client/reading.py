@@ -1,4 +1,4 @@
-"""Reading of the settings that a board stores.
+"""Reads of the settings that a board stores.
 
 Every function raises `PortUnavailable` if the line is gone.
 """
@@ -48,9 +48,9 @@ Progress = Callable[[int, int, str], None]  # called with steps done, total step
 ATTEMPTS = 3  # attempts of a transaction on a line that corrupts bytes
 
 CONNECTING_ATTEMPTS = 7
-"""Attempts of the first request, since a line that was just opened may lose some replies.
+"""Attempts of the first request. A newly opened line may lose some replies.
 
-On a silent local line, the last four take half a second.
+On a silent local line, the last four attempts take half a second.
 """
 
 _DISAGREEMENTS = 3  # consecutive differing readings after which a value counts as unknown
@@ -61,10 +61,10 @@ class DeviceState:
     signature: Signature
     mode: Mode
     serial_controls: bool
-    parameters: Mapping[str, int]  # stored wire value (0-127) by key
-    calibrations: Mapping[int, Calibration]  # by channel, for the active input source only
+    parameters: Mapping[str, int]  # key → stored wire value (0-127)
+    calibrations: Mapping[int, Calibration]  # channel → calibration for the active input source
     calibrated: int  # mask of channels whose calibration differs from the default
-    unread: Mapping[str, str] = field(default_factory=dict)  # error by key of a missing value
+    unread: Mapping[str, str] = field(default_factory=dict)  # key of a missing value → error
 
     @property
     def specs(self) -> ParameterSet:
@@ -85,7 +85,7 @@ class DeviceState:
         return self.mode.source
 
     def active_parameters(self, connection: ConnectionSettings | None) -> dict[str, int]:
-        """Return known active wire values of parameters that need a power cycle."""
+        """Return the known active wire values of parameters that need a power cycle."""
         active: dict[str, int] = {}
         if connection is not None:
             active[ParameterKey.UART_SETTINGS] = connection.line.to_wire()
@@ -96,20 +96,23 @@ class DeviceState:
         return active
 
 
-def may_be_same_board(one: DeviceState, other: DeviceState) -> bool:
+def may_be_same_board(first: DeviceState, second: DeviceState) -> bool:
     """True if two states may belong to one board: equal model, firmware and stored values.
 
-    Only values in both states are compared. The mode may differ: a jumper may have been moved.
+    Only values in both states are compared. The mode may differ, since a jumper may have been
+    moved.
     """
-    if one.signature != other.signature or _differ(one.parameters, other.parameters):
+    if first.signature != second.signature or _differ(first.parameters, second.parameters):
         return False
-    return one.source is not other.source or not _differ(one.calibrations, other.calibrations)
+    if first.source is not second.source:
+        return True
+    return not _differ(first.calibrations, second.calibrations)
 
 
 def other_board(
     request: Requester, signature: Signature, number: int | None = None
 ) -> Signature | None:
-    """Return the signature of the replying board if signature or device number differ.
+    """Return the signature of the replying board if its signature or number differs.
 
     Queries twice, because a corrupted reply can look like another model or number.
 
@@ -118,20 +121,20 @@ def other_board(
     """
     query_number = GetParameter(parameter_number(ParameterKey.DEVICE_NUMBER))
     for _ in range(2):
-        found = query(request, GetSignature())
-        if found == signature and (number is None or query(request, query_number) == number):
+        reply = query(request, GetSignature())
+        if reply == signature and (number is None or query(request, query_number) == number):
             return None
-    return found
+    return reply
 
 
 def board_at(client: TrexClient, number: int, *, attempts: int = 1) -> Signature | None:
     """Return the signature of the board with a device number. `None` without a reply.
 
-    The board must also report this number: a reply to another master does not count. Reserved
-    numbers are not queried. A missing reply is not counted as a fault of the line.
+    The board must also report this number, since a reply to another master does not count.
+    Reserved numbers are not queried. A missing reply does not count as a fault of the line.
 
     Raises:
-        BadReply: a reply is unreadable, from several boards or a line that corrupts bytes.
+        BadReply: several boards reply, or the line corrupts bytes.
     """
     if number in client.settings.reserved:
         return None
@@ -152,8 +155,8 @@ def board_at(client: TrexClient, number: int, *, attempts: int = 1) -> Signature
 def is_several(client: TrexClient, stored_number: int) -> bool:
     """True if several boards reply at once to commands without a number.
 
-    Equal replies of boards of one model look like a single reply. Different device numbers overlap
-    in `stored_number`, a number to which usually no board replies.
+    Equal replies from boards of the same model look like a single reply. Replies with different
+    device numbers overlap and are read as `stored_number`, to which usually no board replies.
     """
     if client.settings.device_number is not None:
         return False
@@ -168,7 +171,7 @@ def require_free_number(
     """Check that no board uses this device number. `before` is called before each query.
 
     Raises:
-        BadRequest: a board has the number, or every reply was unreadable (several boards).
+        BadRequest: a board has the number, or several boards have it and no reply is readable.
     """
     unreadable = 0
     for _ in range(ATTEMPTS):
@@ -182,8 +185,8 @@ def require_free_number(
             raise TrexRequestError(ErrorCode.NUMBER_TAKEN, number)
 
 
-def _differ(one: Mapping[KeyT, object], other: Mapping[KeyT, object]) -> bool:
-    return any(one[key] != other[key] for key in one.keys() & other.keys())
+def _differ(first: Mapping[KeyT, object], second: Mapping[KeyT, object]) -> bool:
+    return any(first[key] != second[key] for key in first.keys() & second.keys())
 
 
 def query(
@@ -211,9 +214,9 @@ def agreed(
 ) -> ReplyT_co:
     """Read a stored value until two consecutive readings are equal. With a CRC, read it once.
 
-    One corrupted byte can damage two replies: it turns the request into a request with a longer
-    reply, whose rest is taken for the next reply. So a different query separates two readings.
-    `earlier`: the first reading.
+    One corrupted byte can damage two replies. It turns the request into a request with a longer
+    reply, whose remaining bytes are taken for the next reply. So a different query separates two
+    readings. `earlier`: first reading, if there is one.
 
     Raises:
         BadReply: three consecutive readings differ from the previous reading.
@@ -233,7 +236,7 @@ def agreed(
 
 
 def read_signature(request: Requester, *, has_crc: bool = False) -> Signature:
-    """Return the signature of the replying board. NoReply and BadReply as for `agreed`."""
+    """Return the signature of the replying board. Raises the errors of `agreed`."""
     signature = query(request, GetSignature(), attempts=CONNECTING_ATTEMPTS)
     return agreed(request, GetSignature(), has_crc=has_crc, earlier=signature)
 
@@ -247,11 +250,11 @@ def read_everything(
     """Read signature, mode, parameters and the calibrations of the active input source.
 
     Without a CRC, everything is read in two passes, since interference often lasts longer than one
-    transaction. After a missing reply, reading is retried once.
+    transaction. After a missing reply, everything is read again once.
 
     Raises:
         NoReply: the board does not reply.
-        BadReply: the device is no TReX, or its replies differ.
+        BadReply: the device is not a TReX, or its replies differ.
     """
     readings: dict[Command[Any], Any] = {}
 
@@ -300,7 +303,7 @@ def _read_pass(read: Requester, progress: Progress, number: int, passes: int) ->
         except (NoReply, BadReply) as error:
             if is_unsteady(error):
                 raise
-            # This raises if the board is gone. Otherwise the board rejects only this parameter.
+            # This query raises if the board is gone. Otherwise only this parameter is rejected.
             read(GetMode())
             unread[spec.key] = str(error)
     calibrations = {

@@ -1,4 +1,4 @@
-"""Samples of polled values, their table, and the reader of latched bits."""
+"""Polled values: samples, table of polls, and reader of latched bits."""
 
 import contextlib
 from collections.abc import Callable, Mapping
@@ -57,14 +57,14 @@ class Remapped(Sample):
 
 @dataclass(frozen=True, slots=True)
 class Currents(Sample):
-    """Currents of motors 1 and 2 in counts of `Model.current_unit` ampere."""
+    """Currents of motors 1 and 2 in counts of `Model.current_unit` amperes."""
 
     counts: tuple[int, int]
 
 
 @dataclass(frozen=True, slots=True)
 class LatchedStatus(Sample):
-    """Status and UART error bits latched since the last reading. False if none."""
+    """Status and UART error bits latched since the last reading. False without bits."""
 
     status: Status
     uart: UartError
@@ -82,7 +82,7 @@ class LatchedStatus(Sample):
     @property
     def has_line_error(self) -> bool:
         """True if the line has corrupted bytes. A timeout does not count."""
-        is_unread = Status.UART_ERROR in self.status and not self.uart  # reading its kind failed
+        is_unread = Status.UART_ERROR in self.status and not self.uart  # reading the bits failed
         return is_unread or bool(self.uart & ~UartError.TIMEOUT)
 
     @property
@@ -91,8 +91,8 @@ class LatchedStatus(Sample):
 
     def stops_motors(self, *, on_error: bool = False) -> bool:
         """True if the board has stopped motors. `on_error`: UART-Error Shutdown is set."""
-        bits = self.status, self.uart
-        return any(stops_motors(one, errors_stop=on_error) for one in bits)
+        latched = self.status, self.uart
+        return any(stops_motors(bits, errors_stop=on_error) for bits in latched)
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +102,7 @@ class Control(Sample):
 
 @dataclass(frozen=True, slots=True)
 class ModeSample(Sample):
-    mode: Mode  # changes with a power cycle only
+    mode: Mode  # changes only at a power cycle
 
 
 SampleT = TypeVar("SampleT", bound=Sample)
@@ -116,7 +116,7 @@ class Newest:
         return replace(self, samples=self.samples.copy())
 
     def __getitem__(self, kind: type[SampleT]) -> SampleT:
-        """Return a sample. KeyError before the first sample."""
+        """Return the newest sample. Raise `KeyError` if there is none yet."""
         sample: SampleT = self.samples[kind]
         return sample
 
@@ -134,7 +134,7 @@ class Newest:
 class PolledValue:
     query: Command[Any]
     rate: float  # polls per second
-    # Creates a sample from a time and the reply; `None` if `StatusReader` reads the value
+    # Creates a sample from a time and a reply; `None` if `StatusReader` reads the value
     sample: Callable[[float, Any], Sample] | None
     # Columns of recordings, CSV and `trexcmd stream`, for an input source and amperes per count
     kind: Callable[[InputSource, float], SampleKind]
@@ -219,7 +219,7 @@ POLLED: Mapping[type[Sample], PolledValue] = {
     ),
     LatchedStatus: PolledValue(
         GetStatus(),
-        rate=10.0,  # polls miss no latched bits
+        rate=10.0,  # slow, since bits remain latched until the next poll
         sample=None,
         kind=lambda *_: SampleKind(
             "status",
@@ -264,8 +264,8 @@ POLLED: Mapping[type[Sample], PolledValue] = {
 }
 """Values that are polled while a board is connected.
 
-Ref: command documentation 0x86 (inputs about 50 Hz), 0x8D (currents 50 Hz with analog, about 80 Hz
-with RC inputs).
+Ref: command documentation 0x86 (inputs at about 50 Hz), 0x8D (currents at 50 Hz with analog inputs,
+at about 80 Hz with RC inputs).
 """
 
 
@@ -275,9 +275,9 @@ with RC inputs).
 class StatusReader:
     """Reads the latched bits without losing any on a line that corrupts bytes.
 
-    Reading a byte clears its bits. So after a lost status or lost UART errors, the next reading
-    includes the UART errors. So does the first reading, because a guardian or another program may
-    have read the status before.
+    Reading a byte clears its bits. After a lost status or lost UART errors, the next reading
+    therefore includes the UART errors. The first reading also includes them, because a guardian or
+    another program may have read the status.
     """
 
     def __init__(self, clock: Callable[[], float]) -> None:
@@ -285,14 +285,14 @@ class StatusReader:
         self.reset()
 
     def reset(self) -> None:
-        """Mark the next bits as earlier, after a scan or selection."""
-        self._is_first = self.uart_due = True  # errors may be latched that no status announces
+        """Mark the next bits as earlier. Called after a scan or selection."""
+        self._is_first = self.uart_due = True  # the status may not announce latched errors
 
     def read(self, request: Requester) -> LatchedStatus:
         """Read and clear the status, and any UART errors.
 
         Raises:
-            NoReply, BadReply: no status arrived.
+            NoReply, BadReply: no valid status arrived.
             PortUnavailable: the line is gone.
         """
         uart_due, self.uart_due = self.uart_due, True
@@ -310,7 +310,7 @@ class StatusReader:
 def poll(
     request: Requester, topic: type[Sample], clock: Callable[[], float], reader: StatusReader
 ) -> Sample:
-    """Read one polled value. Errors are as for `TrexClient.request`."""
+    """Read one polled value. Raises the errors of `TrexClient.request`."""
     polled = POLLED[topic]
     if polled.sample is None:
         return reader.read(request)

@@ -1,4 +1,4 @@
-"""Writing of one value, which is read back and compared.
+"""Writes of one value, verified by reading the value back.
 
 Every function raises `PortUnavailable` if the line is gone. `has_crc` is True if a CRC protects the
 line, see `agreed`.
@@ -31,11 +31,11 @@ def write_parameter(
 ) -> int:
     """Store one parameter and return the value that was read back.
 
-    A lost reply is no failure: only the value read back counts. The factory reset cannot be read
-    back, so its result code counts.
+    A lost reply is not a failure, since only the value read back counts. The factory reset cannot
+    be read back, so its result code counts.
 
     Raises:
-        BadRequest: the value is outside documented limits; nothing was sent.
+        BadRequest: the value is outside the documented limits. Nothing was sent.
         Rejected: the board rejected the value.
         BadReply: the value read back differs.
         NoReply: the board does not respond.
@@ -60,11 +60,11 @@ def write_calibration(
     """Store a calibration for the active input source. Return the value read back.
 
     Each source has its own calibrations, and a short power loss may change the active source.
-    Nothing is written to another source.
+    Nothing is written for another source.
 
     Raises:
-        BadRequest: minimum, neutral and maximum are not in order; nothing was sent.
-        BadReply: the active source, or the value read back, differs.
+        BadRequest: minimum, neutral and maximum are not in order. Nothing was sent.
+        BadReply: the active source or the value read back differs.
         Rejected, NoReply: as for `write_parameter`.
     """
     name = tr("Calibration of channel {0}").format(key.channel)

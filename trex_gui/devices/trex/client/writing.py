@@ -1,4 +1,4 @@
-"""Writing of several values, in an order that lets a scan find the board."""
+"""Writes of several values, in an order that lets a scan find the board."""
 
 import contextlib
 import logging
@@ -88,7 +88,7 @@ def write_all(
     cancelled: Callable[[], bool] = lambda: False,
     stored: Callable[[WriteResult], None] = lambda _result: None,
 ) -> tuple[WriteResult, ...]:
-    """Store calibrations, then parameters by key. Return the result of each.
+    """Store calibrations, then parameters. Return the result of each write.
 
     Calibrations come first, while their input source is active. Next come parameters that take
     effect at once, then parameters that need a power cycle. The serial settings come last.
@@ -100,8 +100,8 @@ def write_all(
     settings are stored in between. If only the polynomial changes, a power cut during its 4 ms
     write leaves the default polynomial, which a scan also tries.
 
-    If the line is gone, or the board does not respond or is not in serial mode, no other writes are
-    attempted, since they would also fail. `cancelled` also ends writing, but never between the
+    If the line is gone, or the board does not respond or is not in serial mode, no further writes
+    are attempted, since they would also fail. `cancelled` also ends writing, but never between the
     serial settings. `stored` is called after each write whose value was read back.
 
     Without a CRC, one corrupted bit can turn a write into a write of another setting. So if a write
@@ -114,7 +114,7 @@ def write_all(
     boards with equal model, firmware and stored values cannot be distinguished.
 
     Raises:
-        OtherBoard: the board differs from `before`; nothing more is written.
+        OtherBoard: the board differs from `before`. Nothing more is written.
     """
     total = len(parameters) + len(calibrations)
     work = _Work(request, specs, total, progress, has_crc, cancelled, stored, before)
@@ -142,8 +142,8 @@ def after_writing(state: DeviceState, results: Sequence[WriteResult]) -> DeviceS
         channel = result.channel
         if isinstance(result.stored, Calibration) and channel is not None:
             calibrations[channel] = result.stored
-            is_own = result.stored != DEFAULT_CALIBRATION[state.source]
-            learned = (learned - {channel}) | ({channel} if is_own else set())
+            is_learned = result.stored != DEFAULT_CALIBRATION[state.source]
+            learned = (learned - {channel}) | ({channel} if is_learned else set())
         elif isinstance(result.stored, int) and result.key in parameters:
             parameters[result.key] = result.stored
     return replace(
@@ -170,7 +170,7 @@ class _Work:
     results: list[WriteResult] = field(default_factory=list)
     fatal_error: StudioError | None = None  # error that ends writing
     doubtful: list[int] = field(default_factory=list)  # indexes of repeated or failed writes
-    repeated: int = 0  # repeats and failures, each of which may have changed one other setting
+    repeated: int = 0  # repeats and failures, each of which may have changed another setting
     unknown: set[str] = field(default_factory=set)  # keys of failed writes
     has_sent: bool = False  # True if any write was sent
     _sent: int = 0  # packets of the current write
@@ -178,9 +178,10 @@ class _Work:
     _number: int | None = None  # device number that the board stores; `None` if unknown
 
     def compare_settings(self) -> None:
-        """Raise `OtherBoard` if the stored values differ from `before`. Set `fatal_error`.
+        """Raise `OtherBoard` if the stored values differ from `before`.
 
-        If values differ in the first pass, they may be corrupted, so a second pass follows.
+        Other errors set `fatal_error`. Values that differ in the first pass may be corrupted, so a
+        second pass follows.
         """
         if self.before is None:
             return
@@ -194,18 +195,18 @@ class _Work:
         self._number = self.before.parameters.get(ParameterKey.DEVICE_NUMBER)
         try:
             for has_crc in (True, self.has_crc):
-                found = read_everything(request, has_crc=has_crc)
-                if may_be_same_board(found, self.before):
-                    # The board may have been exchanged while it was read.
-                    another = other_board(request, self.before.signature, self._number)
-                    if another is None:
+                state = read_everything(request, has_crc=has_crc)
+                if may_be_same_board(state, self.before):
+                    # The board may have been replaced while it was read.
+                    signature = other_board(request, self.before.signature, self._number)
+                    if signature is None:
                         return
-                    raise OtherBoard(ErrorCode.OTHER_BOARD, str(another))
+                    raise OtherBoard(ErrorCode.OTHER_BOARD, str(signature))
         except (*_FAILURES, Skipped) as error:
             self.fatal_error = error
             return
-        if found.signature != self.before.signature:
-            raise OtherBoard(ErrorCode.OTHER_BOARD, str(found.signature))
+        if state.signature != self.before.signature:
+            raise OtherBoard(ErrorCode.OTHER_BOARD, str(state.signature))
         raise OtherBoard(ErrorCode.OTHER_VALUES)
 
     def require_same_board(self) -> None:
@@ -215,9 +216,9 @@ class _Work:
             NoReply, BadReply, PortUnavailable: the board cannot be read.
         """
         if self.before is not None:
-            found = other_board(self.request, self.before.signature, self._number)
-            if found is not None:
-                raise OtherBoard(ErrorCode.OTHER_BOARD_AFTER_WRITING, str(found))
+            signature = other_board(self.request, self.before.signature, self._number)
+            if signature is not None:
+                raise OtherBoard(ErrorCode.OTHER_BOARD_AFTER_WRITING, str(signature))
         self._has_failed = False
 
     def _request(self, command: Command[ReplyT_co]) -> ReplyT_co:
@@ -254,8 +255,8 @@ class _Work:
         if error is None or (not isinstance(error, PortUnavailable) and self._replies(before)):
             error = self._restore_all_but_unknown(before)
         else:
-            # A failed write retains its own error, which a stray write seldom causes.
-            doubtful = [number for number in doubtful if self.results[number].error is None]
+            # A failed write retains its own error, which is seldom due to a stray write.
+            doubtful = [index for index in doubtful if self.results[index].error is None]
         if error is not None and doubtful:
             key = self.results[doubtful[-1]].key
             stray = TrexBadReplyError(ErrorCode.STRAY_WRITE, self._name(key), error)
@@ -271,30 +272,31 @@ class _Work:
 
     def _restore_all_but_unknown(self, before: DeviceState) -> StudioError | None:
         after = after_writing(before, [result for result in self.results if result.error is None])
-        wanted: dict[str, int | Calibration] = {**after.parameters}
+        expected: dict[str, int | Calibration] = {**after.parameters}
         for channel, calibration in after.calibrations.items():
-            wanted[CalibrationKey.of(after.source, channel)] = calibration
+            expected[CalibrationKey.of(after.source, channel)] = calibration
+        known = {key: value for key, value in expected.items() if key not in self.unknown}
         try:
-            keys = self._differing({key: wanted[key] for key in wanted if key not in self.unknown})
+            keys = self._differing(known)
         except _FAILURES as failure:
             return failure
         if len(keys) > self.repeated:
             return TrexBadReplyError(ErrorCode.TOO_MANY_DIFFER, len(keys))
         error: StudioError | None = None
         for _ in range(ATTEMPTS if keys else 0):
-            error, keys = self._restore({key: wanted[key] for key in keys})
+            error, keys = self._restore({key: expected[key] for key in keys})
             if error is None or _if_fatal(error) is not None:
                 break
         return error
 
-    def _differing(self, wanted: Mapping[str, int | Calibration]) -> list[str]:
-        """Return the keys of values that differ from `wanted` or cannot be read.
+    def _differing(self, expected: Mapping[str, int | Calibration]) -> list[str]:
+        """Return the keys of values that differ from `expected` or cannot be read.
 
         Raises:
             NoReply, BadReply, PortUnavailable: the board no longer replies.
         """
         keys = []
-        for key, value in wanted.items():
+        for key, value in expected.items():
             try:
                 differs = self._stored(key) != value
             except _FAILURES:
@@ -305,21 +307,22 @@ class _Work:
         return keys
 
     def _restore(
-        self, wanted: Mapping[str, int | Calibration]
+        self, expected: Mapping[str, int | Calibration]
     ) -> tuple[StudioError | None, list[str]]:
-        last: StudioError | None = None
+        """Return the last error, and the keys of values that could not be restored."""
+        last_error: StudioError | None = None
         keys: list[str] = []
-        for key, value in wanted.items():
+        for key, value in expected.items():
             try:
                 if self._stored(key) != value:
                     log.warning("%s was changed by a corrupted packet and is restored", key)
                     self._write(key, value)
             except _FAILURES as error:
-                last = error
+                last_error = error
                 keys.append(key)
                 if _if_fatal(error) is not None:
                     break
-        return last, keys
+        return last_error, keys
 
     def _stored(self, key: str) -> int | Calibration:
         if isinstance(key, CalibrationKey):
@@ -352,21 +355,21 @@ class _Work:
         if route is _Route.VIA_DEFAULT:
             self._record_uncertain_line()
 
-    def _route(self, wanted: Mapping[str, int]) -> "_Route":
-        stored = {key: self._stored_parameter(key) for key in wanted}
-        is_possible = not any(self.specs[key].problem(wire) for key, wire in wanted.items())
+    def _route(self, new: Mapping[str, int]) -> "_Route":
+        stored = {key: self._stored_parameter(key) for key in new}
+        is_valid = not any(self.specs[key].problem(wire) for key, wire in new.items())
         stores_crc = _stores_crc(stored[_LINE])
-        if not (is_possible and stores_crc and stored[_POLYNOMIAL] != wanted[_POLYNOMIAL]):
+        if not (is_valid and stores_crc and stored[_POLYNOMIAL] != new[_POLYNOMIAL]):
             return _Route.POLYNOMIAL_FIRST
-        if not _stores_crc(wanted[_LINE]):
+        if not _stores_crc(new[_LINE]):
             return _Route.LINE_FIRST
-        is_same = stored[_LINE] == wanted[_LINE]
+        is_same = stored[_LINE] == new[_LINE]
         return _Route.POLYNOMIAL_FIRST if is_same else _Route.VIA_DEFAULT
 
     def _record_uncertain_line(self) -> None:
-        """Replace the error of the line settings, which may be neither old nor new."""
+        """Replace the error of the line settings, since their default may now be stored."""
         spec = self.specs[_LINE]
-        for number, result in enumerate(self.results):
+        for index, result in enumerate(self.results):
             if result.key == _LINE and result.error is not None:
                 fields = result.error, spec.name, spec.text(spec.default)
                 is_gone = isinstance(result.error, NoReply)
@@ -374,7 +377,7 @@ class _Work:
                 error: StudioError = kind(ErrorCode.LINE_SETTINGS_UNCERTAIN, *fields)
                 if isinstance(result.error, PortUnavailable):
                     error = PortUnavailable(str(error))
-                self.results[number] = WriteResult(_LINE, error=error)
+                self.results[index] = WriteResult(_LINE, error=error)
 
     def _check_cancelled(self) -> None:
         if self.fatal_error is None and self.cancelled():

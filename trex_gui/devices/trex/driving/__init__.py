@@ -1,1 +1,1 @@
-"""Motor output on the line: setpoints, arming, stops and their confirmation."""
+"""Motor output: setpoints, arming, and stops with their confirmation."""

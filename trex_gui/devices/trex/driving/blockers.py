@@ -8,9 +8,9 @@ from trex_gui.core.translation import tr, tr_noop
 
 
 class Effect(IntEnum):
-    """Effect of a reason on the motors, worst first. JSON has the names in lower case."""
+    """Effect of a reason on the motors, worst first. JSON uses the names in lower case."""
 
-    STOPS = 0  # the motors are off, or may be, in every mode
+    STOPS = 0  # the motors are off or may be off, in every mode
     BLOCKS = 1  # serial commands do not reach the motors
     LIMITS = 2  # the motors run more slowly than commanded
     NOTE = 3
@@ -20,7 +20,7 @@ class Effect(IntEnum):
 class DriveBlocker(Enum):
     """Reason why the motors do not follow the setpoints, or a note about them.
 
-    Reasons of equal effect are shown in this order. `Reason.fields` fills the braces.
+    Reasons with equal effect are shown in this order. `Reason.fields` fills the placeholders.
     """
 
     LOST = (
@@ -166,19 +166,19 @@ class DriveBlocker(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Reason:
-    """Blocker and the values for its braces. A tuple becomes a list of translated names."""
+    """Blocker with the values for its placeholders. A tuple contains names to translate."""
 
     blocker: DriveBlocker
     fields: tuple[object, ...] = ()
 
     def text(self) -> str:
-        return tr(self.blocker.text).format(*self._words())
+        return tr(self.blocker.text).format(*self._values())
 
     def remedy(self) -> str:
-        """Return the remedy as a sentence. Empty without a remedy."""
-        return tr(self.blocker.remedy).format(*self._words()) if self.blocker.remedy else ""
+        """Return the remedy as a sentence, or an empty string."""
+        return tr(self.blocker.remedy).format(*self._values()) if self.blocker.remedy else ""
 
-    def _words(self) -> Iterator[object]:
+    def _values(self) -> Iterator[object]:
         for field in self.fields:
             if isinstance(field, tuple):
                 yield ", ".join(tr(str(name)) for name in field).lower()

@@ -1,4 +1,4 @@
-"""Reasons why the motors of a board do not run, and its LED patterns."""
+"""Reasons why a board's motors do not run, and the board's LED patterns."""
 
 from bisect import bisect_right
 from collections.abc import Mapping, Sequence
@@ -17,7 +17,7 @@ from trex_gui.devices.trex.protocol.flags import (
     channels_in,
 )
 
-NOISE_COUNTS = 1  # counts that may be noise while a motor draws no current
+NOISE_COUNTS = 1  # highest reading that may be noise while a motor draws no current
 
 _OVERRIDE_CHANNEL = 5
 _NO_ERROR = UartError(0)
@@ -25,19 +25,19 @@ _NO_ERROR = UartError(0)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BoardInputs:
-    """Inputs of `board_reasons`, as the board reported them last."""
+    """Inputs of `board_reasons`, as last reported by the board."""
 
     mode: Mode = Mode.SERIAL_RC
     by_serial: bool = True  # True if serial commands reach the motors
     joint: bool = False  # True if both drivers work as one motor
     safe_start: tuple[Reason, ...] = ()  # see `safe_start_reasons`
-    is_held: bool = False  # True if safe-start may hold the motors: the board has no flag for it
+    is_held: bool = False  # True if safe-start may hold the motors; no flag of the board reports it
     faults: tuple[int, ...] = ()  # motors whose driver shut down recently
-    doubtful: tuple[int, ...] = ()  # motors in `faults` whose reply may have been corrupted
+    doubtful: tuple[int, ...] = ()  # motors in `faults` whose report may have been corrupted
     over_limit: tuple[int, ...] = ()  # motors whose current passed its limit recently
     uart: UartError = _NO_ERROR  # recent UART errors
     error_shutdown: bool = False  # True if the board stops its motors at a UART error
-    timeout: str = "off"  # serial timeout of the board as text
+    timeout: str = "off"  # text of the board's serial timeout
 
     @property
     def shut_down(self) -> frozenset[int]:
@@ -73,8 +73,11 @@ def board_reasons(now: BoardInputs) -> tuple[Reason, ...]:
 
 
 def held_by_safe_start(now: BoardInputs) -> tuple[Reason, ...]:
-    """Return the reasons why safe-start may hold the motors, with channels in control."""
-    # That OVERRIDE_AT_START is certain is inferred.
+    """Return the reasons why safe-start may hold the motors.
+
+    Call this only while channels control the motors.
+    """
+    # It is inferred that OVERRIDE_AT_START is certain.
     certain = {DriveBlocker.CHANNEL_SILENT, DriveBlocker.OVERRIDE_AT_START}
     if not now.is_held and not any(reason.blocker in certain for reason in now.safe_start):
         return ()
@@ -89,13 +92,15 @@ def safe_start_reasons(
     source: InputSource,
     joint: bool,
 ) -> tuple[Reason, ...]:
-    """Return the reasons why safe-start would not end, with channels in control.
+    """Return the reasons why safe-start would not end.
+
+    Assumes that channels control the motors.
 
     Safe-start ends when all required channels have a signal (RC), all driving channels are near
     neutral, and channel 5 does not override. Ref: TReX Jr User's Guide 4.e. The distance from
     neutral and the threshold of channel 5 are inferred.
 
-    `curves`: stored curves by channel. `raw`: counts of channels 1-5. `required`: channel mask.
+    `curves`: channel → stored curve. `raw`: counts of channels 1-5. `required`: channel mask.
     """
     counts = dict(zip(CHANNELS, raw, strict=True))
     reasons = [
@@ -109,7 +114,8 @@ def safe_start_reasons(
             continue
         offset = count - curve.calibration.neutral
         is_above = offset > 0
-        fields = (channel, source.text(abs(offset)), source.text(_near(curve, is_above=is_above)))
+        limit = _near_limit(curve, is_above=is_above)
+        fields = (channel, source.text(abs(offset)), source.text(limit))
         blocker = DriveBlocker.CHANNEL_ABOVE if is_above else DriveBlocker.CHANNEL_BELOW
         reasons.append(Reason(blocker, fields))
     switch = curves.get(_OVERRIDE_CHANNEL)
@@ -118,20 +124,20 @@ def safe_start_reasons(
     return tuple(reasons)
 
 
-def _near(curve: ChannelCurve, *, is_above: bool) -> int:
-    """Return the largest distance from neutral that counts as near, in counts."""
-    neutral, side = curve.calibration.neutral, 1 if is_above else -1
+def _near_limit(curve: ChannelCurve, *, is_above: bool) -> int:
+    """Return the largest distance from neutral that counts as near neutral, in counts."""
+    neutral, sign = curve.calibration.neutral, 1 if is_above else -1
     reach = max(curve.calibration.maximum - neutral, neutral - curve.calibration.minimum)
 
     def output(distance: int) -> int:
-        return abs(curve.output(neutral + side * distance))
+        return abs(curve.output(neutral + sign * distance))
 
     return max(0, bisect_right(range(reach), NEARLY_NEUTRAL, key=output) - 1)
 
 
 # --- LEDs -------------------------------------------------------------------------------
 
-PACKETS = "with packets"  # lights during a packet; the simulator reports on or off
+PACKETS = "with packets"  # lit during each packet; the simulator reports on or off
 
 SAFE_START_FLASH = "fast flash"
 
@@ -141,19 +147,20 @@ LED_TEXTS = {
     PACKETS: tr_noop("flickers with each packet", "LED"),
     SAFE_START_FLASH: tr_noop("flashes fast", "LED"),
 }
-"""Translated with the comment `LED`."""
+"""Texts with the translation comment `LED`."""
 
 
 SAFE_START_NOTE = tr_noop("If the green LED is steady instead, safe-start is over.")
-"""Note for `SAFE_START_FLASH`: safe-start is inferred, since no command reports it."""
+"""Note for `SAFE_START_FLASH`. Safe-start is inferred, since no command reports it."""
 
 
 def led_patterns(now: BoardInputs) -> tuple[str, str]:
     """Return the patterns of the red and the green LED.
 
     Ref: TReX Jr User's Guide 4.e: a fast green flash shows safe-start. Manuals: the red LED is on
-    if serial commands control the motors, the green LED if channels do. The other LED lights from
-    the first to the last byte of a packet. Inferred: red also shows packets during safe-start.
+    if serial commands control the motors, the green LED if channels do. The other LED is lit from
+    the first to the last byte of a packet. Inferred: the red LED also shows packets during
+    safe-start.
     """
     if now.by_serial:
         return "on", PACKETS

@@ -1,7 +1,7 @@
-"""Sending of setpoints and stops through a client, and confirmation of stops.
+"""Driver that sends setpoints and stops through a client and confirms the stops.
 
-A stop is the only motor command that is sent unrequested. Motor commands have no reply: a stop is
-confirmed if the next status shows no UART error.
+A stop is the only motor command that is sent without a request. Motor commands have no reply. A
+stop is confirmed if the next status shows no UART error.
 """
 
 import logging
@@ -27,50 +27,51 @@ from trex_gui.devices.trex.protocol.flags import Status, UartError
 
 log = logging.getLogger(__name__)
 
-DRIVE_INTERVAL = 0.02  # shortest time in seconds between motor packets; the board acts every 10 ms
+DRIVE_INTERVAL = 0.02  # minimum seconds between motor packets; the board acts every 10 ms
 
-_LONGEST_DRIVE = 11  # bytes of the packets for both motors and the auxiliary, expanded, with CRC
+_LONGEST_DRIVE = 11  # bytes of expanded packets with CRC for both motors and the auxiliary
 
+# Maximum rounds of a stop, and of its retry
 _ATTEMPTS = 20
 _RETRY_ATTEMPTS = 4
 
 _CLEAN_ROUNDS = 2
-"""Consecutive rounds of stop and clean status that confirm a stop.
+"""Consecutive clean rounds that confirm a stop. In a clean round, a clean status follows a stop.
 
 A board receives nothing while it replies to an earlier query, and latches no error for packets that
-it misses entirely. It can miss one round, but not the round after its reply.
+it misses entirely. So it can miss one round, but not the round after its reply.
 """
 
 _CAREFUL_ROUNDS = 8
-"""Clean rounds on a line that damages bytes, for a stop that cannot wait for a quiet line.
+"""Consecutive clean rounds that confirm a stop on a line that damages bytes.
 
-Damage may still turn the last packet into a speed, undetected. The probability is
-2p/9 * (1 - p)**56 for a damage probability p per byte: 0.14 % at worst. See `LineQuality` for a
-stronger confirmation.
+They apply if the stop cannot wait for a quiet line. Undetected damage may still turn the last
+packet into a speed. The probability is 2p/9 * (1 - p)**56 for a damage probability p per byte, at
+most 0.14 %. See `LineQuality` for a stronger confirmation.
 """
 
-# Limits of a stop before the port is closed. The window waits for one second.
+# Limits of the stop before the port is closed. The window waits one second for it.
 _CLOSING_ATTEMPTS = 6
-_CAREFUL_CLOSING_ATTEMPTS = 16  # limit on a line that damages bytes
-_CLOSING_SECONDS = 0.5  # latest start of a round
+_CAREFUL_CLOSING_ATTEMPTS = 16  # on a line that damages bytes
+_CLOSING_SECONDS = 0.5  # time after which no further round starts
 
 
 @dataclass(slots=True, eq=False)
 class StopRun:
-    """Stop of one board, repeated until clean statuses follow. See `stop_together`."""
+    """Stop of one board, repeated until clean statuses confirm it. See `stop_together`."""
 
     driver: "MotorDriver"
     attempts: int  # remaining rounds
     rounds: int  # consecutive clean rounds that confirm the stop
     is_final: bool  # True if the stop does not wait for a quiet line
     aborts: Callable[[], bool]  # called after a round that was not clean; True ends the stop
-    stops: Sequence[Stop]  # served requests; queued again if the line is gone
+    stops: Sequence[Stop]  # requests that this stop serves; queued again if the line is gone
     end: Callable[[bool], None]  # called with True if the board has confirmed the stop
     clean: int = 0  # consecutive clean rounds
     latched: list[LatchedStatus] = field(default_factory=list)
     was_sent: bool = False
     most_unanswered: int = _ATTEMPTS  # consecutive unanswered rounds that end the stop
-    unanswered: list[NoReply] = field(default_factory=list)  # errors of consecutive last rounds
+    unanswered: list[NoReply] = field(default_factory=list)  # errors of the last unanswered rounds
 
     @property
     def is_confirmed(self) -> bool:
@@ -85,11 +86,11 @@ class MotorDriver:
     """
 
     output: MotorOutput  # state of the motors; receives the requests
-    client: TrexClient  # replaced by the owner if the board gets other connection settings
+    client: TrexClient  # replaced by the owner if the connection settings change
     _status: StatusReader
-    # Called with statuses whose bits were cleared by reading them
+    # Called with the statuses that were read, since reading a status clears its bits
     _on_statuses: Callable[[Sequence[LatchedStatus]], None] = lambda _: None
-    # True while the port is about to be closed, which aborts stops without a reply
+    # Returns True while the port is closing, which ends a stop after an unclean round
     _is_closing: Callable[[], bool] = lambda: False
 
     def _send_stop(self) -> None:
@@ -108,7 +109,7 @@ class MotorDriver:
         end: Callable[[bool], None] = lambda _: None,
     ) -> StopRun:
         self.output.retry.clear()
-        self.output.refresh.clear()  # a late reply must not let a refresh drive the motors
+        self.output.refresh.clear()  # a refresh while a reply is late must not drive the motors
         is_careful = is_careful or (is_final and not self._is_quiet())
         rounds = _CAREFUL_ROUNDS if is_careful else _CLEAN_ROUNDS
         return StopRun(self, attempts, rounds, is_final, aborts or self._is_closing, stops, end)
@@ -116,7 +117,7 @@ class MotorDriver:
     def send_stop(self, run: StopRun) -> None:
         run.attempts -= 1
         run.was_sent = False
-        with suppress(NoReply, BadReply, BadRequest):  # the other boards must be stopped, too
+        with suppress(NoReply, BadReply, BadRequest):  # the other boards must still be stopped
             self._send_stop()
             run.was_sent = True
 
@@ -161,7 +162,7 @@ class MotorDriver:
         return self._stop(_ATTEMPTS, is_final=True, is_careful=careful)
 
     def takeover_stop(self) -> StopRun:
-        """Return the stop after the guardian has used the line."""
+        """Return the stop for a line that the guardian has used."""
         self._is_quiet()
         self.output.quality.is_shared = False
         return self.final_stop()
@@ -173,8 +174,8 @@ class MotorDriver:
             self.output.end_stops(stops, self._now(), answered=answered)
 
     def closing_stop(self) -> StopRun:
-        """Return the stop before the port is closed. It serves every requested stop."""
-        end = self._now() + _CLOSING_SECONDS
+        """Return the stop to run before the port is closed. It serves every requested stop."""
+        deadline = self._now() + _CLOSING_SECONDS
         attempts = _CLOSING_ATTEMPTS if self._is_quiet() else _CAREFUL_CLOSING_ATTEMPTS
         stops = self.output.pop_stops()
 
@@ -183,15 +184,15 @@ class MotorDriver:
             self.output.report_stops(stops, error)
 
         def is_late() -> bool:
-            return self._now() >= end
+            return self._now() >= deadline
 
         return self._stop(attempts, is_final=True, aborts=is_late, stops=stops, end=report)
 
     def stop_early(self) -> None:
-        """Send the requested stops on an untested line, and discard a possible echo.
+        """Send the requested stops on an untested line, and wait for a possible echo.
 
-        The requests stay queued until they are confirmed. If motors may be moving, an earlier
-        session may have driven another board: a stop without a number reaches all boards.
+        The requests remain queued until they are confirmed. If motors may be moving, an earlier
+        session may have driven another board, so a stop to all boards follows.
         """
         if not (self.output.may_move or self.output.stops):
             return
@@ -236,7 +237,8 @@ class MotorDriver:
         """Send due setpoints, retries or refreshes. Return whether anything was due.
 
         Raises:
-            NoReply, BadReply: the echo of a setpoint is corrupted; it is queued again.
+            NoReply, BadReply: the echo of a setpoint is missing or corrupted. The setpoint is
+                queued again.
         """
         if self.seconds_to_drive() > 0:
             return False
@@ -269,20 +271,23 @@ class MotorDriver:
 
     @property
     def _interval(self) -> float:
-        # Motor packets occupy the line for at most half of the time.
+        # Motor packets may occupy the line for at most half of the time.
         return max(DRIVE_INTERVAL, 2 * self.client.settings.line.seconds(_LONGEST_DRIVE))
 
     def avoids_risky_polls(self) -> bool:
-        """True if a damaged query could become a motor command that drives a motor."""
+        """True if a damaged query could drive a motor."""
         return (self.output.may_move or self.output.is_armed) and not self._is_quiet()
 
     def _refresh(self, *, is_waiting: bool = False) -> None:
-        """Refresh every setpoint. `is_waiting`: a reply is awaited, so no status can be read."""
+        """Refresh every setpoint.
+
+        `is_waiting`: True while a reply is awaited, so that no status can be read.
+        """
         refresh = self.output.refresh
         self.output.record_refresh()
         for command in refresh.idle_commands():
             self.client.send(command)
-        refresh.record_sent(self._now())  # measured from the end, so that polls have time
+        refresh.record_sent(self._now())  # the interval starts here, to leave time for polls
         if (refresh.stops_on_error or refresh.holds_speeds) and refresh.running:
             if is_waiting:
                 return
@@ -292,14 +297,14 @@ class MotorDriver:
             self._on_statuses([latched] if latched else [])
             self.output.record_status(latched, stops_on_error=True)
             if not latched.is_whole:
-                refresh.record_sent(self._now())  # polls come before the next refresh
+                refresh.record_sent(self._now())  # leave time for polls
                 return
         for command in refresh.speeds():
             self.client.send(command)
         refresh.record_sent(self._now())
 
     def refresh_while_waiting(self, waited: float) -> float:
-        """Refresh due setpoints while a reply is late. Return the seconds to the next call."""
+        """Refresh due setpoints while a reply is late. Return the seconds until the next call."""
         reply = self.client.settings.line.seconds(LONGEST_REPLY) + BOARD_DELAY - waited
         seconds = max(reply, self.output.refresh_due(self._interval) - self._now())
         if self.client.echo:
@@ -326,23 +331,24 @@ class MotorDriver:
 def stop_together(
     runs: Sequence[StopRun], due: Callable[[], Sequence[StopRun]] = tuple
 ) -> list[StopRun]:
-    """Stop boards on one line. In each round, all stops are sent before a status is read.
+    """Stop boards on one line. Return all stops, including the stops from `due`.
 
-    `due` returns stops of other boards that have become due meanwhile. Return all stops.
+    In each round, all stops are sent before a status is read. `due`: returns stops of other boards
+    that have become due.
     """
-    unfinished, every = list(runs), list(runs)
+    unfinished, all_runs = list(runs), list(runs)
     try:
         while unfinished:
             for run in unfinished:
                 run.driver.send_stop(run)
             unfinished = [run for run in unfinished if not run.driver.check_stop(run)]
-            more = due()
-            unfinished += more
-            every += more
+            due_runs = due()
+            unfinished += due_runs
+            all_runs += due_runs
     except Exception:
-        for run in every:
+        for run in all_runs:
             run.driver.output.put_back(run.stops)
         raise
-    for run in every:
+    for run in all_runs:
         run.driver.finish_stop(run)
-    return every
+    return all_runs

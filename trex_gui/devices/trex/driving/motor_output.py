@@ -1,7 +1,7 @@
 """State machine of the motor output.
 
-Pure: `now` is the time in seconds on the line's clock, and `motor_driver` does the I/O. `Arming`
-and `Motion` change independently, each by its own transition table.
+It does no I/O, see `motor_driver`. `now` is the time in seconds on the line's clock. `Arming` and
+`Motion` change independently, each by its own transition table.
 """
 
 import math
@@ -37,10 +37,10 @@ STOP_RETRY_INTERVAL = 0.25  # seconds between retries of an unconfirmed stop
 class Arming(Enum):
     """Motor commands that may be sent."""
 
-    INITIAL = auto()  # all commands: the motors were neither armed nor stopped yet
+    INITIAL = auto()  # all commands: the motors have been neither armed nor stopped yet
     ARMED = auto()  # all commands while heartbeats arrive
     DISARMED = auto()  # no commands until the motors are armed
-    UNREACHABLE = auto()  # no commands, and no arming: the board does not respond
+    UNREACHABLE = auto()  # neither commands nor arming: the board does not respond
 
 
 class Motion(Enum):
@@ -89,7 +89,7 @@ _ARMING: Mapping[tuple[Arming, OutputEvent], tuple[Arming, tuple[Action, ...]]] 
     (Arming.UNREACHABLE, OutputEvent.NOT_RESPONDING): (Arming.UNREACHABLE, _UNREACHABLE),
     (Arming.UNREACHABLE, OutputEvent.BOARD_READ): (Arming.DISARMED, ()),
 }
-"""Next state and actions for each event. Events that are not listed have no effect."""
+"""Next state and actions for each state and event. Other events have no effect."""
 
 _MOTION: Mapping[tuple[Motion, OutputEvent], tuple[Motion, tuple[Action, ...]]] = {
     (Motion.STOPPED, OutputEvent.SETPOINT_SENT): (Motion.DRIVEN, ()),
@@ -120,7 +120,7 @@ class MotorOutput:
     ) -> None:
         self.arming = Arming.INITIAL
         self.motion = Motion.DRIVEN if may_move else Motion.STOPPED
-        self.stops: list[Stop] = []  # requested stops that were not sent yet
+        self.stops: list[Stop] = []  # requested stops that have not been sent yet
         self.setpoints = SetpointSlots()
         self.quality = LineQuality()
         self.restart = RestartWatch(self.quality)

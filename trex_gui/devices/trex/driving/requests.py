@@ -1,4 +1,4 @@
-"""Requests to the motor output, its reports, and the packets of setpoints."""
+"""Requests and reports of the motor output, and packets for setpoints."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -30,12 +30,12 @@ class SetAuxiliary:
     speed: int  # 0-127
     accelerate: bool = False
 
-    motor: ClassVar = 3  # channel of the auxiliary motor
+    motor: ClassVar = 3  # number of the auxiliary motor
 
 
 @dataclass(frozen=True, slots=True)
 class Stop:
-    """Stop all motors before anything else is sent. Its `Outcome` is the confirmation.
+    """Request to stop all motors before anything else is sent. Its `Outcome` confirms the stop.
 
     Setpoints are dropped until the next `Arm`.
     """
@@ -45,13 +45,13 @@ class Stop:
 
 @dataclass(frozen=True, slots=True)
 class Arm:
-    """Arm the motors until the next `Stop`. This request has no outcome.
+    """Request to arm the motors until the next `Stop`. It has no outcome.
 
     Without a `Heartbeat` or a setpoint for `Timeouts.heartbeat` seconds, the motors are stopped
     and `MotorsStopped` is reported.
     """
 
-    selection: int = 0  # `Connected.selection` of the intended board; ignored by other boards
+    selection: int = 0  # `Connected.selection` of the board; other boards ignore the request
 
 
 @dataclass(frozen=True, slots=True)
@@ -97,7 +97,7 @@ def is_idle(setpoint: Setpoint) -> bool:
 
 
 def packets(setpoints: Sequence[Setpoint]) -> list[Command[None]]:
-    """Return the fewest commands for these setpoints."""
+    """Return as few commands as possible for these setpoints."""
     motors = [setpoint for setpoint in setpoints if isinstance(setpoint, SetMotor)]
     commands: list[Command[None]] = []
     if len(motors) == 2 and motors[0].accelerate == motors[1].accelerate:

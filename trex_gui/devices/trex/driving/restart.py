@@ -9,23 +9,26 @@ from trex_gui.devices.trex.driving.requests import SetMotor, Setpoint, is_idle
 from trex_gui.devices.trex.driving.setpoints import LineQuality
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 
-_DRAWS = 3  # counts that confirm a current; inferred: a motor without load draws more
-_SETTLING = 0.1  # seconds until the current follows a new setpoint
-_FALLEN = 1.0  # seconds without a current; a robot that rolls downhill seldom draws none for longer
-_FALLEN_AFTER_LOSS = 0.06  # seconds without a current after a lost reply
+_DRAWING_COUNTS = 3  # counts that confirm a current; inferred: a motor without load draws more
+_SETTLING_SECONDS = 0.1  # time until the current follows a new setpoint
+
+# Time without a current that indicates a restart. A robot that rolls downhill seldom draws no
+# current for longer.
+_FALL_SECONDS = 1.0
+_FALL_SECONDS_AFTER_LOSS = 0.06  # after a lost reply
 
 
 class RestartWatch:
     """Detects that a board restarted while it drove motors 1 and 2.
 
-    No query reveals a restart, and repeating a setpoint would start a motor at rest. Evidence is a
-    driven motor that stops drawing a current on a quiet line, without an explanation in the status.
-    Motors that never drew a current give no evidence.
+    No query reveals a restart, and a repeated setpoint would start a motor at rest. The evidence is
+    a driven motor that stops drawing current on a quiet line, if the status does not explain it.
+    A motor that never drew current is no evidence.
     """
 
     def __init__(self, quality: LineQuality) -> None:
         self._quality = quality
-        self._running: dict[int, tuple[SetMotor, float]] = {}  # setpoint and settling time
+        self._running: dict[int, tuple[SetMotor, float]] = {}  # motor → setpoint, settled time
         self._drawing: set[int] = set()  # motors that drew a current
         self.clear()
 
@@ -41,7 +44,7 @@ class RestartWatch:
 
     @property
     def is_checking(self) -> bool:
-        """True if the board may have restarted. No speed may be refreshed."""
+        """True if the board may have restarted, so that no speed may be refreshed."""
         return bool(self._drawing) and (self._is_reply_lost or self._fallen_at < math.inf)
 
     def record_setpoints(self, setpoints: Sequence[Setpoint], now: float) -> None:
@@ -50,7 +53,7 @@ class RestartWatch:
             known, _ = self._running.get(motor, (None, now))
             if isinstance(setpoint, SetMotor) and motor in {1, 2} and setpoint != known:
                 self._drawing.discard(motor)
-                settled_at = math.inf if is_idle(setpoint) else now + _SETTLING
+                settled_at = math.inf if is_idle(setpoint) else now + _SETTLING_SECONDS
                 self._running[motor] = setpoint, settled_at
 
     def record_lost_reply(self) -> None:
@@ -66,8 +69,8 @@ class RestartWatch:
         ):
             self._drawing.clear()  # the status explains the missing current
             self._end_check()
-        enough = _FALLEN_AFTER_LOSS if self._is_reply_lost else _FALLEN
-        self.has_restarted |= latched.is_whole and latched.time - self._fallen_at >= enough
+        threshold = _FALL_SECONDS_AFTER_LOSS if self._is_reply_lost else _FALL_SECONDS
+        self.has_restarted |= latched.is_whole and latched.time - self._fallen_at >= threshold
 
     def record_currents(self, counts: Sequence[int], now: float) -> None:
         if any(counts[motor - 1] > NOISE_COUNTS for motor in self._drawing):
@@ -75,5 +78,5 @@ class RestartWatch:
         elif self._drawing and (self._quality.is_quiet or self._is_reply_lost):
             self._fallen_at = min(self._fallen_at, now)
         for motor, (_, settled_at) in self._running.items():
-            if counts[motor - 1] >= _DRAWS and now >= settled_at:
+            if counts[motor - 1] >= _DRAWING_COUNTS and now >= settled_at:
                 self._drawing.add(motor)

@@ -25,16 +25,16 @@ Except on slow lines, the next status arrives before the first retry. A status w
 restarts the sequence at once.
 """
 
-LONGEST_REPEATING = 5.0  # longest time in seconds for retries
+LONGEST_REPEATING = 5.0  # seconds after which no further retry is scheduled
 
 _CLEAN_STATUSES = 2
-"""Clean statuses that confirm a setpoint, each after a packet. See `motor_driver`.
+"""Clean statuses, each after a packet, that confirm a setpoint. See `motor_driver`.
 
-One status is enough where a retry is harmful: a speed without acceleration bypasses the current
+One status is enough if a retry could do harm. A speed without acceleration bypasses the current
 limiter.
 """
 
-_REFRESHED = 1000  # consecutive undamaged replies after which refreshing ends
+_REFRESHED = 1000  # consecutive undamaged replies after which refreshes end
 
 
 class SetpointSlots:
@@ -46,7 +46,8 @@ class SetpointSlots:
 
     def put(self, *requests: SetpointRequest) -> None:
         for request in requests:
-            self._by_motor.update({each.motor: each for each in setpoints_in(request)})
+            setpoints = setpoints_in(request)
+            self._by_motor.update({setpoint.motor: setpoint for setpoint in setpoints})
 
     def __bool__(self) -> bool:
         return bool(self._by_motor)
@@ -61,7 +62,7 @@ class SetpointSlots:
 
 
 class SetpointRetry:
-    """Retries setpoints until clean statuses confirm them: motor packets have no reply."""
+    """Retries setpoints until clean statuses confirm them. Motor packets have no reply."""
 
     def __init__(self) -> None:
         self.due = math.inf  # time of the next retry, on the line's clock
@@ -105,14 +106,16 @@ class SetpointRetry:
         if not self._unconfirmed:
             return
         if latched.stops_motors() or (stops_on_error and not latched.is_clean):
-            self._unconfirmed = [each for each in self._unconfirmed if is_idle(each)]
+            self._unconfirmed = [setpoint for setpoint in self._unconfirmed if is_idle(setpoint)]
         if not latched.is_clean:
             self._clean = self._repeated = 0
             self.due = latched.time
         elif self._sent_since_status:
             self._sent_since_status = False
             self._clean += 1
-        is_harmless = all(each.accelerate or is_idle(each) for each in self._unconfirmed)
+        is_harmless = all(
+            setpoint.accelerate or is_idle(setpoint) for setpoint in self._unconfirmed
+        )
         if not self._unconfirmed or self._clean >= (_CLEAN_STATUSES if is_harmless else 1):
             self.clear()
 
@@ -121,11 +124,12 @@ QUIET = 300
 """Consecutive undamaged replies after which a line counts as quiet.
 
 Assume that each byte is damaged with probability p, in one of its nine bits (eight data bits and
-the stop bit). Damage to one of two bits turns the last packet of a brake into a speed, undetected:
-probability 2p/9. Each reply needs an undamaged request byte, so the probability of a damaged brake
-on a quiet line is below 2p/9 * (1 - p)**300: at most 2.7e-4 (p = 1/300), 1.1e-4 at 1 %, 1.0e-5 at
-2 %, 2e-9 at 5 %. The auxiliary speed has seven such bits, so its probability is 3.5 times as high.
-CRC-7 detects every single-bit error. At 19200 baud and above, 300 replies take 1.6 s.
+the stop bit). Damage to either of two bits turns the last packet of a brake into a speed without
+being detected. The probability is 2p/9. Each reply needs an undamaged request byte, so the
+probability of a damaged brake on a quiet line is below 2p/9 * (1 - p)**300. Its maximum is 2.7e-4
+(p = 1/300). For p = 1 %, 2 % and 5 %, it is 1.1e-4, 1.0e-5 and 2e-9. The auxiliary speed has seven
+such bits, so its probability is 3.5 times as high. CRC-7 detects every single-bit error. At 19200
+baud and above, 300 replies take 1.6 s.
 """
 
 
@@ -139,7 +143,7 @@ class LineQuality:
 
     def __init__(self) -> None:
         self.answers = 0  # complete replies since the line was opened
-        self.is_shared = False  # True while another process uses the line: failures are no damage
+        self.is_shared = False  # True while another process uses the line: failures do not count
         self._has_crc = False
         self._is_observed = False
         self._failures = 0
@@ -180,8 +184,8 @@ class SetpointRefresh:
     Undetected damage can turn a setpoint or a query into another motor command. Detected damage
     makes this likely, so all setpoints are refreshed until the line is quiet. Speeds are sent as
     accelerate commands, which obey the current limiter. After the first setpoint or arming, motors
-    without a setpoint are braked. Before, nothing is sent, not even after a stop: another program
-    may drive the board.
+    without a setpoint are braked. Before that, nothing is sent, not even after a stop, because
+    another program may drive the board.
     """
 
     def __init__(self, quality: LineQuality, holds_speeds: Callable[[], bool]) -> None:
@@ -193,7 +197,7 @@ class SetpointRefresh:
         self.clear = self._setpoints.clear  # motors without a setpoint count as braked
         self.holds_speeds = False  # True after the board has stopped motors, until a clean status
         self._auxiliary_at_risk = False
-        self._answers_since: int | None = None
+        self._answers_since: int | None = None  # `LineQuality.answers` when the line became quiet
         self._sent_at = 0.0
 
     def record_setpoints(self, setpoints: Sequence[Setpoint], now: float) -> None:
@@ -210,7 +214,7 @@ class SetpointRefresh:
         self._record_auxiliary_risk()
 
     def record_status(self, latched: LatchedStatus, *, stops_on_error: bool) -> None:
-        """Hold speeds back if the board has stopped its motors, until a clean status."""
+        """Hold back speeds after the board has stopped its motors, until a clean status."""
         self.stops_on_error = stops_on_error
         self.holds_speeds = latched.stops_motors(on_error=stops_on_error)
         if latched.uart and stops_on_error:  # a second reply confirms the error
@@ -218,7 +222,7 @@ class SetpointRefresh:
                 del self._setpoints[setpoint.motor]
 
     def on_direct_command(self) -> None:
-        """Pause until the next setpoint or stop: the motors are in an unknown state."""
+        """Pause until the next setpoint or stop, since the state of the motors is unknown."""
         self._is_active = False
 
     def due(self, interval: float, *, armed: bool) -> float:
@@ -249,7 +253,7 @@ class SetpointRefresh:
         return [command for setpoint in idle for command in packets([setpoint])]
 
     def speeds(self) -> list[Command[None]]:
-        """Return a packet for each running motor. None if the board may have stopped them."""
+        """Return a packet for each running motor. Empty if the board may have stopped motors."""
         if self.holds_speeds or self._is_held():
             return []
         return [

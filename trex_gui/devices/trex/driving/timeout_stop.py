@@ -38,7 +38,7 @@ class TimeoutStop(Enum):
 
 @dataclass(frozen=True, slots=True)
 class TimeoutTrial:
-    """Observation of the user after pulling the cable of a driven board."""
+    """Observation by the user after pulling the cable of a driven board."""
 
     stopped: bool  # True if the motors stopped by themselves
     shutdown: bool  # True if UART-Error Shutdown was set
@@ -47,8 +47,8 @@ class TimeoutTrial:
 def timeout_stop(parameters: Mapping[str, int], trial: TimeoutTrial | None = None) -> TimeoutStop:
     if not parameters.get(_TIMEOUT):
         return TimeoutStop.OFF
-    shutdown = bool(parameters.get(_SHUTDOWN, 0) & 1)  # a mask on the twin, bit 0 for the line
-    # One trial may apply to both settings: motors that stop without shutdown also stop with it.
+    shutdown = bool(parameters.get(_SHUTDOWN, 0) & 1)  # bit 0 of a mask on the twin
+    # One trial may apply to both settings. Motors that stop without shutdown also stop with it.
     if trial is not None and shutdown in {trial.shutdown, trial.stopped}:
         if trial.stopped:
             return TimeoutStop.TRIED
@@ -57,12 +57,15 @@ def timeout_stop(parameters: Mapping[str, int], trial: TimeoutTrial | None = Non
 
 
 def with_shutdown(timeout: int) -> dict[str, int]:
-    """Return proposed parameters for a timeout in tenths of a second. 0 is off."""
+    """Return the proposed parameters for a timeout in tenths of a second. 0 is off."""
     return {_TIMEOUT: timeout, **({_SHUTDOWN: 1} if timeout else {})}
 
 
 def turning_text(motors: Collection[int]) -> str:
-    """Return a warning for motors 1 to 3. 3 is the auxiliary, and empty means unknown."""
+    """Return a warning that motors may still be turning.
+
+    `motors`: numbers of the motors, 3 for the auxiliary. Empty if unknown.
+    """
     match [*motors]:
         case [3]:
             return tr("The auxiliary motor may still be turning.")
@@ -72,6 +75,6 @@ def turning_text(motors: Collection[int]) -> str:
 
 
 def remedy_for_silence(stop: TimeoutStop, timeout: str) -> str:
-    """Return the remedy after a driven board was lost. `timeout`: serial timeout as text."""
+    """Return the remedy for a lost board that was driven. `timeout`: serial timeout as text."""
     text = tr("The board should stop {0} after the last byte; if not, cut the power.")
     return text.format(timeout) if stop.is_reliable else tr("Cut the power.")

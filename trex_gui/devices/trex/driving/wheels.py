@@ -1,4 +1,4 @@
-"""Motors of several boards as the wheels of one robot: side and direction of each wheel."""
+"""Motors of several boards as the wheels of one robot."""
 
 import re
 from collections.abc import Iterable, Sequence
@@ -37,23 +37,23 @@ def front_and_back(boards: Iterable[int]) -> tuple[Wheel, ...]:
 
 
 def packed(wheels: Iterable[Wheel]) -> str:
-    """Return the text of wheels for the preferences, such as `7.1.1+ 7.2.2-`."""
+    """Return the wheels as text for the preferences, such as `7.1.1+ 7.2.2-`."""
     return " ".join(f"{w.board}.{w.motor}.{w.side}{'-' if w.is_reversed else '+'}" for w in wheels)
 
 
 def unpacked(text: str) -> tuple[Wheel, ...]:
-    """Return the wheels of a `packed` text. ValueError if the text is invalid."""
-    found = [_WHEEL.fullmatch(word) for word in text.split()]
-    wheels = [Wheel(int(m[1]), int(m[2]), int(m[3]), m[4] == "-") for m in found if m is not None]
-    if len(wheels) < len(found):
-        raise ValueError(f"{text!r} are no wheels")
+    """Return the wheels of a `packed` text. Raise `ValueError` if the text is invalid."""
+    matches = [_WHEEL.fullmatch(word) for word in text.split()]
+    wheels = [Wheel(int(m[1]), int(m[2]), int(m[3]), m[4] == "-") for m in matches if m is not None]
+    if len(wheels) < len(matches):
+        raise ValueError(f"{text!r} does not describe wheels")
     return tuple(wheels)
 
 
 def setpoints_of(
     wheels: Sequence[Wheel], request: SetpointRequest
 ) -> dict[int, SetMotor | SetMotors]:
-    """Return the request to each board. In `request`, motors 1 and 2 are the sides."""
+    """Return the request for each board. In `request`, motors 1 and 2 are the sides."""
     by_side = {setpoint.motor: setpoint for setpoint in setpoints_in(request)}
     by_board: dict[int, list[SetMotor]] = {}
     for wheel in wheels:
