@@ -16,7 +16,7 @@ from trex_gui.ui.widgets import builders as ui
 
 _LEFT_OUT = {BoardStep.FAILED, BoardStep.SKIPPED}
 _CHECKED = Qt.CheckState.Checked
-_LINES = 6  # visible boards
+_VISIBLE_BOARDS = 6
 
 
 class ApplyToSeveral(QObject):
@@ -39,7 +39,7 @@ class ApplyToSeveral(QObject):
         for column in (0, 1):
             header.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
         header.setStretchLastSection(True)
-        table.setMaximumHeight(_LINES * 2 * table.fontMetrics().height())
+        table.setMaximumHeight(_VISIBLE_BOARDS * 2 * table.fontMetrics().height())
         self.dialog = ChangesDialog(
             device,
             parent,
@@ -98,7 +98,7 @@ class ApplyToSeveral(QObject):
         return item
 
     def _set_checkable(self, item: QTableWidgetItem, plan: BoardPlan) -> None:
-        """Show a check box for a board with changes, checked at first."""
+        """Show a check box for a board with changes. It is initially checked."""
         checkable, role = Qt.ItemFlag.ItemIsUserCheckable, Qt.ItemDataRole.CheckStateRole
         if plan.step is not BoardStep.REVIEWED or not plan.to_write:
             item.setFlags(item.flags() & ~checkable)
@@ -127,8 +127,8 @@ class ApplyToSeveral(QObject):
             rows=rows and replace(rows, rows=tuple(r for r in rows.rows if not r.is_missing)),
             sides=(tr("Board {0}").format(plan.number) if plan is not None else "", tr("File")),
             with_ticks=False,
-            # Without proposals, since the file is written unchanged.
-            remarks=[replace(each, change={}) for each in plan.findings] if plan else [],
+            # The file is written unchanged, so proposals are omitted.
+            remarks=[replace(finding, change={}) for finding in plan.findings] if plan else [],
             trouble=self._trouble,
             action=text if selected else tr("&Write to boards"),
             can_act=bool(selected) and not running and self._device.is_writable and not is_driven,

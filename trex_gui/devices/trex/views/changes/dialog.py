@@ -1,4 +1,4 @@
-"""Dialog that previews changes of settings."""
+"""Dialog that previews changes to settings."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -25,16 +25,16 @@ from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _WIDTH = 760  # pixels
 _MARGIN = 24  # pixels
-_AROUND_BUTTONS = 12  # pixels that are amber while motors are armed
+_AROUND_BUTTONS = 12  # pixels around the buttons, amber while motors are armed
 Rows = tuple[ComparisonRow, ...]
 TickedOf = Callable[[Comparison], Rows]  # returns the checked rows of a comparison
 
 
 class Names(NamedTuple):
-    """Object names."""
+    """Object names of a dialog and its parts."""
 
     dialog: str
-    prefix: str  # prefix of other names in the dialog
+    prefix: str  # prefix of further names
     action: str
     close: str
 
@@ -47,7 +47,7 @@ class Changes:
     rows: Comparison | None = None  # `None`: no table
     sides: tuple[str, str] = ("", "")  # names of the settings before and after
     with_ticks: bool = True  # True if rows have check boxes
-    outcomes: Mapping[str, str] = field(default_factory=dict)  # by key, see `ComparisonTable`
+    outcomes: Mapping[str, str] = field(default_factory=dict)  # key → text in `ComparisonTable`
     summary: str = ""  # replaces the counts
     remarks: Sequence[Remark] = ()
     can_accept: bool = False  # True if proposals in the remarks can be accepted
@@ -62,9 +62,9 @@ class Question(InlinePrompt):
     def prompt_before(
         self, write: Callable[[], object], doubts: Callable[[], Sequence[str]]
     ) -> None:
-        """Call `write`, after a prompt if `doubts` returns names of values."""
-        named = doubts()
-        if not named:
+        """Call `write`. Prompt first if `doubts` returns names of values."""
+        names = doubts()
+        if not names:
             write()
             return
         text = tr(
@@ -72,11 +72,11 @@ class Question(InlinePrompt):
             "reject the value, or store another one."
         )
         answer = Answer("writeAnyway", tr("Write an&yway"), write)
-        self.prompt(text.format(", ".join(named)), answer, still=lambda: doubts() == named)
+        self.prompt(text.format(", ".join(names)), answer, still=lambda: doubts() == names)
 
 
 class ChangesDialog(ReusedDialog):
-    """Table of changes with a primary button. Not modal, with its own stop button."""
+    """Dialog with a table of changes, a primary button and a stop button. It is not modal."""
 
     def __init__(
         self,
@@ -91,9 +91,9 @@ class ChangesDialog(ReusedDialog):
     ) -> None:
         """`describe` returns the content, or `None` to close the dialog.
 
-        It is called when the dialog opens, when a row is checked or cleared, and when a signal in
-        `follows` is emitted. The primary button calls `act` with the checked rows. `above`: widget
-        above the rows.
+        It is called when the dialog opens, when a row is checked or unchecked, and when a signal
+        in `follows` is emitted. The primary button calls `act` with the checked rows. `above`:
+        widget above the rows.
         """
         super().__init__(parent)
         prefix = names.prefix
@@ -118,20 +118,20 @@ class ChangesDialog(ReusedDialog):
         self.rows.setSizePolicy(policy.Preferred, policy.Expanding)
         self._findings_area.setSizePolicy(policy.Preferred, policy.Maximum)
         self.question = named(Question(self), f"{prefix}Question")
-        room = MessageSpace(self, self.question)
+        message_space = MessageSpace(self, self.question)
         bar = MotorBar(device, f"{prefix}StopButton", self)
         self._close = button(self, names.close, on_click=self.close)
         self.action = button(self, names.action, confirms=True, on_click=self._on_action_clicked)
         self._bar = bar.fill(bar.armed, 1, self._close, self.action)
-        if (inset := self.findings.layout()) is not None:
-            inset.setContentsMargins(14, 10, 14, 10)
+        if (layout := self.findings.layout()) is not None:
+            layout.setContentsMargins(14, 10, 14, 10)
         self._parts = column(
             column(self._heading, self._caption, margins=0, spacing=4),
             self._trouble,
             *([above] if above is not None else []),
             self.rows,
             self._findings_area,
-            room,
+            message_space,
             margins=(_AROUND_BUTTONS, 0, _AROUND_BUTTONS, 0),
             spacing=14,
         )
@@ -149,15 +149,15 @@ class ChangesDialog(ReusedDialog):
     def add_beside_buttons(self, part: QWidget, stretch: int = 0) -> None:
         self._insert(self._bar, self._bar.indexOf(self._close), part, stretch)
 
-    def _insert(self, into: QBoxLayout, place: int, part: QWidget, stretch: int = 0) -> None:
-        into.insertWidget(place, part, stretch)
+    def _insert(self, into: QBoxLayout, index: int, part: QWidget, stretch: int = 0) -> None:
+        into.insertWidget(index, part, stretch)
         above, beside = (
             [
-                found
-                for n in range(each.count())
-                if (item := each.itemAt(n)) and (found := item.widget())
+                widget
+                for i in range(layout.count())
+                if (item := layout.itemAt(i)) and (widget := item.widget())
             ]
-            for each in (self._parts, self._bar)
+            for layout in (self._parts, self._bar)
         )
         tab_order(*above, self.question, *beside)
 
@@ -230,21 +230,22 @@ class ChangesDialog(ReusedDialog):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        middle = self.geometry().center()
+        center = self.geometry().center()
         for _ in range(2):  # the first pass sets the width of the rows
             self.resize(self.width(), 1)
             self.fit()
-        place = self.geometry()
-        place.moveCenter(middle)
-        self._move_to(place)
+        geometry = self.geometry()
+        geometry.moveCenter(center)
+        self._move_to(geometry)
 
     def fit(self) -> None:
         self._findings_area.updateGeometry()
         self._all.activate()
-        place = self.geometry()
-        place.setHeight(max(place.height(), self._all.totalHeightForWidth(place.width())))
-        self._move_to(place)
+        geometry = self.geometry()
+        height = self._all.totalHeightForWidth(geometry.width())
+        geometry.setHeight(max(geometry.height(), height))
+        self._move_to(geometry)
 
-    def _move_to(self, place: QRect) -> None:
-        screen = QGuiApplication.screenAt(place.center()) or self.screen()
-        self.setGeometry(fitted(place, screen.availableGeometry()))
+    def _move_to(self, geometry: QRect) -> None:
+        screen = QGuiApplication.screenAt(geometry.center()) or self.screen()
+        self.setGeometry(fitted(geometry, screen.availableGeometry()))

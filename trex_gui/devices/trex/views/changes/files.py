@@ -22,7 +22,7 @@ from trex_gui.devices.trex.views.changes.dialog import Changes, ChangesDialog, N
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets.builders import button, combo_box, label, no_mnemonic, row
 
-_NAMED = 3  # settings that a text names before it counts the rest
+_MAX_NAMES = 3  # settings named in a text; further settings are counted
 
 GetSettings = Callable[[], Settings | None]
 Report = Callable[[str], object]
@@ -40,8 +40,8 @@ def load_dialog(
 ) -> ChangesDialog:
     """Create the dialog that loads a document as edits.
 
-    `on_staged` and `on_ended` are called with a message: the changes have become edits, or the
-    board is gone. `side`: heading of the document's values, `File` by default. `edit` opens the
+    `on_staged` is called with a message when the changes have become edits, `on_ended` when the
+    board is gone. `side`: heading of the document's values, `File` by default. `edit`: opens the
     file in the editor instead.
     """
     # Read at once: the document may be edited or deleted while the dialog is open.
@@ -60,7 +60,7 @@ def load_dialog(
         board = state.signature
         conversion = convert(settings, board.model, board.firmware)
         is_converted = settings.product != board.model or conversion.alters
-        # Without a firmware, settings of a newer firmware do not count as missing.
+        # Without a firmware version, settings of newer firmware do not count as missing.
         loaded = conversion.settings if is_converted else replace(settings, firmware=None)
         try:
             comparison = diff_against_draft(draft, loaded)
@@ -113,14 +113,14 @@ def load_dialog(
 
 def _missing(comparison: Comparison) -> Iterator[str]:
     if missing := [row.name for row in comparison.rows if row.is_missing]:
-        names = ", ".join(missing[:_NAMED])
-        if len(missing) > _NAMED:
-            names = tr("{0} and {1} more").format(names, len(missing) - _NAMED)
+        names = ", ".join(missing[:_MAX_NAMES])
+        if len(missing) > _MAX_NAMES:
+            names = tr("{0} and {1} more").format(names, len(missing) - _MAX_NAMES)
         yield tr("Not in the file, so they stay as they are: {0}.").format(names)
 
 
 def _altered(conversion: Conversion) -> Iterator[str]:
-    """Yield the summary of a conversion, then each changed or omitted setting."""
+    """Yield the summary of a conversion, then a text for each changed or omitted setting."""
     yield conversion.summary()
     yield from (str(row) for row in conversion.rows if row.fate is not Fate.CARRIED_OVER)
 
@@ -137,22 +137,22 @@ def show_comparison(
 ) -> None:
     """Open a dialog that compares a document with other settings.
 
-    `other_changed` is emitted when `other` returns new settings. Their values can be copied as
-    edits, and `on_copied` is then called with a message.
+    `other_changed` is emitted when `other` returns new settings. `on_copied` is called with a
+    message when the user has copied values of the other settings as edits.
     """
-    theirs: Settings | None = None
+    other_settings: Settings | None = None
 
     def describe(ticked_of: TickedOf) -> Changes | None:
-        nonlocal theirs
-        theirs = other() or theirs  # the last settings of a board that is gone
-        mine, trouble = document.settings, ""
+        nonlocal other_settings
+        other_settings = other() or other_settings  # keep the last settings if the board is gone
+        own_settings, trouble = document.settings, ""
         heading = tr("{0} and {1}").format(document.name, other_name)
-        if mine is None or theirs is None:
+        if own_settings is None or other_settings is None:
             return Changes(heading, close=tr("Close"))
         try:
-            rows = diff_against_draft(document.draft, theirs)
+            rows = diff_against_draft(document.draft, other_settings)
         except BadRequest as error:
-            trouble, rows = error_sentence(error), compare(mine, theirs)
+            trouble, rows = error_sentence(error), compare(own_settings, other_settings)
         count = len(ticked_of(rows))
         text = tr("%n setting(s) differ, {0} match.", "", len(rows.differing))
         action = tr("&Copy %n value(s) to {0}", "", count).format(no_mnemonic(document.name))

@@ -45,14 +45,14 @@ class Review(QObject):
         self._boards = boards
         self._cycle = PowerCycle(device, self)
         self._phase = _Phase.REVIEW
-        self._problem = self._detail = ""  # error, and its consequences
-        self._title = ""  # title of reviewed defaults, empty for other edits
+        self._problem = self._detail = ""  # error message and its consequences
+        self._title = ""  # title of the reviewed defaults, empty for other edits
         self._serial_only = False
         self._defaults: Rows = ()
         self._writing = Comparison(())  # changes of the current or last write
         self._outcomes: dict[str, str] = {}
         self._findings: tuple[LintFinding, ...] = ()
-        self._unstaged = self._staged = -1  # undo index before and after staging defaults
+        self._unstaged = self._staged = -1  # undo indexes before and after staging defaults
 
         draft_changes = device.draft.pending_changed, device.draft.loaded
         self.dialog = ChangesDialog(
@@ -89,7 +89,7 @@ class Review(QObject):
         self._open()
 
     def review_defaults(self, *, serial_only: bool) -> None:
-        """Stage all or serial defaults and review them. Closing the review undoes them."""
+        """Stage all defaults, or only the serial ones. Closing the review reverts them."""
         draft, shown = self._device.draft, self._device.draft.shown
         if self._phase is not _Phase.WRITING and shown is not None:
             self._revert()
@@ -97,8 +97,8 @@ class Review(QObject):
             titles = tr("Restore factor&y defaults…"), tr("Restore ser&ial defaults…")
             self._title, self._serial_only = title_of(titles[serial_only]), serial_only
             defaults = serial_defaults if serial_only else factory_settings
-            found = diff_against_draft(draft, defaults(shown.product, shown.firmware))
-            self._defaults = tuple(row for row in found.rows if row.changed)
+            comparison = diff_against_draft(draft, defaults(shown.product, shown.firmware))
+            self._defaults = tuple(row for row in comparison.rows if row.changed)
             draft.stage(self._defaults, self._title)
             if self._undo.index() > before:
                 self._unstaged, self._staged = before, self._undo.index()
@@ -147,7 +147,7 @@ class Review(QObject):
     def _write_rows(self, rows: Rows) -> None:
         written = {row.key for row in rows}
         left_out = {row.key for row in self._changes().rows} - written
-        if left_out and self._revert():  # omitted defaults must not stay as edits
+        if left_out and self._revert():  # omitted defaults must not remain edits
             remaining = (row for row in self._defaults if row.key not in left_out)
             self._device.draft.stage((*remaining, *rows), self._title)
         self._problem = ""
@@ -184,7 +184,7 @@ class Review(QObject):
 
     @Slot(object)
     def _on_accepted(self, finding: LintFinding) -> None:
-        """Accept a proposal and check its rows, even if the user has cleared them."""
+        """Accept a proposal and check its rows, even if the user has unchecked them."""
         is_newest = self._staged == self._undo.index()
         self._linter.accept(finding)
         if is_newest:
@@ -203,7 +203,7 @@ class Review(QObject):
         self._unstaged = self._staged = -1
 
     def _revert(self) -> bool:
-        """Undo staged defaults if they are the newest edit. Return whether they were."""
+        """Undo staged defaults if they are the newest edit. Return whether they were undone."""
         is_newest = self._staged == self._undo.index()
         if is_newest:
             self._undo.setIndex(self._unstaged)
@@ -358,12 +358,12 @@ class Review(QObject):
 
 
 def _outcomes(results: Iterable[WriteResult]) -> Iterator[str]:
-    occurred: StudioError | None = None
+    previous_error: StudioError | None = None
     for result in results:
         if result.error is None:
             yield ""
-        elif result.error is occurred:
+        elif result.error is previous_error:
             yield tr("not attempted")
         else:
-            occurred = result.error
+            previous_error = result.error
             yield error_sentence(result.error)

@@ -1,1 +1,1 @@
-"""The pages of the workspace."""
+"""Pages of the workspace."""

@@ -25,15 +25,15 @@ class CurrentsPage(PlotPage):
         panel = CurrentsPanel(self._device, plots)
         self._show_moment = panel.show_moment
         plots.add(panel)
-        others: list[QWidget] = []
+        other_panels: list[QWidget] = []
 
         def follow_group() -> None:
-            while others:
-                plots.remove(others.pop())
+            while other_panels:
+                plots.remove(other_panels.pop())
             for number, device in self._group.devices.items():
                 if device is not self._device:
-                    others.append(CurrentsPanel(device, plots, key=f"currents{number}"))
-                    plots.add(others[-1])
+                    other_panels.append(CurrentsPanel(device, plots, key=f"currents{number}"))
+                    plots.add(other_panels[-1])
 
         self._group.changed.connect(follow_group)
         follow_group()

@@ -1,4 +1,4 @@
-"""Plot of a board's currents, in a page or window. Importing it loads pyqtgraph."""
+"""Plot of a board's currents, in a page or window. Importing this module loads pyqtgraph."""
 
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QCloseEvent, QKeySequence, QShortcut, QShowEvent
@@ -45,16 +45,16 @@ class CurrentsPanel(TracePanel):
         self._limits |= {f"motor{m}_current": limit for m, limit in limits.items() if limit}
         state = self._device.state
         if state is None:
-            note = empty = tr("Connect to a board to see its motor currents.")
+            note = empty_text = tr("Connect to a board to see its motor currents.")
             if self._device.link is ConnectionState.DISCONNECTED:
-                empty = tr(
+                empty_text = tr(
                     "No board is connected. Choose a port at the top of the main window and press "
                     "Connect; without hardware, choose the demo board."
                 )
         elif self._device.board.is_joint:
-            note = empty = tr("Joint mode: the board does not sense currents.")
+            note = empty_text = tr("Joint mode: the board does not sense currents.")
         else:
-            empty = tr("No current has been read yet.")
+            empty_text = tr("No current has been read yet.")
             step = state.signature.model.current_unit * 1000
             note = tr("One count of this board is {0:.0f} mA.").format(step)
             note = f"{note} {tr(CURRENT_ACCURACY)}"
@@ -67,7 +67,7 @@ class CurrentsPanel(TracePanel):
         if note != self._note_text:  # the result of an export remains until the note changes
             self._note_text = note
             self.set_note(note)
-        self.plot.set_empty_text(empty)
+        self.plot.set_empty_text(empty_text)
         self.refresh()
 
     @Slot()

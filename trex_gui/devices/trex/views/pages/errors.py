@@ -1,4 +1,4 @@
-"""Page of reported errors and the connection quality."""
+"""Page of reported errors and connection quality."""
 
 from collections.abc import Sequence
 from datetime import datetime, timedelta
@@ -53,12 +53,12 @@ class ErrorsPage(ProblemsPage):
         counters, quality = board.counters, board.quality
         is_open = self._device.is_connected and opened is not None
         is_known = is_open and quality.is_noisy is not None
-        requests = tr("Requests: {0}, without a reply: {1}.")
-        returns = tr(
+        requests_text = tr("Requests: {0}, without a reply: {1}.")
+        returns_text = tr(
             "The board came back in another mode, so its power was off meanwhile; it does not "
             "report a restart in the same mode. Returned after silence: {0}."
         )
-        details = requests.format(counters.requests, counters.missing)
+        details = requests_text.format(counters.requests, counters.missing)
         readings = (
             Reading(
                 tr("Answered, last {0:.0f} s").format(quality.seconds or 10),
@@ -69,7 +69,7 @@ class ErrorsPage(ProblemsPage):
             Reading(tr("Reads a second"), f"{quality.rate:.0f}" if quality.rate else "–"),
             Reading(tr("Slowest reply"), f"{1000 * counters.slowest:.0f} ms"),
             Reading(tr("Connected for"), str(timedelta(seconds=int(now() - (opened or now()))))),
-            Reading(tr("Restarts seen"), str(board.restarts), returns.format(board.returns)),
+            Reading(tr("Restarts seen"), str(board.restarts), returns_text.format(board.returns)),
             Reading(tr("Corrupted replies"), str(counters.corrupted)),
         )
         return readings if is_open else [reading.unknown() for reading in readings]

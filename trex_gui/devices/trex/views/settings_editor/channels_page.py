@@ -1,4 +1,4 @@
-"""Page for the calibrations in a settings file."""
+"""Page of the calibrations in a settings file."""
 
 from functools import partial
 
@@ -27,16 +27,16 @@ class DocumentChannels(PlotPage):
         self._source = InputSource.RC
         self._strips = ChannelStrips(None, self)
         self._card = card = ChannelCard(draft, self)
-        self._given = ElidedLabel("", card)
+        self._absence = ElidedLabel("", card)
         self._findings = FindingsList("calibration", card.sources, card, is_wide=True)
         self._add = button(card, "addCalibrationButton", tr("&Add to the file"))
         self._leave_out = button(card, "leaveOutCalibrationButton", tr("Leave out of the fi&le"))
         buttons = self._add, self._leave_out
-        card.lay_out(self._given, (self._findings,), QWidget(card), *buttons)
+        card.lay_out(self._absence, (self._findings,), QWidget(card), *buttons)
         row((self._strips, 3), (card, 5), into=self, margins=16, spacing=16)
 
         self._strips.chosen.connect(self._show_channel)
-        self._findings.follow(linter, lambda found: self._key in found.keys)
+        self._findings.follow(linter, lambda finding: self._key in finding.keys)
         self._add.clicked.connect(self._on_add)
         self._leave_out.clicked.connect(lambda: draft.calibrations.remove(self._key))
         card.source_chosen.connect(self._on_source_chosen)
@@ -70,7 +70,7 @@ class DocumentChannels(PlotPage):
         options.show_channel(self._strips.channel, self._source, editable=True)
         self._card.show_channel(key, shown, before, after, editable=shown is not None)
         self._card.note.show_note("")
-        self._given.show_text("" if shown else tr("Not in the file: the board keeps its own."))
+        self._absence.show_text("" if shown else tr("Not in the file: the board keeps its own."))
         self._add.setEnabled(shown is None)
         self._leave_out.setEnabled(shown is not None)
         self._findings.refresh()

@@ -1,4 +1,4 @@
-"""PDF file of settings: tables with changed values in bold."""
+"""PDF file with tables of settings. Changed values are bold."""
 
 from collections.abc import Iterable, Mapping
 from datetime import datetime
@@ -76,7 +76,7 @@ def _parameters(settings: Settings) -> str:
             cells = (spec.name, spec.key, value, "" if wire is None else str(wire))
             is_changed = wire not in {None, spec.default}
             rows.append(_row((*cells, spec.text(spec.default)), bold=is_changed))
-            rows += _rows_of_note(settings, spec.key, len(titles))
+            rows += _note_rows(settings, spec.key, len(titles))
     return _table(titles, rows)
 
 
@@ -86,7 +86,7 @@ def _calibrations(settings: Settings) -> str:
         counts = [getattr(calibration, field) for field in CALIBRATION_FIELDS]
         values = (f"{key.source.text(count)} ({count})" for count in counts)
         rows.append(_row((key.label, key, *values)))
-        rows += _rows_of_note(settings, key, 6)
+        rows += _note_rows(settings, key, 6)
     titles = {
         tr("Channel"): 18,
         tr("Key"): 18,
@@ -98,7 +98,7 @@ def _calibrations(settings: Settings) -> str:
     return _table(titles, rows) if rows else f"<p>{escape(tr('None are given.'))}</p>"
 
 
-def _rows_of_note(settings: Settings, key: str, columns: int) -> list[str]:
+def _note_rows(settings: Settings, key: str, columns: int) -> list[str]:
     note = settings.notes.get(key, "")
     text = escape(tr("Note: {0}").format(note)).replace("\n", "<br>")
     return [f'<tr><td colspan="{columns}"><i>{text}</i></td></tr>'] if note else []
@@ -110,8 +110,8 @@ def _row(cells: Iterable[str], *, bold: bool = False) -> str:
 
 
 def _table(titles: Mapping[str, int], rows: Iterable[str]) -> str:
-    head = "".join(
+    header = "".join(
         f'<th align="left" width="{width}%">{escape(title)}</th>' for title, width in titles.items()
     )
     start = '<table width="100%" cellspacing="0" cellpadding="2">'
-    return f"{start}<thead><tr>{head}</tr></thead><tbody>{''.join(rows)}</tbody></table>"
+    return f"{start}<thead><tr>{header}</tr></thead><tbody>{''.join(rows)}</tbody></table>"

@@ -22,32 +22,34 @@ from trex_gui.ui.widgets.painted import Painter
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _MARGIN = 6
-EDITOR_BREAK = re.compile("\r\n|[\n\r\u2029\ufdd0\ufdd1]")  # line ends of Qt, not those of YAML
+EDITOR_BREAK = re.compile("\r\n|[\n\r\u2029\ufdd0\ufdd1]")  # Qt's line ends, unlike YAML's
 
 
 def with_line_ends(lines: Sequence[str], before: str) -> str:
     """Join the lines of an editor. Changed lines get the first line end of `before`."""
-    ends, old, typed = EDITOR_BREAK.findall(before), EDITOR_BREAK.split(before), list(lines)
-    if typed == old:
+    old_ends, old, new = EDITOR_BREAK.findall(before), EDITOR_BREAK.split(before), list(lines)
+    if new == old:
         return before
-    head, tail = _common_start(typed, old), _common_start(typed[::-1], old[::-1])
-    shift = len(old) - len(typed)
-    result = [ends[0] if ends else "\n"] * (len(typed) - 1)
-    for number in range(len(result)):
-        place = number if number < head else number + shift
-        if (number < head or number >= len(typed) - tail) and place < len(ends):
-            result[number] = ends[place]
-    return "".join([*(a + b for a, b in zip(typed, result, strict=False)), *typed[-1:]])
+    same_first, same_last = _common_length(new, old), _common_length(new[::-1], old[::-1])
+    shift = len(old) - len(new)
+    new_ends = [old_ends[0] if old_ends else "\n"] * (len(new) - 1)
+    for index in range(len(new_ends)):
+        old_index = index if index < same_first else index + shift
+        is_unchanged = index < same_first or index >= len(new) - same_last
+        if is_unchanged and old_index < len(old_ends):
+            new_ends[index] = old_ends[old_index]
+    return "".join([*(line + end for line, end in zip(new, new_ends, strict=False)), *new[-1:]])
 
 
-def _common_start(one: list[str], other: list[str]) -> int:
-    pairs = zip(one, other, strict=False)
+def _common_length(first: list[str], second: list[str]) -> int:
+    """Return the number of equal lines at the start."""
+    pairs = zip(first, second, strict=False)
     return sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], pairs))
 
 
 class TextPage(QWidget):
-    checked = Signal()  # the text was read again
-    repaired = Signal(object)  # tuple with a text for each repair, empty without repairs
+    checked = Signal()  # the text was checked again
+    repaired = Signal(object)  # tuple with a text for each repair; empty without repairs
 
     def __init__(self, document: SettingsDocument, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -88,12 +90,12 @@ class TextPage(QWidget):
         self.editor.setFocus()
 
     def _editor_lines(self, lines: Iterable[int]) -> dict[int, int]:
-        """Return line numbers in the editor by line numbers in YAML."""
+        """Return a mapping: line number in YAML → line number in the editor."""
         text = self._document.text
-        starts = [0, *(found.end() for found in LINE_END.finditer(text))]
-        breaks = [found.end() for found in EDITOR_BREAK.finditer(text)]
-        places = {line: starts[max(0, min(line, len(starts)) - 1)] for line in lines}
-        return {line: bisect_right(breaks, place) + 1 for line, place in places.items()}
+        starts = [0, *(match.end() for match in LINE_END.finditer(text))]
+        breaks = [match.end() for match in EDITOR_BREAK.finditer(text)]
+        offsets = {line: starts[max(0, min(line, len(starts)) - 1)] for line in lines}
+        return {line: bisect_right(breaks, offset) + 1 for line, offset in offsets.items()}
 
     @Slot()
     def _check_again(self) -> None:
@@ -135,15 +137,15 @@ class TextPage(QWidget):
         self._findings_area.setVisible(bool(document.findings))
         if document.text != self._shown:
             self._shown = document.text
-            place = self.editor.verticalScrollBar().value()
+            position = self.editor.verticalScrollBar().value()
             self.editor.setPlainText(document.text.removeprefix(BYTE_ORDER_MARK))
-            self.editor.verticalScrollBar().setValue(place)
+            self.editor.verticalScrollBar().setValue(position)
         signs: dict[int, str] = {}
-        for found in document.findings:
-            if found.line is not None and signs.get(found.line) != Severity.ERROR:
-                signs[found.line] = found.severity.value
-        places = self._editor_lines(signs)
-        self.editor.mark({places[line]: sign for line, sign in signs.items()})
+        for finding in document.findings:
+            if finding.line is not None and signs.get(finding.line) != Severity.ERROR:
+                signs[finding.line] = finding.severity.value
+        editor_lines = self._editor_lines(signs)
+        self.editor.mark({editor_lines[line]: sign for line, sign in signs.items()})
         self._findings.show_findings(document.findings, with_lines=True)
         self._notice.setText(self._notice_text())
 
@@ -184,7 +186,7 @@ class NumberedText(QPlainTextEdit):
 
     @property
     def lines(self) -> list[str]:
-        """Lines of the text. `toPlainText` would replace no-break spaces."""
+        """Lines of the text, with no-break spaces, which `toPlainText` would replace."""
         return self.document().toRawText().split("\u2029")
 
     def mark(self, lines: Mapping[int, str]) -> None:
@@ -208,23 +210,23 @@ class NumberedText(QPlainTextEdit):
         painter.fillRect(visible, theme().color("window"))
         height = self.fontMetrics().height()
         block = self.firstVisibleBlock()
-        place = self.blockBoundingGeometry(block).translated(self.contentOffset())
-        while block.isValid() and place.top() <= visible.bottom():
+        area = self.blockBoundingGeometry(block).translated(self.contentOffset())
+        while block.isValid() and area.top() <= visible.bottom():
             number = block.blockNumber() + 1
             is_marked = number in self._marked
             font = self.font()
             font.setBold(is_marked)
             painter.setFont(font)
             painter.setPen(theme().color("window_text" if is_marked else "muted"))
-            box = QRect(0, round(place.top()), self._numbers.width() - _MARGIN, height)
+            box = QRect(0, round(area.top()), self._numbers.width() - _MARGIN, height)
             painter.drawText(box, Qt.AlignmentFlag.AlignRight, str(number))
             if is_marked:
                 sign = self._marked[number]
-                box = QRect(_MARGIN, round(place.top()), height, height)
+                box = QRect(_MARGIN, round(area.top()), height, height)
                 icon(sign, "danger" if sign == "error" else "warning").paint(painter, box)
-            top = place.bottom()
+            top = area.bottom()
             block = block.next()
-            place = self.blockBoundingRect(block).translated(0, top)
+            area = self.blockBoundingRect(block).translated(0, top)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

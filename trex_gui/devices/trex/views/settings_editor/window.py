@@ -1,4 +1,4 @@
-"""Window for one settings file, with or without a board."""
+"""Window that edits a settings file, with or without a board."""
 
 from functools import partial
 from pathlib import Path
@@ -37,7 +37,7 @@ _TOOL_BAR = ("new", "open", "save", SEPARATOR, "undo", "redo", SEPARATOR, "send"
 
 
 class SettingsEditor(QMainWindow):
-    send_requested = Signal()  # the user requests to load the settings into the board
+    send_requested = Signal()  # the user wants to send the settings to the board
     new_requested = Signal()
     open_requested = Signal()
     converted = Signal(object)  # `SettingsDocument` for another board
@@ -140,7 +140,7 @@ class SettingsEditor(QMainWindow):
         self.addToolBar(bar)
 
     def save(self) -> bool:
-        """Start to save the file. Return whether saving has started."""
+        """Start saving the file. Return whether saving has started."""
         path = self.document.path
         return self._prompt_and_save() if path is None else self.save_to(path, ask=True)
 
@@ -178,8 +178,8 @@ class SettingsEditor(QMainWindow):
         document = self.document
         if document.settings is None:
             return
-        remarks = [str(found) for found in document.findings]
-        remarks += [found.message for found in self._linter.findings]
+        remarks = [str(finding) for finding in document.findings]
+        remarks += [finding.message for finding in self._linter.findings]
         in_background(
             self,
             partial(save, path, settings_pdf(document.settings, document.name, remarks)),
