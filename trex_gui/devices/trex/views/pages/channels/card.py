@@ -1,4 +1,4 @@
-"""Card of one channel of a board or file: curve, fields, options, note."""
+"""Card of a channel of a board or file: curve, fields, options and note."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -54,7 +54,7 @@ class ChannelCard(Card):
         self._fields = CalibrationFields(self)
         self.options = ChannelOptions(draft.parameters, self)
         self._note_field = NoteField(draft.notes, "channelNoteEdit", self, lines=1)
-        self.sources.currentChanged.connect(lambda at: self.source_chosen.emit(_SOURCES[at]))
+        self.sources.currentChanged.connect(lambda tab: self.source_chosen.emit(_SOURCES[tab]))
         self._fields.edited.connect(self._on_edited)
         self._fields.rejected.connect(self.rejected)
 
@@ -68,12 +68,12 @@ class ChannelCard(Card):
         below = row(first, (self._note_field, 1), last, spacing=8)
         parts = column(title, *above, legend, spacing=4), self.note, self._fields, self.options
         self._inside = column(*parts, below, into=self, spacing=6)
-        for each in (*above, self._fields, self.options, first, self._note_field, last):
-            each.raise_()  # `tab_order` follows the order of the children
+        for widget in (*above, self._fields, self.options, first, self._note_field, last):
+            widget.raise_()  # `tab_order` follows the order of the children
         tab_order(self)
 
     def add_plot(self) -> None:
-        """Add the curve. This imports pyqtgraph."""
+        """Add the curve plot, which imports pyqtgraph."""
         from trex_gui.devices.trex.views.pages.channels.curve_plot import CurvePlot  # noqa: PLC0415
 
         self.plot = plot = CurvePlot(self)

@@ -1,4 +1,4 @@
-"""Controls of one channel: calibration, options, and input source."""
+"""Controls of one channel: calibration, options and input source."""
 
 from dataclasses import replace
 from functools import partial
@@ -26,7 +26,7 @@ _SOURCE = ParameterKey.CHANNEL_INPUT_SOURCE
 class CalibrationFields(QWidget):
     """Four fields in µs, V or counts. Arrow keys change a value by one count."""
 
-    # A valid `Calibration` and the key of its undo step. `None`: an undo step of its own
+    # Valid `Calibration`, and key of the undo step for a run of edits or `None` for a new step
     edited = Signal(object, object)
     rejected = Signal(str)  # reason why a value is invalid, for the user
 
@@ -42,14 +42,15 @@ class CalibrationFields(QWidget):
             "maximum": tr("Ma&ximum"),
             "deadband": tr("Dead&band ±"),
         }
-        layout = ui.grid(self, margins=0, spacing=(8, 2), stretch=[(each, 1) for each in range(4)])
-        for number, (field, title) in enumerate(titles.items()):
+        stretch = [(column, 1) for column in range(len(titles))]
+        layout = ui.grid(self, margins=0, spacing=(8, 2), stretch=stretch)
+        for column, (field, title) in enumerate(titles.items()):
             accessible = title.replace("&", "")
             editor = ui.named(
                 CountEditor(self._source, self), f"{field}Edit", accessible=accessible
             )
-            layout.addWidget(ui.label(self, text=title, buddy=editor), 0, number)
-            layout.addWidget(editor, 1, number)
+            layout.addWidget(ui.label(self, text=title, buddy=editor), 0, column)
+            layout.addWidget(editor, 1, column)
             follow_theme(editor, "width", partial(_fit, editor))
             editor.valueChanged.connect(partial(self._on_value_changed, field))
             editor.editingFinished.connect(self._on_run_ended)
@@ -89,11 +90,11 @@ class CalibrationFields(QWidget):
 
 
 def _fit(editor: CountEditor) -> None:
-    """Fit the minimum width to a usual value: Qt reserves space for the widest value."""
+    """Fit the minimum width to a typical value. Qt would reserve space for the widest value."""
     editor.setMinimumWidth(editor.fontMetrics().horizontalAdvance("0000 µs") + 44)
 
 
-CHANNEL_OPTIONS = {  # title and tool tip by key
+CHANNEL_OPTIONS = {  # key → title and tool tip
     ParameterKey.REVERSED_CHANNELS: (
         tr_noop("Re&versed"),
         tr_noop("The output changes its sign: forward and reverse are swapped"),
@@ -155,7 +156,7 @@ class ChannelOptions(QWidget):
         )
 
     def _bit(self, key: str, channel: int, *, stored: bool = False) -> bool:
-        """Return a channel's bit of a mask. False if the mask is unknown."""
+        """Return a channel's bit in a mask. False if the mask is unknown."""
         if not self._parameters.values.can_edit(key):
             return False
         read = self._parameters.values.stored.get if stored else self._parameters.values.value_of

@@ -18,7 +18,7 @@ from trex_gui.ui.plotting.axes import spread
 from trex_gui.ui.theme.theme import theme
 
 GRIP = 6.0  # half the width of a grip in pixels
-_REACH = 9.0  # pixels from a handle within which the mouse grabs it
+_REACH = 9.0  # maximum distance in pixels at which the mouse grabs a handle
 _MAIN = (Handle.MINIMUM, Handle.NEUTRAL, Handle.MAXIMUM)
 _EDGES = (Handle.DEADBAND_LOW, Handle.DEADBAND_HIGH)
 
@@ -43,11 +43,11 @@ class HandleLayer(QGraphicsObject):
         }
         self.set_font(font)
         self._frame = QRectF()
-        self._places: dict[Handle, float] = {}  # x in pixels
+        self._positions: dict[Handle, float] = {}  # handle → x in pixels
         self._threshold: Threshold | None = None
         self._editable = True
         self._active: Handle | None = None
-        self._grabbed_at = 0.0  # distance of the mouse from the held handle in pixels
+        self._grab_offset = 0.0  # pixels from the held handle to the mouse
         self.held: Handle | None = None  # handle that the mouse drags
         self.message = ""  # reason why the held handle cannot move further
         self.setZValue(50)
@@ -61,18 +61,18 @@ class HandleLayer(QGraphicsObject):
         self._width = self._metrics.horizontalAdvance
 
     def height_above(self) -> int:
-        """Return the height of names and grips above the plot in pixels."""
+        """Return the height in pixels of the names and grips above the plot."""
         return round(self._metrics.height() + GRIP + 5)
 
     def arrange(
-        self, frame: QRectF, places: dict[Handle, float], threshold: Threshold | None
+        self, frame: QRectF, positions: dict[Handle, float], threshold: Threshold | None
     ) -> None:
         self.prepareGeometryChange()
-        self._frame, self._places, self._threshold = frame, places, threshold
+        self._frame, self._positions, self._threshold = frame, positions, threshold
         self.update()
 
     def set_editable(self, editable: bool) -> None:
-        """Show grips if editable. Otherwise release the held handle and show lines only."""
+        """Show grips if editable. Otherwise release the held handle and show only lines."""
         if not editable:
             self.release()
         self._editable = editable
@@ -83,13 +83,13 @@ class HandleLayer(QGraphicsObject):
         self.update()
 
     def _handle_at(self, point: QPointF) -> Handle | None:
-        """Return the handle under the mouse. Deadband handles win in the lower half."""
-        if not self._editable or not self._places:
+        """Return the handle at a point. Deadband handles have priority in the lower half."""
+        if not self._editable or not self._positions:
             return None
         lower = point.y() > self._frame.center().y()
         for group in (_EDGES, _MAIN) if lower else (_MAIN, _EDGES):
-            nearest = min(group, key=lambda handle: abs(self._places[handle] - point.x()))
-            if abs(self._places[nearest] - point.x()) <= _REACH:
+            nearest = min(group, key=lambda handle: abs(self._positions[handle] - point.x()))
+            if abs(self._positions[nearest] - point.x()) <= _REACH:
                 return nearest
         return None
 
@@ -112,12 +112,12 @@ class HandleLayer(QGraphicsObject):
             event.ignore()
             return
         self.held = handle
-        self._grabbed_at = event.pos().x() - self._places[handle]
+        self._grab_offset = event.pos().x() - self._positions[handle]
         self._set_active(handle)
 
     def mouseMoveEvent(self, event: QGraphicsSceneMouseEvent) -> None:
         if self.held is not None:
-            self.dragged.emit(event.pos().x() - self._grabbed_at)
+            self.dragged.emit(event.pos().x() - self._grab_offset)
 
     def mouseReleaseEvent(self, event: QGraphicsSceneMouseEvent) -> None:  # noqa: ARG002 - Qt's
         self.release()
@@ -138,7 +138,7 @@ class HandleLayer(QGraphicsObject):
         option: QStyleOptionGraphicsItem,  # noqa: ARG002 - Qt's
         widget: QWidget | None = None,  # noqa: ARG002 - Qt's
     ) -> None:
-        if not self._places:
+        if not self._positions:
             return
         painter.setFont(self._font)
         painter.setLayoutDirection(Qt.LayoutDirection.LeftToRight)
@@ -147,7 +147,7 @@ class HandleLayer(QGraphicsObject):
             self._paint_handle(painter, handle)
         self._paint_names(painter)
         if self.held is not None and self.message:
-            self._paint_message(painter, self._places[self.held])
+            self._paint_message(painter, self._positions[self.held])
 
     def _paint_line(self, painter: QPainter, x: float, pen: QPen) -> None:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
@@ -155,11 +155,11 @@ class HandleLayer(QGraphicsObject):
         painter.drawLine(QPointF(x, self._frame.top()), QPointF(x, self._frame.bottom()))
 
     def _paint_handle(self, painter: QPainter, handle: Handle) -> None:
-        x, frame = round(self._places[handle]) + 0.5, self._frame
+        x, frame = round(self._positions[handle]) + 0.5, self._frame
         active = handle is self._active
         color = theme().color("pointer" if active else "neutral" if handle.is_deadband else "mark")
         style = Qt.PenStyle.SolidLine if active else Qt.PenStyle.DotLine
-        if active or not handle.is_deadband:  # the deadband shows its own ends
+        if active or not handle.is_deadband:  # the deadband shows its own limits
             self._paint_line(painter, x, QPen(color, 2 if active else 1, style))
         if not self._editable:
             return
@@ -176,17 +176,17 @@ class HandleLayer(QGraphicsObject):
 
     def _paint_names(self, painter: QPainter) -> None:
         frame, height = self._frame, self._metrics.height()
-        order = sorted(_MAIN, key=lambda handle: self._places[handle])
+        order = sorted(_MAIN, key=lambda handle: self._positions[handle])
         widths = [self._width(self._names[handle]) for handle in order]
-        places = [self._places[handle] for handle in order]
-        centres = spread(places, widths, frame.left(), frame.right() + 60, 10)
+        positions = [self._positions[handle] for handle in order]
+        centres = spread(positions, widths, frame.left(), frame.right() + 60, 10)
         top = frame.top() - GRIP - height - 2
         for handle, width, centre in zip(order, widths, centres or (), strict=False):
             color = theme().color("pointer" if handle is self._active else "plot_text")
             box = QRectF(centre - width / 2, top, width + 1, height)
             self._paint_text(painter, box, self._names[handle], QPen(color))
         muted, name = QPen(theme().color("muted")), tr("deadband")
-        left = max(self._places[handle] for handle in _EDGES) + GRIP + 3
+        left = max(self._positions[handle] for handle in _EDGES) + GRIP + 3
         box = QRectF(left, frame.bottom() - height - 2, self._width(name) + 4, height)
         self._paint_text(painter, box, name, muted, filled=True)
         output = QRectF(0, top, frame.left() - 4, height)

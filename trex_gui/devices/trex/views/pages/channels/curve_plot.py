@@ -1,4 +1,4 @@
-"""Channel curve with handles to drag. Importing this module loads pyqtgraph."""
+"""Channel curve with draggable handles. Importing this module loads pyqtgraph."""
 
 from dataclasses import replace
 
@@ -29,7 +29,7 @@ _DRAG_MARGIN = {InputSource.RC: 125, InputSource.ANALOG: 0}  # counts beyond the
 
 
 class CurvePlot(Painted):
-    """Output of a channel against its input. The stored curve is dashed."""
+    """Plot of a channel's output against its input. The stored curve is dashed."""
 
     spoken_role = QAccessible.Role.Chart
 
@@ -47,8 +47,8 @@ class CurvePlot(Painted):
         self._preview: ChannelCurve | None = None
         self._raw: int | None = None
         self.setAccessibleName(tr("Curve of the channel"))
-        use = tr("Its handles can be dragged; the fields below set the same values.")
-        self.setAccessibleDescription(use)
+        description = tr("Its handles can be dragged; the fields below set the same values.")
+        self.setAccessibleDescription(description)
 
         self._canvas = PlotCanvas(self.accessibleName(), self)
         self._canvas.viewport.setObjectName("curveViewport")
@@ -125,8 +125,8 @@ class CurvePlot(Painted):
             calibration = curve.calibration
             counts += [calibration.minimum, calibration.neutral, calibration.maximum]
         margin = _DRAG_MARGIN[self._source]
-        reach = (end for count in counts for end in (count - margin, count + margin))
-        self.axis = widened(USUAL_AXIS[self._source], reach)
+        limits = (limit for count in counts for limit in (count - margin, count + margin))
+        self.axis = widened(USUAL_AXIS[self._source], limits)
         self._show_axis()
 
     def _show_axis(self) -> None:
@@ -156,14 +156,14 @@ class CurvePlot(Painted):
     @Slot()
     def _place_handles(self) -> None:
         curve, threshold = self.curve, None
-        places = {}
+        positions = {}
         if curve is not None:
-            places = {handle: self.x_of(handle.count(curve.calibration)) for handle in Handle}
-            if (at := curve.threshold(self._channel)) is not None:
+            positions = {handle: self.x_of(handle.count(curve.calibration)) for handle in Handle}
+            if (count := curve.threshold(self._channel)) is not None:
                 name = tr("flip on") if self._channel == 4 else tr("override on")
                 text = f"{name} ▸" if curve.reversed_ else f"◂ {name}"
-                threshold = Threshold(self.x_of(at), curve.reversed_, text)
-        self.handles.arrange(self._canvas.frame, places, threshold)
+                threshold = Threshold(self.x_of(count), curve.reversed_, text)
+        self.handles.arrange(self._canvas.frame, positions, threshold)
 
     def _show_dot(self) -> None:
         dot = self.dot
@@ -193,16 +193,16 @@ class CurvePlot(Painted):
         if handle is None or shown is None:
             return
         count = round(self._canvas.x_at(x))
-        count, beyond = within_input(shown.calibration, handle, count, self._source)
-        calibration, why = moved(shown.calibration, handle, count)
+        count, input_limit = within_input(shown.calibration, handle, count, self._source)
+        calibration, move_limit = moved(shown.calibration, handle, count)
         self._preview = replace(shown, calibration=calibration)
         # Extend the axis to the handle, so that the handle follows the mouse.
         low, high = self.axis
-        reached = handle.count(calibration)
-        if not low <= reached <= high:
-            self.axis = min(low, reached), max(high, reached)
+        count = handle.count(calibration)
+        if not low <= count <= high:
+            self.axis = min(low, count), max(high, count)
             self._show_axis()
-        self.handles.show_message(why or beyond)
+        self.handles.show_message(move_limit or input_limit)
         self._show_curves()
         self.previewed.emit(calibration)
 

@@ -1,4 +1,4 @@
-"""Page of the channels: live strips, and the calibration of the selected channel."""
+"""Page of the channels: live strips and the calibration of the selected channel."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -78,9 +78,9 @@ class ChannelsPage(PlotPage):
         self._strips.chosen.connect(self._refresh)
         learn_all.clicked.connect(lambda: self.learn_requested.emit(CHANNELS))
         self._learn.clicked.connect(lambda: self.learn_requested.emit((self.channel,)))
-        # Findings about options only: the note shows a `concern` about the calibration.
+        # Only findings about options: the note shows a `concern` about the calibration.
         self._findings.follow(
-            linter, lambda found: not CHANNEL_OPTIONS.keys().isdisjoint(found.keys)
+            linter, lambda finding: not CHANNEL_OPTIONS.keys().isdisjoint(finding.keys)
         )
         card.source_chosen.connect(self._on_source_chosen)
         card.released.connect(self._refresh)
@@ -195,9 +195,11 @@ class ChannelsPage(PlotPage):
         if not self._is_active:
             state = self._device.state
             reason = channel_text.source_instructions(self.source, state.mode) if state else ""
-        for each, why in ((self._learn, reason), *((each, blocker) for each in self._head_buttons)):
-            each.setEnabled(is_connected and not why)
-            each.setToolTip(plain(why))
+        for widget in self._head_buttons:
+            widget.setEnabled(is_connected and not blocker)
+            widget.setToolTip(plain(blocker))
+        self._learn.setEnabled(is_connected and not reason)
+        self._learn.setToolTip(plain(reason))
         self._options.show_channel(self.channel, self.source, editable=is_connected, blocker=reason)
         self._findings.set_can_accept(is_connected and not reason)
         self._change.setEnabled(self._device.is_writable and self._is_active)
@@ -207,8 +209,8 @@ class ChannelsPage(PlotPage):
     def _is_edited(self, channel: int) -> bool:
         calibrations = self._device.calibrations
         shown = calibrations.shown(channel)
-        is_other = shown is not None and shown != calibrations.stored(channel)
-        return is_other or self._options.is_edited(channel)
+        differs = shown is not None and shown != calibrations.stored(channel)
+        return differs or self._options.is_edited(channel)
 
     def _show_marks(self) -> None:
         calibrations = self._device.calibrations
@@ -222,8 +224,8 @@ class ChannelsPage(PlotPage):
             strip.show_mark(mark, problem)
 
     def _failure(self, channel: int) -> str:
-        failed, why = self._failures.get(channel, (None, ""))
-        return why if failed == self._device.calibrations.shown(channel) else ""
+        failed, reason = self._failures.get(channel, (None, ""))
+        return reason if failed == self._device.calibrations.shown(channel) else ""
 
     def _show_note(self) -> None:
         problem = self._problem_text()
@@ -232,7 +234,7 @@ class ChannelsPage(PlotPage):
         self._card.note.show_note(problem or hint, alarming=bool(problem))
 
     def _problem_text(self) -> str:
-        """Return a rejection, a write failure or a concern. Empty without a problem."""
+        """Return a rejection, a write failure or a concern, or an empty text."""
         if self._rejection or not self._is_active:
             return self._rejection
         if failure := self._failure(self.channel):
@@ -280,8 +282,8 @@ class ChannelsPage(PlotPage):
         self._refresh()
 
     @Slot(str)
-    def _on_rejected(self, why: str) -> None:
-        self._rejection = why
+    def _on_rejected(self, reason: str) -> None:
+        self._rejection = reason
         self._show_note()
 
     def _discard(self) -> None:
@@ -297,8 +299,8 @@ class ChannelsPage(PlotPage):
                 continue
             self._failures.pop(channel, None)
             if result.error is not None:
-                why = channel_text.write_failure(result.error)
-                self._failures[channel] = self._device.calibrations.shown(channel), why
+                reason = channel_text.write_failure(result.error)
+                self._failures[channel] = self._device.calibrations.shown(channel), reason
         self._show_channel()
 
 
@@ -330,14 +332,14 @@ class ChangeMenu(QMenu):
 
     @staticmethod
     def _add(menu: QMenu, name: str, text: str, handler: Trigger, icon: str = "") -> QAction:
-        added = action(menu, name, text, icon=icon, on_trigger=handler)
-        menu.addAction(added)
-        return added
+        new_action = action(menu, name, text, icon=icon, on_trigger=handler)
+        menu.addAction(new_action)
+        return new_action
 
     def show_channel(self, channel: int, *, editable: bool, edited: bool) -> None:
         self._channel = channel
-        for change in self.actions():
-            change.setEnabled(editable)
+        for menu_action in self.actions():
+            menu_action.setEnabled(editable)
         self._discard.setEnabled(edited)
         for copy in self._copies.actions():
             copy.setVisible(copy.objectName() != f"copyTo{channel}Action")

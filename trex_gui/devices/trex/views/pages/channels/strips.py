@@ -37,8 +37,8 @@ from trex_gui.ui.widgets.circuit import write
 from trex_gui.ui.widgets.painted import Painter, never_mirror
 
 STRIP_SECONDS = 10.0
-_INTERVAL = 0.06  # seconds between redraws, two frames
-_MAX_GAP = 0.5  # longest time in seconds between samples that a line connects
+_INTERVAL = 0.06  # seconds between redraws (two frames)
+_MAX_GAP = 0.5  # maximum seconds between samples that a line connects
 _PADDING, _GAP, _TRACK, _BEYOND = 10, 7, 8, 3  # pixels
 _RIGHT = Qt.AlignmentFlag.AlignRight
 
@@ -64,7 +64,7 @@ class ChannelStrip(QAbstractButton, Spoken):
         self._count: int | None = None
         self._value = self._output = self._spoken = self._mark = ""
         self._newest = -math.inf  # time at the right edge
-        self._is_broken = True  # the next point starts a new line
+        self._is_broken = True  # True if the next point starts a new line
         self.lines: list[QPolygonF] = []  # points (time, count), one line between two gaps
         theme().changed.connect(self.update)
 
@@ -98,7 +98,7 @@ class ChannelStrip(QAbstractButton, Spoken):
             self.update()
 
     def add_samples(self, times: Iterable[float], counts: Iterable[float]) -> None:
-        """Add samples in order of time. NaN is a gap."""
+        """Add samples in chronological order. NaN is a gap."""
         for time, count in zip(times, counts, strict=True):
             if math.isnan(count):
                 self._is_broken = True
@@ -131,15 +131,15 @@ class ChannelStrip(QAbstractButton, Spoken):
     def spoken_state(self) -> str:
         mark = {"warning": tr("problem"), "edited": tr("edited")}.get(self._mark, "")
         counts = [point.y() for line in self.lines for point in line.toList()]
-        reach = ""
+        range_text = ""
         if counts:
-            reach = tr("{0:.0f} to {1:.0f} counts").format(min(counts), max(counts))
-        return ", ".join(filter(None, (self._spoken, mark, reach)))
+            range_text = tr("{0:.0f} to {1:.0f} counts").format(min(counts), max(counts))
+        return ", ".join(filter(None, (self._spoken, mark, range_text)))
 
     def _width(self, font: QFont, role: str = "") -> int:
         return QFontMetrics(font).horizontalAdvance(f"0  {role}  0000 µs  −000") + 2 * _PADDING
 
-    def _large(self) -> QFont:
+    def _large_font(self) -> QFont:
         """Return a larger font if the strip is wide enough for it."""
         larger = scaled_font(self.font(), 1.15)
         return larger if self._width(larger, f"{self._name} MM") <= self.width() else self.font()
@@ -173,7 +173,7 @@ class ChannelStrip(QAbstractButton, Spoken):
             self._paint_line(painter, QRectF(area.left(), top, area.width(), area.bottom() - top))
 
     def _paint_texts(self, painter: QPainter, area: QRect) -> None:
-        painter.setFont(self._large())
+        painter.setFont(self._large_font())
         line = QRectF(area.left(), area.top(), area.width(), painter.fontMetrics().height())
         write(painter, line, self._number, "window_text", bold=True)
         write(painter, line, self._output, "accent", bold=True, align=_RIGHT)
@@ -189,10 +189,10 @@ class ChannelStrip(QAbstractButton, Spoken):
         painter.setFont(self.font())
         if self._mark:
             side = self.fontMetrics().height()
-            at = min(self.fontMetrics().horizontalAdvance(self._name) + 6, role.width() - side)
-            beside = QRectF(role.left() + at, line.top(), side, line.height())
-            icon(self._mark).paint(painter, beside.toRect())
-            role.setWidth(at)
+            width = min(self.fontMetrics().horizontalAdvance(self._name) + 6, role.width() - side)
+            box = QRectF(role.left() + width, line.top(), side, line.height())
+            icon(self._mark).paint(painter, box.toRect())
+            role.setWidth(width)
         write(painter, role, self._name, "window_text")
 
     def _paint_line(self, painter: QPainter, area: QRectF) -> None:

@@ -1,4 +1,4 @@
-"""Plot of the currents of the last ten seconds. Importing it loads pyqtgraph."""
+"""Plot of the last ten seconds of currents. Importing this module loads pyqtgraph."""
 
 import numpy as np
 from PySide6.QtCore import Qt

@@ -56,7 +56,7 @@ class SpeedSlider(PressSlider):
         super().keyPressEvent(event)
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
-        """End the hold when any key is released: Num Lock may turn an arrow into a digit."""
+        """End the hold when any key is released. Num Lock may turn an arrow into a digit."""
         super().keyReleaseEvent(event)
         if not event.isAutoRepeat() and not self.isSliderDown():
             self.release()
@@ -99,8 +99,8 @@ class SpeedSlider(PressSlider):
         ):
             if high:
                 painter.setBrush(color(surface))
-                place = between(low, high).adjusted(0, -_GROOVE / 2, 0, _GROOVE / 2)
-                painter.drawRoundedRect(place, _GROOVE / 2, _GROOVE / 2)
+                box = between(low, high).adjusted(0, -_GROOVE / 2, 0, _GROOVE / 2)
+                painter.drawRoundedRect(box, _GROOVE / 2, _GROOVE / 2)
         painter.fillRect(between(0, self.value()).adjusted(2, 0, -2, 0), color(self._color))
         painter.setFont(scaled_font(self.font(), 0.85))
         height = painter.fontMetrics().height()
@@ -116,10 +116,10 @@ class SpeedSlider(PressSlider):
 
 
 class SpeedEntry(QSpinBox):
-    """Entry box that applies a typed number on Enter only.
+    """Entry box that applies a typed number only on Enter.
 
     Qt's own box also accepts a half-typed number when it loses the focus or is hidden: a motor
-    would start because the user opened another page. This box then shows the setpoint again.
+    would start because the user opened another page. This box shows the setpoint again instead.
     """
 
     chosen = Signal(int)  # speed that the user entered or stepped to
@@ -142,7 +142,7 @@ class SpeedEntry(QSpinBox):
             self.set_speed(self._setpoint)
 
     def show_setpoint(self, speed: int) -> None:
-        """Show the setpoint, or after a half-typed number is discarded."""
+        """Show the setpoint. A half-typed number remains until it is discarded."""
         self._setpoint = speed
         if not self._is_typed:
             self.set_speed(speed)

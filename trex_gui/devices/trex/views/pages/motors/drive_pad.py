@@ -24,14 +24,14 @@ from trex_gui.ui.widgets.behaviour import PressMonitor
 from trex_gui.ui.widgets.circuit import write
 from trex_gui.ui.widgets.painted import Painter
 
-_STRAIGHT = 0.06  # share of the travel that counts as zero
+_STRAIGHT = 0.06  # fraction of the travel that counts as zero
 _KNOB = 13  # smallest radius in pixels
 _MARGIN = 4  # pixels around the field
-_ROBOT = 0.42  # height of the robot as a share of the field
+_ROBOT = 0.42  # height of the robot as a fraction of the field
 
 
 class DrivePad(RobotView):
-    """Steers while a mouse button or a finger holds it. `KeyDriver` handles the keys."""
+    """Pad that steers while a mouse button or finger holds it. `KeyDriver` handles keys."""
 
     spoken_role = QAccessible.Role.Canvas
 
@@ -115,38 +115,38 @@ class DrivePad(RobotView):
         self.release()
         return True
 
-    def _grab(self, place: QPointF) -> None:
+    def _grab(self, position: QPointF) -> None:
         self.setFocus(Qt.FocusReason.MouseFocusReason)
         self.held = True
         self._watch.start()
-        self._follow(place)
+        self._follow(position)
 
-    def _follow(self, place: QPointF) -> None:
+    def _follow(self, position: QPointF) -> None:
         if self.held:
-            self._move_knob(*self._setpoint_at(place))
+            self._move_knob(*self._setpoint_at(position))
             self.steered.emit(self._forward, self._turn)
 
     def _field(self) -> QRectF:
         side = min(self.width(), self.height()) - 2 * self._border() - 2
-        middle = QRectF(self.rect()).center()
-        return QRectF(middle.x() - side / 2, middle.y() - side / 2, side, side)
+        center = QRectF(self.rect()).center()
+        return QRectF(center.x() - side / 2, center.y() - side / 2, side, side)
 
     def _border(self) -> int:
         return _MARGIN + QFontMetrics(self._small_font()).height()
 
     def robot_place(self) -> QRectF:
-        field, place = self._field(), super().robot_place()
-        size = place.size() * (field.height() * _ROBOT / max(place.height(), 1))
+        field, area = self._field(), super().robot_place()
+        size = area.size() * (field.height() * _ROBOT / max(area.height(), 1))
         return QRectF(field.center() - QPointF(size.width(), size.height()) / 2, size)
 
     def _small_font(self) -> QFont:
         return scaled_font(self.font(), 0.85)
 
-    def _setpoint_at(self, place: QPointF) -> tuple[float, float]:
+    def _setpoint_at(self, position: QPointF) -> tuple[float, float]:
         field = self._field()
         half = max(field.width() / 2, 1)
-        forward = _straightened((field.center().y() - place.y()) / half)
-        turn = _straightened((place.x() - field.center().x()) / half)
+        forward = _straightened((field.center().y() - position.y()) / half)
+        turn = _straightened((position.x() - field.center().x()) / half)
         return forward, turn if self._can_turn else 0.0
 
     def _move_knob(self, forward: float, turn: float) -> None:
@@ -199,23 +199,23 @@ class DrivePad(RobotView):
             share = 100 * self._ceiling / FULL_SCALE
             words[below] = tr("ceiling {0:.0f} %").format(share)
         for top, word in words.items():
-            place = QRectF(0, top, self.width(), height)
-            write(painter, place, word, "muted", align=Qt.AlignmentFlag.AlignHCenter)
+            box = QRectF(0, top, self.width(), height)
+            write(painter, box, word, "muted", align=Qt.AlignmentFlag.AlignHCenter)
 
     def _paint_knob(self, painter: QPainter, field: QRectF) -> None:
-        middle, radius = field.center(), max(_KNOB, field.width() / 18)
-        beyond = max(1.0, math.hypot(self._turn, self._forward))
-        half = field.width() / 2 / beyond
-        place = QPointF(middle.x() + self._turn * half, middle.y() - self._forward * half)
+        center, radius = field.center(), max(_KNOB, field.width() / 18)
+        deflection = max(1.0, math.hypot(self._turn, self._forward))
+        half = field.width() / 2 / deflection
+        knob = QPointF(center.x() + self._turn * half, center.y() - self._forward * half)
         accent = theme().color("bar")
         if self._forward or self._turn:
             painter.setPen(QPen(accent, 4, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
-            painter.drawLine(middle, place)
+            painter.drawLine(center, knob)
         painter.setPen(QPen(theme().color("base"), 3))
         painter.setBrush(accent)
-        painter.drawEllipse(place, radius, radius)
+        painter.drawEllipse(knob, radius, radius)
 
 
-def _straightened(share: float) -> float:
-    share = max(-1.0, min(1.0, share))
-    return 0.0 if abs(share) < _STRAIGHT else share
+def _straightened(deflection: float) -> float:
+    deflection = max(-1.0, min(1.0, deflection))
+    return 0.0 if abs(deflection) < _STRAIGHT else deflection

@@ -1,4 +1,4 @@
-"""Set-up of a gamepad: assignment of axes and buttons, and live state."""
+"""Dialog that sets up a gamepad: assignment of axes and buttons, and live state."""
 
 from functools import partial
 
@@ -20,7 +20,7 @@ from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.labels import LiveLabel, Note
 from trex_gui.ui.widgets.leds import Lamp
 
-_LAMPS_A_ROW = 6
+_LAMPS_PER_ROW = 6
 _AXES = "first", "second"  # keys of the rows for axes; the other rows are for buttons
 
 
@@ -48,7 +48,7 @@ class PadView(QWidget):
             for widget in (lamp, label):
                 widget.setToolTip(ui.plain(name))
             cell = ui.row(lamp, (label, 1), spacing=4)
-            buttons.addLayout(cell, number // _LAMPS_A_ROW, number % _LAMPS_A_ROW)
+            buttons.addLayout(cell, number // _LAMPS_PER_ROW, number % _LAMPS_PER_ROW)
         ui.column(axes, buttons, into=self, margins=0, spacing=14)
 
     def show_state(self, state: PadState | None) -> None:
@@ -82,7 +82,8 @@ class PartRow(QWidget):
 
     def set_parts(self, names: list[str], none: str = "") -> None:
         """List the names of axes or buttons. `none`: text of the entry for no selection."""
-        items = [*([(none, None)] if none else []), *((name, at) for at, name in enumerate(names))]
+        items: list[tuple[str, int | None]] = [(none, None)] if none else []
+        items += [(name, number) for number, name in enumerate(names)]
         shown = [self._combo.itemText(row) for row in range(self._combo.count())]
         if shown != [text for text, _ in items]:
             self._combo.clear()
@@ -183,7 +184,7 @@ class GamepadDialog(ReusedDialog):
     @Slot()
     def _on_edited(self) -> None:
         hold, stop = self._rows["hold"].number, self._rows["stop"].number
-        if hold is not None and hold == stop:  # a button has one use, the newly selected use
+        if hold is not None and hold == stop:  # a button keeps only its newly selected use
             hold, stop = (None, stop) if stop != self._gamepad.profile.stop else (hold, None)
         profile = GamepadProfile(
             style=Style(self._style.currentData()),

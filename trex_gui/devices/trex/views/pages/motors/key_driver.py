@@ -1,4 +1,4 @@
-"""Driving with arrow keys or WASD while they are held."""
+"""Driving with held arrow keys or WASD."""
 
 from PySide6.QtCore import QEvent, QObject, Qt, Slot
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QWindow
@@ -48,11 +48,11 @@ class KeyDriver(QObject):
     While `enabled`, keys drive wherever the focus is, except in fields, tables and lists. In the
     pad, arrow keys always drive.
 
-    A key is identified by its place on the keyboard: the layout or Num Lock may change its name
-    between press and release. The release of an unknown key, or a key like Shift, releases all.
+    A key is identified by its scan code, since the layout or Num Lock may change its name between
+    press and release. The release of an unknown key, or a key like Shift, releases all keys.
 
     On X11, a held key repeats as a release and a press with the same timestamp. Qt often handles
-    the release before it has received the press, and then marks neither of them as a repeat.
+    the release before it has received the press, and then marks neither event as a repeat.
     Without a short wait for the press, the motors would brake occasionally while a key is held.
     """
 
@@ -63,11 +63,11 @@ class KeyDriver(QObject):
         self._page = page
         self._pad = pad
         self.enabled = False
-        self._keys: dict[int, Heading] = {}  # headings of pressed keys by place
+        self._keys: dict[int, Heading] = {}  # scan code of a pressed key → heading
         self._modifiers = Qt.KeyboardModifier.NoModifier
         self._watch = PressMonitor(page)
         self.repeats_apart = QGuiApplication.platformName() == "xcb"
-        self._released = 0, 0  # place and time of the last release, which may be a repeat
+        self._released = 0, 0  # scan code and time of the last release, which may be a repeat
         self._repeat = new_timer(self, _REPEAT_MS, self._on_key_released, single_shot=True)
 
         self._watch.lost.connect(self.release)
@@ -100,18 +100,18 @@ class KeyDriver(QObject):
 
     def _on_pressed(self, event: QKeyEvent) -> bool:
         if self._repeat.isActive():
-            if (_place(event), event.timestamp()) == self._released:
+            if (_scan_code(event), event.timestamp()) == self._released:
                 self._repeat.stop()
                 return True
             self._on_key_released()
         if self._keys and (_modifiers(event) != self._modifiers or event.key() in _CHANGING_KEYS):
             self.release()
         heading = _HEADINGS.get(event.key())
-        if heading is None or event.modifiers() & _OTHER_KEYS or not self._listens():
+        if heading is None or event.modifiers() & _OTHER_KEYS or not self._can_drive():
             return False
         if not event.isAutoRepeat():
             self._modifiers = _modifiers(event)
-            self._keys[_place(event)] = heading
+            self._keys[_scan_code(event)] = heading
             self._steer()
         return True
 
@@ -122,12 +122,12 @@ class KeyDriver(QObject):
             return False
         if self._repeat.isActive():
             self._on_key_released()
-        place = _place(event)
-        is_known = place in self._keys
+        scan_code = _scan_code(event)
+        is_known = scan_code in self._keys
         if not is_known or _modifiers(event) != self._modifiers:
             self.release()
             return is_known
-        self._released = place, event.timestamp()
+        self._released = scan_code, event.timestamp()
         if self.repeats_apart:
             self._repeat.start()
         else:
@@ -143,14 +143,14 @@ class KeyDriver(QObject):
         else:
             self.release()
 
-    def _listens(self) -> bool:
+    def _can_drive(self) -> bool:
         if not self._motors.armed or not self._page.isVisible():
             return False
         if QApplication.activePopupWidget() or QApplication.activeModalWidget():
             return False
-        return self._is_at(QApplication.focusWidget())
+        return self._drives_with_focus(QApplication.focusWidget())
 
-    def _is_at(self, focus: QWidget | None) -> bool:
+    def _drives_with_focus(self, focus: QWidget | None) -> bool:
         return focus is self._pad or (self.enabled and not isinstance(focus, _NEEDS_KEYS))
 
     def _steer(self) -> None:
@@ -181,14 +181,14 @@ class KeyDriver(QObject):
 
     @Slot(QWidget, QWidget)
     def _on_focus_changed(self, _old: QWidget | None, new: QWidget | None) -> None:
-        if self._keys and not self._is_at(new):
+        if self._keys and not self._drives_with_focus(new):
             self.release()
 
 
-def _place(event: QKeyEvent) -> int:
-    """Return the place of a key, or its name if the system reports no place."""
-    place = event.nativeScanCode()
-    return -place if place else event.key()
+def _scan_code(event: QKeyEvent) -> int:
+    """Return the negative scan code of a key, or its `Qt.Key` if the system reports none."""
+    scan_code = event.nativeScanCode()
+    return -scan_code if scan_code else event.key()
 
 
 def _modifiers(event: QKeyEvent) -> Qt.KeyboardModifier:

@@ -1,4 +1,4 @@
-"""Driving options and other controls than pad and sliders."""
+"""Driving options, and controls other than pad and sliders."""
 
 from collections.abc import Callable
 from functools import partial
@@ -36,7 +36,7 @@ class _StrengthEntry(SpeedEntry):
 
 
 class SpeedCeiling(QWidget):
-    """Speed ceiling of the board, with a hint while its default is low."""
+    """Field for a board's speed ceiling, with a hint until the user has set it."""
 
     def __init__(self, motors: Motors, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -68,7 +68,7 @@ class SpeedCeiling(QWidget):
 
 
 class DriveWith(ui.Card):
-    """Other controls than pad and sliders. Their states are not stored."""
+    """Controls other than pad and sliders. Their states are not stored."""
 
     def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(tr("Drive with"), parent)
@@ -94,7 +94,7 @@ class DriveWith(ui.Card):
 
     @Slot()
     def _show_link(self) -> None:
-        """Allow linking only at equal speeds: linking must not start or accelerate a motor."""
+        """Enable linking only at equal speeds. Linking must not start or accelerate a motor."""
         motors = self._motors
         can_link = motors.linked or motors.can_link
         self._link.setChecked(motors.linked)
@@ -105,7 +105,7 @@ class DriveWith(ui.Card):
 
 
 class Options(ui.Card):
-    """Rarely changed options, stored except for the ramp."""
+    """Rarely changed options. All except the ramp are stored."""
 
     def __init__(self, motors: Motors, parent: QWidget | None = None) -> None:
         super().__init__(title_of(tr("E&xtra options")), parent)
@@ -157,10 +157,10 @@ class Options(ui.Card):
         self.return_to_zero = self._create_stored("returnToZero", text, tip, store)
 
         numbers = ui.grid(spacing=(_SPACING, _SPACING), stretch=[(0, 1)])
-        for line, (text, entry) in enumerate(((title, brake), (lock_title, lock))):
+        for row, (text, entry) in enumerate(((title, brake), (lock_title, lock))):
             label = ui.label(self, "", text, tip=entry.toolTip(), buddy=entry)
-            numbers.addWidget(label, line, 0)
-            numbers.addWidget(entry, line, 1)
+            numbers.addWidget(label, row, 0)
+            numbers.addWidget(entry, row, 1)
         parts = accelerate, at_once, numbers, self.stop_on_leaving, self.return_to_zero, 1
         ui.column(*parts, into=self, margins=0, spacing=_SPACING)
 

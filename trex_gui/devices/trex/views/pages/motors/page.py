@@ -96,9 +96,9 @@ class MotorsPage(QWidget):
         ceiling = SpeedCeiling(device.motors, stored)
         self._keys = KeyDriver(self._key_drive, device.motors, self, self._pad)
 
-        places = ui.grid(pad_card, margins=0)
-        places.addWidget(self._pad, 0, 0)
-        places.addWidget(self._lost, 0, 0)
+        layers = ui.grid(pad_card, margins=0)
+        layers.addWidget(self._pad, 0, 0)
+        layers.addWidget(self._lost, 0, 0)
         controls = ((control, 1) for control in self._controls.values())
         ui.row((pad_card, 4), *controls, into=drive_box, margins=0, spacing=_GAP)
         heading = ui.row((ui.label(currents, text=title, size="heading"), 1), plot)
@@ -148,7 +148,7 @@ class MotorsPage(QWidget):
         super().resizeEvent(event)
         self._place_side()
         if self._is_frozen and self._scroll_area_size() != self._frozen_area:
-            self._set_frozen(frozen=False)  # until the next frame
+            self._set_frozen(frozen=False)  # the next frame freezes it again
 
     def _scroll_area_size(self) -> QSize:
         viewport = self.parentWidget()
@@ -157,14 +157,14 @@ class MotorsPage(QWidget):
 
     def _place_side(self) -> None:
         cards = self._options, self._drive_with
-        beside = max(card.minimumSizeHint().width() for card in cards)
-        wide = self.width() >= self.minimumSizeHint().width() + _GAP + beside
+        side_width = max(card.minimumSizeHint().width() for card in cards)
+        wide = self.width() >= self.minimumSizeHint().width() + _GAP + side_width
         direction = QBoxLayout.Direction.TopToBottom if wide else QBoxLayout.Direction.LeftToRight
         if not self._body.count() or direction is not self._beside.direction():
             self._beside.setDirection(direction)
-            self._side.setMinimumWidth(beside if wide else 0)
-            place = Qt.AlignmentFlag.AlignTop if self._is_frozen else _ANYWHERE
-            self._body.addWidget(self._drive_box, 0, 0, 1, 1 if wide else 2, place)
+            self._side.setMinimumWidth(side_width if wide else 0)
+            alignment = Qt.AlignmentFlag.AlignTop if self._is_frozen else _ANYWHERE
+            self._body.addWidget(self._drive_box, 0, 0, 1, 1 if wide else 2, alignment)
             self._body.addWidget(self._side, *((0, 1, 1, 1) if wide else (1, 0, 1, 2)))
 
     @Slot()
@@ -245,7 +245,7 @@ class MotorsPage(QWidget):
 
     @Slot()
     def _on_holder_changed(self) -> None:
-        """Save the holder: controls lose their hold before `hideEvent`, which needs it."""
+        """Save the holder for `hideEvent`. Controls lose their hold before that event."""
         own = {self._pad_drive.name, self._key_drive.name, *map(_name, self._controls)}
         if self._motors.holder in own:
             self._holder = self._motors.holder
@@ -263,7 +263,7 @@ class MotorsPage(QWidget):
         group = focused.parentWidget() if focused is not None else None
         is_driving = focused is self._pad or isinstance(group, DriveControl)
         if not motors.armed and is_driving:
-            focus_stop(self)  # otherwise Qt focuses a link, and arrow keys open other pages
+            focus_stop(self)  # Qt would focus a link, and arrow keys would open other pages
         self._pad.setEnabled(motors.armed)
         self._pad.set_can_turn(self._pad_drive.can_turn)
         brake = tr("Brake with {0}").format(share_text(motors.release_brake))
@@ -331,13 +331,13 @@ class MotorsPage(QWidget):
         is_sensed = device.is_connected and not device.board.is_joint
         for number, control in self._controls.items():
             report = "" if self._is_unused(number) else report_text(device, number)
-            usual = tr("one way") if number == AUXILIARY else limit_text(device, number)
+            default_text = tr("one way") if number == AUXILIARY else limit_text(device, number)
             amps = currents.get(number) if is_sensed else None
             if self._group.wheels and number != AUXILIARY:  # the cards above show each motor
-                amps, report, usual = None, "", ""
+                amps, report, default_text = None, "", ""
             is_off = board is not None and number in board.shut_down
             limit = device.current_limit(number)
-            control.show_current(amps, limit, report or usual, alarming=is_off)
+            control.show_current(amps, limit, report or default_text, alarming=is_off)
         self._strip.draw()
 
     def _show_status(self) -> None:
@@ -345,10 +345,10 @@ class MotorsPage(QWidget):
         title = first.text
         if first.blocker is DriveBlocker.RUNNING:
             title = tr("Armed: these controls move the motors.")
-        more = " ".join(filter(None, (first.remedy, *(other.text for other in others))))
+        details = " ".join(filter(None, (first.remedy, *(status.text for status in others))))
         self._head.show_title(title)
-        self._head.show_state(more)
-        self._head.title.setAccessibleName(f"{title} {more}")
+        self._head.show_state(details)
+        self._head.title.setAccessibleName(f"{title} {details}")
         self._lost.show_loss(f"{first.text} {first.remedy}".strip())
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -356,7 +356,7 @@ class MotorsPage(QWidget):
         self._show_options()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Stop the motors if a control is held or a slider is dragged, or by option."""
+        """Stop the motors if a control is held, a slider is dragged, or the option is on."""
         is_dragged = self._dragged is not None and self._motors.armed
         self._dragged = None
         if self._holder or is_dragged:
@@ -398,11 +398,11 @@ def _stored_facts(device: Device) -> _Facts:
     values, motors = device.parameters.values, (1,) if device.board.is_joint else (1, 2)
 
     def both(name: str) -> dict[str, str]:
-        found: dict[str, str] = {}
+        texts: dict[str, str] = {}
         for key in (f"motor{motor}_{name}" for motor in motors):
             if (wire := values.stored.get(key)) is not None:
-                found.setdefault(values.specs[key].text(wire), key)
-        return found
+                texts.setdefault(values.specs[key].text(wire), key)
+        return texts
 
     silence: dict[str, str] = {}
     if (wire := values.stored.get(key := ParameterKey.SERIAL_TIMEOUT)) is not None:

@@ -64,12 +64,12 @@ class ParameterCard(ui.Card):
         text, both = tr("&Both motors as one"), Preferences().flag(_BOTH_MOTORS, default=False)
         self._both = ui.check_box(self, "bothMotors", text, tip=tip, checked=both)
         self._model.both_motors = both
-        default, undo = self._buttons = [_push_button(each, self) for each in view.tools]
+        default, undo = self._buttons = [_push_button(action, self) for action in view.tools]
         fold = ui.row(self._fold, (self._summary, 1), spacing=4)
-        head = ui.column(self._heading, self._value, self._picture, self._notes, spacing=4)
+        header = ui.column(self._heading, self._value, self._picture, self._notes, spacing=4)
         parts = self.activate, self._findings, self._help, self._limits, fold, self._details
         notes = ui.column(note, self._note, spacing=2)
-        ui.column(head, *parts, self._wire, notes, 1, into=facts, margins=0)
+        ui.column(header, *parts, self._wire, notes, 1, into=facts, margins=0)
         self._tools = ui.row(default, undo, 1)
         ui.column(box, self._both, self._tools, 1, into=self)
 
@@ -88,7 +88,7 @@ class ParameterCard(ui.Card):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        width = sum(each.sizeHint().width() + self._tools.spacing() for each in self._buttons)
+        width = sum(button.sizeHint().width() + self._tools.spacing() for button in self._buttons)
         fits = width <= self.contentsRect().width()
         direction = QBoxLayout.Direction
         self._tools.setDirection(direction.LeftToRight if fits else direction.TopToBottom)
@@ -117,10 +117,10 @@ class ParameterCard(ui.Card):
         key, text, values = self._view.current_key, self._model.text, self._model.values
         self._view.update_actions()
         self._picture.show_parameter(key, values)
-        for each in (self._facts, self._both):
-            each.setVisible(bool(key))
-        for each in (self._help, self._details):  # empty labels need an accessible name
-            each.setAccessibleName("" if key else self.accessibleName())
+        for widget in (self._facts, self._both):
+            widget.setVisible(bool(key))
+        for label in (self._help, self._details):  # empty labels need an accessible name
+            label.setAccessibleName("" if key else self.accessibleName())
         if not key:
             return
         keys, is_open, notes = text.keys_of(key), self._fold.isChecked(), " ".join(text.notes(key))
@@ -166,7 +166,7 @@ class ParameterCard(ui.Card):
 
 def _details(text: ParameterText, key: str) -> str:
     address, title = map(escape, text.guide(key))
-    names = "<br>".join(f"<code>{each}</code>" for each in text.keys_of(key))
+    names = "<br>".join(f"<code>{name}</code>" for name in text.keys_of(key))
     link = f'<a href="{address}" style="color:{theme().color("link").name()}">{title}</a>'
     return f"<p>{names}</p><p>{'<br>'.join(map(escape, text.about(key)))}</p><p>{link}</p>"
 

@@ -1,4 +1,4 @@
-"""Delegate and editors of the parameter table. Editors hold wire values."""
+"""Delegate and editors of the parameter table. The value of an editor is a wire value."""
 
 import re
 from bisect import bisect_left, bisect_right
@@ -47,9 +47,9 @@ from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.behaviour import ENTER
 from trex_gui.ui.widgets.builders import ComboBox, check_box, combo_box, plain, row
 
-_TOLERANCE = 1.01
-_ICON = 16
-_SIGNS = {"warning": "warning", "edited": "dirty", "power": "icon"}  # colour by icon
+_TOLERANCE = 1.01  # factor by which an entered frequency may exceed its limits
+_ICON = 16  # pixels
+_SIGNS = {"warning": "warning", "edited": "dirty", "power": "icon"}  # icon → colour
 _UNTOUCHED = "untouched"
 _STEPS = QAbstractSpinBox.StepEnabledFlag
 _BOTH_WAYS = _STEPS.StepUpEnabled | _STEPS.StepDownEnabled
@@ -85,7 +85,7 @@ class NumberEditor(UnitSpinBox):
 
 
 class AccelerationEditor(NumberEditor):
-    """Accepts the time to full speed, or speed steps with their unit: `25 per 100 ms`."""
+    """Field for the time to full speed, or for speed steps such as `25 per 100 ms`."""
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(spec, parent)
@@ -96,14 +96,14 @@ class AccelerationEditor(NumberEditor):
         return super()._physical_wire(f"{text} s" if BARE.fullmatch(text) else text)
 
     def stepBy(self, steps: int) -> None:
-        """Step through the times, unless wire values are shown. 0 (no ramp) is the shortest."""
+        """Step through times, unless wire values are shown. 0 (no ramp) is the shortest time."""
         if self.own_first:
             super().stepBy(steps)
             return
         highest = self.maximum()
-        place = (highest + 1 - self.value() if self.value() else 0) + steps
-        place = min(max(place, 0), highest)
-        self.setValue(highest + 1 - place if place else 0)
+        index = (highest + 1 - self.value() if self.value() else 0) + steps
+        index = min(max(index, 0), highest)
+        self.setValue(highest + 1 - index if index else 0)
         self.selectAll()
 
     def stepEnabled(self) -> QAbstractSpinBox.StepEnabledFlag:  # noqa: N802 # of Qt
@@ -130,7 +130,7 @@ class FrequencyEditor(UnitSpinBox):
         if not self._hertz[0] / _TOLERANCE <= hertz <= self._hertz[-1] * _TOLERANCE:
             message = tr("The PWM frequency is {0}, not {1}.")
             raise BadRequest(message.format(frequency_range(self._codes), text.strip()))
-        nearest = min(range(len(self._codes)), key=lambda at: abs(self._hertz[at] - hertz))
+        nearest = min(range(len(self._codes)), key=lambda index: abs(self._hertz[index] - hertz))
         return self._codes[nearest]
 
     def stepBy(self, steps: int) -> None:
@@ -139,8 +139,8 @@ class FrequencyEditor(UnitSpinBox):
         except BadRequest:
             hertz = 0
         below, above = bisect_right(self._hertz, hertz) - 1, bisect_left(self._hertz, hertz)
-        place = (below if steps > 0 else above) + steps
-        self.setValue(self._codes[min(max(place, 0), len(self._codes) - 1)])
+        index = (below if steps > 0 else above) + steps
+        self.setValue(self._codes[min(max(index, 0), len(self._codes) - 1)])
         self.selectAll()
 
     def stepEnabled(self) -> QAbstractSpinBox.StepEnabledFlag:  # noqa: N802 # of Qt
@@ -148,7 +148,7 @@ class FrequencyEditor(UnitSpinBox):
 
 
 class ChoiceEditor(ComboBox):
-    """Drop-down list of named values, with an added item for an unknown value."""
+    """Drop-down list of named values. An item is added for an unknown value."""
 
     valueChanged = Signal(int)  # wire value that the user selected, even if it is unchanged
 
@@ -224,8 +224,8 @@ class LineSettingsEditor(QWidget):
         self._fields = (self._baud, self._detection, self._stop_bits)
         row(*self._fields, into=self, margins=0, spacing=4)
         self.setFocusProxy(self._baud)
-        for each in self._fields:
-            each.activated.connect(self._on_activated)
+        for combo in self._fields:
+            combo.activated.connect(self._on_activated)
 
     @Slot()
     def _on_activated(self) -> None:
@@ -280,7 +280,7 @@ def editor_for(spec: ParameterSpec, parent: QWidget | None = None) -> Editor:
 class ParameterDelegate(UnitDelegate):
     """Delegate of a `ParameterModel`.
 
-    An editor of a missing value shows the default, which Enter or an edit makes the value.
+    The editor of a missing value shows the default. Enter or an edit stores the shown value.
     """
 
     def __init__(
@@ -324,7 +324,7 @@ class ParameterDelegate(UnitDelegate):
         if wire is None:
             wire = self._model.default_number(str(index.data(ParameterRole.KEY)))
         cast("Editor", editor).setValue(wire)
-        editor.setProperty(_UNTOUCHED, untouched)  # `setValue` is no edit by the user
+        editor.setProperty(_UNTOUCHED, untouched)  # `setValue` is not an edit by the user
 
     def setModelData(self, editor: QWidget, model: QAbstractItemModel, index: Index) -> None:
         if not editor.property(_UNTOUCHED):
@@ -336,14 +336,14 @@ class ParameterDelegate(UnitDelegate):
         self, editor: QWidget, option: QStyleOptionViewItem, index: Index
     ) -> None:
         super().updateEditorGeometry(editor, option, index)
-        place = editor.geometry()
-        middle = place.center().y()
-        place.setSize(place.size().expandedTo(editor.sizeHint()))
-        place.moveCenter(QPoint(place.center().x(), middle))
+        geometry = editor.geometry()
+        center_y = geometry.center().y()
+        geometry.setSize(geometry.size().expandedTo(editor.sizeHint()))
+        geometry.moveCenter(QPoint(geometry.center().x(), center_y))
         view = editor.parentWidget()
-        if view is not None and place.right() > view.width():
-            place.moveRight(max(place.width(), view.width()) - 1)
-        editor.setGeometry(place)
+        if view is not None and geometry.right() > view.width():
+            geometry.moveRight(max(geometry.width(), view.width()) - 1)
+        editor.setGeometry(geometry)
 
     def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
         super().initStyleOption(option, index)
@@ -374,8 +374,8 @@ class ParameterDelegate(UnitDelegate):
         if not is_value:
             return
         if sign := self._sign(index):
-            place = QRect(cell.left() + 2, cell.top(), _ICON, cell.height())
-            icon(sign, _SIGNS[sign]).paint(painter, place)
+            box = QRect(cell.left() + 2, cell.top(), _ICON, cell.height())
+            icon(sign, _SIGNS[sign]).paint(painter, box)
         if option.state & QStyle.StateFlag.State_Selected:
             width = 2 if option.state & QStyle.StateFlag.State_HasFocus else 1
             painter.setPen(QPen(theme().color("accent"), width))
@@ -391,7 +391,7 @@ class ParameterDelegate(UnitDelegate):
 
 
 def _write(option: QStyleOptionViewItem, color: str, *, bold: bool = False) -> None:
-    """Set the theme colour of a text, except of disabled text."""
+    """Set the theme colour of text that is not disabled."""
     palette = QPalette(option.palette)
     for group in (QPalette.ColorGroup.Active, QPalette.ColorGroup.Inactive):
         palette.setColor(group, QPalette.ColorRole.Text, theme().color(color))

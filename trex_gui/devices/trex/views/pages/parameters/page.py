@@ -1,4 +1,4 @@
-"""Parameters of a board or file: filters, table, and card of the selection."""
+"""Page of the parameters of a board or file: filters, table and card of the selection."""
 
 from PySide6.QtCore import QModelIndex, Qt, Signal, Slot
 from PySide6.QtWidgets import QTabBar, QVBoxLayout, QWidget
@@ -19,7 +19,7 @@ from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets.builders import button, column, label, named, row, search_field
 from trex_gui.ui.widgets.labels import PageHead
 
-_CLEAR = 20  # pixels for the frame of the search field
+_FRAME = 20  # pixels for the frame of the search field
 
 
 class ParameterTable(QWidget):
@@ -35,11 +35,11 @@ class ParameterTable(QWidget):
         super().__init__(parent)
         self._model = draft.parameters
         self._user_key = ""  # key of the cell that the user has selected
-        self._is_elsewhere = False  # True if that cell is hidden and another cell is selected
+        self._is_other_selected = False  # True if that cell is hidden and another cell is selected
 
         title = tr("Search parameters")
-        self._words = search_field(self, "parameterSearch", title, title)
-        self._words.setMinimumWidth(self._words.fontMetrics().horizontalAdvance(title) + _CLEAR)
+        self._search = search_field(self, "parameterSearch", title, title)
+        self._search.setMinimumWidth(self._search.fontMetrics().horizontalAdvance(title) + _FRAME)
         self._choice = named(QTabBar(self), "parameterChoice", accessible=tr("Parameters"))
         set_look(self._choice, "switch")
         self._choice.setDrawBase(False)
@@ -50,16 +50,16 @@ class ParameterTable(QWidget):
         self._no_match = self._no_match_note()
         self._linter = linter
         self._card = ParameterCard(draft, linter, self._view, self)
-        filters = row((self._words, 1), self._choice)
+        filters = row((self._search, 1), self._choice)
         above = row(*([(head, 2)] if head else []), (filters, 3), spacing=16)
         column(above, (row((self._view, 5), (self._card, 2), spacing=16), 1), into=self, margins=0)
 
         self._view.selectionModel().currentChanged.connect(self._on_current_changed)
         self._view.clicked.connect(self._on_current_changed)
         self._card.activate.clicked.connect(self.power_cycle_requested)
-        self._words.returnPressed.connect(self._view.setFocus)
+        self._search.returnPressed.connect(self._view.setFocus)
         for changed in (
-            self._words.textChanged,
+            self._search.textChanged,
             self._choice.currentChanged,
             linter.changed,
             self._model.modelReset,
@@ -81,7 +81,7 @@ class ParameterTable(QWidget):
 
     @Slot()
     def _show_all(self) -> None:
-        self._words.clear()
+        self._search.clear()
         self._choice.setCurrentIndex(ParameterChoice.ALL)
 
     def set_rows_enabled(self, enabled: bool) -> None:
@@ -99,12 +99,12 @@ class ParameterTable(QWidget):
     @Slot(QModelIndex)
     def _on_current_changed(self, current: QModelIndex) -> None:
         if current.isValid():
-            self._is_elsewhere = False
+            self._is_other_selected = False
             self._user_key = self._view.current_key
             above = range(current.row() - 1, -1, -1)
-            visible = next((each for each in above if not self._view.isRowHidden(each)), 0)
-            if not self._model.rows[visible].keys:
-                self._view.scrollTo(self._model.index(visible, 0))  # keys cannot select a heading
+            visible = next((row for row in above if not self._view.isRowHidden(row)), 0)
+            if not self._model.rows[visible].keys:  # a heading, which cannot be selected
+                self._view.scrollTo(self._model.index(visible, 0))
             if current.row() > 1:
                 self._view.scrollTo(current)
         self._view.viewport().update()  # `ParameterDelegate.paint` marks the whole row
@@ -113,7 +113,7 @@ class ParameterTable(QWidget):
     @Slot()
     def _update_rows(self) -> None:
         keys = frozenset(key for finding in self._linter.findings for key in finding.keys)
-        words = self._words.text().casefold().split()
+        words = self._search.text().casefold().split()
         shown = ParameterChoice(self._choice.currentIndex())
         if self._view.show_rows(ParameterFilter(tuple(words), shown, keys)):
             self._on_rows_changed()
@@ -121,20 +121,20 @@ class ParameterTable(QWidget):
         texts = tr("All"), tr("Changed {0}"), tr("Not default {0}"), tr("Findings {0}")
         not_default = list(filter(values.differs_from_default, values.specs))
         kinds = (), values.modified, not_default, values.specs.keys() & keys
-        for each, members in enumerate(kinds):
-            self._choice.setTabText(each, texts[each].format(len(members)))
-        for part in (self._words, self._choice):
-            part.setEnabled(self._model.count > 0)
+        for tab, members in enumerate(kinds):
+            self._choice.setTabText(tab, texts[tab].format(len(members)))
+        for widget in (self._search, self._choice):
+            widget.setEnabled(self._model.count > 0)
 
     def _on_rows_changed(self) -> None:
         current, selected = self._view.currentIndex(), self._model.index_of(self._user_key)
-        if self._is_elsewhere or self._view.is_hidden(current):
+        if self._is_other_selected or self._view.is_hidden(current):
             if not self._view.is_hidden(selected):
                 self._view.setCurrentIndex(selected)
             elif self._view.is_hidden(current):
                 key = self._user_key
                 self._view.setCurrentIndex(self._view.filter.best_match(self._model))
-                self._is_elsewhere, self._user_key = bool(key), key or self._view.current_key
+                self._is_other_selected, self._user_key = bool(key), key or self._view.current_key
         self._no_match.setVisible(self._model.count > 0 and not self._view.filter.rows(self._model))
         self._card.show_current()
 

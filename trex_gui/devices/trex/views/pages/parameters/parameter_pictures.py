@@ -48,7 +48,7 @@ class Picture:
 
 
 def picture_of(key: str, values: ParameterValues) -> Picture | None:
-    """Return the drawing of a parameter. `None` if effect or value is unknown."""
+    """Return the drawing of a parameter. `None` if its effect or value is unknown."""
     kind = key.partition("_")[2] if motor_name(key) else key
     wire, draw = values.value_of(key), _PICTURES.get(kind)
     return None if draw is None or wire is None else draw(values.specs[key], wire, values)
@@ -77,8 +77,8 @@ def _reversal(spec: ParameterSpec, wire: int, values: ParameterValues) -> Pictur
     rate = values.value_of(spec.key.replace(MotorParameter.BRAKE_DURATION, "acceleration"))
     if rate is not None:
         ramp = 0.8 * FULL_SPEED_S / rate / window if rate else 0
-        reached = min(1, (1 - end) / ramp) if ramp else 1  # share of the ramp at the right edge
-        output += (end + ramp * reached, 0.4 - 0.4 * reached), (1, 0.4 - 0.4 * reached)
+        fraction = min(1, (1 - end) / ramp) if ramp else 1  # fraction of the ramp that fits
+        output += (end + ramp * fraction, 0.4 - 0.4 * fraction), (1, 0.4 - 0.4 * fraction)
     text = tr("Reversal by an accelerate command: {0}, then the ramp.").format(value)
     lines = Stroke(((0, 0.4), (1, 0.4)), "outline", _DOTTED), Stroke(output)
     return Picture(text, value, lines, (start, end, 0.8))
@@ -87,12 +87,12 @@ def _reversal(spec: ParameterSpec, wire: int, values: ParameterValues) -> Pictur
 def _limit(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
     limit, value = 0.8 * wire / spec.maximum if wire else 1, spec.text(wire)
     demand: Points = (0, 0.02), (0.2, 0.04), (0.3, 0.8), (0.5, 0.42), (0.65, 0.34), (1, 0.34)
-    shown: list[tuple[float, float]] = []
+    limited: list[tuple[float, float]] = []
     for (x1, y1), (x2, y2) in pairwise(demand):
-        shown.append((x1, min(y1, limit)))
+        limited.append((x1, min(y1, limit)))
         if (y1 - limit) * (y2 - limit) < 0:
-            shown.append((x1 + (x2 - x1) * (limit - y1) / (y2 - y1), limit))
-    lines = Stroke(demand, "muted", _DASHED), Stroke((*shown, (1, min(0.34, limit))))
+            limited.append((x1 + (x2 - x1) * (limit - y1) / (y2 - y1), limit))
+    lines = Stroke(demand, "muted", _DASHED), Stroke((*limited, (1, min(0.34, limit))))
     text = tr("Current of a motor that starts, limit: {0}").format(value)
     if not wire:
         return Picture(text, value, lines[1:])
@@ -103,7 +103,10 @@ def _limit(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
 def _stop(
     spec: ParameterSpec, wire: int, values: ParameterValues, after: float | None = None
 ) -> Picture:
-    """Draw a loss of signal. Motors stop `after` seconds, by default the parameter's value."""
+    """Draw a loss of signal.
+
+    `after`: seconds until the motors stop, by default the value of the parameter.
+    """
     value, start = spec.text(wire), 0.3
     seconds = wire * spec.scale if after is None else after
     end = start + 0.55 * seconds / _window(seconds, 0.5, 1.5, 5, 15)
@@ -175,10 +178,10 @@ class ParameterPicture(Painted):
                 painter.drawRect(QRectF(point(left, height), point(right, 0)))
             for line in picture.lines:
                 painter.setPen(QPen(theme().color(line.color or self._color), 2, line.style))
-                painter.drawPolyline([point(*each) for each in line.points])
+                painter.drawPolyline([point(x, y) for x, y in line.points])
             painter.setPen(theme().color("muted"))
-            metrics, place = painter.fontMetrics(), point(*picture.place)
+            metrics, anchor = painter.fontMetrics(), point(*picture.place)
             width, height = metrics.horizontalAdvance(picture.caption), metrics.height()
-            left = max(place.x() - width / 2, inside.left())
-            box = QRectF(left, place.y() - height, width + 2, height)
+            left = max(anchor.x() - width / 2, inside.left())
+            box = QRectF(left, anchor.y() - height, width + 2, height)
             painter.drawText(box, Qt.AlignmentFlag.AlignCenter, picture.caption)

@@ -1,4 +1,4 @@
-"""Table of parameters, for mouse and keyboard."""
+"""Table of parameters for mouse and keyboard."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -26,8 +26,8 @@ from trex_gui.ui.theme.theme import follow_theme, set_look
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ENTER, only_when_visible
 
-_PRESS = ENTER | {Qt.Key.Key_Space, Qt.Key.Key_Select}
-_LEAST = 20  # minimum width of the names in characters
+_EDIT_KEYS = ENTER | {Qt.Key.Key_Space, Qt.Key.Key_Select}
+_MIN_NAME_WIDTH = 20  # minimum width of the names in characters
 
 
 class ParameterChoice(IntEnum):
@@ -41,7 +41,7 @@ class ParameterChoice(IntEnum):
 class ParameterFilter:
     words: tuple[str, ...] = ()  # lower case, searched in name, key and description
     shown: ParameterChoice = ParameterChoice.ALL
-    found: frozenset[str] = frozenset()  # keys with a finding of the linter
+    found: frozenset[str] = frozenset()  # keys with a linter finding
 
     def rows(self, model: ParameterModel) -> list[int]:
         rows: list[int] = []
@@ -62,7 +62,8 @@ class ParameterFilter:
         return model.index_of(next(named, keys[0] if keys else ""))
 
     def _accepts(self, model: ParameterModel, keys: tuple[str, ...]) -> bool:
-        values, members = model.values, [each for key in keys for each in model.text.keys_of(key)]
+        values = model.values
+        members = [member for key in keys for member in model.text.keys_of(key)]
         is_shown = {
             ParameterChoice.CHANGED: values.is_modified,
             ParameterChoice.NOT_DEFAULT: values.differs_from_default,
@@ -71,7 +72,7 @@ class ParameterFilter:
         if is_shown is not None and not any(map(is_shown, members)):
             return False
         specs = [values.specs[key] for key in members]
-        texts = [each for spec in specs for each in (spec.name, spec.key, spec.description)]
+        texts = [text for spec in specs for text in (spec.name, spec.key, spec.description)]
         searched = " ".join((*texts, *map(model.text.title, keys))).casefold()
         return all(word in searched for word in self.words)
 
@@ -79,7 +80,7 @@ class ParameterFilter:
 class ParameterView(QTableView):
     """Table of values. Selecting a name selects the first value in its row."""
 
-    wire_value_requested = Signal()  # the user requests the field for wire values
+    wire_value_requested = Signal()  # the user opens the field for wire values
 
     def __init__(self, model: ParameterModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -122,8 +123,8 @@ class ParameterView(QTableView):
             names += [width(index(number, ParameterColumn.NAME)).width()] if row.keys else []
             both = range(1, 3 if len(row.keys) > 1 else 0)
             values += [width(index(number, column)).width() for column in both]
-        least = _LEAST * self.fontMetrics().averageCharWidth()
-        name = max(min(max(names), total - 2 * max(values)), least)
+        minimum = _MIN_NAME_WIDTH * self.fontMetrics().averageCharWidth()
+        name = max(min(max(names), total - 2 * max(values)), minimum)
         self.setColumnWidth(ParameterColumn.NAME, name)
         for motor in (ParameterColumn.MOTOR1, ParameterColumn.MOTOR2):
             self.setColumnWidth(motor, (total - name) // 2)
@@ -178,7 +179,7 @@ class ParameterView(QTableView):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         is_editing = self.state() is QAbstractItemView.State.EditingState
-        if self.current_key and event.key() in _PRESS and not is_editing:
+        if self.current_key and event.key() in _EDIT_KEYS and not is_editing:
             self._start_edit(self.current_key)
         else:
             super().keyPressEvent(event)
@@ -229,13 +230,13 @@ class ParameterView(QTableView):
         )
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
-        index, place = self.indexAt(event.pos()), event.pos()
+        index, position = self.indexAt(event.pos()), event.pos()
         if event.reason() is QContextMenuEvent.Reason.Keyboard:
             index = self.currentIndex()
-            place = self.visualRect(index).center()
+            position = self.visualRect(index).center()
         if index.data(ParameterRole.KEY) is not None:
             self.setCurrentIndex(index)
-            self._menu.popup(self.viewport().mapToGlobal(place))
+            self._menu.popup(self.viewport().mapToGlobal(position))
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -245,8 +246,8 @@ class ParameterView(QTableView):
     def update_actions(self) -> None:
         """Update texts and states of the actions for the current parameter."""
         model, key = self._model, self.current_key
-        for each in self.tools:
-            each.setVisible(bool(key))
+        for action in self.tools:
+            action.setVisible(bool(key))
         if not key:
             return
         can_edit = self.isEnabled()
@@ -263,8 +264,9 @@ class ParameterView(QTableView):
         self._copy.setEnabled(bool(lines))
 
     def _lines(self, key: str) -> list[str]:
-        wires = {each: self._model.values.value_of(each) for each in self._model.text.keys_of(key)}
-        return [f"{each}: {wire}" for each, wire in wires.items() if wire is not None]
+        keys, value_of = self._model.text.keys_of(key), self._model.values.value_of
+        wires = {member: value_of(member) for member in keys}
+        return [f"{member}: {wire}" for member, wire in wires.items() if wire is not None]
 
     def _copy_line(self, key: str) -> None:
         if lines := self._lines(key):
