@@ -52,7 +52,7 @@ _ECHO_PROBES = 2  # so that one corrupted byte does not hide an echo
 
 
 class Requester(Protocol):
-    """Runs transactions: a client, or a session that handles stops in between."""
+    """Callable that runs transactions. A session also handles stops in between."""
 
     def __call__(self, command: Command[ReplyT_co]) -> ReplyT_co: ...
 

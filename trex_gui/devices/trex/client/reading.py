@@ -171,7 +171,7 @@ def require_free_number(
     """Check that no board uses this device number. `before` is called before each query.
 
     Raises:
-        BadRequest: a board has the number, or several boards have it and no reply is readable.
+        BadRequest: a board has the number, or every reply is unreadable, as from several boards.
     """
     unreadable = 0
     for _ in range(ATTEMPTS):

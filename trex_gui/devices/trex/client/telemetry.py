@@ -90,7 +90,7 @@ class LatchedStatus(Sample):
         return (*bit_names(self.status), *bit_names(self.uart))
 
     def stops_motors(self, *, on_error: bool = False) -> bool:
-        """True if the board has stopped motors. `on_error`: UART-Error Shutdown is set."""
+        """True if the board has stopped motors. `on_error`: with UART-Error Shutdown."""
         latched = self.status, self.uart
         return any(stops_motors(bits, errors_stop=on_error) for bits in latched)
 

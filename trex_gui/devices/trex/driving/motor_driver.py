@@ -45,9 +45,9 @@ it misses entirely. So it can miss one round, but not the round after its reply.
 _CAREFUL_ROUNDS = 8
 """Consecutive clean rounds that confirm a stop on a line that damages bytes.
 
-They apply if the stop cannot wait for a quiet line. Undetected damage may still turn the last
-packet into a speed. The probability is 2p/9 * (1 - p)**56 for a damage probability p per byte, at
-most 0.14 %. See `LineQuality` for a stronger confirmation.
+Used for a stop that cannot wait for a quiet line. Undetected damage may still turn the last packet
+into a speed. The probability is 2p/9 * (1 - p)**56 for a damage probability p per byte, at most
+0.14 %. See `LineQuality` for a stronger confirmation.
 """
 
 # Limits of the stop before the port is closed. The window waits one second for it.
@@ -157,7 +157,7 @@ class MotorDriver:
     def final_stop(self, *, careful: bool = False) -> StopRun:
         """Return a stop that does not wait for a quiet line.
 
-        `careful`: the line is too new to judge its quality.
+        `careful`: True if the line is too new to judge its quality.
         """
         return self._stop(_ATTEMPTS, is_final=True, is_careful=careful)
 

@@ -22,13 +22,13 @@ class RestartWatch:
     """Detects that a board restarted while it drove motors 1 and 2.
 
     No query reveals a restart, and a repeated setpoint would start a motor at rest. The evidence is
-    a driven motor that stops drawing current on a quiet line, if the status does not explain it.
+    a driven motor that stops drawing current on a quiet line, without an explanation in the status.
     A motor that never drew current is no evidence.
     """
 
     def __init__(self, quality: LineQuality) -> None:
         self._quality = quality
-        self._running: dict[int, tuple[SetMotor, float]] = {}  # motor → setpoint, settled time
+        self._running: dict[int, tuple[SetMotor, float]] = {}  # motor → setpoint, time it settles
         self._drawing: set[int] = set()  # motors that drew a current
         self.clear()
 

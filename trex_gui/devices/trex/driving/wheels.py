@@ -46,7 +46,7 @@ def unpacked(text: str) -> tuple[Wheel, ...]:
     matches = [_WHEEL.fullmatch(word) for word in text.split()]
     wheels = [Wheel(int(m[1]), int(m[2]), int(m[3]), m[4] == "-") for m in matches if m is not None]
     if len(wheels) < len(matches):
-        raise ValueError(f"{text!r} does not describe wheels")
+        raise ValueError(f"{text!r} describes no wheels")
     return tuple(wheels)
 
 

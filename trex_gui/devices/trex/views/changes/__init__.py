@@ -1,1 +1,1 @@
-"""Dialogs that preview changes of settings: review, load, compare, convert."""
+"""Dialogs that preview changes to settings: review, load, compare and convert."""

@@ -105,9 +105,9 @@ def load_dialog(
     dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
     if edit is not None:
         text = tr("&Edit the file instead")
-        instead = button(dialog, "editFileButton", text, default=False, on_click=dialog.close)
-        instead.clicked.connect(edit)
-        dialog.add_beside_buttons(instead)
+        edit_button = button(dialog, "editFileButton", text, default=False, on_click=dialog.close)
+        edit_button.clicked.connect(edit)
+        dialog.add_beside_buttons(edit_button)
     return dialog
 
 
@@ -205,10 +205,10 @@ def show_conversion(
     before, state = document.settings, device.state if device.is_connected else None
     own = None if before is None else (before.product, before.specs.firmware)
     models = [model for model in device_table().models if own is None or model != own[0]]
-    first = models[0], models[0].firmware[-1]
+    preselected = models[0], models[0].firmware[-1]
     if state is not None and (state.signature.model, state.signature.firmware) != own:
-        first = state.signature.model, state.signature.firmware
-    choice.setCurrentIndex(boards.index(first))
+        preselected = state.signature.model, state.signature.firmware
+    choice.setCurrentIndex(boards.index(preselected))
 
     def conversion() -> Conversion | None:
         model, firmware = choice.currentData()

@@ -76,7 +76,7 @@ def _parameters(settings: Settings) -> str:
             cells = (spec.name, spec.key, value, "" if wire is None else str(wire))
             is_changed = wire not in {None, spec.default}
             rows.append(_row((*cells, spec.text(spec.default)), bold=is_changed))
-            rows += _note_rows(settings, spec.key, len(titles))
+            rows += _rows_for_note(settings, spec.key, len(titles))
     return _table(titles, rows)
 
 
@@ -86,7 +86,7 @@ def _calibrations(settings: Settings) -> str:
         counts = [getattr(calibration, field) for field in CALIBRATION_FIELDS]
         values = (f"{key.source.text(count)} ({count})" for count in counts)
         rows.append(_row((key.label, key, *values)))
-        rows += _note_rows(settings, key, 6)
+        rows += _rows_for_note(settings, key, 6)
     titles = {
         tr("Channel"): 18,
         tr("Key"): 18,
@@ -98,7 +98,7 @@ def _calibrations(settings: Settings) -> str:
     return _table(titles, rows) if rows else f"<p>{escape(tr('None are given.'))}</p>"
 
 
-def _note_rows(settings: Settings, key: str, columns: int) -> list[str]:
+def _rows_for_note(settings: Settings, key: str, columns: int) -> list[str]:
     note = settings.notes.get(key, "")
     text = escape(tr("Note: {0}").format(note)).replace("\n", "<br>")
     return [f'<tr><td colspan="{columns}"><i>{text}</i></td></tr>'] if note else []

@@ -74,8 +74,8 @@ class TextPage(QWidget):
         at_top = Qt.AlignmentFlag.AlignTop
         top = row((self._notice, 1), (self._check, 0, at_top), (self._repair, 0, at_top))
         parts = (self.editor, 3), (self._findings_area, 2)
-        both = splitter(self, "", Qt.Orientation.Vertical, *parts)
-        column(top, (both, 1), into=self, margins=16)
+        areas = splitter(self, "", Qt.Orientation.Vertical, *parts)
+        column(top, (areas, 1), into=self, margins=16)
 
         self._check.clicked.connect(self._check_again)
         self._repair.clicked.connect(self._on_repair_clicked)

@@ -26,7 +26,7 @@ _SOURCE = ParameterKey.CHANNEL_INPUT_SOURCE
 class CalibrationFields(QWidget):
     """Four fields in µs, V or counts. Arrow keys change a value by one count."""
 
-    # Valid `Calibration`, and key of the undo step for a run of edits or `None` for a new step
+    # Valid `Calibration` and the key of its undo step, `None` for a separate undo step
     edited = Signal(object, object)
     rejected = Signal(str)  # reason why a value is invalid, for the user
 

@@ -65,7 +65,7 @@ class ChannelStrip(QAbstractButton, Spoken):
         self._value = self._output = self._spoken = self._mark = ""
         self._newest = -math.inf  # time at the right edge
         self._is_broken = True  # True if the next point starts a new line
-        self.lines: list[QPolygonF] = []  # points (time, count), one line between two gaps
+        self.lines: list[QPolygonF] = []  # points (time, count), a new line after each gap
         theme().changed.connect(self.update)
 
     def set_curve(self, source: InputSource, curve: ChannelCurve | None) -> None:

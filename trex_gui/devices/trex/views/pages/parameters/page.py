@@ -114,8 +114,8 @@ class ParameterTable(QWidget):
     def _update_rows(self) -> None:
         keys = frozenset(key for finding in self._linter.findings for key in finding.keys)
         words = self._search.text().casefold().split()
-        shown = ParameterChoice(self._choice.currentIndex())
-        if self._view.show_rows(ParameterFilter(tuple(words), shown, keys)):
+        choice = ParameterChoice(self._choice.currentIndex())
+        if self._view.show_rows(ParameterFilter(tuple(words), choice, keys)):
             self._on_rows_changed()
         values = self._model.values
         texts = tr("All"), tr("Changed {0}"), tr("Not default {0}"), tr("Findings {0}")
