@@ -2,7 +2,7 @@
 
 After a failed connection, probes are sent at the settings in use, with each other error detection,
 and at the factory settings. No probe moves a motor. The replies reveal a board at other settings,
-its boot loader, or a qik. A board in learning mode stays silent, because its jumper holds its
+its boot loader, or a qik. A board in learning mode stays silent, because the jumper connects its
 transmit line (SO) to ground.
 """
 
@@ -29,19 +29,19 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 
 def explain(settings: ConnectionSettings, *, echo: bool, error: StudioError) -> StudioError:
-    """Return the error to report after a query that failed with `error`."""
-    where = settings.text()
+    """Return the error to report after a query failed with `error`."""
+    line_text = settings.text()
     if is_unsteady(error):
         return error
     if isinstance(error, BadReply):
-        return TrexBadReplyError(ErrorCode.OTHER_DEVICE, where, error)
+        return TrexBadReplyError(ErrorCode.OTHER_DEVICE, line_text, error)
     if not isinstance(error, NoReply):
         return error
     if echo:
-        return TrexNoReplyError(ErrorCode.ECHO_ONLY, where)
+        return TrexNoReplyError(ErrorCode.ECHO_ONLY, line_text)
     if settings.device_number is not None:
-        where += ", " + tr("device number {0}").format(settings.device_number)
-    return TrexNoReplyError(ErrorCode.NO_BOARD, where)
+        line_text += ", " + tr("device number {0}").format(settings.device_number)
+    return TrexNoReplyError(ErrorCode.NO_BOARD, line_text)
 
 
 def diagnose(
@@ -55,13 +55,13 @@ def diagnose(
     """Probe the line, and return the error to report.
 
     A silent local line takes a second. On a line with CRC, `quick` skips the other polynomials,
-    which take seven seconds. The line settings are restored afterwards.
+    which takes seven seconds. Restores the line settings at the end.
     """
     settings, wire = client.settings, client.transport
-    plain = explain(settings, echo=client.echo, error=error)
-    probes = not settings.reserved and isinstance(error, NoReply | BadReply)
-    if is_unsteady(error) or not probes:
-        return plain
+    explanation = explain(settings, echo=client.echo, error=error)
+    can_probe = not settings.reserved and isinstance(error, NoReply | BadReply)
+    if is_unsteady(error) or not can_probe:
+        return explanation
     client.drain()
     prober = TrexProber(settings, plans=_plans(settings, quick=quick))
     try:
@@ -75,11 +75,11 @@ def diagnose(
             wire.reconfigure(settings.line)
     if prober.found:
         return _elsewhere(settings, prober.found[0])
-    return prober.recognised or plain
+    return prober.recognised or explanation
 
 
 def _plans(settings: ConnectionSettings, *, quick: bool) -> list[list[Attempt]]:
-    """Return the likely probes. With CRC, a second plan tries every other polynomial."""
+    """Return a plan of the likely probes. With CRC, a second plan adds all other polynomials."""
     line = settings.line
     likely = [
         Attempt.at(settings),
@@ -92,18 +92,18 @@ def _plans(settings: ConnectionSettings, *, quick: bool) -> list[list[Attempt]]:
     ]
     plans = [list(dict.fromkeys(likely))]
     if line.has_crc and not quick:
-        every = attempts(full=True)
-        plans.append([probe for probe in every if probe.line == line and probe not in likely])
+        all_probes = attempts(full=True)
+        plans.append([probe for probe in all_probes if probe.line == line and probe not in likely])
     return [[probe for probe in plan if not probe.is_unsafe] for plan in plans]
 
 
 def _elsewhere(settings: ConnectionSettings, board: FoundBoard) -> StudioError:
-    used, found = settings.line, board.settings.line
+    used, actual = settings.line, board.settings.line
     number = settings.device_number
     names = settings.label, board.name
-    if (found.baud, found.detection) != (used.baud, used.detection):
-        code, texts = ErrorCode.OTHER_LINE, (found.short, used.short)
-    elif found.has_crc and board.settings.polynomial != settings.polynomial:
+    if (actual.baud, actual.detection) != (used.baud, used.detection):
+        code, texts = ErrorCode.OTHER_LINE, (actual.short, used.short)
+    elif actual.has_crc and board.settings.polynomial != settings.polynomial:
         polynomials = f"{board.settings.polynomial:02X}", f"{settings.polynomial:02X}"
         code, texts = ErrorCode.OTHER_POLYNOMIAL, polynomials
     elif number is not None and board.device_number != number:

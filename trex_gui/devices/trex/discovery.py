@@ -24,10 +24,10 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_nu
 _LIKELY = (19200, 115200, 9600, 38400, 57600)
 
 _LAST_PROBES = 5
-"""Number of probes of the default settings at the end of a scan, because a line may lose replies.
-The other likely settings get one more probe. On a silent line all this takes two seconds."""
+"""Number of probes at the default settings at the end of a scan. A line may lose replies.
+The other likely settings are probed once more. On a silent line, these probes take two seconds."""
 
-NUMBERS = 128  # count of device numbers, 0 to 127
+NUMBERS = 128  # device numbers are 0 to 127
 
 _QIK = frozenset({b"1", b"2"})
 """Replies of a Pololu qik to 81, which requests its firmware version.
@@ -35,13 +35,13 @@ _QIK = frozenset({b"1", b"2"})
 Ref: qik 2s9v1 User's Guide 5.a, qik 2s12v10 User's Guide 5.b.
 """
 
-_SHOWN = 12  # bytes of an unknown reply that a message quotes
+_MAX_QUOTED = 12  # bytes of an unknown reply in a message
 
 
 def attempts(*, full: bool = False) -> Iterator[Attempt]:
     """Yield every probe, likely settings first.
 
-    `full` adds all other CRC-7 polynomials, which take some minutes. `UNSAFE` probes are left out.
+    `full` adds all other CRC-7 polynomials, which takes some minutes. `UNSAFE` probes are left out.
     """
     rates = [*_LIKELY, *sorted({*baud_rates()} - {*_LIKELY}, reverse=True)]
     for stop_bits in (1, 2):
@@ -67,7 +67,7 @@ def attempts(*, full: bool = False) -> Iterator[Attempt]:
 class FoundBoard:
     settings: ConnectionSettings  # with a device number only if boards share the line
     signature: Signature
-    device_number: int | None = None  # stored number, if it was read
+    device_number: int | None = None  # stored number; `None` if it was not read
     echo: bool = False
     note: str = ""  # hint for the user; may be empty
 
@@ -81,7 +81,8 @@ def boards_by_number(
 ) -> list[FoundBoard]:
     """Probe each device number, and return the boards in numerical order.
 
-    `progress` receives each number before its probe. Boards that share a number are left out.
+    `progress` is called with each number before its probe. Boards that share a number are left
+    out.
     """
     found: list[FoundBoard] = []
     for number in range(NUMBERS):
@@ -97,7 +98,7 @@ def boards_by_number(
 
 
 class TrexProber:
-    """Prober of one line. `found` has several boards only if they share the line."""
+    """Prober for one line. `found` contains several boards only if they share the line."""
 
     def __init__(
         self,
@@ -107,7 +108,7 @@ class TrexProber:
         known: bool = False,
         plans: Sequence[Sequence[Attempt]] = (),
     ) -> None:
-        """Prepare the probes of `plans`, by default of all settings.
+        """Prepare the probes in `plans`. By default, all settings are probed.
 
         `full` adds every polynomial, and every device number even if one board replies.
         """
@@ -115,17 +116,17 @@ class TrexProber:
         self.found: list[FoundBoard] = []
         self._settings = ConnectionSettings.on(settings)
         self._full = full
-        self.echo = False  # whether sent bytes came back
-        self._strange: list[tuple[SerialFormat, bytes]] = []  # unknown data, by line settings
+        self.echo = False  # whether sent bytes are echoed
+        self._strange: list[tuple[SerialFormat, bytes]] = []  # line settings and unknown data
         self._is_loader = False
         self._several: LineSettings | None = None  # settings at which several boards reply
-        self._skipped: list[LineSettings] = []  # settings unsupported by the port
+        self._skipped: list[LineSettings] = []  # settings that the port does not support
         self._probes_numbers = not plans  # whether several boards are probed by number
-        self._is_fixed = False  # whether the other end sets the rate, which allows one probe only
+        self._is_fixed = False  # whether the other end sets the rate, so only one probe is possible
         plan = list(attempts(full=full))
         likely = plan[: len(_LIKELY)]
-        again = likely + likely[:1] * (_LAST_PROBES - 1)
-        self._plans = plans or (likely, plan[len(_LIKELY) :], again)
+        last_probes = likely + likely[:1] * (_LAST_PROBES - 1)
+        self._plans = plans or (likely, plan[len(_LIKELY) :], last_probes)
 
     @property
     def parts(self) -> tuple[int, ...]:
@@ -147,7 +148,7 @@ class TrexProber:
     ) -> None:
         plan = list(self._plans[part])
         if not wire.is_configurable:
-            # A flush byte at the same rate cannot separate probes, so only one is sent.
+            # A flush byte at the same rate cannot separate probes, so only one probe is sent.
             self._is_fixed = True
             plan = plan[:1] if part == 0 else []
         for done, attempt in enumerate(plan):
@@ -188,13 +189,13 @@ class TrexProber:
         elif reply.kind is ReplyKind.SEVERAL:
             self._several = attempt.line
         elif reply.kind is ReplyKind.BOOT_LOADER:
-            # Noise may look like a boot loader, but hardly twice.
+            # Noise may look like a boot loader, but rarely twice in a row.
             self._is_loader = send_probe(wire, attempt, extra).kind is ReplyKind.BOOT_LOADER
         elif reply.kind is not ReplyKind.NOTHING and attempt.line not in dict(self._strange):
             self._strange.append((attempt.line, reply.data))
 
     def _confirm(self, wire: Transport, attempt: Attempt, number: int | None) -> FoundBoard | None:
-        """Read the board after its reply. `None` if this fails."""
+        """Read the board that replied. `None` if this fails."""
         for polynomial in attempt.polynomials or (DEFAULT_POLYNOMIAL,):
             settings = self._settings_at(attempt.line, polynomial, number)
             client = TrexClient(wire, settings, echo=self.echo)
@@ -222,7 +223,7 @@ class TrexProber:
         progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
-        """Probe each device number. Several boards replace the found board."""
+        """Probe each device number. If several boards reply, they replace the found board."""
         polynomial = (attempt.polynomials or (DEFAULT_POLYNOMIAL,))[0]
         if self.found:
             polynomial = self.found[0].settings.polynomial
@@ -292,13 +293,13 @@ class TrexProber:
 
     def _strange_evidence(self, url: str) -> tuple[Evidence, str]:
         line, data = self._strange[0]
-        shown = hex_text(data[:_SHOWN]) + (" …" if len(data) > _SHOWN else "")
-        more = len(self._strange) - 1
-        often = tr(", and something at {0} more").format(more) if more else ""
+        quoted = hex_text(data[:_MAX_QUOTED]) + (" …" if len(data) > _MAX_QUOTED else "")
+        other_count = len(self._strange) - 1
+        others = tr(", and something at {0} more").format(other_count) if other_count else ""
         text = tr(
             "Something is connected to {0}, but it does not respond like a TReX: it "
             "sent {1} at {2}{3}. It is another device, or the line is noisy."
-        ).format(url, shown, line.text(), often)
+        ).format(url, quoted, line.text(), others)
         if self.echo:
             text += tr(" It also echoes what is sent.")
         return Evidence.STRANGE, text
@@ -324,7 +325,7 @@ def _line_hint(used: LineSettings, signature: Signature, wire: int) -> str:
 
 
 def recall(wire: Transport, settings: PortSettings, packed: str) -> FoundBoard | None:
-    """Probe for a board at the settings of an earlier find. See `core.discovery.Recall`."""
+    """Probe for a board at the settings where it was found before. See `core.discovery.Recall`."""
     prober = TrexProber(settings)
     with contextlib.suppress(BadRequest):
         prober.recall(wire, ConnectionSettings.on(settings).unpacked(packed))

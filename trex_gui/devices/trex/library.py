@@ -60,9 +60,9 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 log = logging.getLogger(__name__)
 
-_STATUS_TIMEOUT = 5.0  # seconds for a sample of each kind, which takes 2 s at 1200 baud
-_LEASE_TIMEOUT = 3.0  # seconds for the reply of a server
-_WRITE_TIMEOUT = 60.0  # seconds for all settings at 1200 baud
+_STATUS_TIMEOUT = 5.0  # seconds until a sample of each kind arrives; 2 s at 1200 baud
+_LEASE_TIMEOUT = 3.0  # seconds until the server replies
+_WRITE_TIMEOUT = 60.0  # seconds until all settings are written, even at 1200 baud
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,7 +88,7 @@ class BoardStatus:
 
 
 def snapshots() -> tuple[Snapshot, ...]:
-    """Return this computer's snapshots of boards before changes, newest first.
+    """Return the snapshots saved on this computer, newest first.
 
     `Trex.apply_settings` restores a snapshot from its `path`.
     """
@@ -98,13 +98,13 @@ def snapshots() -> tuple[Snapshot, ...]:
 class Trex:
     """A TReX or TReX Jr on a serial line. Use it in a `with` statement.
 
-    The end of the block stops the motors and closes the port, also after an error. While motors
-    run, use `wait` instead of `time.sleep`. After half a second without a call the motors are
+    The end of the block stops the motors and closes the port, even after an error. While motors
+    run, use `wait` instead of `time.sleep`. After half a second without a call, the motors are
     stopped, because a program that hangs cannot stop them. Use all methods from one thread.
 
     Methods raise `NoReply` or `BadReply` for a missing or invalid reply, `PortUnavailable` if the
     line is gone, `BadRequest` for an invalid value, and `MotorsStoppedError` if the motors stopped
-    without a call of `stop`. Each error is a `StudioError` with a text for users.
+    without a call to `stop`. Each error is a `StudioError` with a text for users.
     """
 
     def __init__(
@@ -136,9 +136,9 @@ class Trex:
             raise BadRequest(f"detection is none, even, odd or crc7, not {detection}")
         line = LineSettings(baud, Detection[detection.upper()], stop_bits)
         line.to_wire()
-        others, timeouts = frozenset(reserved), Timeouts(extra=timeout)
+        reserved_numbers, timeouts = frozenset(reserved), Timeouts(extra=timeout)
         self.settings = ConnectionSettings(
-            url, line, device_number, polynomial, others, timeouts=timeouts
+            url, line, device_number, polynomial, reserved_numbers, timeouts=timeouts
         )
         _ = self.settings.framing
         self._opened: OpenBoard | None = None
@@ -211,7 +211,7 @@ class Trex:
         )
 
     def errors(self) -> tuple[ErrorEntry, ...]:
-        """Return every error bit with its remedy, counted since the port was opened."""
+        """Return every error bit with its remedy and its count since the port was opened."""
         return self._board.mirror.errors.entries
 
     def motor_status(self) -> tuple[str, ...]:
@@ -239,11 +239,11 @@ class Trex:
     def measurements(self, seconds: float) -> Iterator[Row]:
         """Yield a row for each new pair of motor currents.
 
-        Rows are those of `trexcmd stream`, with units in the keys: `time_s`, `motor_1_current_A`,
-        `channel_1_us`, …
+        The rows equal those of `trexcmd stream`. Their keys contain units: `time_s`,
+        `motor_1_current_A`, `channel_1_us`, …
 
         Raises:
-            NoReply: the board falls silent, or never replies.
+            NoReply: the board stops replying, or never replies.
         """
         table = MeasurementTable(self.state.mode, self.state.signature.model.current_unit)
         board = self._board
@@ -277,11 +277,11 @@ class Trex:
         """Store and verify parameters. Return the changed keys.
 
         A value is the wire value or a text with its unit, such as `"0.5 s"`. `force` also sends
-        a wire value that only an inferred limit forbids. A snapshot of the stored values is saved
-        first, in the history of the window.
+        a wire value that only an inferred limit forbids. Before the change, a snapshot of the
+        stored values is saved in the history that the window shows.
 
         Raises:
-            Rejected: the board does not accept a value. Earlier values are stored.
+            Rejected: the board does not accept a value. The values before it are stored.
         """
         wires = {}
         for key, value in values.items():
@@ -316,9 +316,10 @@ class Trex:
         save(Path(file), write_settings(settings, title_lines=["Read from the board by a program"]))
 
     def compare_settings(self, file: str | Path) -> tuple[ComparisonRow, ...]:
-        """Return the differences from a settings file. `before` is the board's value.
+        """Return the differences from a settings file.
 
-        Calibrations of the inactive input source are left out, because the board hides them.
+        In each row, `before` is the board's value. Calibrations of the inactive input source are
+        left out, because the board hides them.
 
         Raises:
             StudioError: the file cannot be used, or is for another model.
@@ -334,7 +335,7 @@ class Trex:
         """Return the differences from the settings last applied on this computer.
 
         A board with the factory device number and without applied settings counts as the previous
-        board at this adapter. Check `device_number` before you apply the result.
+        board on this adapter. Check `device_number` before you apply the result.
         """
         self._board.keeper.load()
         return self._board.keeper.memory.differing.rows
@@ -342,7 +343,7 @@ class Trex:
     def apply_settings(
         self, wanted: str | Path | Iterable[ComparisonRow], *, force: bool = False
     ) -> tuple[str, ...]:
-        """Store a settings file, or the `after` values of rows. Return the keys.
+        """Store a settings file, or the `after` values of rows. Return the changed keys.
 
         Values that the board already stores are not written. Raises the errors of `set_parameters`
         and `compare_settings`.
@@ -415,7 +416,7 @@ class Trex:
         """Request a network board from the user who drives it.
 
         The motors are stopped first. The call waits `seconds` for the handover. An owner may `take`
-        the lease. A free lease needs no call: `drive` and changes of settings request it.
+        the lease. A free lease needs no call, because `drive` and changes to settings request it.
 
         Raises:
             TrexRequestError: this user may not drive, or the board was not handed over.
@@ -436,7 +437,7 @@ class Trex:
     def release_lease(self, user: str = "") -> None:
         """Stop the motors, and release a network board.
 
-        `user` names a waiting user who gets the lease.
+        `user` is the waiting user who receives the lease.
 
         Raises:
             BadRequest: `user` has not asked to drive.
@@ -508,7 +509,7 @@ class Trex:
 
 
 class LineOptions(TypedDict, total=False):
-    """Arguments of a `Trex` that boards on one line share."""
+    """Arguments of `Trex` that all boards on a line share."""
 
     baud: int
     detection: Literal["none", "even", "odd", "crc7"]
@@ -522,7 +523,7 @@ class TrexLine:
     """Boards on one line that are driven together. Use it in a `with` statement.
 
     Arming and stopping apply to all boards. If a board falls silent, restarts, stops by itself or
-    returns to its channels, all boards stop, and the error names this board. `line[9]` is the
+    returns to channel control, all boards stop, and the error names this board. `line[9]` is the
     `Trex` of board 9. Its `stop`, `wait` and lease apply to all boards.
     """
 
@@ -560,7 +561,7 @@ class TrexLine:
         return iter(self._boards.values())
 
     def status(self) -> dict[int, BoardStatus]:
-        """Return new measurements of each board, by device number."""
+        """Return new measurements of each board: device number → status."""
         return {number: board.status() for number, board in self._boards.items()}
 
     def drive(

@@ -40,10 +40,10 @@ from trex_gui.devices.trex.settings.board_records import utc_now
 
 log = logging.getLogger(__name__)
 
-NOT_OPEN = "The line is not open: use a Trex inside of its `with` block."
+NOT_OPEN = "The line is not open: use a Trex inside its `with` block."
 _LATE = "The program did not call the board for more than half a second while motors were driven."
-_STOP_TIMEOUT = 10.0  # seconds for the confirmation of a stop
-_MOST_QUEUED = 1000  # reports or events that the program has not read
+_STOP_TIMEOUT = 10.0  # seconds until the stop is confirmed
+_MAX_QUEUED = 1000  # reports, and events of a board, that the program has not read
 
 
 class MotorsStoppedError(StudioError):
@@ -51,7 +51,7 @@ class MotorsStoppedError(StudioError):
 
 
 class OpenSession:
-    """Session of a line for a program. All calls come from one thread."""
+    """Session of a line for a program. Use it from one thread."""
 
     def __init__(self, settings: ConnectionSettings) -> None:
         computer = host()
@@ -72,9 +72,9 @@ class OpenSession:
         self._join = computer.start_thread(session.run)
 
     def _put_report(self, report: Report) -> None:
-        """Queue a report of the session. If the queue is full, only status bits are kept."""
+        """Queue a report of the session. If the queue is full, only status bits are queued."""
         batch = report.report if isinstance(report, OfBoard) else report
-        if isinstance(batch, Batch) and len(self._reports) >= _MOST_QUEUED:
+        if isinstance(batch, Batch) and len(self._reports) >= _MAX_QUEUED:
             latched = tuple(s for s in batch.samples if isinstance(s, LatchedStatus))
             if not latched:
                 return
@@ -106,7 +106,7 @@ class OpenSession:
 
     @property
     def lease(self) -> LeaseChanged | None:
-        """Lease of a served line. `None` for a line of this computer."""
+        """Lease of a served line. `None` for a local line."""
         return next(iter(self.boards.values())).mirror.lease
 
     @property
@@ -203,9 +203,9 @@ class OpenBoard:
         self.keeper = Keeper(log.info, log.warning)
         self.mirror = BoardMirror(self.keeper.memory)
         self.mirror.adapter = adapter_key(settings.url)
-        self.driven: dict[int, int] = {}  # speed by motor since the last confirmed stop
+        self.driven: dict[int, int] = {}  # motor → speed since the last confirmed stop
         self.errors: dict[str, None] = {}  # names of the bits since the last status
-        self.events = deque[Event](maxlen=_MOST_QUEUED)  # since the program last read them
+        self.events = deque[Event](maxlen=_MAX_QUEUED)  # since the program last read them
         self._number = number  # device number in a group; `None` for a single board
 
     @property

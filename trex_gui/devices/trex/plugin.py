@@ -53,9 +53,9 @@ TREX = DevicePlugin(
         "raw": _command("packets:raw", "Send bytes and show the reply."),
         "decode": _command("packets:decode", "Decode packets without a board."),
         "report": _command("report:report", "Save a zip for support, without personal data."),
-        "survey": _command("survey:survey", "Find out what the firmware of a board knows."),
+        "survey": _command("survey:survey", "Write facts about a board's firmware to a file."),
         "replay": _command(
-            "replay:replay", "Compare a traffic log with what the simulated board replies."
+            "replay:replay", "Compare a traffic log with the replies of a simulated board."
         ),
     },
     simulator=Lazy(f"{_PACKAGE}.simulator.command:SIMULATOR"),

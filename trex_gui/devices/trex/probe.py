@@ -1,4 +1,4 @@
-"""Probe for a TReX at unknown line settings, which moves no motor.
+"""Probe for a TReX at unknown line settings, without moving a motor.
 
 A board at another rate misreads the bytes, and may see the start of a packet. Two harmless probes
 could then form a motor command. Two rules prevent this.
@@ -28,9 +28,9 @@ QUIET = 0.13
 during its reply. Eleven bytes of eleven bits take 0.1 s at 1200 baud."""
 
 UNSAFE = frozenset(product((14400, 28800), (0x2E, 0x4E)))
-"""Rates and checksums that are not probed at unknown settings. A board at 8/3 of the rate (38400,
-76800 baud) with odd parity may receive 81 2E as F0 0E, which starts the auxiliary motor. 81 4E can
-have this effect, too."""
+"""Pairs of rate and checksum that are not probed at unknown settings. A board at 8/3 of the rate
+(38400, 76800 baud) with odd parity may receive 81 2E as F0 0E, which starts the auxiliary motor.
+81 4E can have the same effect."""
 
 _PROBE = GetSignature().opcode.to_bytes()
 _NAME = b"TReX"
@@ -44,7 +44,7 @@ def checksum(polynomial: int) -> int:
 
 @dataclass(frozen=True, slots=True)
 class Attempt:
-    """Probe at line settings. Its `polynomials` have one checksum."""
+    """Probe at line settings. All `polynomials` result in the same checksum."""
 
     line: LineSettings
     polynomials: tuple[int, ...] = ()
@@ -62,7 +62,7 @@ class Attempt:
 
     @property
     def is_unsafe(self) -> bool:
-        """True if a board at other settings may take the probe for a motor command."""
+        """True if a board at other settings may mistake the probe for a motor command."""
         return len(self.data) == 2 and (self.line.baud, self.data[-1]) in UNSAFE
 
 

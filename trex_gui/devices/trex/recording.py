@@ -39,7 +39,7 @@ STOP = "stop"  # kind of the marker after which the motors have no setpoint
 
 @dataclass(frozen=True, slots=True)
 class SetpointRecord:
-    """Setpoint of motor 1 or 2, when it was sent."""
+    """Setpoint sent to motor 1 or 2."""
 
     time: float
     motor: int
@@ -67,7 +67,7 @@ OwnRecord = Sample | SetpointRecord | AuxiliarySetpointRecord | Marker | Setting
 
 @dataclass(frozen=True, slots=True)
 class OfBoardRecord:
-    """Record of a board other than the board of the header."""
+    """Record of a board other than the board in the header."""
 
     board: int  # device number
     record: OwnRecord
@@ -102,7 +102,7 @@ class Header:
     settings: str = ""  # stored settings at the start, as the text of a settings file
     device_number: int | None = None  # `None` if the board was addressed without a number
     program: str = f"TReX Studio {__version__}"
-    others: Mapping[int, float] = field(default_factory=dict)  # A per count of other boards
+    others: Mapping[int, float] = field(default_factory=dict)  # other device number → A per count
 
     @classmethod
     def of(
@@ -126,7 +126,7 @@ class Header:
 
     @property
     def board(self) -> str:
-        """Model and firmware, as in `TReX 1.2`."""
+        """Model and firmware, such as `TReX 1.2`."""
         return f"{self.model.name} {self.firmware}"
 
     def values(self) -> dict[str, Value]:
@@ -215,7 +215,7 @@ def sample_kinds(source: InputSource, current_unit: float) -> tuple[SampleKind, 
 
 
 def _with_board(kind: SampleKind, own: int | None, others: Mapping[int, float]) -> SampleKind:
-    """Add a column for the board. `own`: number in the header."""
+    """Add a column for the board. `own` is the device number in the header."""
 
     def pack(record: OwnRecord | OfBoardRecord) -> Sequence[Value]:
         if isinstance(record, OfBoardRecord):
@@ -290,7 +290,7 @@ class MeasurementTable:
         return isinstance(sample, Currents) and not self._missing
 
     def finish(self, time: float) -> Row:
-        """Return the row at `time` (s). Each status bit is in one row only."""
+        """Return the row at `time` (s). Each status bit appears in one row only."""
         row = {**self.row, "time_s": round(time, 4)}
         self._clear_status()
         return row
@@ -301,7 +301,7 @@ class BoardSnapshot(Newest):
     """State of a board at one moment of a recording."""
 
     settings: str = ""
-    setpoints: Mapping[int, Drive] = field(default_factory=dict)  # by motor, 1 or 2
+    setpoints: Mapping[int, Drive] = field(default_factory=dict)  # motor (1 or 2) → setpoint
     auxiliary: int | None = None
 
     @classmethod
