@@ -13,7 +13,7 @@ from trex_gui.devices.trex.settings.edit_files import replace_file
 
 log = logging.getLogger(__name__)
 
-Accepted = Mapping[str, frozenset[int]]  # wire values by parameter
+Accepted = Mapping[str, frozenset[int]]  # parameter key → wire values
 
 
 class AcceptedValues:
@@ -25,12 +25,12 @@ class AcceptedValues:
     def of(self, board: Signature) -> Accepted:
         """Return the values that boards with this model and firmware have stored.
 
-        An unusable file counts as empty, so the user has to confirm again.
+        An unusable file counts as empty, so the user must confirm again.
         """
-        found = self._read().get(_name(board))
+        entry = self._read().get(_name(board))
         return {
             str(key): frozenset(w for w in wires if type(w) is int and 0 <= w <= HIGHEST_WIRE)
-            for key, wires in (found.items() if isinstance(found, dict) else ())
+            for key, wires in (entry.items() if isinstance(entry, dict) else ())
             if isinstance(wires, list)
         }
 
@@ -42,7 +42,8 @@ class AcceptedValues:
         known = dict(self.of(board))
         for key, wire in values.items():
             known[key] = known.get(key, frozenset()) | {wire}
-        document = self._read() | {_name(board): {key: sorted(all_) for key, all_ in known.items()}}
+        entry = {key: sorted(wires) for key, wires in known.items()}
+        document = self._read() | {_name(board): entry}
         replace_file(self.path, json.dumps(document, indent=2) + "\n")
         return known
 

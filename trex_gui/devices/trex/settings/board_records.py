@@ -1,9 +1,9 @@
 """Records of the settings last applied to each board.
 
 A record is a settings file with the last applied parameters, and the calibrations of both input
-sources, although a board shows only one set. Header comments hold the times when these values were
-applied or read, the result of the serial timeout trial, and the adapter. Two boards may share
-a record. Only a different adapter reveals this.
+sources, although a board shows only one set. Comments in the header contain the times when these
+values were applied or read, the result of the serial timeout trial, and the adapter. Two boards may
+share a record. Only a different adapter reveals this.
 """
 
 import re
@@ -24,7 +24,7 @@ from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity, replace_file, settings_of_board
 from trex_gui.devices.trex.settings.writer import write_settings
 
-_TITLE = "Settings that this computer applied last to a board"
+_TITLE = "Settings that this computer last applied to a board"
 _HEADER = re.compile(
     r"^# (parameters|rc calibrations|analog calibrations): (applied|read) (\S+)$", re.MULTILINE
 )
@@ -38,7 +38,7 @@ _NEVER = datetime.min.replace(tzinfo=UTC)
 
 @dataclass(frozen=True, slots=True)
 class Known:
-    """Time of the last write or read."""
+    """Time when values were last written or read."""
 
     time: datetime  # in UTC
     is_applied: bool
@@ -46,11 +46,11 @@ class Known:
 
 @dataclass(frozen=True, slots=True)
 class BoardRecord:
-    """Settings in a record, and the data in its header. Immutable."""
+    """Settings in a record, and the data in its header."""
 
     settings: Settings
     applied: datetime | None = None  # when parameters were last written; `None`: never
-    known: Mapping[InputSource, Known] = field(default_factory=dict)  # by calibration set
+    known: Mapping[InputSource, Known] = field(default_factory=dict)  # by set of calibrations
     adapter: str = ""  # key of the last adapter; empty if unknown
     trial: TimeoutTrial | None = None  # serial timeout trial; `None`: never tried
 
@@ -142,15 +142,19 @@ class BoardRecord:
         )
 
     def with_hidden(self, stored: Settings, source: InputSource) -> tuple[Settings, list[str]]:
-        """Return `stored` with the notes and the calibrations that the board hides.
+        """Return `stored` with the notes, and with the calibrations that the board hides.
 
         Also return header lines with the age of these calibrations.
         """
-        others = {k: c for k, c in self.settings.calibrations.items() if k.source is not source}
-        lines = [_line(_name(key), known) for key, known in self.known.items() if key is not source]
-        calibrations = {**stored.calibrations, **others}
-        whole = replace(stored, calibrations=calibrations, notes=self.settings.notes)
-        return whole, lines if others else []
+        hidden = {k: c for k, c in self.settings.calibrations.items() if k.source is not source}
+        lines = [
+            _header_line(_source_name(key), known)
+            for key, known in self.known.items()
+            if key is not source
+        ]
+        calibrations = {**stored.calibrations, **hidden}
+        complete = replace(stored, calibrations=calibrations, notes=self.settings.notes)
+        return complete, lines if hidden else []
 
 
 class BoardRecords:
@@ -189,16 +193,16 @@ class BoardRecords:
             raise
 
     def of_other_number(self, board: BoardIdentity, adapter: str) -> BoardRecord | None:
-        """Return the newest record made with this adapter under another device number."""
-        others: list[BoardRecord] = []
+        """Return the newest record with this adapter and another device number."""
+        records: list[BoardRecord] = []
         for number in range(HIGHEST_WIRE + 1):
             if number == board.device_number:
                 continue
             with suppress(SettingsError):
-                found = self.load(replace(board, device_number=number))
-                if found is not None and found.applied is not None and found.adapter == adapter:
-                    others.append(found)
-        return max(others, key=lambda other: other.applied or _NEVER, default=None)
+                record = self.load(replace(board, device_number=number))
+                if record is not None and record.applied is not None and record.adapter == adapter:
+                    records.append(record)
+        return max(records, key=lambda record: record.applied or _NEVER, default=None)
 
 
 def has_factory_line(stored: Settings) -> bool:
@@ -207,7 +211,7 @@ def has_factory_line(stored: Settings) -> bool:
     return all(stored.parameters.get(key) == stored.specs[key].default for key in keys)
 
 
-def _line(name: str, known: Known) -> str:
+def _header_line(name: str, known: Known) -> str:
     verb = "applied" if known.is_applied else "read"
     return f"{name}: {verb} {known.time.isoformat()}"
 
@@ -215,8 +219,8 @@ def _line(name: str, known: Known) -> str:
 def _text(record: BoardRecord) -> str:
     lines = [_TITLE]
     if record.applied is not None:
-        lines.append(_line(_PARAMETERS, Known(record.applied, True)))
-    lines += [_line(_name(source), known) for source, known in record.known.items()]
+        lines.append(_header_line(_PARAMETERS, Known(record.applied, True)))
+    lines += [_header_line(_source_name(source), known) for source, known in record.known.items()]
     if (trial := record.trial) is not None:
         result = "stopped the motors" if trial.stopped else "failed"
         shutdown = "on" if trial.shutdown else "off"
@@ -226,21 +230,22 @@ def _text(record: BoardRecord) -> str:
     return write_settings(record.settings, title_lines=lines)
 
 
-def _name(source: InputSource) -> str:
+def _source_name(source: InputSource) -> str:
     return f"{source.value.casefold()} calibrations"
 
 
 def _record(settings: Settings, text: str) -> BoardRecord:
     """Create a record. Values without a valid line in the header count as unknown."""
-    found: dict[str, Known] = {}
+    times: dict[str, Known] = {}
     for name, verb, stamp in _HEADER.findall(text):
         with suppress(ValueError, OverflowError):
             time = datetime.fromisoformat(stamp).astimezone(UTC)
             if 1970 < time.year < 9999:  # other years cannot be shown in every time zone
-                found[name] = Known(time, verb == "applied")
-    known = {source: found[_name(source)] for source in InputSource if _name(source) in found}
+                times[name] = Known(time, verb == "applied")
+    names = {source: _source_name(source) for source in InputSource}
+    known = {source: times[name] for source, name in names.items() if name in times}
     calibrations = {key: c for key, c in settings.calibrations.items() if key.source in known}
-    applied, adapter, trial = found.get(_PARAMETERS), _ADAPTER.search(text), _TRIAL.search(text)
+    applied, adapter, trial = times.get(_PARAMETERS), _ADAPTER.search(text), _TRIAL.search(text)
     parameters = {} if applied is None else settings.parameters
     return BoardRecord(
         replace(settings, parameters=parameters, calibrations=calibrations),

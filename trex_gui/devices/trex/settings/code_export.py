@@ -35,12 +35,12 @@ def file_name(settings: Settings, language: Language) -> str:
 def export_code(settings: Settings, link: ConnectionSettings, language: Language) -> str:
     """Return a program that stores settings and drives motors.
 
-    The text is ASCII, in English, and identical for equal settings and line. Values that the board
+    The text is ASCII, in English, and identical for equal settings and lines. Values that the board
     would reject are left out and named in a comment. The port of `link` is not used.
 
     Raises:
-        BadRequest: the settings hold a key that their model and firmware do not have, or the
-            line has a baud rate that no board has.
+        BadRequest: the settings contain a key that their model and firmware do not have, or the
+            line has a baud rate that no board supports.
     """
     link.line.to_wire()  # raises for an unknown baud rate
     check_keys(settings)
@@ -54,7 +54,7 @@ def _program(settings: Settings, link: ConnectionSettings, language: Language) -
         p for spec, wire in settings.parameter_items() if (p := spec.problem(wire, forced=True))
     ]
     left_out += [f"{key}: {p}" for key, c in settings.calibration_items() if (p := c.problem())]
-    # Communication comes last, so that the board stays reachable after an interruption.
+    # Serial settings are written last, so that the board stays reachable after an interruption.
     parameters = valid.parameter_items()
     parameters.sort(key=lambda p: (p[0].needs_power_cycle, p[0].group == "serial", p[0].number))
     product, device, line = settings.product, link.framing.device_number, link.line
@@ -124,7 +124,7 @@ def _new_line(link: ConnectionSettings, settings: Settings) -> str:
     line = link.line if wire is None else LineSettings.from_wire(wire)
     if line.detection is not Detection.CRC7:
         return "" if line == link.line else line.text()
-    # A line without CRC does not say which polynomial the board stores.
+    # Without CRC, the connection does not reveal the stored polynomial.
     known = link.polynomial if link.framing.polynomial is not None else DEFAULT_POLYNOMIAL
     polynomial = known if bits is None else 0x80 | bits
     if line == link.line and polynomial == link.polynomial:
@@ -134,19 +134,19 @@ def _new_line(link: ConnectionSettings, settings: Settings) -> str:
 
 def _warning(settings: Settings) -> str:
     spec = settings.specs[ParameterKey.SERIAL_TIMEOUT]
-    shutdown = settings.specs[ParameterKey.UART_ERROR_SHUTDOWN]
+    shutdown_spec = settings.specs[ParameterKey.UART_ERROR_SHUTDOWN]
     wire = settings.parameters.get(spec.key)
-    goes_on = "Motors keep running when the program that started them ends or crashes"
+    risk = "Motors keep running when the program that started them ends or crashes"
     if wire is None:
-        return f"{goes_on}, unless {spec.name} and {shutdown.name} (twin) are set on the board."
-    where = f"{spec.name} (parameter {hexadecimal(spec.number)})"
-    switch = f"{shutdown.name} (parameter {hexadecimal(shutdown.number)}; twin)"
+        return f"{risk}, unless {spec.name} and {shutdown_spec.name} (twin) are set on the board."
+    timeout = f"{spec.name} (parameter {hexadecimal(spec.number)})"
+    shutdown = f"{shutdown_spec.name} (parameter {hexadecimal(shutdown_spec.number)}; twin)"
     if wire == 0:
-        return f"{goes_on}: these settings switch {where} off. It and {switch} should stop them."
-    if not settings.parameters.get(shutdown.key):
-        return f"{goes_on}, perhaps also with {where} at {spec.text(wire)}: it may need {switch}."
+        return f"{risk}: these settings switch {timeout} off. It and {shutdown} should stop them."
+    if not settings.parameters.get(shutdown_spec.key):
+        return f"{risk}, perhaps also with {timeout} at {spec.text(wire)}: it may need {shutdown}."
     return (
         f"With these settings motors should stop when the board has heard nothing for "
-        f"{spec.text(wire)}: {where}. Without it they would keep running when a program ends or "
+        f"{spec.text(wire)}: {timeout}. Without it they would keep running when a program ends or "
         f"crashes."
     )

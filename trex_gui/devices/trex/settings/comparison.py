@@ -69,7 +69,7 @@ class Comparison:
     """Settings that both models have and at least one side specifies."""
 
     rows: tuple[ComparisonRow, ...]  # in the order of the parameter table, then calibrations
-    left_out: tuple[str, ...] = ()  # a sentence for each other setting
+    left_out: tuple[str, ...] = ()  # a sentence for each omitted setting
 
     @property
     def differing(self) -> tuple[ComparisonRow, ...]:
@@ -116,8 +116,8 @@ class Comparison:
 def compare(before: Settings, after: Settings) -> Comparison:
     """Compare settings with their replacements.
 
-    Equal wire values are equal settings. A wire value that means something else to the other model
-    is left out.
+    Settings are equal if their wire values are equal. A wire value with another meaning for the
+    other model is left out.
     """
     numbers = {spec.number: key for side in (before, after) for key, spec in _specs(side).items()}
     keys = [key for _, key in sorted(numbers.items())]
@@ -128,15 +128,15 @@ def compare(before: Settings, after: Settings) -> Comparison:
 
 
 def compare_with_board(stored: Settings, source: InputSource, wanted: Settings) -> Comparison:
-    """Compare stored with wanted settings. BadRequest if a parameter does not fit the board.
+    """Compare stored settings with wanted settings. BadRequest if they do not fit the board.
 
-    Only calibrations of this `source` are compared, because the board hides all others.
+    Only calibrations for `source` are compared, because the board hides all others.
     """
     if wanted.product.key != stored.product.key:
         text = tr("These settings are for a {0}, not a {1}")
         raise BadRequest(text.format(wanted.product.name, stored.product.name))
-    shown = {key: found for key, found in wanted.calibrations.items() if key.source is source}
-    result = compare(stored, replace(wanted, calibrations=shown))
+    visible = {key: found for key, found in wanted.calibrations.items() if key.source is source}
+    result = compare(stored, replace(wanted, calibrations=visible))
     if result.left_out:
         raise BadRequest(" ".join(result.left_out))
     return result

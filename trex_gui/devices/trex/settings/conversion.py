@@ -37,10 +37,10 @@ class ConvertedRow:
 
 @dataclass(frozen=True, slots=True)
 class Conversion:
-    """Converted settings, and the fate of each setting, changes first."""
+    """Converted settings, and the fate of each setting."""
 
     settings: Settings
-    rows: tuple[ConvertedRow, ...]
+    rows: tuple[ConvertedRow, ...]  # changes first
 
     @property
     def board(self) -> str:
@@ -73,8 +73,8 @@ class Conversion:
 def convert(settings: Settings, product: Model, firmware: str | None) -> Conversion:
     """Convert settings for a model and a firmware, by default the newest.
 
-    Wire values change if this retains their physical values. Current limits are rounded down: a
-    conversion never raises a limit, except to the lowest limit of the model.
+    Wire values change where this preserves their physical values. Current limits are rounded
+    down: a conversion never raises a limit, except to the lowest limit of the model.
     """
     target = Settings(product, firmware)
     parameters: dict[str, int] = {}
@@ -89,9 +89,9 @@ def convert(settings: Settings, product: Model, firmware: str | None) -> Convers
             rows.append(ConvertedRow(old.key, old.name, Fate.LEFT_OUT, old.text(wire), "", reason))
             continue
         if old.key == ParameterKey.UART_SETTINGS:
-            converted, reason = _line(settings, target, wire)
+            converted, reason = _converted_line(settings, target, wire)
         else:
-            converted, reason = _wire(old, new, wire, product)
+            converted, reason = _converted_wire(old, new, wire, product)
         parameters[old.key] = converted
         fate = Fate.CHANGED if reason else Fate.CARRIED_OVER
         texts = old.text(wire), new.text(converted)
@@ -108,7 +108,9 @@ def convert(settings: Settings, product: Model, firmware: str | None) -> Convers
     return Conversion(result, tuple(rows))
 
 
-def _wire(old: ParameterSpec, new: ParameterSpec, wire: int, product: Model) -> tuple[int, str]:
+def _converted_wire(
+    old: ParameterSpec, new: ParameterSpec, wire: int, product: Model
+) -> tuple[int, str]:
     """Return the wire value for the same physical value, and the reason for a change."""
     if old.scale == new.scale or wire == 0:
         return wire, ""
@@ -128,7 +130,7 @@ def _wire(old: ParameterSpec, new: ParameterSpec, wire: int, product: Model) -> 
     return result, tr("Rounded down to steps of {0}: {1} becomes {2}.").format(step, wire, result)
 
 
-def _line(settings: Settings, target: Settings, wire: int) -> tuple[int, str]:
+def _converted_line(settings: Settings, target: Settings, wire: int) -> tuple[int, str]:
     """Return UART settings with the same real baud rate, and the reason for a change.
 
     Old firmware halves two of the rates.
@@ -156,5 +158,5 @@ def conversion_lines(conversion: Conversion) -> Iterator[str]:
     for row in conversion.rows:
         if row.fate is not Fate.CARRIED_OVER:
             yield f"{row.fate}: {row}"
-    if kept := conversion.of(Fate.CARRIED_OVER):
-        yield f"{Fate.CARRIED_OVER}: {', '.join(row.key for row in kept)}"
+    if unaltered := conversion.of(Fate.CARRIED_OVER):
+        yield f"{Fate.CARRIED_OVER}: {', '.join(row.key for row in unaltered)}"

@@ -16,7 +16,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 @dataclass(frozen=True, slots=True)
 class BoardIdentity:
-    """Key of a board. Two boards may share a key."""
+    """Key of the files of a board. Two boards may share a key."""
 
     product: Model
     firmware: str
@@ -63,7 +63,7 @@ class EditFiles:
         """Return the saved edits of a board. `None` if there are no edits.
 
         Raises:
-            SettingsError: the file cannot be read, is damaged, or is of another model.
+            SettingsError: the file cannot be read, is damaged, or belongs to another model.
         """
         path = self.path(board)
         try:
@@ -89,7 +89,7 @@ def replace_file(path: Path, text: str | None) -> None:
 
 
 def put_aside(path: Path) -> Path | None:
-    """Rename a file before another file replaces it.
+    """Rename a file that another file will replace.
 
     Returns the new path, or `None` if the file does not exist.
     """
@@ -104,7 +104,7 @@ def put_aside(path: Path) -> Path | None:
 
 
 def settings_of_board(data: bytes, path: Path, board: BoardIdentity) -> Settings:
-    """Read settings. SettingsError if they are damaged or for another model."""
+    """Read the settings of a board. SettingsError if they are damaged or for another model."""
     settings, _ = read_settings(data, str(path))
     if settings.product != board.product:
         raise SettingsError.of(

@@ -1,6 +1,6 @@
-"""Change values in a settings file, and nothing else in its text.
+"""Change values in a settings file without reformatting its text.
 
-The round trip of ruamel.yaml retains comments and order, but not spaces around colons, margins,
+A round trip through ruamel.yaml retains comments and order, but not spaces around colons, margins,
 mappings in braces over several lines, `+5`, comments after `...` or line ends. Therefore
 the text is edited at the positions of ruamel.yaml's nodes.
 """
@@ -30,34 +30,34 @@ from trex_gui.devices.trex.settings.writer import (
 )
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END, compose
 
-_SMALLEST_GAP = 2  # spaces between a value and its comment
+_MIN_GAP = 2  # spaces between a value and its comment
 
 
 def amend(text: str, settings: Settings, name: str = "settings") -> str:
     """Change the text of a settings file to `settings`. Errors call the file `name`.
 
     Changed values are replaced in place, in their number base. A comment beside a value is
-    updated if the program wrote it. The user's comments stay. Notes are changed in place, new
-    notes are inserted above their settings. Missing settings are appended. Removed settings, and
-    values that the board would reject, become comments. A text that already holds the settings
-    does not change. Line ends and a byte order mark stay. In a file with one mapping in braces,
-    only values can change.
+    updated if the program wrote it. The user's comments do not change. Notes are changed in place.
+    New notes are inserted above their settings. Missing settings are appended. Removed settings,
+    and values that the board would reject, become comments. Line ends and a byte order mark are
+    retained. A text that already contains the settings does not change. If the file is a single
+    mapping in braces, only values can change.
 
     Raises:
         SettingsError: the text cannot be read, or cannot be changed in place.
-        BadRequest: the settings hold a key that their model and firmware do not have.
+        BadRequest: the settings contain a key that their model and firmware do not have.
     """
     check_keys(settings)
     old, _ = read_settings(text, name)
-    wanted = settings.without_invalid()
+    target = settings.without_invalid()
     mark = BYTE_ORDER_MARK if text.startswith(BYTE_ORDER_MARK) else ""
     document = _Document(text.removeprefix(BYTE_ORDER_MARK), name)
     with in_english():
-        _change_entries(document, old, wanted)
-        unplaced = _change_notes(document, old.notes, wanted.notes)
+        _change_entries(document, old, target)
+        unplaced = _change_notes(document, old.notes, target.notes)
         document.append(list(_missing_lines(document, settings, unplaced)))
     amended = mark + document.text()
-    if (amended != text or wanted != old) and not _reads_as(wanted, amended):
+    if (amended != text or target != old) and not _reads_as(target, amended):
         raise SettingsError.of(
             name,
             tr(
@@ -95,18 +95,18 @@ class _Document:
             self.entries[str(key.value)] = _Entry(start, last, value)
         self._line_starts = [0, *(found.end() for found in LINE_END.finditer(body))]
         self._line_ends = [*self._line_starts[1:], len(body)]
-        # By line: start column, end column, replacement.
+        # Line number → start column, end column and replacement of each edit.
         self._edits: dict[int, list[tuple[int, int, str]]] = defaultdict(list)
         self._comments: dict[int, str] = {}
-        self._insertions: dict[int, str] = {}  # text to insert before a line
+        self._insertions: dict[int, str] = {}  # line number → text to insert before it
         self._removed: set[int] = set()  # line numbers
-        self.notes: dict[str, list[int]] = defaultdict(list)  # line numbers of the notes by key
+        self.notes: dict[str, list[int]] = defaultdict(list)  # key → its line numbers
         for number, line in enumerate(LINE_END.split(self.body)):
             if key := noted_key(line):
                 self.notes[key].append(number)
 
     def text(self) -> str:
-        """Return the changed text. Comments keep their columns if there is space."""
+        """Return the changed text. Comments stay in their columns if there is space."""
         parts = []
         for number in range(len(self._line_starts)):
             old, gap, comment, end = self._parts(number)
@@ -115,7 +115,7 @@ class _Document:
                 code = code[:first] + new + code[last:]
             if comment and len(code) != len(old):
                 space = len(gap) + len(old) - len(code)
-                gap = " " * max(min(_SMALLEST_GAP, len(gap)), space)
+                gap = " " * max(min(_MIN_GAP, len(gap)), space)
             line = "".join([code, gap, self._comments.get(number, comment), end])
             parts += [self._insertions.get(number, ""), "" if number in self._removed else line]
         return "".join([*parts, self._insertions.get(len(self._line_starts), "")])
@@ -154,7 +154,9 @@ class _Document:
             return
         line_end, margin = self._line_end, " " * self.root.start_mark.column
         text = line_end.join(margin + line for line in lines)
-        ends = [n for n, at in enumerate(self._line_starts) if self.body.startswith("...", at)]
+        ends = [
+            n for n, start in enumerate(self._line_starts) if self.body.startswith("...", start)
+        ]
         number = ends[-1] if ends else len(self._line_starts)
         has_line_end = bool(ends) or self._line_starts[-1] == len(self.body)
         text = text + line_end if has_line_end else line_end + text
@@ -197,7 +199,7 @@ class _Document:
         return range(self._line_at(entry.start), self._line_at(entry.end - 1) + 1)
 
     def _parts(self, number: int) -> tuple[str, str, str, str]:
-        """Return code, gap, comment and end of a line.
+        """Return the code, gap, comment and line end of a line.
 
         In a valid settings file, no key or value contains a `#`.
         """
@@ -209,7 +211,7 @@ class _Document:
 
 
 def _end_of(node: Node) -> int:
-    """Return the position after a node. In a block mapping, after its last value."""
+    """Return the position after a node, or after the last value of a block mapping."""
     if isinstance(node, MappingNode) and not node.flow_style:
         return _end_of(node.value[-1][1])
     return int(node.end_mark.index)

@@ -1,7 +1,7 @@
 """Snapshots of a board's stored settings before each change.
 
-A snapshot is a settings file. Comments at its head hold the time, the reason and the board. A text
-file in the folder sets the number of snapshots for all programs. Other files are not touched.
+A snapshot is a settings file. Comments in its header contain the time, the reason and the board. A
+text file in the folder limits the number of snapshots for all programs. Other files do not change.
 """
 
 import os
@@ -25,18 +25,18 @@ DEFAULT_LIMIT = 500  # default number of snapshots, one or two megabytes
 _NAME = re.compile(r"(\d{8}T\d{6}Z)-(?:(\d+)-)?[a-z]+-[\d.]+\.txt")
 _TIME = "%Y%m%dT%H%M%SZ"
 _NO_DATE = datetime.fromtimestamp(0, UTC)
-_HEAD_BYTES = 4096
-_HEAD_LINES = 12
-_LONGEST = {"name": 60, "note": 300}  # characters
+_HEADER_BYTES = 4096
+_HEADER_LINES = 12
+_MAX_LENGTH = {"name": 60, "note": 300}  # characters
 _NOTE = re.compile(r"# (taken|device number|adapter|reason|name|note): (.*)")
 _VALUE = re.compile(r"(product|firmware): *['\"]?([^'\"#]*[^'\"# ])")
 
 LIMIT_FILE = "history.txt"
-_LARGEST_LIMIT_FILE = 4096
+_MAX_LIMIT_FILE = 4096  # bytes
 _LIMIT = re.compile(r"kept\s*:\s*(all|[1-9][0-9]{0,6})")
 _LIMIT_TEXT = """\
 # How many snapshots TReX Studio and trexcmd keep in this folder: a number, or all.
-# While this file cannot be understood, none is removed.
+# If this file is invalid, no snapshot is removed.
 kept: {}
 """
 
@@ -52,9 +52,9 @@ class Snapshot:
     product: str = ""  # empty if it cannot be read
     firmware: str = ""  # empty if it cannot be read or is not given
     device_number: int | None = None
-    adapter: str = ""  # the port of the board, for the user
+    adapter: str = ""  # port of the board, for the user
     reason: str = ""  # operation that followed
-    problem: str = ""  # reason why the head is unusable; empty for a usable head
+    problem: str = ""  # reason why the header is unusable; empty if it is usable
     name: str = ""  # from the user; a snapshot with a name is never removed automatically
     note: str = ""  # from the user
     stamp: Stamp = field(default=(0, 0), compare=False)
@@ -92,7 +92,7 @@ class SettingsHistory:
         """Save the settings of a board before an operation.
 
         `reason` names the operation, such as `Apply of 3 settings`. `remarks` are further comments
-        for the head.
+        for the header.
 
         Raises:
             SettingsError: saving failed. The caller must not write to the board.
@@ -109,9 +109,9 @@ class SettingsHistory:
         }
         lines = [f"{name}: {' '.join(text.split())}" for name, text in notes.items() if text]
         text = write_settings(settings, title_lines=[*lines, *remarks])
-        turn = 1
-        while not save_new(path := self._path(taken, turn, settings.product.key, firmware), text):
-            turn += 1
+        index = 1
+        while not save_new(path := self._path(taken, index, settings.product.key, firmware), text):
+            index += 1
         self._remove_oldest(path)
         return Snapshot(path, taken, settings.product.name, firmware, number, adapter, reason)
 
@@ -129,23 +129,23 @@ class SettingsHistory:
         return sorted(map(_order, filter(None, map(_NAME.fullmatch, names))), reverse=True)
 
     def read_head(self, file: Order, known: Snapshot | None = None) -> Snapshot:
-        """Read the head of a snapshot. Return `known` itself if its file has not changed."""
+        """Read the header of a snapshot. Return `known` if its file has not changed."""
         taken, _, name = file
         path = self.folder / name
-        problem, stamp, head = "", _stamp(path), list[str]()
+        problem, stamp, header = "", _stamp(path), list[str]()
         if known is not None and known.stamp == stamp:
             return known
         try:
             with open_ordinary(path) as opened:
-                text = opened.read(_HEAD_BYTES).decode("utf-8-sig", "replace")
-            head = [line.rstrip("\r") for line in text.split("\n")[:_HEAD_LINES] if text]
+                text = opened.read(_HEADER_BYTES).decode("utf-8-sig", "replace")
+            header = [line.rstrip("\r") for line in text.split("\n")[:_HEADER_LINES] if text]
         except OSError as error:
             problem = tr("It cannot be read: {0}.").format(error.strerror or error)
-        notes = {found[1]: found[2] for line in head if (found := _NOTE.fullmatch(line))}
-        values = {found[1]: found[2] for line in head if (found := _VALUE.match(line))}
+        notes = {found[1]: found[2] for line in header if (found := _NOTE.fullmatch(line))}
+        values = {found[1]: found[2] for line in header if (found := _VALUE.match(line))}
         number, product = notes.get("device number", ""), values.get("product", "")
         if not problem and product not in {model.name for model in device_table().models}:
-            problem = tr("It does not say of which board it is.") if head else tr("It is empty.")
+            problem = tr("It does not say of which board it is.") if header else tr("It is empty.")
         return Snapshot(
             path,
             taken,
@@ -169,13 +169,13 @@ class SettingsHistory:
         """Set the `name` and `note` of a snapshot. An empty text removes the old text.
 
         Raises:
-            BadRequest: the name is a number or used by another snapshot, or a text is too long.
+            BadRequest: the name is a number or is used by another snapshot, or a text is too long.
             SettingsError: the file is missing, or cannot be written.
         """
         cleaned = {kind: " ".join(clean_note(text).split()) for kind, text in texts.items()}
         for kind, text in cleaned.items():
-            if len(text) > _LONGEST[kind]:
-                raise BadRequest(tr("It may have {0} characters.").format(_LONGEST[kind]))
+            if len(text) > _MAX_LENGTH[kind]:
+                raise BadRequest(tr("It may have {0} characters.").format(_MAX_LENGTH[kind]))
         name = cleaned.get("name", "")
         if name.isdecimal():
             raise BadRequest(tr("{0} would be the number of a snapshot.").format(name))
@@ -183,9 +183,9 @@ class SettingsHistory:
             raise BadRequest(tr("Another snapshot has the name {0}.").format(name))
         lines = load(snapshot.path).split(b"\n")  # other lines do not change
         for kind, text in cleaned.items():
-            begin = f"# {kind}: ".encode()
-            first, *rest = (line for line in lines[:_HEAD_LINES] if not line.startswith(begin))
-            lines[:_HEAD_LINES] = [first, *([begin + text.encode()] if text else []), *rest]
+            prefix = f"# {kind}: ".encode()
+            first, *rest = (line for line in lines[:_HEADER_LINES] if not line.startswith(prefix))
+            lines[:_HEADER_LINES] = [first, *([prefix + text.encode()] if text else []), *rest]
         save(snapshot.path, b"\n".join(lines))
 
     def remove(self, snapshot: Snapshot) -> None:
@@ -197,7 +197,7 @@ class SettingsHistory:
         path = self.folder / LIMIT_FILE
         try:
             with open_ordinary(path) as file:
-                data = file.read(_LARGEST_LIMIT_FILE + 1)
+                data = file.read(_MAX_LIMIT_FILE + 1)
         except FileNotFoundError:
             return _unknown_limit(path, tr("is missing")) if path.is_symlink() else Limit()
         except OSError as error:
@@ -207,14 +207,14 @@ class SettingsHistory:
         ]
         words = [line for line in lines if line]
         match = _LIMIT.fullmatch(words[0]) if len(words) == 1 else None
-        if match is None or len(data) > _LARGEST_LIMIT_FILE:
+        if match is None or len(data) > _MAX_LIMIT_FILE:
             return _unknown_limit(path, tr("is damaged"))
         return Limit(None if match[1] == "all" else int(match[1]))
 
     def beyond(self, count: int | None) -> tuple[Snapshot, ...]:
         """Return the unnamed snapshots that a limit of `count` snapshots would remove."""
         older = () if count is None else map(self.read_head, self.files()[count:])
-        return tuple(found for found in older if not found.name)
+        return tuple(snapshot for snapshot in older if not snapshot.name)
 
     def set_limit(self, count: int | None) -> tuple[Snapshot, ...]:
         """Set the limit for all programs. Remove snapshots beyond it, and return them.
@@ -225,31 +225,32 @@ class SettingsHistory:
             raise ValueError(tr("a history keeps at least one snapshot, not {0}").format(count))
         self._create_folder()
         save(self.folder / LIMIT_FILE, _LIMIT_TEXT.format("all" if count is None else count))
-        return tuple(found for found in self.beyond(count) if _removed(found.path))
+        return tuple(old for old in self.beyond(count) if _removed(old.path))
 
     def _remove_oldest(self, own: Path) -> None:
         """Remove the oldest snapshots beyond the limit.
 
-        Snapshots saved after `own` remain, so that two programs never remove each other's.
+        Snapshots saved after `own` remain, so that two programs never remove each other's
+        snapshots.
         """
         limit = self.limit()
         if limit.problem or limit.count is None:
             return
-        # The file system's clock decides; the name orders snapshots saved at the same time.
-        ours = _stamp(own)[0], own.name
+        # The file system's clock decides. The name orders snapshots saved at the same time.
+        own_key = _stamp(own)[0], own.name
         others = [file for file in self.files() if file[2] != own.name]
         for file in others[limit.count - 1 :]:
-            found = self.read_head(file)
-            if (found.stamp[0], found.path.name) < ours and not found.name:
-                _removed(found.path)
+            snapshot = self.read_head(file)
+            if (snapshot.stamp[0], snapshot.path.name) < own_key and not snapshot.name:
+                _removed(snapshot.path)
 
     def _create_folder(self) -> None:
         with explained(self.folder, tr("it cannot be written")):
             self.folder.mkdir(parents=True, exist_ok=True)
 
-    def _path(self, taken: datetime, turn: int, model: str, firmware: str) -> Path:
-        again = "" if turn == 1 else f"{turn}-"
-        return self.folder / f"{taken.strftime(_TIME)}-{again}{model}-{firmware}.txt"
+    def _path(self, taken: datetime, index: int, model: str, firmware: str) -> Path:
+        suffix = "" if index == 1 else f"{index}-"
+        return self.folder / f"{taken.strftime(_TIME)}-{suffix}{model}-{firmware}.txt"
 
 
 def _order(match: re.Match[str]) -> Order:
@@ -262,10 +263,10 @@ def _order(match: re.Match[str]) -> Order:
 
 def _stamp(path: Path) -> Stamp:
     try:
-        found = path.stat()
+        status = path.stat()
     except OSError:
         return 0, 0
-    return found.st_mtime_ns, found.st_size
+    return status.st_mtime_ns, status.st_size
 
 
 def _removed(path: Path) -> bool:

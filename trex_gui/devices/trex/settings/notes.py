@@ -11,7 +11,7 @@ from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 
-LONGEST_NOTE = 1000  # characters; a file with such notes on all settings is still readable
+LONGEST_NOTE = 1000  # characters; a file with such notes on all settings can still be read
 
 _NOTE = re.compile(r"[ \t]*# Note on ([a-z0-9_]+): .*\S[ \t]*")
 
@@ -24,7 +24,7 @@ def noted_key(line: str) -> str:
 
 
 def read_notes(text: str) -> dict[str, str]:
-    """Return the notes in a text by key. The lines of a note are joined."""
+    """Return the note on each key in a text. The lines of a note are joined."""
     notes: dict[str, list[str]] = {}
     for line in LINE_END.split(text):
         key = noted_key(line)
@@ -41,5 +41,5 @@ def lines_of_note(key: str, notes: Mapping[str, str]) -> list[str]:
 def clean_note(text: str) -> str:
     """Remove empty lines, outer spaces and unprintable characters."""
     lines = (line.expandtabs().strip() for line in text.splitlines())
-    shown = ("".join(c if c.isprintable() else "?" for c in line) for line in lines)
-    return "\n".join(filter(None, shown))
+    printable = ("".join(c if c.isprintable() else "?" for c in line) for line in lines)
+    return "\n".join(filter(None, printable))

@@ -48,7 +48,7 @@ class ProvisionRecord:
     def __init__(self, file: Path, *, name: str = "robot {number}", first: int = 1) -> None:
         """Open or create the file.
 
-        New boards get `name`, with `{number}` replaced, and free numbers from `first` on.
+        A new board gets `name`, with `{number}` replaced, and a free number from `first` on.
 
         Raises:
             StudioError: the file cannot be used.
@@ -105,16 +105,16 @@ class ProvisionRecord:
 
     def free_number(self) -> int:
         """Return an unassigned number. BadRequest if all numbers are assigned."""
-        taken = {FACTORY_NUMBER, *(row.number for row in self._rows)}
+        assigned = {FACTORY_NUMBER, *(row.number for row in self._rows)}
         numbers: list[int] = [*range(self._first, NUMBERS), *range(self._first)]
         for number in numbers:
-            if number not in taken:
+            if number not in assigned:
                 return number
         text = tr("All {0} device numbers are in {1}.")
         raise BadRequest(text.format(NUMBERS, self._file))
 
     def put(self, row: ProvisionedBoard) -> None:
-        """Add a line, or replace the last line if it is `BEGUN`. Call `save` afterwards."""
+        """Add a line, or replace the last line if it is `BEGUN`. Does not save the file."""
         if self._rows and self._rows[-1].result == BEGUN:
             self._rows.pop()
         self._rows.append(row)
@@ -142,13 +142,13 @@ def differing(comparison: Comparison) -> tuple[ComparisonRow, ...]:
 
 
 def fingerprint(stored: Settings) -> str:
-    """Return a hash of the calibrations that a board shows, 8 hexadecimal digits."""
+    """Return a hash of the calibrations that a board shows. It has 8 hexadecimal digits."""
     return hashlib.sha256(repr(sorted(stored.calibrations.items())).encode()).hexdigest()[:8]
 
 
-def result_text(wanted: Settings, stored: Settings, left: Collection[ComparisonRow]) -> str:
-    """Return the result for a board. `left` has the remaining differences."""
-    if left:
-        return f"differs: {' '.join(row.key for row in left)}"
+def result_text(wanted: Settings, stored: Settings, remaining: Collection[ComparisonRow]) -> str:
+    """Return the result for a board. `remaining` are its differences."""
+    if remaining:
+        return f"differs: {' '.join(row.key for row in remaining)}"
     hidden = " ".join(key for key in wanted.calibrations if key not in stored.calibrations)
     return f"ok, without {hidden}" if hidden else "ok"

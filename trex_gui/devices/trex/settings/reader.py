@@ -1,4 +1,4 @@
-"""Reader of settings files, which reports all errors and warnings by line."""
+"""Reader for settings files, which reports all errors and warnings by line."""
 
 import difflib
 import re
@@ -27,6 +27,7 @@ from trex_gui.devices.trex.settings.yaml_subset import compose, line_of, shorten
 
 BYTE_ORDER_MARK = "\ufeff"
 MOST_FINDINGS = 100  # further errors are only counted
+_MAX_NAMES = 3  # missing parameters to name
 _QUANTITIES = {ParameterKind.NUMBER, ParameterKind.ACCELERATION, ParameterKind.PWM_MAXIMUM}
 _INTEGER = re.compile(r"[-+]?(?:0|[1-9][0-9]{0,17})|0[xX][0-9A-Fa-f]{1,16}")
 _FIRMWARE = re.compile(r"[0-9](?:\.[0-9]{1,3}){1,2}")
@@ -68,8 +69,8 @@ def read_settings(
     """Return the settings in a file, and warnings. Errors call the file `name`.
 
     Raises:
-        SettingsError: the file cannot be used. The error has every finding. Settings are only
-            checked in valid YAML with a product.
+        SettingsError: the file cannot be used. The error contains all findings. Settings are only
+            checked if the file is valid YAML with a product.
     """
     data = text if isinstance(text, bytes) else text.encode("utf-8", "surrogatepass")
     content = decode(data, name)
@@ -87,7 +88,7 @@ def repair_values(data: bytes, name: str) -> tuple[str, tuple[str, ...]]:
     """Repair invalid values in a text if their meaning is clear.
 
     A value with a unit or in words is replaced with its wire value, a number outside its range
-    with the nearest limit, and a misspelt product with its name. Ambiguous values stay.
+    with the nearest limit, and a misspelt product with its name. Ambiguous values do not change.
     Returns the text and one line for each repair.
 
     Raises:
@@ -108,7 +109,7 @@ class _Fix(NamedTuple):
     end: int
     text: str
     line: int
-    message: str  # `serial_timeout: 1.5 s becomes 15 (1.5 s)`
+    message: str  # such as `serial_timeout: 1.5 s becomes 15 (1.5 s)`
 
 
 class _Entry(NamedTuple):
@@ -136,7 +137,7 @@ class _Reader:
     def fix(self, key: str, entry: "_Entry", text: str, meaning: str) -> None:
         value = entry.value
         if isinstance(value, ScalarNode) and (value.style or "'") in "'\"":
-            message = tr("{0}: {1} becomes {2}").format(key, _shown(value), meaning)
+            message = tr("{0}: {1} becomes {2}").format(key, _given_text(value), meaning)
             start, end = value.start_mark.index, value.end_mark.index
             self.fixes.append(_Fix(start, end, text, entry.line, message))
 
@@ -186,11 +187,11 @@ class _Reader:
             return None
         if next(iter(entries)) != "product":
             self.error(found.line, "product", "product_not_first")
-        given = _words(found.value)
+        given = _scalar_text(found.value)
         names = tr(" or ").join(model.name for model in models)
-        fields = {"models": names, "given": _shown(found.value)}
+        fields = {"models": names, "given": _given_text(found.value)}
         for model in models:
-            if _bare(given) in {_bare(model.name), _bare(model.key)}:
+            if _normalised(given) in {_normalised(model.name), _normalised(model.key)}:
                 if given != model.name:
                     fields["model"] = model.name
                     self.error(found.line, "product", "product_misspelt", **fields)
@@ -202,10 +203,10 @@ class _Reader:
     def _firmware(self, found: _Entry | None, product: Model) -> str | None:
         if found is None:
             return None
-        given = _words(found.value)
+        given = _scalar_text(found.value)
         known = product.firmware
         if not _FIRMWARE.fullmatch(given):
-            fields = {"newest": known[-1], "given": _shown(found.value)}
+            fields = {"newest": known[-1], "given": _given_text(found.value)}
             self.error(found.line, "firmware", "firmware_invalid", **fields)
             return None
         if not version_key(known[0]) <= version_key(given) <= version_key(known[-1]):
@@ -228,7 +229,7 @@ class _Reader:
                 fields = {"allowed": _range(spec), "grade": spec.limits_mark, "given": wire}
                 self.warn(entry.line, key, "value_open", **fields)
         else:
-            given, hint = _shown(entry.value), _hint(spec, entry.value)
+            given, hint = _given_text(entry.value), _hint(spec, entry.value)
             fields = {"allowed": _range(spec), "given": given, "hint": hint}
             self.error(entry.line, key, "value_invalid", **fields)
             meant = _meant(spec, entry.value)
@@ -250,13 +251,13 @@ class _Reader:
             return
         specs = specs_for(product, firmware).readable
         keys = ["product", "firmware", *(s.key for s in specs), *CALIBRATION_KEYS]
-        guess = _guess(key, keys) if len(self.findings) < MOST_FINDINGS else ""  # a guess is slow
+        guess = _guess(key, keys) if len(self.findings) < MOST_FINDINGS else ""  # guessing is slow
         self.error(line, shortened(key), "key_unknown", guess=guess)
 
     def _read_calibration(self, key: str, entry: _Entry) -> None:
         if not isinstance(entry.value, MappingNode):
             layout = "{" + ", ".join(f"{name}: …" for name in CALIBRATION_FIELDS) + "}"
-            given = _shown(entry.value)
+            given = _given_text(entry.value)
             self.error(entry.line, key, "calibration_layout", layout=layout, given=given)
             return
         inner = self._entries(entry.value, key)
@@ -267,7 +268,7 @@ class _Reader:
                 guess = _guess(name, CALIBRATION_FIELDS)
                 self.error(part.line, key, "field_unknown", field=shortened(name), guess=guess)
             elif wire is None or not 0 <= wire <= HIGHEST_CODED:
-                fields = {"field": name, "highest": HIGHEST_CODED, "given": _shown(part.value)}
+                fields = {"field": name, "highest": HIGHEST_CODED, "given": _given_text(part.value)}
                 self.error(part.line, key, "field_invalid", **fields)
             else:
                 values[name] = wire
@@ -288,8 +289,7 @@ class _Reader:
         expected = parameters_of(product.key, firmware or product.firmware[0]).readable
         missing = [spec.key for spec in expected if spec.key not in given]
         if missing:
-            most = 3
-            names = ", ".join(missing[:most]) + (" …" if len(missing) > most else "")
+            names = ", ".join(missing[:_MAX_NAMES]) + (" …" if len(missing) > _MAX_NAMES else "")
             code = "parameter_missing" if len(missing) == 1 else "parameters_missing"
             self.warn(None, None, code, count=len(missing), total=len(expected), names=names)
 
@@ -310,11 +310,11 @@ def _integer(node: Node) -> int | None:
     return int(text, 16 if text[1:2] in {"x", "X"} else 10)
 
 
-def _words(node: Node) -> str:
+def _scalar_text(node: Node) -> str:
     return str(node.value) if isinstance(node, ScalarNode) else ""
 
 
-def _shown(node: Node) -> str:
+def _given_text(node: Node) -> str:
     if not isinstance(node, ScalarNode):
         return tr("a list") if isinstance(node, SequenceNode) else tr("a group of settings")
     text = shortened(str(node.value))
@@ -337,8 +337,8 @@ def _range(spec: ParameterSpec) -> str:
 
 
 def _hint(spec: ParameterSpec, node: Node) -> str:
-    """Return a hint on the spelling of a value, such as `1.5 s`."""
-    meant, text = _meant(spec, node), _words(node)
+    """Return a hint about the spelling of a value, such as `1.5 s`."""
+    meant, text = _meant(spec, node), _scalar_text(node)
     if not isinstance(meant, int):
         return f"; {meant}" if meant else ""
     is_quoted = _INTEGER.fullmatch(text) is not None and _integer(node) is None
@@ -351,13 +351,13 @@ def _hint(spec: ParameterSpec, node: Node) -> str:
 
 def _meant(spec: ParameterSpec, node: Node) -> int | AmbiguousNumber | None:
     """Return the wire value of a physical value (`1.5 s`) or a quoted number."""
-    text = _words(node)
+    text = _scalar_text(node)
     if len(text) > len("19200 baud, no error detection, 1 stop bit"):
         return None
     if _INTEGER.fullmatch(text) and _integer(node) is None:  # in quotes
         wire = int(text, 0)
         return wire if spec.problem(wire) is None else None
-    # 9600 or 1.5 could be in any unit. A complete polynomial is recognized by its highest bit.
+    # 9600 or 1.5 could be in any unit. A complete polynomial is recognised by its highest bit.
     if spec.kind is not ParameterKind.POLYNOMIAL and not any(c.isalpha() for c in text):
         return None
     try:
@@ -374,5 +374,5 @@ def _guess(key: str, keys: Sequence[str]) -> str:
     return tr("; did you mean {0}?").format(close[0]) if close else ""
 
 
-def _bare(word: str) -> str:
+def _normalised(word: str) -> str:
     return word.replace(" ", "").casefold()

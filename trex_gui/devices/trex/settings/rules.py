@@ -21,7 +21,7 @@ _MOTORS = (1, 2)
 _MOTOR_CHANNELS = (1, 2, 3)
 _JOINT = 1
 _TIMEOUT = "0.5 s"
-_ACCELERATION = 10  # speed steps per 100 ms: full speed after 1.3 s, gentle and still quick
+_ACCELERATION = 10  # speed steps per 100 ms; gentle, but reaches full speed in 1.3 s
 _SHORTEST_PULSE = 1250  # counts of 0.4 us. Ref: Pololu TReX User's Guide 4.c
 
 
@@ -29,13 +29,13 @@ _SHORTEST_PULSE = 1250  # counts of 0.4 us. Ref: Pololu TReX User's Guide 4.c
 class Context:
     drives_from_computer: bool = False  # whether the motors are driven over the serial line
     port_rates: Collection[int] | None = None  # baud rates of this computer's port; `None`: unknown
-    used_by_line: LineSettings | None = None  # active, with the real baud rate; `None`: unknown
+    used_by_line: LineSettings | None = None  # active, with the real rate; `None`: unknown
 
 
 @dataclass(frozen=True, slots=True)
 class LintFinding:
     rule: str  # the rule's stable key, such as `limit_in_joint_mode`
-    keys: tuple[str, ...]  # settings concerned
+    keys: tuple[str, ...]  # affected settings
     message: str  # a sentence
     change: Mapping[str, int]  # proposed wire values by key; empty if the user must decide
     proposal: str  # the change as a request, such as `Set Serial Timeout to 0.5 s`; or empty
@@ -63,9 +63,10 @@ def lint(settings: Settings, context: Context = _NO_CONTEXT) -> tuple[LintFindin
 
 
 def accept_proposals(settings: Settings) -> tuple[Settings, tuple[LintFinding, ...]]:
-    """Apply the changes that the rules propose. Return settings and accepted findings.
+    """Apply the changes that the rules propose.
 
-    A change can cause a new finding, so the rules run again. Each rule changes a setting only once.
+    Returns the changed settings and the accepted findings. A change can cause a new finding, so
+    the rules run again. Each rule changes a setting only once.
     """
     accepted: dict[tuple[str, tuple[str, ...]], LintFinding] = {}
     for _ in RULES:
@@ -132,7 +133,7 @@ class _Case:
         return self.settings.specs[key].name
 
     def text(self, key: str, wire: int | None = None) -> str:
-        """Return a wire value, or the value in the settings, in physical units."""
+        """Return `wire`, by default the value in the settings, in physical units."""
         return self.settings.specs[key].text(self.wires[key] if wire is None else wire)
 
     def default(self, key: str) -> int:
@@ -179,7 +180,7 @@ def _limit_in_joint_mode(case: _Case) -> Iterator[_Match]:
 
 
 def _limits_beside_zero(case: _Case, parameter: MotorParameter) -> Iterator[tuple[str, str]]:
-    """Yield the keys of active limits, each with a `parameter` of 0."""
+    """Yield the keys of each active limit and of its `parameter`, which is 0."""
     for motor in () if case.is_joint else _MOTORS:
         limit, other = MotorParameter.CURRENT_LIMIT.of(motor), parameter.of(motor)
         if case.wires.get(limit) and case.wires.get(other) == 0:
@@ -209,10 +210,10 @@ def _pwm_above_rating(case: _Case) -> Iterator[_Match]:
     pwm, highest = device_table().pwm, case.settings.product.highest_pwm
     for motor in _MOTORS:
         prescaler = MotorParameter.PWM_PRESCALER.of(motor)
-        top = MotorParameter.PWM_MAXIMUM.of(motor)
-        if highest is None or not {prescaler, top} <= case.wires.keys():
+        maximum = MotorParameter.PWM_MAXIMUM.of(motor)
+        if highest is None or not {prescaler, maximum} <= case.wires.keys():
             continue
-        frequencies = [pwm.frequency(n, case.wires[top]) for n in range(len(pwm.divisors))]
+        frequencies = [pwm.frequency(n, case.wires[maximum]) for n in range(len(pwm.divisors))]
         now = frequencies[case.wires[prescaler]]
         if now <= highest:
             continue
@@ -228,10 +229,10 @@ def _pwm_above_rating(case: _Case) -> Iterator[_Match]:
         change = {}
         better = (n for n, frequency in enumerate(frequencies) if frequency <= highest)
         if (wire := next(better, None)) is not None:
-            gives = tr("The prescaler {0} gives {1}.")
-            text += " " + gives.format(case.text(prescaler, wire), _kilohertz(frequencies[wire]))
+            effect = tr("The prescaler {0} gives {1}.")
+            text += " " + effect.format(case.text(prescaler, wire), _kilohertz(frequencies[wire]))
             change = {prescaler: wire}
-        yield _Match((prescaler, top), text, change)
+        yield _Match((prescaler, maximum), text, change)
 
 
 def _kilohertz(hertz: float) -> str:

@@ -1,4 +1,4 @@
-"""Writer of settings files, with physical values as comments."""
+"""Writer for settings files, with physical values as comments."""
 
 from collections.abc import Iterator, Sequence
 from functools import cache
@@ -24,14 +24,15 @@ _CALIBRATION_TITLES = {
 
 
 def write_settings(settings: Settings, *, title_lines: Sequence[str] = ()) -> str:
-    """Return the text of a settings file, which reads back as equal settings.
+    """Return the text of a settings file.
 
     The program's comments are in English like the keys, so files do not depend on the language. A
     value that the board would reject becomes a comment with the reason. Notes are comments above
-    their settings. Notes on missing settings come last. `title_lines` are comments for the head.
+    their settings. Notes on missing settings are at the end. `title_lines` are comments for the
+    header.
 
     Raises:
-        BadRequest: the settings hold a key that their model and firmware do not have.
+        BadRequest: the settings contain a key that their model and firmware do not have.
     """
     check_keys(settings)
     with in_english():
@@ -39,13 +40,14 @@ def write_settings(settings: Settings, *, title_lines: Sequence[str] = ()) -> st
 
 
 def _text(settings: Settings, title_lines: Sequence[str]) -> str:
-    head = [f"product: {settings.product.name}"]
-    head += [_comment(part) for line in title_lines for part in line.splitlines() or [""]]
+    header = [f"product: {settings.product.name}"]
+    header += [_comment(part) for line in title_lines for part in line.splitlines() or [""]]
     if settings.firmware is not None:
-        head.append(f"firmware: {settings.firmware}")
-    blocks = [head, *_parameter_blocks(settings), *_calibration_blocks(settings)]
-    if left := sorted(settings.notes.keys() - settings.keys):
-        blocks.append(list(chain.from_iterable(lines_of_note(key, settings.notes) for key in left)))
+        header.append(f"firmware: {settings.firmware}")
+    blocks = [header, *_parameter_blocks(settings), *_calibration_blocks(settings)]
+    if other_keys := sorted(settings.notes.keys() - settings.keys):
+        lines = (lines_of_note(key, settings.notes) for key in other_keys)
+        blocks.append(list(chain.from_iterable(lines)))
     return "\n\n".join("\n".join(block) for block in blocks) + "\n"
 
 
@@ -80,7 +82,7 @@ def parameter_line(spec: ParameterSpec, wire: int, settings: Settings) -> str:
 
 @cache
 def _width() -> int:
-    """Return the greatest width of a setting. A changed value then changes only its line."""
+    """Return the greatest width of a setting. With it, a new value changes only its line."""
     return max(len(f"{row['key']}: {row['max']}") for row in device_table().rows)
 
 
@@ -150,5 +152,5 @@ def _left_out(setting: str, problem: str) -> str:
 
 def _comment(text: str) -> str:
     """Return a comment without the control characters that YAML forbids."""
-    shown = "".join(c if c.isprintable() else "?" for c in text.expandtabs())
-    return f"# {shown}".rstrip()
+    printable = "".join(c if c.isprintable() else "?" for c in text.expandtabs())
+    return f"# {printable}".rstrip()

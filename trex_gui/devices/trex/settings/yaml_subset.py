@@ -1,8 +1,8 @@
 """YAML subset of settings files.
 
-A file is a mapping of scalars and of mappings of scalars. It is parsed into nodes with positions,
-and never into Python objects. Anchors, tags, merge keys and deep nesting are rejected, because with
-them a small file can expand to a huge one.
+A file is a mapping whose values are scalars or mappings of scalars. It is parsed into nodes with
+positions, and never into Python objects. Anchors, tags, merge keys and deep nesting are rejected,
+because with them a small file can expand to a huge one.
 """
 
 import re
@@ -21,11 +21,11 @@ from trex_gui.core.files import SettingsError
 from trex_gui.core.translation import tr, tr_noop
 
 MOST_NODES = 2000  # scalars and collections; a complete settings file has about 160
-_DEEPEST = 2
+_MAX_DEPTH = 2  # levels of mappings
 
 LINE_END = re.compile(r"\r\n|[\n\r\x85\u2028\u2029]")
 _TAB = re.compile(r"((?:^|(?<=\r))[ \t]*\t[ \t]*(?![ \t#\r\n]|\Z))|\t", re.MULTILINE)
-"""Tab. Group 1 is the indentation of a setting."""
+"""A tab. Group 1 matches the indentation of a setting."""
 
 _UNSPACED = re.compile(r"^ *\w+:(?![ \t\r\n]|\Z)", re.MULTILINE)
 _PRODUCT = re.compile(r"^\W*product\b", re.MULTILINE)
@@ -40,8 +40,8 @@ def line_of(node: Node) -> int:
 
 def shortened(text: str, longest: int = 40) -> str:
     """Return printable text of limited length, for a message."""
-    shown = "".join(c if c.isprintable() else "�" for c in text[: longest + 1])
-    return shown if len(shown) <= longest else f"{shown[:longest]}…"
+    printable = "".join(c if c.isprintable() else "�" for c in text[: longest + 1])
+    return printable if len(printable) <= longest else f"{printable[:longest]}…"
 
 
 def compose(text: str, name: str) -> MappingNode:
@@ -86,7 +86,7 @@ def _damaged(text: str, name: str, message: str, line: int) -> SettingsError:
     """Return the error for invalid YAML, with the likely cause if known."""
     if not _PRODUCT.search(text):
         line, message = 1, tr("these are not settings of a TReX, which begin with 'product: TReX'")
-    elif found := _UNSPACED.search(text):  # YAML reads a word and rejects a later line
+    elif found := _UNSPACED.search(text):  # YAML reads a word here and rejects a later line
         first = len(LINE_END.findall(text, 0, found.start())) + 1
         if first <= line:
             line, message = first, tr("type an ordinary space after the colon")
@@ -100,17 +100,17 @@ class _UnsupportedError(Exception):
 
 
 class _Scanner(Scanner):
-    """Limits nested brackets, because a scan of 50,000 brackets takes a second."""
+    """Scanner that limits nested brackets, because scanning 50,000 of them takes a second."""
 
     def fetch_flow_collection_start(self, token: type[Token], to_push: str) -> None:
-        if len(self.flow_context) == _DEEPEST:
+        if len(self.flow_context) == _MAX_DEPTH:
             mark = self.reader.get_mark()
             raise _UnsupportedError(mark, tr(_TOO_DEEP).format(tr(_PLAIN_YAML)))
         super().fetch_flow_collection_start(token, to_push)
 
 
 class _Composer(Composer):
-    """Checks every event before its node is created."""
+    """Composer that checks every event before it creates a node."""
 
     open_collections = 0
     nodes = 0
@@ -152,7 +152,7 @@ class _Composer(Composer):
             problem = tr("merge keys (<<) are not allowed; {0}").format(tr(_PLAIN_YAML))
         elif self.nodes > MOST_NODES:
             problem = tr("there are more settings here than any board has")
-        elif is_collection and self.open_collections == _DEEPEST:
+        elif is_collection and self.open_collections == _MAX_DEPTH:
             problem = tr(_TOO_DEEP).format(tr(_PLAIN_YAML))
         else:
             return
