@@ -68,7 +68,7 @@ def test_command_without_a_number_names_the_list_of_boards(
 ) -> None:
     result = run("set", "serial_timeout", "7", exits=1)
     assert "Several boards reply at once" in result.stderr
-    assert "`trexcmd boards` prints the options that reach each." in result.stderr
+    assert "`trexcmd boards` prints the options that reach each board." in result.stderr
     assert stored(line, "serial_timeout") == [0, 0, 0]
 
 

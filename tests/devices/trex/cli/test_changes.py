@@ -269,7 +269,7 @@ def test_notes_of_a_file_are_kept_for_the_board(trexcmd: RunCommand, tmp_path: P
     differing = trexcmd("diff", str(file), exits=1).stdout
     assert differing.split() == ["motor_mode", "note", "two", "motors"]
     result = trexcmd("set-settings", str(file))
-    assert "1 note kept on this computer: a board stores none." in result.stderr
+    assert "1 note saved on this computer: a board stores no notes." in result.stderr
     assert trexcmd("diff", str(file)).stdout == ""
     assert "# Note on motor_mode: two motors\nmotor_mode: 0 " in memory(trexcmd)
     trexcmd("set", "serial_timeout", "1.5 s")

@@ -1,6 +1,6 @@
 """Bench tests as text files for spreadsheets.
 
-Facts come first, one `# name: value` on each line. A table follows:
+Facts come first, one `# name: value` per line. A table follows:
 
 ```
 time_s,setpoint,current_a
@@ -8,8 +8,8 @@ time_s,setpoint,current_a
 0.0113,40,5.85
 ```
 
-Each row is a setpoint (without current) or a reading, in the order of time. Speeds are -127 to 127.
-Times are in seconds since the first setpoint.
+Each row is a setpoint (without a current) or a reading. Rows are sorted by time. Speeds are -127 to
+127. Times are in seconds since the first setpoint.
 """
 
 import csv
@@ -26,10 +26,10 @@ from trex_gui.core.files import load
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.bench.run import End, Profile, Run, Shape
 
-_LARGEST_FILE = 10_000_000  # bytes; two minutes of readings take less than half a megabyte
+_MAX_FILE_SIZE = 10_000_000  # bytes; two minutes of readings take less than half a megabyte
 _TITLE = "# TReX Studio bench test"
 _COLUMNS = ["time_s", "setpoint", "current_a"]
-_SETTING = "stored "
+_SETTING_PREFIX = "stored "
 
 ValueT = TypeVar("ValueT")
 
@@ -39,13 +39,13 @@ class BenchFileError(StudioError):
 
 
 def load_run(path: Path) -> Run:
-    """Return the test in a file.
+    """Load a test from a file.
 
     Raises:
         SettingsError: the file cannot be read.
         BenchFileError: the file is damaged.
     """
-    data = load(path, tr("bench tests"), _LARGEST_FILE)
+    data = load(path, tr("bench tests"), _MAX_FILE_SIZE)
     try:
         return from_csv(data.decode("utf-8"))
     except UnicodeDecodeError as error:
@@ -82,7 +82,7 @@ def _facts(run: Run) -> Iterable[tuple[str, str]]:
     if run.reason:
         yield "reason", " ".join(run.reason.split())
     for name, text in run.settings:
-        yield _SETTING + name, text
+        yield _SETTING_PREFIX + name, text
 
 
 def from_csv(text: str) -> Run:
@@ -123,9 +123,9 @@ def from_csv(text: str) -> Run:
         setpoints=setpoints,
         currents=currents,
         settings=tuple(
-            (name.removeprefix(_SETTING), value)
+            (name.removeprefix(_SETTING_PREFIX), value)
             for name, value in facts.items()
-            if name.startswith(_SETTING)
+            if name.startswith(_SETTING_PREFIX)
         ),
     )
 

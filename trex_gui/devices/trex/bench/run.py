@@ -14,13 +14,13 @@ from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import Number, tr, tr_noop
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 
-SHORTEST = 0.2  # seconds of a test or a period, ten steps of the profile
-LONGEST = 120.0  # seconds of a test, during which the user holds a button
-LONGEST_GAP = 0.5  # seconds between two readings; a longer gap has no charge
-BAND = 0.1  # share of the steady current within which a current is settled
-_TAIL = 0.3  # final share of a constant setpoint, whose current counts as steady
-_SHORTEST_PLATEAU = 0.4  # seconds of a constant setpoint, with ten readings in its tail
-_NOISE_COUNTS = 2  # least reading that is a current; a single count may be noise
+SHORTEST = 0.2  # minimum seconds of a test or a period, ten steps of the profile
+LONGEST = 120.0  # maximum seconds of a test, during which the user holds a button
+LONGEST_GAP = 0.5  # maximum seconds between readings; longer gaps do not count as charge
+BAND = 0.1  # fraction of the steady current; a settled current stays within it
+_TAIL = 0.3  # final fraction of a constant setpoint, whose current counts as steady
+_MIN_PLATEAU = 0.4  # seconds of a constant setpoint, with ten readings in its tail
+_NOISE_COUNTS = 2  # minimum reading of a current; a single count may be noise
 
 
 class Shape(Enum):
@@ -46,12 +46,12 @@ _TITLES = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Profile:
-    """Speed over the time of a test."""
+    """Speed as a function of time."""
 
     # Step: constant speed. Ramp: linear rise for one `period`, then constant speed. Reverse: half a
-    # period forward, half a period backward, repeated. Sine.
+    # period forward, half a period backward, repeated. Sine: one wave per period.
     shape: Shape = Shape.STEP
-    speed: int = 40  # highest speed, -127 to 127 and not 0; a negative speed starts backward
+    speed: int = 40  # maximum speed, -127 to 127 except 0; a negative speed starts backward
     duration: float = 3.0  # total seconds
     period: float = 1.0  # seconds; see `shape`
 
@@ -72,9 +72,9 @@ class Profile:
         """Return the speed at a time. 0 before the start and after the end."""
         if not 0 <= seconds < self.duration:
             return 0
-        return round(self.speed * self._share(seconds))
+        return round(self.speed * self._fraction(seconds))
 
-    def _share(self, seconds: float) -> float:
+    def _fraction(self, seconds: float) -> float:
         match self.shape:
             case Shape.STEP:
                 return 1.0
@@ -86,13 +86,13 @@ class Profile:
                 return math.sin(2 * math.pi * seconds / self.period)
 
     def limited(self, ceiling: int) -> "Profile":
-        """Limit the speed to a ceiling (1-127)."""
+        """Limit the speed to `ceiling`, 1 to 127."""
         if abs(self.speed) <= ceiling:
             return self
         return replace(self, speed=ceiling if self.speed > 0 else -ceiling)
 
     def plateau(self, end: float) -> tuple[float, float] | None:
-        """Return start and end of the first constant speed before `end`, or `None`."""
+        """Return the start and end of the first constant speed before `end`, or `None`."""
         if self.shape is Shape.SINE:
             return None
         first = self.period if self.shape is Shape.RAMP else 0.0
@@ -116,9 +116,9 @@ class Profile:
 class Plan:
     motor: int = 1  # 1 or 2
     profile: Profile = field(default_factory=Profile)
-    accelerate: bool = True  # through the board's ramp, brake duration and limit, or at once
-    abort_current: float = 10.0  # A; one reading above it stops everything
-    abort_at_limit: bool = False  # whether the board's current limit also stops everything
+    accelerate: bool = True  # whether to use the board's ramp, brake duration and limit
+    abort_current: float = 10.0  # A; a single reading above it stops all motors
+    abort_at_limit: bool = False  # whether the board's current limit also stops them
 
 
 class End(Enum):
@@ -136,7 +136,7 @@ class Run:
     motor: int  # 1 or 2
     profile: Profile
     accelerate: bool  # whether the speeds went through the board's ramp
-    abort_current: float  # A; one reading above it aborts the test
+    abort_current: float  # A; a single reading above it aborts the test
     ampere: float  # A per count of the current measurement
     started: datetime  # local date and time
     end: End
@@ -179,30 +179,30 @@ class Figures:
 
 
 def figures(run: Run) -> Figures:
-    command = next((time for time, speed in run.setpoints if speed), None)
+    start = next((time for time, speed in run.setpoints if speed), None)
     driven = [(time, amps) for time, amps in run.currents if 0 <= time <= run.ended]
-    if command is None or not driven:
+    if start is None or not driven:
         return Figures()
     mean, charge = _flow(driven)
     noise = _NOISE_COUNTS * run.ampere
     first, last = run.profile.plateau(run.ended) or (0.0, 0.0)
     tail = [amps for time, amps in driven if last - _TAIL * (last - first) <= time < last]
-    steady = fmean(tail) if tail and last - first >= _SHORTEST_PLATEAU else None
+    steady = fmean(tail) if tail and last - first >= _MIN_PLATEAU else None
     settled = None
     if steady:
-        within = max(BAND * steady, noise) + 1e-9
-        constant = [(time, amps) for time, amps in driven if command <= time < last]
-        outside = (time for time, amps in constant if abs(amps - steady) > within)
-        left_at = max(outside, default=-1.0)
-        settled = next((time - command for time, _ in constant if time > left_at), None)
-    flowing = (time - command for time, amps in driven if time >= command and amps >= noise - 1e-9)
+        tolerance = max(BAND * steady, noise) + 1e-9
+        constant = [(time, amps) for time, amps in driven if start <= time < last]
+        outside = (time for time, amps in constant if abs(amps - steady) > tolerance)
+        last_outside = max(outside, default=-1.0)
+        settled = next((time - start for time, _ in constant if time > last_outside), None)
+    delays = (time - start for time, amps in driven if time >= start and amps >= noise - 1e-9)
     return Figures(
         peak=max(amps for _, amps in driven),
         mean=mean,
         charge=charge,
         steady=steady,
         settled=settled,
-        delay=next(flowing, None),
+        delay=next(delays, None),
     )
 
 

@@ -1,4 +1,4 @@
-"""Curves from raw counts to outputs, and the mix of two channels."""
+"""Curves from raw counts to outputs, and detection of mixed channels."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -9,14 +9,14 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration, 
 from trex_gui.devices.trex.protocol.flags import channels_in
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
-_SWITCHES = (4, 5)
+_SWITCHES = (4, 5)  # channels
 
-_NEAR = 10  # largest difference between two readings while a stick moves
+_MAX_DIFFERENCE = 10  # between two readings while a stick moves
 
 
 @dataclass(frozen=True, slots=True)
 class ChannelCurve:
-    """Calibration of a channel, with its bits in the masks."""
+    """Calibration of a channel, and its bits in the masks."""
 
     calibration: Calibration
     reversed_: bool = False
@@ -50,15 +50,16 @@ class ChannelCurve:
         )
 
     def corners(self, low: int, high: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
-        """Return the raw counts and outputs beside each change of the output."""
+        """Return the raw counts and outputs on both sides of each change of the output."""
         return _corners(self, low, high)
 
     def threshold(self, channel: int) -> float | None:
         """Return the count at which a switch (4 flip, 5 override) switches.
 
-        `None` for other channels and for an ignored channel. Ref: User's Guide 4.a: a switch is
-        active below a threshold. Inferred: the position of the threshold, and that a reversed
-        channel counts from the other end.
+        `None` for other channels and for an ignored channel.
+
+        Ref: User's Guide 4.a: a switch is active below a threshold. Inferred: the position of the
+        threshold, and that a reversed channel counts from the other end.
         """
         if channel not in _SWITCHES or self.ignored:
             return None
@@ -88,18 +89,18 @@ def is_mixed(outputs: tuple[int, int], reported: tuple[int, int]) -> bool | None
     """Return whether channels 1 and 2 were mixed. `None` if unknown, such as at neutral.
 
     No command reads the mix jumper, so the outputs of the curves are compared with the values that
-    the board reports. Values that fit neither case give `None`.
+    the board reports. Returns `None` if these values fit neither case.
 
-    Ref: a user's measurement (Pololu forum, viewtopic 9053): the jumper alters the remapped
-    values in serial mode, too. Inferred: the sums.
+    Ref: a user's measurement (Pololu forum, viewtopic 9053): the jumper also alters the
+    remapped values in serial mode. Inferred: the sums.
     """
     turn, forward = outputs
     mixed = _clipped(forward + turn), _clipped(forward - turn)
-    if _distance(outputs, mixed) <= 3 * _NEAR:
+    if _distance(outputs, mixed) <= 3 * _MAX_DIFFERENCE:
         return None
-    if _distance(outputs, reported) <= _NEAR:
+    if _distance(outputs, reported) <= _MAX_DIFFERENCE:
         return False
-    return True if _distance(mixed, reported) <= _NEAR else None
+    return True if _distance(mixed, reported) <= _MAX_DIFFERENCE else None
 
 
 def _clipped(value: int) -> int:

@@ -1,4 +1,4 @@
-"""Codes of calibration problems. `problem_text` has their sentences."""
+"""Codes of calibration problems. `problem_text` returns their sentences."""
 
 from dataclasses import dataclass
 from enum import Enum, auto

@@ -9,9 +9,9 @@ from trex_gui.devices.trex.calibration.problems import CalibrationProblem, Probl
 from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibration
 
-_INSIDE = 0.01  # share of the travel between the proposed and the measured end
+_INSIDE = 0.01  # fraction of the travel between the proposed and the measured end
 _INSIDE_DEVIATIONS = 3.0  # standard deviations of the noise, added to this distance
-_IDLE_LEAST = 1 / 3  # least distance of an unreached end, as a share of the other distance
+_MIN_IDLE = 1 / 3  # minimum distance of an unreached end, as a fraction of the other distance
 
 WHY_THESE_VALUES = tr_noop(
     "The ends are 1 % of the travel and three times the noise inside the measured ones, so that "
@@ -67,7 +67,7 @@ def _distance(neutral: Neutral, travel: Travel, way: Way) -> int:
         return length - _margin(length, neutral)
     source, other = neutral.source, Way(-way.value)
     limit = source.highest_count if way is Way.UP else source.lowest_count
-    return max(abs(limit - neutral.value), ceil(_IDLE_LEAST * travel.length(other)))
+    return max(abs(limit - neutral.value), ceil(_MIN_IDLE * travel.length(other)))
 
 
 def _ends_reason(neutral: Neutral, travel: Travel) -> str:
@@ -92,20 +92,20 @@ def _ends_reason(neutral: Neutral, travel: Travel) -> str:
 def _reversal(travel: Travel, *, reversed_now: bool) -> tuple[bool, str]:
     """Return whether the channel should be reversed, and the reason for a change.
 
-    Inferred: a positive output is forward; a switch is active below its threshold, a reversed
+    Inferred: a positive output is forward. A switch is active below its threshold, and a reversed
     switch above it. Reversal makes no difference to a one-way motor.
     """
     match travel.task:
         case Task.STICK if travel.first is not None:
             reversed_ = travel.first is Way.DOWN
-            words = (
+            observation = (
                 tr("The value fell when the stick went forward or right first")
                 if reversed_
                 else tr("The value rose when the stick went forward or right first")
             )
         case Task.SWITCH if travel.reached(Way.UP) != travel.reached(Way.DOWN):
             reversed_ = travel.reached(Way.UP)
-            words = (
+            observation = (
                 tr("The other position is above the one at rest, which should be off")
                 if reversed_
                 else tr("The other position is below the one at rest, which should be off")
@@ -115,4 +115,4 @@ def _reversal(travel: Travel, *, reversed_now: bool) -> tuple[bool, str]:
     if reversed_ == reversed_now:
         return reversed_, ""
     text = tr("{0}: reversed is suggested.") if reversed_ else tr("{0}: not reversed is suggested.")
-    return reversed_, text.format(words)
+    return reversed_, text.format(observation)

@@ -19,35 +19,36 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.flags import InputSource
 
 HELD = 6
-"""Samples in a row that must agree. They take longer than 100 ms, for which the board repeats a
-wild value if the next pulses are lost."""
+"""Number of consecutive samples that must agree. They take longer than 100 ms, for which the board
+repeats a wild value if the next pulses are lost."""
 
 _SLOW_HELD = 3  # `HELD` on a slow line, where three samples take longer than 100 ms
-WINDOW = 2 * HELD - 1  # samples of a median: up to five wild samples make no end
+WINDOW = 2 * HELD - 1  # samples of a median, which ignores up to five wild samples
 
 _SLOW = 0.05
-"""Longest seconds between samples of a fast line. A wild pulse lasts 20 ms, so a slow line never
+"""Maximum seconds between samples on a fast line. A wild pulse lasts 20 ms, so a slow line never
 reads it twice. But it may read a short push of the stick only once."""
 
-_HELD_SHARE = 0.02  # samples agree within this share of the travel, plus `_DEVIATIONS` of the noise
-_DEVIATIONS = 6.0  # standard deviations of the noise that a still channel never exceeds
+_HELD_FRACTION = 0.02  # samples agree within this fraction of the travel plus `_DEVIATIONS`
+_DEVIATIONS = 6.0  # limit for a still channel, in standard deviations of the noise
 _SILENT_AFTER = 0.5  # seconds without a valid sample, in which the channel may have moved
-_MANY_INVALID = 0.1  # least share of samples without a signal to report
-_JUDGED_FROM = 25  # least samples for a meaningful share of invalid samples
-_TIMES = 16  # samples over which the interval is measured
-_LEAST_HOLD = 0.3  # seconds; a stick cannot be held for less on purpose
-_RAIL = 5  # counts within which a voltage is at an end of the range: 24 mV (inferred)
+_MANY_INVALID = 0.1  # minimum fraction of samples without a signal to report
+_MIN_SAMPLES = 25  # for a meaningful fraction of invalid samples
+_TIMES = 16  # number of samples for measuring their interval
+_MIN_HOLD = 0.3  # seconds; a user cannot hold a stick for a shorter time on purpose
+_RAIL = 5  # counts (24 mV) from a limit of the range; closer voltages are at it (inferred)
 
 _MOSTLY = 0.75
-"""Share of the travel to an end that makes it the first end. Inferred: a push of a two-axis stick
-along one axis moves the other axis by a third of its travel, seldom more."""
+"""Fraction of the travel. The direction that covers it first is the first direction. Inferred: a
+push of a two-axis stick along one axis moves the other axis by a third of its travel, rarely more.
+"""
 
 _SETTLED_SECONDS = 0.4  # seconds of standstill until a channel is settled
-_SETTLED_SAMPLES = 3  # least number of samples of a settled channel
-_SETTLED_LEAST = 0.75  # least share of `_SETTLED_SECONDS` that samples must cover
-_SETTLED_WILD = 0.1  # most wild samples, as a share
-_RELEASED = 0.5  # share of the travel; a channel that settles closer to rest was released
-_UNEVEN = 0.5  # least length of the shorter side, as a share of the longer side
+_SETTLED_SAMPLES = 3  # minimum number of samples of a settled channel
+_SETTLED_COVERED = 0.75  # minimum fraction of `_SETTLED_SECONDS` that samples must cover
+_SETTLED_WILD = 0.1  # maximum fraction of wild samples
+_RELEASED = 0.5  # fraction of the travel; a channel that settles closer to rest was released
+_UNEVEN = 0.5  # minimum length of the shorter side, as a fraction of the longer side
 
 
 class Task(Enum):
@@ -68,10 +69,10 @@ class Way(Enum):
 
 
 def least_travel(deadband: int) -> int:
-    """Return the least distance of an end from rest, in counts.
+    """Return the minimum distance of an end from rest, in counts.
 
-    The sum of the deadband and 127 counts for the 127 speeds. With less travel, the channel never
-    reaches some speeds.
+    This is the sum of the deadband and 127 counts for the 127 speeds. With less travel, the channel
+    never reaches some speeds.
     """
     return deadband + FULL_SCALE
 
@@ -79,8 +80,8 @@ def least_travel(deadband: int) -> int:
 class _End:
     """Furthest position of a channel to one side.
 
-    An end is held when some samples in a row agree with the furthest position. On a slow line, one
-    sample beyond this position cancels the hold.
+    An end is held when enough consecutive samples agree with the furthest position. On a slow line,
+    one sample beyond this position cancels the hold.
     """
 
     def __init__(self, way: Way, neutral: Neutral) -> None:
@@ -102,7 +103,7 @@ class _End:
         furthest, sign = self.furthest, self._sign
         distance = sign * (furthest - self._neutral.value)
         self.distances.append(distance)
-        tolerance = ceil(_HELD_SHARE * abs(distance) + _DEVIATIONS * self._neutral.deviation)
+        tolerance = ceil(_HELD_FRACTION * abs(distance) + _DEVIATIONS * self._neutral.deviation)
         last = window[-held:]
         middle = median_low(last)
         if max(last) - min(last) <= tolerance and sign * (furthest - middle) <= tolerance:
@@ -160,13 +161,13 @@ class Travel:
 
     @property
     def settled(self) -> int | None:
-        """Count at which the channel stands still, without wild values. `None` if it moves."""
+        """Count at which the channel is still, without wild values. `None` if it moves."""
         if (
             len(self._last) < _SETTLED_SAMPLES
             or self._times[-1] - self._last[-1][0] > _SILENT_AFTER
         ):
             return None
-        if self._last[-1][0] - self._last[0][0] < _SETTLED_LEAST * _SETTLED_SECONDS:
+        if self._last[-1][0] - self._last[0][0] < _SETTLED_COVERED * _SETTLED_SECONDS:
             return None
         counts = [count for _, count in self._last]
         middle = median(counts)
@@ -182,7 +183,7 @@ class Travel:
         return self.neutral if furthest is None else furthest
 
     def length(self, way: Way) -> int:
-        """Return the travel that way, in counts. Negative if the channel never returned to rest."""
+        """Return the travel in counts. Negative if the channel never returned to rest."""
         return way.value * (self.end(way) - self.neutral)
 
     def reached(self, way: Way) -> bool:
@@ -193,7 +194,7 @@ class Travel:
 
     @property
     def to_hold(self) -> Way | None:
-        """Current direction of the stick, if it must still be held there."""
+        """Current direction of the stick, if the user must still hold it there."""
         for way in Way:
             if self.now is not None and not self.held(way):
                 offset = way.value * (self.now - self.neutral)
@@ -236,9 +237,9 @@ class Travel:
 
     @property
     def hold_seconds(self) -> float:
-        """Required time to hold an end, one sample more than must agree."""
+        """Seconds to hold an end, for one sample more than must agree."""
         held = _SLOW_HELD if self.is_slow else HELD
-        return max(_LEAST_HOLD, (held + 1) * self.interval)
+        return max(_MIN_HOLD, (held + 1) * self.interval)
 
     # --- Problems -----------------------------------------------------------------------
 
@@ -248,7 +249,7 @@ class Travel:
             return (no_signal(self.source),)
         found = self._length_problem()
         problems = () if found is None else (found,)
-        if self._samples >= _JUDGED_FROM and self._invalid > _MANY_INVALID * self._samples:
+        if self._samples >= _MIN_SAMPLES and self._invalid > _MANY_INVALID * self._samples:
             return (*problems, lost_pulses(self._invalid / self._samples, fatal=False))
         return problems
 
@@ -260,8 +261,8 @@ class Travel:
         if longest <= self.deadband:
             return self._never_moved()
         if shortest < -self.deadband:
-            places = text(self.neutral), text(self.end(Way.DOWN)), text(self.end(Way.UP))
-            return CalibrationProblem(ProblemKind.NEUTRAL_OUTSIDE, values=places)
+            positions = text(self.neutral), text(self.end(Way.DOWN)), text(self.end(Way.UP))
+            return CalibrationProblem(ProblemKind.NEUTRAL_OUTSIDE, values=positions)
         if longest < least:
             return CalibrationProblem(ProblemKind.TOO_LITTLE, values=(text(longest), *needed))
         if self.task is not Task.STICK:

@@ -38,8 +38,8 @@ def calibration() -> None:
 def get_command(as_json: bool, **options: Any) -> None:
     """Show the calibration of each channel, in counts and in physical units.
 
-    With --json, the fields of a channel are counts, and pulse_us or voltage_V holds the physical
-    values.
+    With --json, the fields of a channel are counts, and pulse_us or voltage_V contains the
+    physical values.
     """
     with open_line(link_settings(options)) as client:
         state = read_board(client)
@@ -76,7 +76,8 @@ def set_command(channel: int, **options: Any) -> None:
     """Store the calibration of a channel and read it back.
 
     Values are counts (3750), or have a unit: 1500us for RC pulses, 2.5V for voltages. First
-    saves a snapshot of the stored settings. Writes nothing if the board has this calibration.
+    saves a snapshot of the stored settings. Writes nothing if the board already has this
+    calibration.
     """
     given = {name: _parse(name, options.pop(name)) for name in CALIBRATION_FIELDS}
     link = link_settings(options)

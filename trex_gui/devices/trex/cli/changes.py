@@ -87,8 +87,8 @@ def change_one(
 ) -> None:
     """Store the setting of `after` that differs from the stored settings.
 
-    `name` is the name of the setting for the user. `command` is the snapshot's reason. Nothing is
-    written if the board is not in serial mode (Rejected) or the snapshot cannot be saved
+    `name` is the name of the setting for the user. `command` is the reason for the snapshot.
+    Nothing is written if the board is not in serial mode (Rejected) or the snapshot cannot be saved
     (SettingsError).
     """
     before, link = settings_of(state), client.settings
@@ -131,7 +131,7 @@ def save_notes(client: TrexClient, state: DeviceState, notes: Mapping[str, str])
     saved = {} if memory.record is None else memory.record.settings.notes
     if (merged := {**saved, **notes}) != saved:
         memory.set_notes(merged)
-        say(f"{counted(len(notes), 'note')} kept on this computer: a board stores none.")
+        say(f"{counted(len(notes), 'note')} saved on this computer: a board stores no notes.")
 
 
 def record_of(stored: Settings) -> BoardRecord:
@@ -145,11 +145,11 @@ def say_next_steps(
 ) -> None:
     """Report pending settings, and the options that reach the board.
 
-    `link` and `state` are from before the write. `stored` has the written parameters.
+    `link` and `state` date from before the write. `stored` contains the written parameters.
     """
     specs = state.specs
-    if waiting := sorted(specs[key].name for key in stored if specs[key].needs_power_cycle):
-        say(f"{', '.join(waiting)}: takes effect when the board is switched off and on.")
+    if pending := sorted(specs[key].name for key in stored if specs[key].needs_power_cycle):
+        say(f"{', '.join(pending)}: takes effect when the board is switched off and on.")
     if client.settings != link:
         say(f"Reach the board with {as_options(client.settings)} from now on.")
     say_how_to_reach(client.settings, {**state.parameters, **stored}, state.signature.firmware)

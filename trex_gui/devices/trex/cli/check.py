@@ -22,7 +22,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 @dataclass(slots=True)
 class _Checked:
     data: bytes
-    text: str | bytes = b""  # repaired values, but without the changes in `settings`
+    text: str | bytes = b""  # with repaired values, but without the changes in `settings`
     settings: Settings | None = None
     repairs: tuple[str, ...] = ()
     findings: tuple[Finding, ...] = ()
@@ -61,7 +61,7 @@ class _Checked:
         }
 
     def written(self, settings: Settings, *, keep_all: bool) -> str:
-        """Return the text changed to `settings`, with a newline at the end.
+        """Return the text with `settings`. It ends with a newline.
 
         `keep_all` raises SettingsError if comments or order would be lost.
         """

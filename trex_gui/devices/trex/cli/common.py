@@ -142,7 +142,7 @@ boards_option = click.option(
     "--boards",
     metavar="NUMBERS",
     default="",
-    help="Do it to several boards on the line at once, such as 7,9.",
+    help="Address several boards on the line at once, such as 7,9.",
 )
 
 
@@ -236,15 +236,16 @@ def _open_client(transport: Transport, settings: ConnectionSettings) -> Iterator
 
 
 def identify(client: TrexClient, *, quick: bool = False) -> Signature:
-    """Return the signature of the board. NoReply or BadReply have a remedy in their text.
+    """Return the signature of the board. See `diagnose` for `quick`.
 
-    See `diagnose` for `quick`.
+    Raises:
+        NoReply, BadReply: the text contains a remedy.
     """
     try:
         try:
             return _only_board(client)
         except BadReply:
-            # The line may have lost the echo just after it was opened.
+            # The echo may have been lost just after the line was opened.
             client.detect_echo()
             return _only_board(client)
     except (NoReply, BadReply) as error:
@@ -259,7 +260,7 @@ def identify(client: TrexClient, *, quick: bool = False) -> Signature:
             options = as_options(ConnectionSettings.on(cause.settings))
             raise NoReply(f"{cause} These options reach it:\n{options}") from cause
         if isinstance(cause, TrexError) and cause.code is ErrorCode.SEVERAL_BOARDS:
-            text = f"{cause} `trexcmd boards` prints the options that reach each."
+            text = f"{cause} `trexcmd boards` prints the options that reach each board."
             raise BadReply(text) from cause
         raise cause from error
 
@@ -269,8 +270,8 @@ def _only_board(client: TrexClient) -> Signature:
     command = GetParameter(parameter_number(ParameterKey.DEVICE_NUMBER))
     number = agreed(client.request, command, has_crc=client.has_crc)
     if is_several(client, number):
-        where = client.settings.label, client.settings.line.text()
-        raise TrexBadReplyError(ErrorCode.SEVERAL_BOARDS, *where)
+        texts = client.settings.label, client.settings.line.text()
+        raise TrexBadReplyError(ErrorCode.SEVERAL_BOARDS, *texts)
     return signature
 
 

@@ -127,19 +127,19 @@ def get_settings(file: str, **options: Any) -> None:
 @link_options
 @click.argument("first", metavar="FILE", required=False, type=FILE)
 @click.argument("second", metavar="[FILE]", required=False, type=FILE)
-@click.option("--last", is_flag=True, help="Compare with the settings applied last to the board.")
+@click.option("--last", is_flag=True, help="Compare with the settings last applied to the board.")
 @json_option
 def diff(first: str | None, second: str | None, last: bool, as_json: bool, **options: Any) -> bool:
     """Show how the second FILE differs from the first, or FILE from the board.
 
     Prints nothing if they are equal; old values are left of new values. With --last, the board is
-    compared with the settings that this computer applied last, in the window or with trexcmd. Exit
+    compared with the settings that this computer last applied, in the window or with trexcmd. Exit
     codes: 0 equal, 1 different, 2 wrong usage or not readable.
     """
     if first == second == "-":
         raise click.UsageError("Only one of the files can be standard input.")
     if last == (first is not None):
-        raise click.UsageError("Give a FILE, or --last without one.")
+        raise click.UsageError("Give either a FILE or --last.")
     if first is None:
         with open_line(link_settings(options)) as client:
             state = read_board(client)

@@ -54,24 +54,24 @@ def history(ctx: click.Context, words: str | None, as_json: bool) -> None:
 
 def _list(words: str, *, as_json: bool) -> None:
     history = SettingsHistory()
-    wanted = words.casefold().split()
+    terms = words.casefold().split()
     found = [
         (number, snapshot)
         for number, snapshot in enumerate(history.snapshots(), 1)
-        if all(word in " ".join(_cells(number, snapshot)).casefold() for word in wanted)
+        if all(word in " ".join(_cells(number, snapshot)).casefold() for word in terms)
     ]
     if problem := history.limit().problem:
         say(f"Warning: {problem}")
     if as_json:
         print_json([_json_row(number, snapshot) for number, snapshot in found])
         return
-    if not found and wanted:
+    if not found and terms:
         say("No snapshot has these words.")
         return
     if not found:
         say(
-            "There are no snapshots yet. Before each Apply and before each command that changes "
-            f"settings one is saved in {history.folder}."
+            "There are no snapshots yet. Each Apply and each command that changes settings first "
+            f"saves a snapshot in {history.folder}."
         )
         return
     titles = ("", "Time", "Board", "No.", "Adapter", "Before", "Name", "Note")
@@ -162,16 +162,16 @@ def limit_command(count: str | None, yes: bool) -> None:
             raise CommandFailed(limit.problem)
         click.echo("all" if limit.count is None else limit.count)
         return
-    most = _count(count)
-    if (gone := len(history.beyond(most))) and not yes:
+    new_limit = _count(count)
+    if (excess := len(history.beyond(new_limit))) and not yes:
         total = counted(len(history.snapshots()), "snapshot")
-        which = "the oldest one" if gone == 1 else f"the oldest {gone}"
+        which = "the oldest one" if excess == 1 else f"the oldest {excess}"
         click.confirm(f"Remove {which} of {total} permanently?", abort=True, err=True)
     with refusals():
-        removed = len(history.set_limit(most))
+        removed = len(history.set_limit(new_limit))
     if removed:
         say(f"{counted(removed, 'snapshot')} removed.")
-    say("All snapshots are kept." if most is None else f"The newest {most} are kept.")
+    say("All snapshots are kept." if new_limit is None else f"The newest {new_limit} are kept.")
 
 
 def _count(word: str) -> int | None:
@@ -198,7 +198,7 @@ def _snapshot_of(word: str) -> Snapshot:
         return named
     if not word.isdecimal() or len(word) > 9:
         raise click.UsageError(
-            f"{word!r} is neither a number such as 1, the newest snapshot, nor the name of one."
+            f"{word!r} is neither the number nor the name of a snapshot. Number 1 is the newest."
         )
     if 1 <= int(word) <= len(snapshots):
         return snapshots[int(word) - 1]

@@ -73,7 +73,7 @@ from trex_gui.devices.trex.session.messages import (
 from trex_gui.devices.trex.settings.board_records import BoardRecord, utc_now
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 
-_SLICE = 0.02  # longest wait in seconds between two checks for signals
+_SLICE = 0.02  # maximum seconds between two checks for signals
 
 
 @click.command(context_settings={"ignore_unknown_options": True})
@@ -115,7 +115,7 @@ def run_motors(
     if is_served(settings.url) and host().logged:
         raise click.UsageError("--traffic shows the line where it is: give it to trexcmd serve.")
     if not is_served(settings.url):
-        with refusals():  # Ctrl-C may interrupt a slow opening over the network
+        with refusals():  # Ctrl-C may interrupt a slow connection over the network
             transport = host().open_transport(settings)
         clock, wait, open_port = transport.clock, transport.wait, lambda _settings: transport
     with Interruption(precious=True) as interrupted:
@@ -156,8 +156,8 @@ def stop(robots: tuple[str, ...], boards: str, **options: Any) -> None:
     try:
         _stop_at(settings)
     except CommandFailed as refusal:
-        held = isinstance(refusal.__cause__, PortUnavailable) and holder_of(settings.url)
-        if not held:
+        is_held = isinstance(refusal.__cause__, PortUnavailable) and holder_of(settings.url)
+        if not is_held:
             raise
         raise CommandFailed(
             f"{refusal} If that is TReX Studio: Esc in its window stops the motors, and so does "
@@ -243,7 +243,8 @@ class _Reader(Keeper):
 class _Run:
     """Inbox and listener of a session that drives motors on this thread.
 
-    The motors are armed after the first round of polling, which reads their control and old errors.
+    The motors are armed after the first round of polling, which reads serial control and
+    old errors.
     """
 
     _commands: Sequence[Setpoint | SendPacket]
@@ -261,7 +262,7 @@ class _Run:
     _is_running: bool = False
     _is_ending: bool = False
     _is_guarded: bool = False
-    _by_serial: dict[int | None, bool] = field(default_factory=dict)  # serial control, by board
+    _by_serial: dict[int | None, bool] = field(default_factory=dict)  # board → serial control
     _reason: str | None = None
     _stop_error: StudioError | None = None
     _line_error: StudioError | None = None

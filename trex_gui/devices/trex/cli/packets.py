@@ -51,15 +51,15 @@ def raw(packet: tuple[str, ...], *, motors: bool, seconds: float | None, **optio
         is_shared = link.device_number is not None and item.writes_everywhere
         board = "Every board on the line" if is_shared else "The board"
         say(f"{item.hexadecimal}: {item.words()}{_effect_text(item, board)}")
-    moving = any(item.moves for item in packets)
-    if moving and not motors:
+    may_move = any(item.moves for item in packets)
+    if may_move and not motors:
         raise click.UsageError(
             "This may move a motor, and nothing was sent. Give --motors to send it; every motor "
             "is stopped afterwards."
         )
-    if seconds is not None and not moving:
+    if seconds is not None and not may_move:
         raise click.UsageError("--seconds is for motor commands, and this has none.")
-    if moving:
+    if may_move:
         numbered = enumerate(packets, STOP_ID + 1)
         run_motors(link, [SendPacket(number, item) for number, item in numbered], seconds)
         return
@@ -94,9 +94,9 @@ def decode(packet: tuple[str, ...], crc: bool, polynomial: str) -> None:
     widths = [max(len(row[column]) for row in rows) for column in (0, 1)]
     for first, second, words in rows:
         click.echo(f"{first:{widths[0]}}  {second:{widths[1]}}  {words}")
-    bad = sum(isinstance(event, Malformed) for event in events)
-    if bad:
-        raise CommandFailed(f"{bad} of {len(events)} are not packets.")
+    malformed = sum(isinstance(event, Malformed) for event in events)
+    if malformed:
+        raise CommandFailed(f"{malformed} of {len(events)} are not packets.")
 
 
 def _row(event: Packet | Malformed) -> tuple[str, str, str]:

@@ -34,9 +34,9 @@ from trex_gui.devices.trex.settings.provision_record import (
 
 _RETRY_S = 0.5  # seconds between two attempts to reach a board
 _PULSE = 30  # speed, 0 to 127
-_FIRST_S, _NEXT_S = 0.8, 0.25  # longest seconds until the first and the next repeat of a held key
+_FIRST_S, _NEXT_S = 0.8, 0.25  # maximum seconds until the first and the next repeat of a held key
 _ENTER = {"\r", "\n"}
-_END = {"q", "\x04", ""}  # Ctrl-D in a terminal, the end of a pipe
+_END = {"q", "\x04", ""}  # q, Ctrl-D in a terminal, or the end of a pipe
 
 
 @click.command()
@@ -58,7 +58,9 @@ _END = {"q", "\x04", ""}  # Ctrl-D in a terminal, the end of a pipe
     show_default=True,
     help="First device number to assign.",
 )
-@click.option("--pulse", is_flag=True, help="Then turn each motor slowly while Space is held.")
+@click.option(
+    "--pulse", is_flag=True, help="After writing, turn each motor slowly while Space is held."
+)
 @click.option("--limit", type=click.IntRange(1), metavar="N", help="End after N boards.")
 def provision(
     profile: str,
@@ -81,9 +83,11 @@ def provision(
     """
     link = link_settings(options)
     if link.device_number is not None:
-        raise click.UsageError("One board at a time is set up here, without --protocol expanded.")
+        raise click.UsageError(
+            "provision sets up one board at a time, so do not give --protocol expanded."
+        )
     if pulse and not sys.stdin.isatty():
-        raise click.UsageError("--pulse needs a terminal, which shows that a key is held.")
+        raise click.UsageError("--pulse needs a terminal, because a pipe cannot report a held key.")
     wanted = read_file(profile)
     with refusals():
         record = ProvisionRecord(Path(file), name=name, first=first)
@@ -186,15 +190,15 @@ class _Setup:
         try:
             trex.apply_settings(rows)
             trex.set_parameters(device_number=number)
-            left = self._differing(trex)
-            if self.pulses and not left:
+            remaining = self._differing(trex)
+            if self.pulses and not remaining:
                 with pressed_keys() as typed:
                     for motor in (1, 2):
                         if not pulse(trex, motor, typed):
                             return NOT_TRIED
         except StudioError as error:
             return str(error)
-        return result_text(self.wanted, settings_of(trex.state), left)
+        return result_text(self.wanted, settings_of(trex.state), remaining)
 
 
 def pulse(trex: Trex, motor: int, typed: Callable[[], str]) -> bool:
@@ -221,7 +225,7 @@ def pulse(trex: Trex, motor: int, typed: Callable[[], str]) -> bool:
 
 
 def read_key() -> str:
-    """Read a key of the terminal or a character of a pipe. Empty at its end."""
+    """Read a key from the terminal, or a character from a pipe. Empty at the end."""
     return click.getchar() if sys.stdin.isatty() else sys.stdin.read(1)
 
 

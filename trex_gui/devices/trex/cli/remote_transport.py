@@ -1,6 +1,6 @@
 """Transport to a served board, for commands that send single packets.
 
-Each packet crosses the network as a `SendPacket`, between the server's own transactions.
+Each packet crosses the network as a `SendPacket`. The server sends it between its own transactions.
 """
 
 import time
@@ -25,7 +25,7 @@ from trex_gui.devices.trex.session.messages import (
 )
 
 _OPEN_TIMEOUT = 20.0  # seconds for the server to read the board
-_REPLY_TIMEOUT = 10.0  # seconds for one packet, after the requests of other clients
+_REPLY_TIMEOUT = 10.0  # seconds for a packet, which may wait for requests of other clients
 
 
 class RemoteTransport:
@@ -81,7 +81,7 @@ class RemoteTransport:
         return None
 
     def reconfigure(self, line: SerialFormat) -> None:
-        raise BadRequest(f"The line of a served board stays as it is, not {line.short}.")
+        raise BadRequest(f"The line of a served board cannot be set to {line.short}.")
 
     def write(self, data: bytes) -> None:
         """Send a packet and wait for its reply, which `read` returns."""

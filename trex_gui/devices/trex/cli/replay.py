@@ -68,8 +68,8 @@ def replay(file: str, everything: bool) -> None:
         if differing == 1 or everything:
             click.echo(f"Line {row.line}: {hex_text(row.sent)}")
             for title, reply in (("file", row.received), ("simulator", received)):
-                shown = hex_text(reply) or "nothing"
-                click.echo(f"  {title + ':':11}{shown}  ({recorded.meaning(row, reply)})")
+                data = hex_text(reply) or "nothing"
+                click.echo(f"  {title + ':':11}{data}  ({recorded.meaning(row, reply)})")
         if not everything:
             break
     for warning in recorded.warnings:
@@ -98,8 +98,8 @@ class RecordedTraffic:
     def load(cls, path: Path) -> "RecordedTraffic":
         """Read a transcript without the probes of searches. SettingsError if nothing is left."""
         text = load(path, tr("traffic logs"), LARGEST).decode("utf-8", "replace")
-        read = read_transcript(text, str(path), TrexDecoder())
-        rows = [row for row in read if not row.is_search]
+        all_rows = read_transcript(text, str(path), TrexDecoder())
+        rows = [row for row in all_rows if not row.is_search]
         if not any(row.sent for row in rows):
             message = tr("there is nothing to compare: nothing was sent, except to search")
             raise SettingsError.of(str(path), message)
@@ -107,17 +107,17 @@ class RecordedTraffic:
 
     @classmethod
     def of(cls, rows: Sequence[TranscriptRow]) -> "RecordedTraffic":
-        found = cls(rows)
+        traffic = cls(rows)
         if (polynomial := _polynomial(rows)) is not None:
             line = LineSettings(detection=Detection.CRC7)
-            found.settings = ConnectionSettings("", line, polynomial=polynomial)
+            traffic.settings = ConnectionSettings("", line, polynomial=polynomial)
         answered = [row for row in rows if row.received and row.sent]
         echoed = [row for row in answered if row.received.startswith(row.sent)]
-        found.is_echoed = len(echoed) * 2 > len(answered)
+        traffic.is_echoed = len(echoed) * 2 > len(answered)
         written: set[object] = set()
         for row in rows:
-            found._record_values(row, written)
-        return found
+            traffic._record_values(row, written)
+        return traffic
 
     def _record_values(self, row: TranscriptRow, written: set[object]) -> None:
         """Record values of this row that no earlier row has `written`."""
@@ -223,5 +223,5 @@ def _polynomial(rows: Sequence[TranscriptRow]) -> int | None:
         packets = (item for row in rows[:_SAMPLE] for item in packets_of(row.sent, polynomial))
         return sum(isinstance(item.packet, Malformed) for item in packets)
 
-    every: tuple[int | None, ...] = (None, DEFAULT_POLYNOMIAL, *range(0x80, 0x100))
-    return min(every, key=damaged)
+    candidates: tuple[int | None, ...] = (None, DEFAULT_POLYNOMIAL, *range(0x80, 0x100))
+    return min(candidates, key=damaged)

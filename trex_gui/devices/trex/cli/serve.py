@@ -56,7 +56,7 @@ _EVERYWHERE = "0.0.0.0"  # noqa: S104 - users are checked
     "--add-user",
     "new_user",
     metavar="NAME",
-    help="Add a user to the file, print its secret, end.",
+    help="Add a user to the file, print the secret, and end.",
 )
 @click.option(
     "--role",
@@ -124,9 +124,9 @@ def serve(
             say=say,
             tls=(Path(tls[0]), Path(tls[1])) if tls else None,
         )
-        here = socket.gethostname() if users else address.host
-        shown = Address(here, name, "USER" if users else "", address.port).url
-        say(f"Serving {settings.label} as {shown}. Ctrl-C stops the motors and ends.")
+        public_host = socket.gethostname() if users else address.host
+        public_url = Address(public_host, name, "USER" if users else "", address.port).url
+        say(f"Serving {settings.label} as {public_url}. Ctrl-C stops the motors and ends.")
         if not users:
             say("Only programs on this computer reach it; --users lets others in.")
         elif not tls:
@@ -149,8 +149,8 @@ def _is_local(name: str) -> bool:
 def _install_text() -> str:
     command = Path(sys.argv[0]).absolute()
     texts = [
-        f"# --- {place}{name}\n{(resource('serve') / name).read_text('utf-8')}"
-        for place, name in _SERVICE_FILES
+        f"# --- {folder}{name}\n{(resource('serve') / name).read_text('utf-8')}"
+        for folder, name in _SERVICE_FILES
     ]
     return _INSTALL.format("\n".join(texts), command).replace("@COMMAND@", str(command))
 

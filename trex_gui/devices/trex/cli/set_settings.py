@@ -86,10 +86,10 @@ def set_settings(
 
     Checks the file, saves a snapshot of the stored settings, writes only the differences, the
     serial settings last, and reads each value back. Ctrl-C ends the command after the current
-    setting. Notes of the file are kept on this computer.
+    setting. Notes in the file are saved on this computer.
 
-    --dry-run has the exit codes of a real run, so differences give 0. `trexcmd audit FILE` exits
-    with 1 if the board has other settings.
+    With --dry-run, the exit code is that of a real run: 0, even if settings differ. `trexcmd audit
+    FILE` exits with 1 if the board has other settings.
 
     With --convert, values with another meaning for this board are converted, and settings that it
     does not have are left out. Both are listed.
@@ -204,7 +204,7 @@ def _write(
 
 
 def _say_failures(failed: list[WriteResult], names: dict[str, str]) -> None:
-    """Report failed writes. Settings not tried after a fatal error are only listed."""
+    """Report failed writes. Settings that were not tried after a fatal error are only listed."""
     reported: set[int] = set()
     untried: list[str] = []
     for result in failed:

@@ -1,4 +1,4 @@
-"""Commands status, get and boards, which change nothing."""
+"""Commands status, get and boards, which change no setting."""
 
 import json
 from typing import Any
@@ -168,7 +168,7 @@ def get_command(name: str, as_json: bool, **options: Any) -> None:
 @link_options
 @json_option
 def boards(as_json: bool, **options: Any) -> None:
-    """List the boards that share the line, with the options that reach each.
+    """List the boards that share the line, with the options that reach each board.
 
     Probes every device number at the line settings of the options. No motor moves and no setting
     changes. Boards that are off or share a number are not listed. `trexcmd find` also probes other
@@ -210,7 +210,7 @@ def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
     )
     board = BoardMirror(Keeper(say, say_warning).memory)
     connected = Connected(state, client.echo, ReadReason.OPENED, client.settings)
-    happened = [
+    events = [
         event
         for report in (connected, Batch(samples, client.counters))
         for event in board.handle(report, now, utc_now())
@@ -254,7 +254,7 @@ def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
         "errors": _errors(earlier, active),
         "events": [
             {"kind": event.kind.value, "text": event.text, "is_problem": event.is_problem}
-            for event in happened
+            for event in events
             if isinstance(event, Event)
         ],
         "parameters": {

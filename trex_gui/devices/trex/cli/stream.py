@@ -24,13 +24,13 @@ from trex_gui.devices.trex.protocol.commands import GetMode
 from trex_gui.devices.trex.recording import MeasurementTable, Row
 from trex_gui.devices.trex.session.polling import Schedule, rates
 
-_FLUSH = 0.25  # seconds until other programs can read a row
-_SLICE = 0.02  # longest wait in seconds between two checks for signals
-_FAILURES = 10  # consecutive failures after which the board counts as gone
+_FLUSH = 0.25  # maximum seconds until other programs can read a row
+_SLICE = 0.02  # maximum seconds between two checks for signals
+_MAX_FAILURES = 10  # consecutive failures; then the board counts as gone
 
 
 def _read_separator(_context: click.Context, _option: click.Parameter, text: str) -> str:
-    """Reject quotes, line ends and characters of numbers."""
+    """Return the character. Quotes, line ends and characters in numbers are rejected."""
     character = {"tab": "\t", r"\t": "\t"}.get(text.lower(), text)
     if len(character) != 1 or character.isalnum() or character in '"\r\n.-+_':
         raise click.BadParameter(f'{text!r} is not a character such as ";", or "tab".')
@@ -78,9 +78,9 @@ def stream(
 ) -> None:
     """Write the measurements of the board as CSV: a row for each new pair of motor currents.
 
-    The header has the units. The other columns of a row hold the newest values; error bits are in
-    the first row after they were read, which clears them in the board. --interval leaves out rows,
-    but none of their error bits. The measured currents may be wrong by 20 % (twin).
+    The header has the units. The other columns of a row contain the newest values. Error bits are
+    in the first row after they were read, which clears them in the board. --interval leaves out
+    rows, but none of their error bits. The measured currents may be wrong by 20 % (twin).
     """
     if as_json and file is not None:
         raise click.UsageError(
@@ -144,7 +144,7 @@ def _rows(
     interrupted: Interruption,
     interval: float,
 ) -> Iterator[Row]:
-    """Poll by the schedule. Yield complete rows, at most one in `interval` seconds."""
+    """Poll the board. Yield complete rows, at most one every `interval` seconds."""
     clock = client.transport.clock
     reader = StatusReader(clock)
     schedule = Schedule()
@@ -169,7 +169,7 @@ def _rows(
             failures = 0
         except (NoReply, BadReply):
             failures += 1
-            if failures == _FAILURES:
+            if failures == _MAX_FAILURES:
                 raise
             continue
         if sample and table.add(sample) and sample.time >= due:

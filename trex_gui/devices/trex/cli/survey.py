@@ -94,8 +94,8 @@ class _AnyByte(c.GetParameter):
 class _Survey:
     def __init__(self, client: TrexClient) -> None:
         self._client, self._request, self._has_crc = client, client.request, client.has_crc
-        self._unknown: dict[str, list[int]] = {}  # parameter numbers by their reply
-        self.stored: dict[int, int] = {}  # values of known parameters, by number
+        self._unknown: dict[str, list[int]] = {}  # reply → parameter numbers
+        self.stored: dict[int, int] = {}  # number → value of a known parameter
         self._tables: dict[str, dict[str, Any]] = {"errors": {}, "ranges": {}, "altered": {}}
 
     def read(self, number: int) -> None:
@@ -170,15 +170,15 @@ class _Survey:
 
     def text(self, board: c.Signature, *, as_new: bool) -> str:
         """Return the survey as TOML. Values are decimal, parameter numbers hexadecimal."""
-        head = {"model": board.model.key, "firmware": board.firmware, "stores_defaults": as_new}
-        unknown = {f'"{reply}"': _spans(of, "02X") for reply, of in self._unknown.items()}
+        header = {"model": board.model.key, "firmware": board.firmware, "stores_defaults": as_new}
+        unknown = {f'"{reply}"': _spans(numbers, "02X") for reply, numbers in self._unknown.items()}
         queries = {
             f"0x{opcode:02X}": self._reply(cls.from_packet(opcode, b"\x1f"))
             for opcode, cls in c.COMMANDS.items()
             if opcode < 0x9F
         }
         stored = {f"0x{number:02X}": value for number, value in self.stored.items()}
-        tables: dict[str, dict[str, Any]] = {"board": head, "unknown": unknown}
+        tables: dict[str, dict[str, Any]] = {"board": header, "unknown": unknown}
         tables |= {"queries": queries, "stored": stored, **self._tables}
         lines = [f"# What `trexcmd survey` of TReX Studio {__version__} found out about a board."]
         for name, rows in tables.items():
