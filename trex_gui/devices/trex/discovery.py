@@ -245,7 +245,7 @@ class TrexProber:
 
     @property
     def recognised(self) -> TrexBadReplyError | None:
-        """Error for a known device that cannot be connected to."""
+        """Error for a known device to which the program cannot connect."""
         url = self._settings.label
         if self._is_loader:
             return TrexBadReplyError(ErrorCode.BOOT_LOADER, url)

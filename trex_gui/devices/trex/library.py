@@ -83,7 +83,7 @@ class BoardStatus:
     mode: str  # description, a sentence
     serial_controls: bool  # whether motor commands reach the motors
     currents: tuple[float, float]  # motors 1 and 2, in amperes
-    channels: Mapping[int, ChannelStatus]  # by number, 1 to 5
+    channels: Mapping[int, ChannelStatus]  # channel number (1 to 5) → status
     errors: tuple[str, ...]  # names of the error bits since the last status
 
 
@@ -259,7 +259,7 @@ class Trex:
 
     @property
     def parameters(self) -> Mapping[str, int]:
-        """Wire values of the parameters that were read, by key."""
+        """Parameters that were read: key → wire value."""
         return self.state.parameters
 
     def parameter(self, key: str) -> int:
@@ -270,7 +270,7 @@ class Trex:
         return self.state.parameters[spec.key]
 
     def parameter_text(self, key: str) -> str:
-        """Return a parameter with its unit: `0.5 s`."""
+        """Return a parameter with its unit, such as `0.5 s`."""
         return self.state.specs[key].text(self.parameter(key))
 
     def set_parameters(self, *, force: bool = False, **values: int | str) -> tuple[str, ...]:
@@ -391,7 +391,7 @@ class Trex:
         if not parameters and not calibrations:
             return
         reason = f"library: {', '.join(key for key, _ in (*parameters, *calibrations))}"
-        self._board.pump(self._board.session.clock())  # the board may have fallen silent
+        self._board.pump(self._board.session.clock())  # the board may have stopped replying
         board, state = self._board, self.state
         transaction = board.keeper.prepare(state, self.settings, reason, parameters, calibrations)
         written = board.session.result(
@@ -404,7 +404,7 @@ class Trex:
             if result.error is not None:
                 raise result.error
 
-    # --- Who drives ---------------------------------------------------------------------
+    # --- Lease --------------------------------------------------------------------------
 
     @property
     def driver(self) -> str:
@@ -522,7 +522,7 @@ class LineOptions(TypedDict, total=False):
 class TrexLine:
     """Boards on one line that are driven together. Use it in a `with` statement.
 
-    Arming and stopping apply to all boards. If a board falls silent, restarts, stops by itself or
+    Arming and stopping apply to all boards. If a board stops replying, restarts, stops by itself or
     returns to channel control, all boards stop, and the error names this board. `line[9]` is the
     `Trex` of board 9. Its `stop`, `wait` and lease apply to all boards.
     """
@@ -585,7 +585,7 @@ class TrexLine:
         return {number: board.events() for number, board in self._boards.items()}
 
     def motor_status(self) -> dict[int, tuple[str, ...]]:
-        """Return sentences on the motors of each board. See `Trex.motor_status`."""
+        """Return sentences about the motors of each board. See `Trex.motor_status`."""
         return {number: board.motor_status() for number, board in self._boards.items()}
 
     def stop(self) -> None:

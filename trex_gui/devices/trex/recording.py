@@ -259,7 +259,7 @@ def _setpoint(  # noqa: PLR0917 - a value for each column
 FORMAT = RecordingFormat("trex", Header.from_values, _kinds, _type_of)
 
 
-Row = dict[str, float | int | str | None]  # newest measurements by column name with unit
+Row = dict[str, float | int | str | None]  # column name with unit → newest measurement
 
 
 class MeasurementTable:

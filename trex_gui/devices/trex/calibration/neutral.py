@@ -13,7 +13,7 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 
 SAMPLING_SECONDS = 1.5  # about 75 values at 50 updates a second
 _MIN_SAMPLES = 15  # on a slow line, they take longer than `SAMPLING_SECONDS`
-_MIN_SECONDS_LEFT = 0.1  # shown while samples are missing
+_MIN_SECONDS_LEFT = 0.1  # minimum remaining seconds to show while samples are missing
 _MIN_JUDGED = 5  # samples; with fewer, no problem is reported
 _MAX_INVALID = 0.05  # fraction of samples without a signal; the board itself bridges 100 ms
 _MAX_SPIKES = 0.03  # fraction of lone wild values

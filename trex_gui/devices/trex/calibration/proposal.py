@@ -10,7 +10,7 @@ from trex_gui.devices.trex.calibration.travel import Task, Travel, Way
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibration
 
 _INSIDE = 0.01  # fraction of the travel between the proposed and the measured end
-_INSIDE_DEVIATIONS = 3.0  # standard deviations of the noise, added to this distance
+_INSIDE_DEVIATIONS = 3.0  # standard deviations of the noise, added to `_INSIDE`
 _MIN_IDLE = 1 / 3  # minimum distance of an unreached end, as a fraction of the other distance
 
 WHY_THESE_VALUES = tr_noop(
@@ -18,7 +18,7 @@ WHY_THESE_VALUES = tr_noop(
     "full output is reliably reached. The deadband covers the noise at rest, but is at least {0}, "
     "since a stick does not return to exactly the same place each time."
 )
-"""Reasons common to all channels. `{0}` is the least deadband."""
+"""Reasons common to all channels. `{0}` is the smallest deadband."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +60,7 @@ def _distance(neutral: Neutral, travel: Travel, way: Way) -> int:
     """Return the distance of the proposed end from rest, in counts.
 
     If a switch or a throttle rests at an end, this end is the limit of the input. The auxiliary
-    motor turns for both signs, and a change of the trim must not command full speed.
+    motor turns for both signs, and a changed trim must not command full speed.
     """
     length = travel.length(way)
     if travel.reached(way):

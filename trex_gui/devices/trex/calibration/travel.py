@@ -23,7 +23,7 @@ HELD = 6
 repeats a wild value if the next pulses are lost."""
 
 _SLOW_HELD = 3  # `HELD` on a slow line, where three samples take longer than 100 ms
-WINDOW = 2 * HELD - 1  # samples of a median, which ignores up to five wild samples
+WINDOW = 2 * HELD - 1  # samples per median, which ignores up to five wild samples
 
 _SLOW = 0.05
 """Maximum seconds between samples on a fast line. A wild pulse lasts 20 ms, so a slow line never
@@ -36,7 +36,7 @@ _MANY_INVALID = 0.1  # minimum fraction of samples without a signal to report
 _MIN_SAMPLES = 25  # for a meaningful fraction of invalid samples
 _TIMES = 16  # number of samples for measuring their interval
 _MIN_HOLD = 0.3  # seconds; a user cannot hold a stick for a shorter time on purpose
-_RAIL = 5  # counts (24 mV) from a limit of the range; closer voltages are at it (inferred)
+_RAIL = 5  # counts; a voltage within 24 mV of a range limit is at this limit (inferred)
 
 _MOSTLY = 0.75
 """Fraction of the travel. The direction that covers it first is the first direction. Inferred: a
@@ -237,7 +237,7 @@ class Travel:
 
     @property
     def hold_seconds(self) -> float:
-        """Seconds to hold an end, for one sample more than must agree."""
+        """Seconds for which an end must be held, including one spare sample."""
         held = _SLOW_HELD if self.is_slow else HELD
         return max(_MIN_HOLD, (held + 1) * self.interval)
 

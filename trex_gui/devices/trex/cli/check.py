@@ -113,7 +113,7 @@ def check_settings(
     """Check a settings file without a board. With OUT, write the checked file there.
 
     Lists errors and warnings by line on standard error; - is standard input or output. With
-    --fix, values with units become wire values, numbers outside a range become its nearest limit,
+    --fix, values with units become wire values, numbers outside a range become the nearest limit,
     and the proposals of warnings are accepted. With --for, values with another meaning for the
     other board are converted, and settings that it does not have become comments. Each change is
     listed; comments and order are kept. Nothing is written while errors remain.

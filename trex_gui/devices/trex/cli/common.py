@@ -314,7 +314,7 @@ PORT_REPORTS = PortReports(_identify, _describe, row_of)
 
 
 def specs_of(name: str) -> list[ParameterSpec]:
-    """Return a parameter's spec for each model and firmware. UsageError if none has it."""
+    """Return a parameter's spec for each model and firmware. UsageError if there is none."""
     specs = []
     for model in device_table().models:
         for firmware in model.firmware:

@@ -84,7 +84,7 @@ class ComparisonCommand(click.Command):
 def _print_differences(
     before: Settings, after: Settings, names: tuple[str, str], *, as_json: bool
 ) -> bool:
-    """Print the differences of settings. Return whether they are equal."""
+    """Print the differences between settings. Return whether they are equal."""
     if before.product != after.product:
         say(
             f"Warning: these settings are for different models: {names[0]} "
@@ -107,8 +107,8 @@ def _print_differences(
 def get_settings(file: str, **options: Any) -> None:
     """Save the board's settings to FILE. - is standard output.
 
-    FILE has all parameters, the notes saved on this computer, and the calibrations of the active
-    input source, because the board hides the others. An existing file is replaced.
+    FILE contains all parameters, the notes saved on this computer, and the calibrations of the
+    active input source, because the board hides the others. An existing file is replaced.
     """
     with open_line(link_settings(options)) as client:
         state = read_board(client)
@@ -170,7 +170,7 @@ def diff(first: str | None, second: str | None, last: bool, as_json: bool, **opt
 def audit(profile: str, ignored: tuple[str, ...], as_json: bool, **options: Any) -> bool:
     """Check that the board stores the settings of PROFILE. - is standard input.
 
-    Notes, and settings that PROFILE does not give, are not checked. Prints the differences, with
+    Notes, and settings that PROFILE does not contain, are not checked. Prints the differences, with
     the board's values on the left. Exit codes: 0 equal, 1 different, 2 wrong usage or not readable.
     """
     left_out = {name if name in CALIBRATION_KEYS else specs_of(name)[0].key for name in ignored}

@@ -27,7 +27,7 @@ def _complete_number(_ctx: click.Context, _param: click.Parameter, incomplete: s
 
 _HELP = """List the snapshots of settings, the newest first.
 
-Each Apply of the window and each set, set-settings, calibration set and restore-defaults saves a
+Each Apply in the window and each set, set-settings, calibration set and restore-defaults saves a
 snapshot first. To restore number 3:
 
 \b

@@ -96,7 +96,7 @@ class RecordedTraffic:
 
     @classmethod
     def load(cls, path: Path) -> "RecordedTraffic":
-        """Read a transcript without the probes of searches. SettingsError if nothing is left."""
+        """Read a transcript without the probes of searches. SettingsError if nothing remains."""
         text = load(path, tr("traffic logs"), LARGEST).decode("utf-8", "replace")
         all_rows = read_transcript(text, str(path), TrexDecoder())
         rows = [row for row in all_rows if not row.is_search]

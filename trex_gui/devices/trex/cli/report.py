@@ -48,7 +48,7 @@ def report(file: str, **options: Any) -> None:
 
 
 def _parts(options: dict[str, Any]) -> dict[str, Callable[[], str]]:
-    """Read the board for the report. `status.txt` has the error if this fails."""
+    """Read the board for the report. `status.txt` contains the error if this fails."""
     if not options["port"]:
         return {}
     settings, clock = link_settings(options), host().clock

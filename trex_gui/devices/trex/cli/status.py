@@ -82,7 +82,7 @@ def status(as_json: bool, **options: Any) -> None:
     """Show the state of the board, its measurements and its parameters.
 
     Shows the errors since the last read, which clears them in the board. The measured currents may
-    be wrong by 20 % (twin). The vendor's document gives channel 3 six bits, 0 to 63; the program
+    be wrong by 20 % (twin). In the vendor's document, channel 3 has six bits, 0 to 63. The program
     reads seven (inferred).
 
     With --json, measurements are numbers with the unit in the key, as in stream and in
@@ -92,11 +92,11 @@ def status(as_json: bool, **options: Any) -> None:
     recordings and a text; is_earlier marks line errors that an earlier search for the board may
     have caused. Each parameter has its wire value and a text.
 
-    motors has each reason why they do not follow serial commands, with its effect: stops (or may
-    stop) the motors, blocks serial commands, limits the speed, or note. leds has the pattern that
-    this state shows on the board; where a channel commands a speed and no current flows, safe-start
-    may hold the motors (inferred), and a motor without load looks the same. Past errors are not
-    among the reasons.
+    motors lists each reason why the motors do not follow serial commands, with its effect: stops
+    (or may stop) the motors, blocks serial commands, limits the speed, or note. Past errors are not
+    among the reasons. leds has the pattern that the board shows in this state. If a channel
+    commands a speed and no current flows, safe-start may hold the motors (inferred), but a motor
+    without load looks the same.
 
     setpoints has the speed at which motors 1, 2 and 3 (auxiliary) are set to turn, -127 to 127, and
     its source: channel, safe_start (it holds the motor), joint (motor 2 works with motor 1),

@@ -29,7 +29,7 @@ from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.version import __version__
 
 _ALL = range(HIGHEST_WIRE + 1)
-_SAMPLES = {0, 1, 2, 4, 8, 16, 32, 64, 127}  # values that reveal bits that are not stored
+_SAMPLES = {0, 1, 2, 4, 8, 16, 32, 64, 127}  # values that reveal unstored bits
 _SILENT = "no reply"
 _Store = Callable[[ParameterSpec, int], int]  # writes a value and returns the stored value
 
@@ -42,9 +42,9 @@ _Store = Callable[[ParameterSpec, int], int]  # writes a value and returns the s
 def survey(file: str, *, limits: bool, as_new: bool, **options: Any) -> None:
     """Write facts about a board's firmware to FILE, for the makers of this program.
 
-    Reads all 128 parameter numbers, the calibrations and every other query, which clears the error
-    bits. An unknown number is a serial error for the board, which may stop motors driven by the
-    channels. FILE names no person, computer, port or adapter, and has no notes.
+    Reads all 128 parameter numbers and the calibrations, and sends every other query, which clears
+    the error bits. An unknown number is a serial error for the board, which may stop motors driven
+    by the channels. FILE names no person, computer, port or adapter, and has no notes.
 
     With --limits, each range that no document confirms is tried: values are written and read back,
     and the setting is restored. Motors are never driven; device number and serial settings never
@@ -133,12 +133,12 @@ class _Survey:
                 middle = (good + bad) // 2
                 good, bad = (middle, bad) if accepts(middle) else (good, middle)
         accepted = list(filter(accepts, sorted({*tried, *_SAMPLES} & {*values})))
-        whole: Sequence[int] = range(accepted[0], accepted[-1] + 1)
-        if not all(map(accepts, tried.keys() & whole)):  # the range has gaps
-            whole = values
+        candidates: Sequence[int] = range(accepted[0], accepted[-1] + 1)
+        if not all(map(accepts, tried.keys() & candidates)):  # the range has gaps
+            candidates = values
         altered = [f"{w} as {s}" for w, s in sorted(tried.items()) if s not in {None, w}]
         number = f"0x{spec.number:02X}"
-        self._tables["ranges"][number] = _spans(filter(accepts, whole), "d")
+        self._tables["ranges"][number] = _spans(filter(accepts, candidates), "d")
         self._tables["altered"] |= {number: ", ".join(altered)} if altered else {}
         self._try(store, spec, stored)
 

@@ -50,7 +50,7 @@ class BoardRecord:
 
     settings: Settings
     applied: datetime | None = None  # when parameters were last written; `None`: never
-    known: Mapping[InputSource, Known] = field(default_factory=dict)  # by set of calibrations
+    known: Mapping[InputSource, Known] = field(default_factory=dict)  # of the calibrations
     adapter: str = ""  # key of the last adapter; empty if unknown
     trial: TimeoutTrial | None = None  # serial timeout trial; `None`: never tried
 

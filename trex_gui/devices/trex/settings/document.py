@@ -25,9 +25,9 @@ REACH = (  # parameters that a connection to the board depends on
 class Settings:
     product: Model
     firmware: str | None = None  # `None`: unknown
-    parameters: Mapping[str, int] = field(default_factory=dict)  # wire values by key
+    parameters: Mapping[str, int] = field(default_factory=dict)  # key → wire value
     calibrations: Mapping[CalibrationKey, Calibration] = field(default_factory=dict)
-    notes: Mapping[str, str] = field(default_factory=dict)  # by key; see `settings.notes`
+    notes: Mapping[str, str] = field(default_factory=dict)  # key → note; see `settings.notes`
 
     @property
     def specs(self) -> ParameterSet:
@@ -70,7 +70,7 @@ class Settings:
 
 
 def open_values(specs: ParameterSet, parameters: Mapping[str, int]) -> dict[str, int]:
-    """Return the values that only an unsourced limit excludes."""
+    """Return the values that only a limit without a source excludes."""
     return {
         spec.key: parameters[spec.key]
         for spec in specs.readable

@@ -1,8 +1,8 @@
 """Change values in a settings file without reformatting its text.
 
 A round trip through ruamel.yaml retains comments and order, but not spaces around colons, margins,
-mappings in braces over several lines, `+5`, comments after `...` or line ends. Therefore
-the text is edited at the positions of ruamel.yaml's nodes.
+mappings in braces over several lines, plus signs, comments after `...` or line ends. Therefore the
+text is edited at the positions of ruamel.yaml's nodes.
 """
 
 import re
@@ -34,7 +34,7 @@ _MIN_GAP = 2  # spaces between a value and its comment
 
 
 def amend(text: str, settings: Settings, name: str = "settings") -> str:
-    """Change the text of a settings file to `settings`. Errors call the file `name`.
+    """Change the text of a settings file to `settings`. `name` is the file name for errors.
 
     Changed values are replaced in place, in their number base. A comment beside a value is
     updated if the program wrote it. The user's comments do not change. Notes are changed in place.
@@ -99,8 +99,8 @@ class _Document:
         self._edits: dict[int, list[tuple[int, int, str]]] = defaultdict(list)
         self._comments: dict[int, str] = {}
         self._insertions: dict[int, str] = {}  # line number → text to insert before it
-        self._removed: set[int] = set()  # line numbers
-        self.notes: dict[str, list[int]] = defaultdict(list)  # key → its line numbers
+        self._removed: set[int] = set()  # numbers of removed lines
+        self.notes: dict[str, list[int]] = defaultdict(list)  # key → line numbers of its note
         for number, line in enumerate(LINE_END.split(self.body)):
             if key := noted_key(line):
                 self.notes[key].append(number)

@@ -24,7 +24,7 @@ def noted_key(line: str) -> str:
 
 
 def read_notes(text: str) -> dict[str, str]:
-    """Return the note on each key in a text. The lines of a note are joined."""
+    """Return the notes in a text: key → note. The lines of a note are joined."""
     notes: dict[str, list[str]] = {}
     for line in LINE_END.split(text):
         key = noted_key(line)

@@ -25,7 +25,7 @@ NOT_TRIED = "ended while motors were tried"
 
 @dataclass(frozen=True, slots=True)
 class ProvisionedBoard:
-    time: str  # local, with the offset to UTC
+    time: str  # local time, with its offset from UTC
     name: str
     number: int  # device number that the board has, or may have
     board: str  # model and firmware
@@ -48,7 +48,7 @@ class ProvisionRecord:
     def __init__(self, file: Path, *, name: str = "robot {number}", first: int = 1) -> None:
         """Open or create the file.
 
-        A new board gets `name`, with `{number}` replaced, and a free number from `first` on.
+        A new board gets `name`, with `{number}` replaced, and the next free number from `first`.
 
         Raises:
             StudioError: the file cannot be used.
@@ -147,7 +147,7 @@ def fingerprint(stored: Settings) -> str:
 
 
 def result_text(wanted: Settings, stored: Settings, remaining: Collection[ComparisonRow]) -> str:
-    """Return the result for a board. `remaining` are its differences."""
+    """Return the result for a board. `remaining` contains its differences."""
     if remaining:
         return f"differs: {' '.join(row.key for row in remaining)}"
     hidden = " ".join(key for key in wanted.calibrations if key not in stored.calibrations)

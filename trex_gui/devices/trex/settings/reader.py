@@ -66,7 +66,7 @@ _MESSAGES: Mapping[str, str] = {
 def read_settings(
     text: str | bytes, name: str = "settings"
 ) -> tuple[Settings, tuple[Finding, ...]]:
-    """Return the settings in a file, and warnings. Errors call the file `name`.
+    """Return the settings in a file, and warnings. `name` is the file name for errors.
 
     Raises:
         SettingsError: the file cannot be used. The error contains all findings. Settings are only

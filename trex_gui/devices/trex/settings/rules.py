@@ -38,7 +38,7 @@ class LintFinding:
     keys: tuple[str, ...]  # affected settings
     message: str  # a sentence
     change: Mapping[str, int]  # proposed wire values by key; empty if the user must decide
-    proposal: str  # the change as a request, such as `Set Serial Timeout to 0.5 s`; or empty
+    proposal: str  # the change as a request, such as `Set Serial Timeout to 0.5 s`; may be empty
 
     @property
     def text(self) -> str:
@@ -51,8 +51,8 @@ _NO_CONTEXT = Context()
 def lint(settings: Settings, context: Context = _NO_CONTEXT) -> tuple[LintFinding, ...]:
     """Check the settings for questionable combinations. The order of findings is fixed.
 
-    A rule is silent if a setting that it needs is missing or invalid. Each change can be applied
-    alone. If two findings change the same setting, the later change resolves both.
+    A rule reports nothing if a setting that it needs is missing or invalid. Each change can be
+    applied alone. If two findings change the same setting, the later change resolves both.
     """
     case = _Case(settings.without_invalid(forced=False), context)
     return tuple(
