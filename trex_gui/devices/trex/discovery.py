@@ -84,7 +84,7 @@ def boards_by_number(
     `progress` is called with each number before its probe. Boards that share a number are left
     out.
     """
-    found: list[FoundBoard] = []
+    boards: list[FoundBoard] = []
     for number in range(NUMBERS):
         if cancelled():
             break
@@ -93,8 +93,8 @@ def boards_by_number(
             signature = board_at(client, number)
             if signature is not None:
                 settings = replace(client.settings, device_number=number)
-                found.append(FoundBoard(settings, signature, number, client.echo))
-    return found
+                boards.append(FoundBoard(settings, signature, number, client.echo))
+    return boards
 
 
 class TrexProber:
@@ -183,9 +183,9 @@ class TrexProber:
             attempt = Attempt(replace(attempt.line, detection=Detection.NONE))
         is_board = reply.kind in {ReplyKind.BOARD, ReplyKind.BOARD_WITHOUT_CRC}
         is_one_of_several = number is not None and reply.kind is ReplyKind.SEVERAL
-        found = self._confirm(wire, attempt, number) if is_board or is_one_of_several else None
-        if found is not None:
-            self.found.append(found)
+        board = self._confirm(wire, attempt, number) if is_board or is_one_of_several else None
+        if board is not None:
+            self.found.append(board)
         elif reply.kind is ReplyKind.SEVERAL:
             self._several = attempt.line
         elif reply.kind is ReplyKind.BOOT_LOADER:

@@ -351,7 +351,7 @@ class Trex:
         rows = self.compare_settings(wanted) if isinstance(wanted, str | Path) else wanted
         settings = settings_of(self.state)
         stored: dict[str, object] = {**settings.parameters}
-        stored |= {str(key): found for key, found in settings.calibrations.items()}
+        stored |= {str(key): value for key, value in settings.calibrations.items()}
         rows = tuple(row for row in rows if stored.get(row.key) != row.after)
         parameters, calibrations = values_to_write(rows)
         for key, wire in parameters:

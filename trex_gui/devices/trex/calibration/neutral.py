@@ -129,8 +129,8 @@ def measure_neutral(samples: Sequence[ChannelSample], source: InputSource) -> Ne
     noise = max(quiet) - min(quiet)
     problems: tuple[CalibrationProblem, ...] = ()
     if total >= _MIN_JUDGED:
-        found = _movement(quiet, noise, spread, source), _jitter(invalid, spikes, total)
-        problems = tuple(problem for problem in found if problem is not None)
+        candidates = _movement(quiet, noise, spread, source), _jitter(invalid, spikes, total)
+        problems = tuple(problem for problem in candidates if problem is not None)
         if not problems and noise > LIMITS[source].noisy:
             problems = (
                 CalibrationProblem(

@@ -247,8 +247,8 @@ class Travel:
     def problems(self) -> tuple[CalibrationProblem, ...]:
         if self._samples and self._invalid > self._samples / 2:
             return (no_signal(self.source),)
-        found = self._length_problem()
-        problems = () if found is None else (found,)
+        problem = self._length_problem()
+        problems = () if problem is None else (problem,)
         if self._samples >= _MIN_SAMPLES and self._invalid > _MANY_INVALID * self._samples:
             return (*problems, lost_pulses(self._invalid / self._samples, fatal=False))
         return problems

@@ -85,8 +85,8 @@ def set_command(channel: int, **options: Any) -> None:
     if len(sources) > 1:
         raise click.UsageError("A calibration is in µs or in V, not in both.")
     try:
-        wanted = Calibration(**{name: count for name, (count, _) in given.items()})
-        wanted.encode()
+        target = Calibration(**{name: count for name, (count, _) in given.items()})
+        target.encode()
     except BadRequest as error:
         raise click.UsageError(f"{error}.") from error
     with open_line_to_change(link) as (client, rates):
@@ -102,12 +102,12 @@ def set_command(channel: int, **options: Any) -> None:
         change_one(
             client,
             state,
-            replace(stored, calibrations={**stored.calibrations, key: wanted}),
+            replace(stored, calibrations={**stored.calibrations, key: target}),
             Context(port_rates=rates, used_by_line=link.line),
             name=f"Calibration of channel {channel}",
             command=f"trexcmd calibration set {channel}",
         )
-        click.echo(_text(channel, wanted, source))
+        click.echo(_text(channel, target, source))
 
 
 def _parse(name: str, text: str) -> tuple[int, InputSource | None]:

@@ -34,8 +34,8 @@ def say_warning(text: str) -> None:
 
 
 def warn(settings: Settings, context: Context) -> None:
-    for found in lint(settings, context):
-        say_warning(found.text)
+    for finding in lint(settings, context):
+        say_warning(finding.text)
 
 
 def say_changes(result: Comparison) -> None:
@@ -45,7 +45,7 @@ def say_changes(result: Comparison) -> None:
 
 
 def require_consent(
-    file: str, state: DeviceState, wanted: Mapping[str, int], *, force: bool
+    file: str, state: DeviceState, target: Mapping[str, int], *, force: bool
 ) -> None:
     """Raise SettingsError for values beyond inferred limits. `force` accepts them.
 
@@ -54,7 +54,7 @@ def require_consent(
     known, specs = AcceptedValues().of(state.signature), state.specs
     findings = [
         Finding(None, key, f"{problem}{specs[key].limits_mark}: --force lets the board decide")
-        for key, wire in open_values(specs, wanted).items()
+        for key, wire in open_values(specs, target).items()
         if wire not in known.get(key, ()) and wire != state.parameters.get(key)
         if (problem := specs[key].problem(wire)) is not None
     ]

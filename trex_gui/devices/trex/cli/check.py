@@ -39,22 +39,22 @@ class _Checked:
             self.settings = self.conversion.settings
         if fix:
             self.settings, accepted = accept_proposals(self.settings)
-            self.repairs += tuple(f"{found.proposal}: {found.message}" for found in accepted)
+            self.repairs += tuple(f"{finding.proposal}: {finding.message}" for finding in accepted)
         self.warnings = lint(self.settings)
 
     def lines(self) -> list[str]:
         lines = [f"repaired: {line}" for line in self.repairs]
         lines += map(str, self.findings)
         lines += conversion_lines(self.conversion) if self.conversion else ()
-        return [*lines, *(f"warning: {found.text}" for found in self.warnings)]
+        return [*lines, *(f"warning: {finding.text}" for finding in self.warnings)]
 
     def report(self) -> dict[str, Any]:
         return {
             "usable": self.settings is not None,
             "findings": list(map(asdict, self.findings)),
             "warnings": [
-                {name: getattr(found, name) for name in ("rule", "keys", "message", "proposal")}
-                for found in self.warnings
+                {name: getattr(finding, name) for name in ("rule", "keys", "message", "proposal")}
+                for finding in self.warnings
             ],
             "repairs": self.repairs,
             "conversion": list(map(asdict, self.conversion.rows if self.conversion else ())),

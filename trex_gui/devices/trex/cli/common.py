@@ -293,20 +293,20 @@ def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
     return PortAnswer(str(signature), signature.model.name, signature.firmware)
 
 
-def _describe(found: FoundBoard) -> str:
-    number = f", device number {found.device_number}" if found.device_number is not None else ""
-    side = " (RS-232 side)" if found.echo else ""
-    text = f"{found.signature} on {found.settings.text()}{number}{side}."
-    return f"{text}\n{found.note}".rstrip()
+def _describe(board: FoundBoard) -> str:
+    number = f", device number {board.device_number}" if board.device_number is not None else ""
+    side = " (RS-232 side)" if board.echo else ""
+    text = f"{board.signature} on {board.settings.text()}{number}{side}."
+    return f"{text}\n{board.note}".rstrip()
 
 
-def row_of(found: FoundBoard) -> dict[str, Any]:
+def row_of(board: FoundBoard) -> dict[str, Any]:
     return {
-        "product": found.signature.model.name,
-        "firmware": found.signature.firmware,
-        "detection": found.settings.line.detection.name.lower(),
-        "polynomial": f"{found.settings.polynomial:02X}",
-        "options": as_options(found.settings),
+        "product": board.signature.model.name,
+        "firmware": board.signature.firmware,
+        "detection": board.settings.line.detection.name.lower(),
+        "polynomial": f"{board.settings.polynomial:02X}",
+        "options": as_options(board.settings),
     }
 
 

@@ -52,17 +52,17 @@ def save_file(file: str, text: str) -> None:
         save(Path(file), text)
 
 
-def visible(wanted: Settings, state: DeviceState) -> Settings:
+def visible(target: Settings, state: DeviceState) -> Settings:
     """Remove the calibrations of the inactive input source, which the board hides."""
-    calibrations = wanted.calibrations
-    active = {key: found for key, found in calibrations.items() if key.source is state.source}
+    calibrations = target.calibrations
+    active = {key: value for key, value in calibrations.items() if key.source is state.source}
     if len(active) < len(calibrations):
         others = ", ".join(key for key in CalibrationKey if key in calibrations.keys() - active)
         say(
             f"Warning: {others} left out: only the calibrations for {state.source.value} inputs, "
             "the active ones, can be read and written."
         )
-    return replace(wanted, calibrations=active)
+    return replace(target, calibrations=active)
 
 
 def print_comparison(result: Comparison) -> None:
@@ -154,10 +154,10 @@ def diff(first: str | None, second: str | None, last: bool, as_json: bool, **opt
         before, after = read_file(first), read_file(second)
         names = (name_of(first), name_of(second))
     else:
-        wanted = read_file(first)
+        target = read_file(first)
         with open_line(link_settings(options)) as client:
             state = read_board(client)
-        before, after = board_settings(state), visible(wanted, state)
+        before, after = board_settings(state), visible(target, state)
         names = ("the board", name_of(first))
     return _print_differences(before, after, names, as_json=as_json)
 
@@ -174,16 +174,16 @@ def audit(profile: str, ignored: tuple[str, ...], as_json: bool, **options: Any)
     the board's values on the left. Exit codes: 0 equal, 1 different, 2 wrong usage or not readable.
     """
     left_out = {name if name in CALIBRATION_KEYS else specs_of(name)[0].key for name in ignored}
-    wanted = read_file(profile)
+    target = read_file(profile)
     with open_line(link_settings(options)) as client:
         state = read_board(client)
-    wanted = visible(wanted, state)
-    keys = wanted.keys - left_out
+    target = visible(target, state)
+    keys = target.keys - left_out
     for key in keys & state.unread.keys():
         raise CommandFailed(f"{key} could not be read: {state.unread[key]}")
-    stored, wanted = (replace(s.only(keys), notes={}) for s in (settings_of(state), wanted))
+    stored, target = (replace(s.only(keys), notes={}) for s in (settings_of(state), target))
     names = "the board", name_of(profile)
-    return _print_differences(stored, wanted, names, as_json=as_json)
+    return _print_differences(stored, target, names, as_json=as_json)
 
 
 @click.command()

@@ -55,7 +55,7 @@ def history(ctx: click.Context, words: str | None, as_json: bool) -> None:
 def _list(words: str, *, as_json: bool) -> None:
     history = SettingsHistory()
     terms = words.casefold().split()
-    found = [
+    matches = [
         (number, snapshot)
         for number, snapshot in enumerate(history.snapshots(), 1)
         if all(word in " ".join(_cells(number, snapshot)).casefold() for word in terms)
@@ -63,19 +63,19 @@ def _list(words: str, *, as_json: bool) -> None:
     if problem := history.limit().problem:
         say(f"Warning: {problem}")
     if as_json:
-        print_json([_json_row(number, snapshot) for number, snapshot in found])
+        print_json([_json_row(number, snapshot) for number, snapshot in matches])
         return
-    if not found and terms:
+    if not matches and terms:
         say("No snapshot has these words.")
         return
-    if not found:
+    if not matches:
         say(
             "There are no snapshots yet. Each Apply and each command that changes settings first "
             f"saves a snapshot in {history.folder}."
         )
         return
     titles = ("", "Time", "Board", "No.", "Adapter", "Before", "Name", "Note")
-    cells = [titles, *(_cells(number, snapshot) for number, snapshot in found)]
+    cells = [titles, *(_cells(number, snapshot) for number, snapshot in matches)]
     while not any(row[-1] for row in cells[1:]):  # drop empty columns
         cells = [row[:-1] for row in cells]
     widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
@@ -100,7 +100,7 @@ def show(which: str, as_json: bool) -> None:
         "product": settings.product.name,
         "firmware": settings.firmware,
         "parameters": dict(settings.parameters),
-        "calibrations": {key: asdict(found) for key, found in settings.calibration_items()},
+        "calibrations": {key: asdict(value) for key, value in settings.calibration_items()},
     }
     print_json(report)
 
@@ -185,7 +185,7 @@ def _count(word: str) -> int | None:
 def _path_of(word: str) -> Path:
     """Return the file of a snapshot by number or name. Any other word is a path."""
     is_number = word.isdecimal() and len(word) <= 9
-    if not is_number and all(found.name != word for found in SettingsHistory().snapshots()):
+    if not is_number and all(snapshot.name != word for snapshot in SettingsHistory().snapshots()):
         return Path(word)
     return _snapshot_of(word).path
 

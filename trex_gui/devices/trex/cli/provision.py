@@ -88,10 +88,10 @@ def provision(
         )
     if pulse and not sys.stdin.isatty():
         raise click.UsageError("--pulse needs a terminal, because a pipe cannot report a held key.")
-    wanted = read_file(profile)
+    target = read_file(profile)
     with refusals():
         record = ProvisionRecord(Path(file), name=name, first=first)
-        setup = _Setup(link, profile, wanted, record, pulses=pulse)
+        setup = _Setup(link, profile, target, record, pulses=pulse)
         done = 0
         while done != limit and setup.set_up_next(is_last=done + 1 == limit):
             done += 1
@@ -102,7 +102,7 @@ def provision(
 class _Setup:
     link: ConnectionSettings
     profile: str
-    wanted: Settings  # content of the profile
+    target: Settings  # content of the profile
     record: ProvisionRecord
     pulses: bool
 
@@ -198,7 +198,7 @@ class _Setup:
                             return NOT_TRIED
         except StudioError as error:
             return str(error)
-        return result_text(self.wanted, settings_of(trex.state), remaining)
+        return result_text(self.target, settings_of(trex.state), remaining)
 
 
 def pulse(trex: Trex, motor: int, typed: Callable[[], str]) -> bool:

@@ -63,14 +63,14 @@ class RemoteTransport:
             raise NoReply(getattr(connected, "reason", ""))
         self.settings = connected.settings  # with the device number that the server uses
 
-    def _wait_for(self, is_wanted: Callable[[Report], object], seconds: float) -> Report:
+    def _wait_for(self, is_awaited: Callable[[Report], object], seconds: float) -> Report:
         end = self.clock() + seconds
         while (left := end - self.clock()) > 0:
             report: Report | None = self._reports.get(left)
             if isinstance(report, Closed):
                 self._closed = report
                 raise report.error or PortUnavailable("The connection was closed.")
-            if report is not None and is_wanted(report):
+            if report is not None and is_awaited(report):
                 return report
         raise NoReply(f"The server did not answer within {seconds:g} s.")
 

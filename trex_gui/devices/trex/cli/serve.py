@@ -225,22 +225,22 @@ def robots(hosts: tuple[str, ...], release: str | None, *, as_json: bool) -> Non
     """
     with refusals():
         with Robots() as boards:
-            found = boards.find(hosts)
+            rows = boards.find(hosts)
         if release is not None:
-            found = [row for row in found if release in {row["name"], row["url"]}]
-            for row in found:
+            rows = [row for row in rows if release in {row["name"], row["url"]}]
+            for row in rows:
                 with Trex(row["url"]) as trex:  # the end of the block returns the lease
                     trex.request_lease(take=True)
                 row["driver"] = None
     if as_json:
-        print_json(found)
+        print_json(rows)
         return
-    for row in found:
+    for row in rows:
         board = row["board"] or "no board"
         state = "responds" if row["responds"] else "does not respond"
         driver = f"{row['driver']} drives" if row["driver"] else "no driver"
         problems = f"; {', '.join(row['problems'])}" if row["problems"] else ""
         click.echo(f"{row['url']}  {board}, {state}, {driver}{problems}")
-    if not found:
+    if not rows:
         named = "" if release is None else f" named {release}"
         raise CommandFailed(f"No server has a board{named} for this user.")

@@ -97,23 +97,23 @@ def set_settings(
     With --devices, every board is read and checked before the first is written. The first error
     ends the command: later boards are unchanged.
     """
-    wanted = read_file(file)
+    target = read_file(file)
     base = link_settings(options)
     command = shell_words("trexcmd", "set-settings", file)
     review = partial(_review, file, dry_run=dry_run, convert=convert, force=force)
     if devices is None:
         with open_line_to_change(base) as (client, rates):
-            state, rows = review(wanted, client, rates)
+            state, rows = review(target, client, rates)
             if rows:
                 _write(client, base, state, command, rows)
         return
-    wanted = wanted.without(REACH)
+    target = target.without(REACH)
     work = []
     for number in devices:
         say(f"Device {number}:")
         link = replace(base, device_number=number)
         with open_line_to_change(link) as (client, rates):
-            work.append((link, *review(wanted, client, rates)))
+            work.append((link, *review(target, client, rates)))
     for link, state, rows in work:
         if rows:
             say(f"Device {link.device_number}:")
@@ -123,7 +123,7 @@ def set_settings(
 
 def _review(
     file: str,
-    wanted: Settings,
+    target: Settings,
     client: TrexClient,
     rates: frozenset[int] | None,
     *,
@@ -134,13 +134,13 @@ def _review(
     """Report the changes to the board. Return its state, and the rows to write."""
     state = read_board(client)
     if convert:
-        conversion = convert_settings(wanted, state.signature.model, state.signature.firmware)
+        conversion = convert_settings(target, state.signature.model, state.signature.firmware)
         for line in conversion_lines(conversion):
             say(f"{name_of(file)}: {line}")
-        wanted = conversion.settings
-    wanted = _fitted(file, wanted, state)
+        target = conversion.settings
+    target = _fitted(file, target, state)
     stored = board_settings(state)
-    result = compare(stored, wanted)
+    result = compare(stored, target)
     after = settings_after(stored, ((row.key, row.after) for row in result.rows))
     say(f"{result.summary()}.")
     warn(after, Context(port_rates=rates, used_by_line=client.settings.line))
@@ -148,29 +148,29 @@ def _review(
         print_comparison(result)
         return state, []
     if result.changed:
-        require_consent(name_of(file), state, wanted.parameters, force=force)
+        require_consent(name_of(file), state, target.parameters, force=force)
         require_serial_mode(state, "These settings")
         say_changes(result)
-    save_notes(client, state, wanted.notes)
+    save_notes(client, state, target.notes)
     return state, [row for row in result.rows if row.changed]
 
 
-def _fitted(file: str, wanted: Settings, state: DeviceState) -> Settings:
+def _fitted(file: str, target: Settings, state: DeviceState) -> Settings:
     """Return the settings of a file for this board. SettingsError if they do not fit."""
     board = state.signature
-    if wanted.product != board.model:
+    if target.product != board.model:
         message = (
-            f"these are settings of a {wanted.product.name}, the board is a {board}; --convert "
+            f"these are settings of a {target.product.name}, the board is a {board}; --convert "
             "carries over what fits"
         )
         raise SettingsError(name_of(file), [Finding(1, "product", message)])
     known = {spec.key for spec in state.specs.readable}
-    if unknown := [key for key in wanted.parameters if key not in known]:
+    if unknown := [key for key in target.parameters if key not in known]:
         message = f"{board} does not have it; --convert leaves it out"
         raise SettingsError(name_of(file), [Finding(None, key, message) for key in unknown])
-    if wanted.firmware not in {None, board.firmware}:
-        say(f"Warning: these settings are for firmware {wanted.firmware}, the board is a {board}.")
-    return replace(visible(wanted, state), firmware=board.firmware)
+    if target.firmware not in {None, board.firmware}:
+        say(f"Warning: these settings are for firmware {target.firmware}, the board is a {board}.")
+    return replace(visible(target, state), firmware=board.firmware)
 
 
 def _write(

@@ -177,17 +177,17 @@ def boards(as_json: bool, **options: Any) -> None:
     link = link_settings(options)
     progress = ProgressLine("Asking")
     with open_line(link) as client, Interruption() as interrupted, progress as line:
-        found = boards_by_number(
+        reachable = boards_by_number(
             client,
             lambda number: line(number, NUMBERS, f"for number {number}"),
             interrupted.__bool__,
         )
     if as_json:
-        print_json([{"device_number": board.device_number, **row_of(board)} for board in found])
+        print_json([{"device_number": board.device_number, **row_of(board)} for board in reachable])
     else:
-        for board in found:
+        for board in reachable:
             click.echo(f"{board.device_number}\t{board.signature}\t{row_of(board)['options']}")
-    if not found:
+    if not reachable:
         raise CommandFailed(f"No board replies to a device number on {link.text()}.")
 
 

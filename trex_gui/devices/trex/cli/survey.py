@@ -56,16 +56,16 @@ def survey(file: str, *, limits: bool, as_new: bool, **options: Any) -> None:
             require_serial_mode(state, "Trying values")
             question = "Write values to the settings whose range has no source, and restore them?"
             click.confirm(question, abort=True, err=True)
-        found = _Survey(client)
+        facts = _Survey(client)
         with ProgressLine("Reading") as line:
             for number in _ALL:
                 line(number, len(_ALL), f"parameter {number:02X}")
-                found.read(number)
+                facts.read(number)
         if limits:
             specs = [
                 spec
                 for spec, stored in settings_of(state).parameter_items()
-                if spec.number in found.stored and spec.key not in REACH
+                if spec.number in facts.stored and spec.key not in REACH
                 if spec.grade("min", "max") > Grade.SOURCED
                 if not spec.problem(stored, forced=True)
             ]
@@ -78,8 +78,8 @@ def survey(file: str, *, limits: bool, as_new: bool, **options: Any) -> None:
             ):
                 for done, spec in enumerate(specs):
                     line(done, len(specs), spec.name)
-                    found.find_range(spec, state.parameters[spec.key], store, interrupted)
-        text = found.text(state.signature, as_new=as_new)
+                    facts.find_range(spec, state.parameters[spec.key], store, interrupted)
+        text = facts.text(state.signature, as_new=as_new)
         click.echo(text, nl=False)  # first, so that nothing is lost if the file cannot be written
         save(Path(file), text)
 

@@ -62,13 +62,13 @@ class BoardRecord:
 
     def calibrations(self, source: InputSource) -> dict[CalibrationKey, Calibration]:
         calibrations = self.settings.calibrations
-        return {key: found for key, found in calibrations.items() if key.source is source}
+        return {key: value for key, value in calibrations.items() if key.source is source}
 
     def applied_to(self, stored: Settings) -> Settings:
         """Return the applied settings without the calibrations that the board hides."""
         applied = {
-            key: found
-            for key, found in self.settings.calibrations.items()
+            key: value
+            for key, value in self.settings.calibrations.items()
             if key in stored.calibrations and self.known[key.source].is_applied
         }
         return replace(self.settings, firmware=stored.firmware, calibrations=applied)

@@ -127,16 +127,16 @@ def compare(before: Settings, after: Settings) -> Comparison:
     return Comparison((*rows, *_calibration_rows(before, after)), tuple(reasons.values()))
 
 
-def compare_with_board(stored: Settings, source: InputSource, wanted: Settings) -> Comparison:
-    """Compare stored settings with wanted settings. BadRequest if they do not fit the board.
+def compare_with_board(stored: Settings, source: InputSource, target: Settings) -> Comparison:
+    """Compare stored settings with `target`. BadRequest if they do not fit the board.
 
     Only calibrations for `source` are compared, because the board hides all others.
     """
-    if wanted.product.key != stored.product.key:
+    if target.product.key != stored.product.key:
         text = tr("These settings are for a {0}, not a {1}")
-        raise BadRequest(text.format(wanted.product.name, stored.product.name))
-    visible = {key: found for key, found in wanted.calibrations.items() if key.source is source}
-    result = compare(stored, replace(wanted, calibrations=visible))
+        raise BadRequest(text.format(target.product.name, stored.product.name))
+    visible = {key: value for key, value in target.calibrations.items() if key.source is source}
+    result = compare(stored, replace(target, calibrations=visible))
     if result.left_out:
         raise BadRequest(" ".join(result.left_out))
     return result

@@ -93,7 +93,7 @@ class _Document:
             start, end = key.start_mark.index, _end_of(value)
             last = start + len(body[start:end].rstrip())
             self.entries[str(key.value)] = _Entry(start, last, value)
-        self._line_starts = [0, *(found.end() for found in LINE_END.finditer(body))]
+        self._line_starts = [0, *(line_end.end() for line_end in LINE_END.finditer(body))]
         self._line_ends = [*self._line_starts[1:], len(body)]
         # Line number → start column, end column and replacement of each edit.
         self._edits: dict[int, list[tuple[int, int, str]]] = defaultdict(list)
@@ -184,8 +184,8 @@ class _Document:
     @property
     def _line_end(self) -> str:
         """First line end of the text, if it is CR, LF or CRLF. Otherwise LF."""
-        found = LINE_END.search(self.body)
-        return found[0] if found and found[0] in {"\r\n", "\n", "\r"} else "\n"
+        end = LINE_END.search(self.body)
+        return end[0] if end and end[0] in {"\r\n", "\n", "\r"} else "\n"
 
     def _edit(self, start: int, end: int, new: str) -> None:
         number = self._line_at(start)

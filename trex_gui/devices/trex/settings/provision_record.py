@@ -146,9 +146,9 @@ def fingerprint(stored: Settings) -> str:
     return hashlib.sha256(repr(sorted(stored.calibrations.items())).encode()).hexdigest()[:8]
 
 
-def result_text(wanted: Settings, stored: Settings, remaining: Collection[ComparisonRow]) -> str:
+def result_text(target: Settings, stored: Settings, remaining: Collection[ComparisonRow]) -> str:
     """Return the result for a board. `remaining` contains its differences."""
     if remaining:
         return f"differs: {' '.join(row.key for row in remaining)}"
-    hidden = " ".join(key for key in wanted.calibrations if key not in stored.calibrations)
+    hidden = " ".join(key for key in target.calibrations if key not in stored.calibrations)
     return f"ok, without {hidden}" if hidden else "ok"

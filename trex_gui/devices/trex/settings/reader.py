@@ -79,7 +79,7 @@ def read_settings(
     if content[-1:] not in {"\n", "\r"}:
         reader.warn(len(content.splitlines()), None, "unterminated")
     findings = reader.sorted_findings()
-    if settings is None or any(found.severity is Severity.ERROR for found in findings):
+    if settings is None or any(f.severity is Severity.ERROR for f in findings):
         raise SettingsError(name, findings)
     return settings, findings
 
@@ -143,10 +143,12 @@ class _Reader:
 
     def sorted_findings(self) -> tuple[Finding, ...]:
         """Return the findings by line. Findings about the whole file come last."""
-        found = sorted(self.findings, key=lambda f: (f.line is None, f.line or 0))
+        findings = sorted(self.findings, key=lambda f: (f.line is None, f.line or 0))
         if self.left_out:
-            found.append(_finding(None, None, "more_errors", Severity.ERROR, count=self.left_out))
-        return tuple(found)
+            findings.append(
+                _finding(None, None, "more_errors", Severity.ERROR, count=self.left_out)
+            )
+        return tuple(findings)
 
     def read(self, root: MappingNode, notes: Mapping[str, str]) -> Settings | None:
         """Return the settings. `None` if the product is missing or unknown."""
@@ -180,38 +182,38 @@ class _Reader:
 
     def _product(self, entries: Mapping[str, _Entry]) -> Model | None:
         models = device_table().models
-        wanted = tr(" or ").join(f"'product: {model.name}'" for model in models)
-        found = entries.get("product")
-        if found is None:
-            self.error(1, None, "product_missing", wanted=wanted)
+        expected = tr(" or ").join(f"'product: {model.name}'" for model in models)
+        entry = entries.get("product")
+        if entry is None:
+            self.error(1, None, "product_missing", wanted=expected)
             return None
         if next(iter(entries)) != "product":
-            self.error(found.line, "product", "product_not_first")
-        given = _scalar_text(found.value)
+            self.error(entry.line, "product", "product_not_first")
+        given = _scalar_text(entry.value)
         names = tr(" or ").join(model.name for model in models)
-        fields = {"models": names, "given": _given_text(found.value)}
+        fields = {"models": names, "given": _given_text(entry.value)}
         for model in models:
             if _normalised(given) in {_normalised(model.name), _normalised(model.key)}:
                 if given != model.name:
                     fields["model"] = model.name
-                    self.error(found.line, "product", "product_misspelt", **fields)
-                    self.fix("product", found, model.name, model.name)
+                    self.error(entry.line, "product", "product_misspelt", **fields)
+                    self.fix("product", entry, model.name, model.name)
                 return model
-        self.error(found.line, "product", "product_unknown", **fields)
+        self.error(entry.line, "product", "product_unknown", **fields)
         return None
 
-    def _firmware(self, found: _Entry | None, product: Model) -> str | None:
-        if found is None:
+    def _firmware(self, entry: _Entry | None, product: Model) -> str | None:
+        if entry is None:
             return None
-        given = _scalar_text(found.value)
+        given = _scalar_text(entry.value)
         known = product.firmware
         if not _FIRMWARE.fullmatch(given):
-            fields = {"newest": known[-1], "given": _given_text(found.value)}
-            self.error(found.line, "firmware", "firmware_invalid", **fields)
+            fields = {"newest": known[-1], "given": _given_text(entry.value)}
+            self.error(entry.line, "firmware", "firmware_invalid", **fields)
             return None
         if not version_key(known[0]) <= version_key(given) <= version_key(known[-1]):
             fields = {"oldest": known[0], "newest": known[-1], "given": given}
-            self.warn(found.line, "firmware", "firmware_unknown", **fields)
+            self.warn(entry.line, "firmware", "firmware_unknown", **fields)
         return given
 
     def _read_parameter(

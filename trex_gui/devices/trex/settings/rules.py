@@ -71,14 +71,14 @@ def accept_proposals(settings: Settings) -> tuple[Settings, tuple[LintFinding, .
     accepted: dict[tuple[str, tuple[str, ...]], LintFinding] = {}
     for _ in RULES:
         new = {
-            (found.rule, found.keys): found
-            for found in lint(settings)
-            if found.change and (found.rule, found.keys) not in accepted
+            (finding.rule, finding.keys): finding
+            for finding in lint(settings)
+            if finding.change and (finding.rule, finding.keys) not in accepted
         }
         if not new:
             break
         accepted |= new
-        changes = {key: wire for found in new.values() for key, wire in found.change.items()}
+        changes = {key: wire for finding in new.values() for key, wire in finding.change.items()}
         settings = replace(settings, parameters={**settings.parameters, **changes})
     return settings, tuple(accepted.values())
 
@@ -255,17 +255,17 @@ def _required_but_ignored(case: _Case) -> Iterator[_Match]:
 
 def _motor_calibrations(case: _Case) -> Iterator[tuple[CalibrationKey, Calibration]]:
     items = case.settings.calibration_items()
-    return ((key, found) for key, found in items if key.channel in _MOTOR_CHANNELS)
+    return ((key, calibration) for key, calibration in items if key.channel in _MOTOR_CHANNELS)
 
 
 def _deadband_over_travel(case: _Case) -> Iterator[_Match]:
-    for key, found in _motor_calibrations(case):
+    for key, calibration in _motor_calibrations(case):
         ends = {
-            tr("minimum"): found.neutral - found.minimum,
-            tr("maximum"): found.maximum - found.neutral,
+            tr("minimum"): calibration.neutral - calibration.minimum,
+            tr("maximum"): calibration.maximum - calibration.neutral,
         }
         # An end equal to neutral is intended: the channel has only one direction.
-        if lost := [end for end, travel in ends.items() if 0 < travel <= found.deadband]:
+        if lost := [end for end, travel in ends.items() if 0 < travel <= calibration.deadband]:
             text = tr(
                 "The deadband of {channel} reaches from neutral to its {ends}: there is nothing "
                 "between standstill and full speed on that side."
@@ -274,7 +274,7 @@ def _deadband_over_travel(case: _Case) -> Iterator[_Match]:
 
 
 def _end_out_of_reach(case: _Case) -> Iterator[_Match]:
-    for key, found in _motor_calibrations(case):
+    for key, calibration in _motor_calibrations(case):
         lowest = _SHORTEST_PULSE if key.source is InputSource.RC else 0
         highest = key.source.highest_count
         text = tr(
@@ -282,10 +282,10 @@ def _end_out_of_reach(case: _Case) -> Iterator[_Match]:
             "measures: full speed on that side is never reached."
         )
         ends = []
-        if found.minimum < min(lowest, found.neutral):
-            ends.append((tr("minimum"), found.minimum, lowest))
-        if found.maximum > max(highest, found.neutral):
-            ends.append((tr("maximum"), found.maximum, highest))
+        if calibration.minimum < min(lowest, calibration.neutral):
+            ends.append((tr("minimum"), calibration.minimum, lowest))
+        if calibration.maximum > max(highest, calibration.neutral):
+            ends.append((tr("maximum"), calibration.maximum, highest))
         for end, count, limit in ends:
             message = text.format(end=end, channel=key.label, count=count, limit=limit)
             yield _Match((key,), message)

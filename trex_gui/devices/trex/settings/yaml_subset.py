@@ -86,8 +86,8 @@ def _damaged(text: str, name: str, message: str, line: int) -> SettingsError:
     """Return the error for invalid YAML, with the likely cause if known."""
     if not _PRODUCT.search(text):
         line, message = 1, tr("these are not settings of a TReX, which begin with 'product: TReX'")
-    elif found := _UNSPACED.search(text):  # YAML reads a word here and rejects a later line
-        first = len(LINE_END.findall(text, 0, found.start())) + 1
+    elif match := _UNSPACED.search(text):  # YAML reads a word here and rejects a later line
+        first = len(LINE_END.findall(text, 0, match.start())) + 1
         if first <= line:
             line, message = first, tr("type an ordinary space after the colon")
     return SettingsError.of(name, message, line)
