@@ -146,7 +146,7 @@ class Trex:
     def __enter__(self) -> Self:
         """Open the port and read the board. No motor moves."""
         if self._opened is not None and self._opened.session.closed is None:
-            raise PortUnavailable("The line is open already.")
+            raise PortUnavailable("The line is already open.")
         session = OpenSession(self.settings)
         (self._opened,) = session.boards.values()
         session.open()
@@ -541,7 +541,7 @@ class TrexLine:
     def __enter__(self) -> Self:
         """Open the port and read every board. No motor moves."""
         if self._session is not None and self._session.closed is None:
-            raise PortUnavailable("The line is open already.")
+            raise PortUnavailable("The line is already open.")
         session = self._session = OpenSession(self._settings)
         for number, board in session.boards.items():
             if number is not None:

@@ -36,7 +36,7 @@ TREX = DevicePlugin(
         "diff": _command("files:diff", "Compare settings files, or a file with the board."),
         "audit": _command("files:audit", "Check the board against a settings file."),
         "provision": _command(
-            "provision:provision", "Set up one board after the other, on the same cable."
+            "provision:provision", "Set up one board after another, on the same cable."
         ),
         "history": _command(
             "history:history", "List the snapshots of settings saved before each change."

@@ -173,7 +173,7 @@ def test_restore_defaults_lists_changes_before_prompt(
     result = trexcmd("restore-defaults", stdin="n\n", exits=1)
     said, question, _ = result.stderr.partition("Reset every parameter")
     assert question
-    assert "What will change, 3 of 28 parameters:\n" in said
+    assert "3 of 28 parameters will change:\n" in said
     rows = {line.split()[0]: line.split()[1:4] for line in said.splitlines() if "→" in line}
     assert rows == {
         "device_number": ["9", "→", "7"],
@@ -280,7 +280,7 @@ def test_notes_of_a_file_are_kept_for_the_board(trexcmd: RunCommand, tmp_path: P
 
 def test_last_applied_settings_are_compared_with_board(trexcmd: RunCommand) -> None:
     nothing = trexcmd("diff", "--last", exits=2)
-    assert "Nothing was applied to this board from this computer yet." in nothing.stderr
+    assert "No settings were applied to this board from this computer yet." in nothing.stderr
     trexcmd("diff", exits=2)
     trexcmd("diff", "--last", "x.txt", exits=2)
 
@@ -295,7 +295,7 @@ def test_last_applied_settings_are_compared_with_board(trexcmd: RunCommand) -> N
     trexcmd("raw", "AF 07 00 55 2A")  # by another program
     lost = trexcmd("diff", "--last", exits=1)
     assert " ".join(lost.stdout.split()) == "serial_timeout 0 → 15 off → 1.5 s"
-    assert "New: what was applied 20" in lost.stderr
+    assert "New: the settings applied on 20" in lost.stderr
 
 
 def test_force_stores_and_remembers_open_value(

@@ -30,7 +30,7 @@ def save_snapshot(minutes: int = 0, reason: str = "Apply of 1 setting", **values
 def test_empty_history_explains_when_snapshots_are_taken(trexcmd: RunCommand) -> None:
     result = trexcmd("history")
     assert result.stdout == ""
-    assert "Before each Apply" in result.stderr
+    assert "Each Apply" in result.stderr
     assert json.loads(trexcmd("history", "--json").stdout) == []
     assert "no snapshots" in trexcmd("history", "path", "1", exits=2).stderr
     trexcmd("history", "show", "99", exits=2)
@@ -168,7 +168,7 @@ def test_snapshot_is_called_by_its_name(trexcmd: RunCommand) -> None:
     row = json.loads(trexcmd("history", "--json").stdout)[1]
     assert (row["name"], row["note"]) == ("contest", "as it won")
     trexcmd("history", "name", "contest", "", "--note", "")
-    assert "neither a number" in trexcmd("history", "path", "contest", exits=2).stderr
+    assert "neither the number" in trexcmd("history", "path", "contest", exits=2).stderr
 
 
 def test_name_that_would_be_a_number_is_refused(trexcmd: RunCommand) -> None:

@@ -35,7 +35,7 @@ def test_user_is_added_behind_a_last_line_without_an_end(file: Path) -> None:
 
 def test_user_is_not_added_twice(file: Path) -> None:
     add_user(file, "alice", "drive")
-    with pytest.raises(BadRequest, match="has a user alice"):
+    with pytest.raises(BadRequest, match="already has a user alice"):
         add_user(file, "alice", "own")
 
 

@@ -104,7 +104,7 @@ def _board(
     "board",
     metavar="MODEL[-FIRMWARE]",
     callback=_board,
-    help="Convert the settings for trex or trexjr, such as trexjr-1.0; needs OUT to be written.",
+    help="Convert the settings for trex or trexjr, such as trexjr-1.0; give OUT to save them.",
 )
 @json_option
 def check_settings(

@@ -146,9 +146,10 @@ def diff(first: str | None, second: str | None, last: bool, as_json: bool, **opt
         before = board_settings(state)
         record = record_of(before)
         if record.applied is None:
-            raise CommandFailed("Nothing was applied to this board from this computer yet.")
+            raise CommandFailed("No settings were applied to this board from this computer yet.")
         after = record.applied_to(before)
-        names = ("the board", f"what was applied {record.applied.astimezone():%Y-%m-%d %H:%M}")
+        applied = f"{record.applied.astimezone():%Y-%m-%d %H:%M}"
+        names = ("the board", f"the settings applied on {applied}")
         say(f"Old: {names[0]}. New: {names[1]}.")
     elif second is not None:
         before, after = read_file(first), read_file(second)

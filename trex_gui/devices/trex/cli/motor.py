@@ -113,7 +113,7 @@ def run_motors(
     clock, open_port = host().clock, host().open_transport
     wait: Callable[[float], None] = time.sleep
     if is_served(settings.url) and host().logged:
-        raise click.UsageError("--traffic shows the line where it is: give it to trexcmd serve.")
+        raise click.UsageError("--traffic needs the serial line: give it to trexcmd serve.")
     if not is_served(settings.url):
         with refusals():  # Ctrl-C may interrupt a slow connection over the network
             transport = host().open_transport(settings)

@@ -58,7 +58,7 @@ def raw(packet: tuple[str, ...], *, motors: bool, seconds: float | None, **optio
             "is stopped afterwards."
         )
     if seconds is not None and not may_move:
-        raise click.UsageError("--seconds is for motor commands, and this has none.")
+        raise click.UsageError("--seconds needs a motor command in PACKET.")
     if may_move:
         numbered = enumerate(packets, STOP_ID + 1)
         run_motors(link, [SendPacket(number, item) for number, item in numbered], seconds)

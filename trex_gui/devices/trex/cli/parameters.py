@@ -148,7 +148,7 @@ def _announce(result: Comparison, specs: ParameterSet) -> None:
     if not result.changed:
         say("Every parameter already has its default, as far as defaults are known.")
         return
-    say(f"What will change, {result.changed} of {len(specs.readable)} parameters:")
+    say(f"{result.changed} of {len(specs.readable)} parameters will change:")
     say_changes(result)
     changing = [specs[row.key] for row in result.rows if row.changed]
     if unsure := unconfirmed_defaults(changing):

@@ -72,7 +72,7 @@ def provision(
     limit: int | None,
     **options: Any,
 ) -> None:
-    """Set up one board after the other with the settings of PROFILE, on the same cable.
+    """Set up one board after another with the settings of PROFILE, on the same cable.
 
     Waits for a board, assigns a free device number and a name to a new board, and shows the
     differences. Enter writes them, s skips the board, q ends. Every value is read back, and a line

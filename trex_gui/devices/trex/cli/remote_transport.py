@@ -112,7 +112,7 @@ class RemoteTransport:
 
     def start_guardian(self, silence: float) -> Guardian:
         del silence
-        raise PortUnavailable("The guardian of a served board is beside its server.")
+        raise PortUnavailable("The guardian of a served board runs on its server.")
 
     def close(self) -> None:
         self._inbox.put(Close())

@@ -44,14 +44,16 @@ _EVERYWHERE = "0.0.0.0"  # noqa: S104 - users are checked
 
 @click.command()
 @link_options
-@click.option("--name", default="robot", show_default=True, help="Name under which it is served.")
+@click.option(
+    "--name", default="robot", show_default=True, help="Name under which the board is served."
+)
 @click.option(
     "--listen",
     metavar="HOST:PORT",
     default=None,
     help=f"Listening address. Default: every address at {PORT} with --users, else this computer.",
 )
-@click.option("--users", "users_file", type=FileName(dir_okay=False), help="File of the users.")
+@click.option("--users", "users_file", type=FileName(dir_okay=False), help="File with the users.")
 @click.option(
     "--add-user",
     "new_user",
@@ -73,7 +75,9 @@ _EVERYWHERE = "0.0.0.0"  # noqa: S104 - users are checked
     help="Encrypt with the certificate and the key in these files.",
 )
 @boards_option
-@click.option("--install", is_flag=True, help="Print how to start it with the computer, and end.")
+@click.option(
+    "--install", is_flag=True, help="Print how to start the server with the computer, and end."
+)
 def serve(
     name: str,
     *,
@@ -105,7 +109,9 @@ def serve(
         click.echo(secret)
         return
     if not is_name(name):
-        raise click.UsageError(f"A name has letters, digits, and -_. between them, not {name!r}.")
+        raise click.UsageError(
+            f"A name consists of letters, digits, and -_. between them, not {name!r}."
+        )
     settings = grouped(link_settings(options), boards)
     with refusals():
         users = read_users(Path(users_file)) if users_file else ()
@@ -191,10 +197,10 @@ def add_user(path: Path, name: str, role: str) -> str:
         StudioError: the name cannot be used, or the file cannot be written.
     """
     if not _is_user(name):
-        raise BadRequest(f"A user has a name of letters and digits, not {name!r}.")
+        raise BadRequest(f"A user name consists of letters and digits, not {name!r}.")
     before = load(path).decode("utf-8", "replace") if path.exists() else ""
     if any(line.split()[:1] == [name] for line in before.splitlines()):
-        raise BadRequest(f"{path} has a user {name} already.")
+        raise BadRequest(f"{path} already has a user {name}.")
     if before and not before.endswith("\n"):
         before += "\n"
     secret = secrets.token_urlsafe(_SECRET_BYTES)

@@ -53,7 +53,7 @@ def _read_numbers(text: str) -> tuple[int, ...]:
             raise click.BadParameter(f"a device number is 0 to {NUMBERS - 1}, not {part!r}")
         numbers.append(int(part))
     if len(set(numbers)) < len(numbers):
-        raise click.BadParameter("each device number only once")
+        raise click.BadParameter("give each device number only once")
     return tuple(numbers)
 
 
