@@ -1,4 +1,4 @@
-"""Reasons why the motors do not follow the setpoints, and remedies."""
+"""Reasons why motors do not follow their setpoints, with remedies."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -20,15 +20,15 @@ from trex_gui.devices.trex.driving.timeout_stop import turning_text
 class DriveInputs:
     board: BoardInputs | None = None  # reports of the board; `None` if unknown
     link: DriveBlocker | None = None  # state of the connection; `None` while the board responds
-    may_move: bool = False  # motors were driven, and no stop was confirmed since
+    may_move: bool = False  # True if motors were driven and no stop was confirmed since
     driven: frozenset[int] = frozenset()  # motors that were driven, as far as known
     lost_board: str = ""  # warning that the previous board may still be driven
     silence_remedy: str = ""  # remedy for a board that is lost while driven
     other_driver: str = ""  # another user who drives this served board
     other_speeds: tuple[int, int, int] = (0, 0, 0)  # setpoints of the other user
     lacks_board: int | None = None  # number of a board in the group that cannot be driven
-    reaches_several: bool = False  # a command would reach several boards
-    locked_for: float = 0.0  # seconds
+    reaches_several: bool = False  # True if a command would reach several boards
+    locked_for: float = 0.0  # remaining lock-out time in seconds
     is_available: bool = True
     armed: bool = False
     stop_reason: str = ""
@@ -48,7 +48,7 @@ class SetpointSource(Enum):
     JOINT = auto()  # setpoint of motor 1: both drivers work as one motor
     SAFE_START = auto()  # safe-start holds the motor
     CHANNEL = auto()
-    NOT_ARMED = auto()  # serial commands control the motor, but none is sent
+    NOT_ARMED = auto()  # serial commands control the motor, but are not sent
     SERIAL = auto()
     OTHER_DRIVER = auto()  # serial commands of another user
 
@@ -57,7 +57,7 @@ class SetpointSource(Enum):
 class MotorSetpoint:
     source: SetpointSource
     speed: int = 0  # -127 to 127
-    may_turn: bool = False  # no stop was confirmed since the motors were driven
+    may_turn: bool = False  # True if no stop was confirmed since the motors were driven
 
 
 AUXILIARY = 3  # motor of channel 3
@@ -100,11 +100,11 @@ def drive_statuses(now: DriveInputs) -> tuple[DriveStatus, ...]:
         return (_silent(now),)
     if now.link is not None or now.board is None:
         return (_status(Reason(now.link or DriveBlocker.UNKNOWN)),)
-    reasons = [*board_reasons(now.board), *_own_reasons(now, by_serial=now.board.by_serial)]
+    reasons = [*board_reasons(now.board), *_program_reasons(now, by_serial=now.board.by_serial)]
     return tuple(_status(reason, now.board) for reason in worst_first(reasons))
 
 
-def _own_reasons(now: DriveInputs, *, by_serial: bool) -> Iterator[Reason]:
+def _program_reasons(now: DriveInputs, *, by_serial: bool) -> Iterator[Reason]:
     if now.armed:
         yield Reason(DriveBlocker.RUNNING)
     elif now.may_move:

@@ -1,6 +1,6 @@
 """Error bits of a board: counts, times and log events.
 
-Reading a latched bit clears it. The board latches the bit again while its cause lasts.
+Reading a latched bit clears it. The board latches the bit again while its cause persists.
 """
 
 import math
@@ -32,9 +32,9 @@ class ErrorEntry:
     count: int = 0
     last: datetime | None = None  # date and time of the last report, if any
     seen_at: float = -math.inf  # time of the last report on the monotonic clock, in seconds
-    is_doubtful: bool = False  # the last report may be a corrupted reply
-    is_uncleared: bool = False  # reported since the user cleared the errors
-    is_earlier: bool = False  # latched before the connection, and not counted
+    is_doubtful: bool = False  # True if the last report may be a corrupted reply
+    is_uncleared: bool = False  # True if reported since the user last cleared the error
+    is_earlier: bool = False  # True if latched before the connection, and not counted
 
 
 def error_names(entries: Sequence[ErrorEntry]) -> str:
@@ -76,7 +76,7 @@ UNSEEN = (
     *(ErrorEntry(bit, *words, _UART_REMEDIES[bit]) for bit, words in UART_MEANING.items()),
 )
 
-# The status is read ten times a second, and each time reports errors that last.
+# The status is read ten times a second. Each reading reports all persistent errors.
 ACTIVE_FOR = 1.0  # seconds after the last report
 
 
@@ -87,7 +87,7 @@ def is_latched(bit: Status | UartError, latched: LatchedStatus) -> bool:
 class ErrorCounts:
     """Counts and times of all status and UART error bits.
 
-    Methods take the time in seconds of a monotonic clock.
+    `now` is in seconds of a monotonic clock.
     """
 
     def __init__(self, changed: Callable[[], None] = lambda: None) -> None:
@@ -97,18 +97,18 @@ class ErrorCounts:
 
     @property
     def occurred(self) -> list[ErrorEntry]:
-        """Reported or previously latched errors, newest first.
+        """Errors that were reported or latched before, newest first.
 
-        The general UART error bit is omitted if the kinds of UART errors are listed.
+        The general UART error bit is omitted if specific UART errors are listed.
         """
-        found = [entry for entry in self.entries if entry.count or entry.is_earlier]
-        details = [entry for entry in found if isinstance(entry.bit, UartError)]
+        entries = [entry for entry in self.entries if entry.count or entry.is_earlier]
+        specific = [entry for entry in entries if isinstance(entry.bit, UartError)]
         return sorted(
             (
                 entry
-                for entry in found
+                for entry in entries
                 if entry.bit is not Status.UART_ERROR
-                or not any(detail.is_uncleared >= entry.is_uncleared for detail in details)
+                or not any(error.is_uncleared >= entry.is_uncleared for error in specific)
             ),
             key=lambda entry: -entry.seen_at,
         )
@@ -133,11 +133,12 @@ class ErrorCounts:
     def count(
         self, latched: LatchedStatus, now: float, utc: datetime, *, is_doubtful: bool = False
     ) -> None:
-        """Count the bits of a status. `is_doubtful`: the reply may be corrupted.
+        """Count the bits of a status.
 
-        Bits that were latched before the connection are marked, but not counted.
+        Bits that were latched before the connection are marked, but not counted. `is_doubtful`
+        means that the reply may be corrupted.
         """
-        today = utc.astimezone()
+        local_time = utc.astimezone()
 
         def counted(entry: ErrorEntry) -> ErrorEntry:
             if not is_latched(entry.bit, latched):
@@ -147,7 +148,7 @@ class ErrorCounts:
             return replace(
                 entry,
                 count=entry.count + 1,
-                last=today,
+                last=local_time,
                 seen_at=now,
                 is_doubtful=is_doubtful,
                 is_uncleared=True,
@@ -157,16 +158,18 @@ class ErrorCounts:
         self._changed()
 
     def select(self, before: str, board: str) -> None:
-        """Switch to the counts of another board. Retain the counts of `before`."""
+        """Switch from the counts of `before` to the counts of `board`."""
         self._others[before] = self.entries
         self.entries = self._others.pop(board, UNSEEN)
         self._changed()
 
     def clear(self, bit: Status | UartError) -> None:
         """Mark an error as cleared. An active error is reported again."""
-        other = Status.UART_ERROR if isinstance(bit, UartError) else bit
-        self.entries = tuple(  # compare identity: bits of both bytes have equal numbers
-            replace(entry, is_uncleared=False) if entry.bit is bit or entry.bit is other else entry
+        general_bit = Status.UART_ERROR if isinstance(bit, UartError) else bit
+        self.entries = tuple(  # compare by identity: bits of both bytes have equal numbers
+            replace(entry, is_uncleared=False)
+            if entry.bit is bit or entry.bit is general_bit
+            else entry
             for entry in self.entries
         )
         self._changed()
@@ -178,7 +181,7 @@ class ErrorCounts:
 
 # --- Events for the log -----------------------------------------------------------------
 
-_EVENT_GAP = 1.0  # seconds without a bit before its next report is a new event
+_EVENT_GAP = 1.0  # seconds without a report of a bit before its next report is a new event
 
 _KINDS = {
     **dict.fromkeys(MOTOR_FAULTS.values(), EventKind.FAULT),
@@ -187,13 +190,13 @@ _KINDS = {
 
 
 class StatusEvents:
-    """Events from latched bits. A bit that persists is one event."""
+    """Log events for latched bits. A persistent bit causes one event."""
 
     def __init__(self) -> None:
         self._seen: dict[str, float] = {}
 
     def of(self, latched: LatchedStatus, before: Iterable[ErrorEntry]) -> Iterator[Event]:
-        """Yield the events of a status. An uncleared serial error gives no new event."""
+        """Yield the events of a status. An uncleared serial error causes no new event."""
         if latched.is_earlier:
             yield _earlier(latched)
             return
@@ -215,7 +218,7 @@ class StatusEvents:
 
 
 def _earlier(latched: LatchedStatus) -> Event:
-    # The kinds of UART errors replace the general bit.
+    # Specific UART errors replace the general bit.
     hidden = Status.UART_ERROR if latched.uart else None
     names = ", ".join(
         tr(entry.name)

@@ -1,4 +1,4 @@
-"""Files of a board for programs without a window, and writes over an open line."""
+"""Files of a board and writes to the board, for programs without a window."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -118,7 +118,7 @@ class Keeper:
     def restored_afterwards(
         self, client: TrexClient, state: DeviceState, reason: str
     ) -> Iterator[Callable[[ParameterSpec, int], int]]:
-        """Save a snapshot, yield a function for trial writes, then restore.
+        """Save a snapshot, yield a function for trial writes, then restore the settings.
 
         The record expects the previous values throughout. If the program or the line fails, the
         next connection shows the differences.
@@ -130,9 +130,9 @@ class Keeper:
             yield partial(write_parameter, client.request, has_crc=client.has_crc)
         finally:
             try:
-                found = read_everything(client.request, has_crc=client.has_crc)
-                rows = [row for row in compare(settings_of(found), before).rows if row.changed]
-                if found.signature != state.signature or len(rows) > 3:  # more than stray writes
+                now = read_everything(client.request, has_crc=client.has_crc)
+                rows = [row for row in compare(settings_of(now), before).rows if row.changed]
+                if now.signature != state.signature or len(rows) > 3:  # too many for stray writes
                     raise OtherBoard(ErrorCode.TOO_MANY_DIFFER, len(rows))
                 for result in write_all(
                     client.request, state.specs, *values_to_write(rows), has_crc=client.has_crc
@@ -142,7 +142,8 @@ class Keeper:
                 self.memory.restore(record)
             except StudioError as error:
                 self._inform(f"The board may store other settings than before. {error}")
-                self._inform("`trexcmd diff --last` shows them. The snapshot has the old settings.")
+                self._inform("`trexcmd diff --last` shows the differences.")
+                self._inform("The snapshot contains the previous settings.")
 
     # --- For the memory -----------------------------------------------------------------
 
@@ -160,8 +161,10 @@ class Keeper:
         self, old: BoardIdentity, new: BoardIdentity, record: BoardRecord, *, keeps_old: bool
     ) -> None:
         with self._saving("The applied settings"):
-            if (aside := put_aside(self._records.path(new))) is not None:
-                self._inform(f"The record of another board with this device number is in {aside}.")
+            if (renamed := put_aside(self._records.path(new))) is not None:
+                self._inform(
+                    f"The record of another board with this device number is in {renamed}."
+                )
             self._records.save(new, record)
             if not keeps_old:
                 self._records.save(old, None)

@@ -26,7 +26,7 @@ class Files(Protocol):
     """Requests from a `BoardMemory`, handled at once or later."""
 
     def find(self, board: BoardIdentity, /) -> None:
-        """Read the record of a board, and call `handle_record`."""
+        """Read the record of a board. Call `handle_record`."""
 
     def find_lost(self, board: BoardIdentity, adapter: str) -> None:
         """Find the newest record at this adapter under another number, and call `set_lost`."""
@@ -72,8 +72,8 @@ class BoardMemory:
         self._source = InputSource.RC  # the active input source
         self._adapter = ""
         self._lost: BoardRecord | None = None  # record of the board that may have lost its number
-        self._is_doubted = False  # the record may belong to another board
-        self._is_renamed = False  # the next start of the board resets its number
+        self._is_doubted = False  # True if the record may belong to another board
+        self._is_renamed = False  # True if the next start of the board resets its number
         self._pending: list[_Change] = []  # changes before the record was found
 
     # --- Known settings -----------------------------------------------------------------
@@ -83,22 +83,23 @@ class BoardMemory:
     ) -> tuple[Calibration | None, Known | None]:
         if self.record is None:
             return None, None
-        found = self.record.settings.calibrations.get(CalibrationKey.of(source, channel))
-        return found, self.record.known.get(source) if found is not None else None
+        calibration = self.record.settings.calibrations.get(CalibrationKey.of(source, channel))
+        known = None if calibration is None else self.record.known.get(source)
+        return calibration, known
 
     @property
     def expected(self) -> BoardRecord | None:
         """Record of the settings that the board should store. `None` if unknown.
 
-        A board that lost its settings also lost its device number. So a board without applied
-        settings may be the previous board at the same adapter.
+        A board that lost its settings also lost its device number. Therefore, a board without
+        applied settings may be the previous board at the same adapter.
         """
         is_new = self.record is not None and self.record.applied is None
         return self._lost if is_new and self._lost is not None else self.record
 
     @property
     def applied(self) -> Settings | None:
-        """Last applied settings that the board does not hide. `None` if unknown."""
+        """Last applied settings without hidden calibrations. `None` if unknown."""
         if self.expected is None or self._stored is None:
             return None
         return self.expected.applied_to(self._stored)
@@ -121,9 +122,9 @@ class BoardMemory:
         is_simulated: bool = False,
         adapter: str = "",
     ) -> None:
-        """Set the board that was read. Find the record of a new or just opened board.
+        """Set the board that was read. If it is new or newly opened, find its record.
 
-        `adapter` is the key of the board's adapter, empty if unknown.
+        `adapter` is the key of the board's adapter, or empty if unknown.
         """
         self._stored, self._source, self._adapter = stored, source, adapter
         board = BoardIdentity.of(stored, is_simulated=is_simulated)
@@ -161,7 +162,7 @@ class BoardMemory:
     # --- Writes -------------------------------------------------------------------------
 
     def start_writing(self, keys: Collection[str]) -> None:
-        """Clear these expected values until the stored values are known."""
+        """Clear the expected values of these keys until the stored values are known."""
         self._change(lambda record: record.before_writing(keys))
 
     def record_written(
@@ -217,10 +218,10 @@ class BoardMemory:
             self.differing = self.expected.differences(self._stored)
         self._files.record_change()
 
-    def handle_record(self, board: BoardIdentity, found: BoardRecord | None) -> None:
+    def handle_record(self, board: BoardIdentity, record: BoardRecord | None) -> None:
         if board != self._board or self.record is not None:
             return
-        self.record = found or BoardRecord(Settings(board.product, board.firmware))
+        self.record = record or BoardRecord(Settings(board.product, board.firmware))
         self._record_adapter(self.record)
         pending, self._pending = self._pending, []
         for change in pending:
@@ -230,16 +231,16 @@ class BoardMemory:
         if is_new and self._adapter and stored is not None and has_factory_line(stored):
             self._files.find_lost(board, self._adapter)
 
-    def set_lost(self, board: BoardIdentity, found: BoardRecord | None) -> None:
+    def set_lost(self, board: BoardIdentity, record: BoardRecord | None) -> None:
         if board == self._board:
-            self._lost = found
+            self._lost = record
             self._compare()
 
-    def _record_adapter(self, found: BoardRecord) -> None:
+    def _record_adapter(self, saved: BoardRecord) -> None:
         adapter = self._adapter
-        self._is_doubted = bool(adapter and found.adapter) and adapter != found.adapter
-        if not adapter or adapter == found.adapter:
+        self._is_doubted = bool(adapter and saved.adapter) and adapter != saved.adapter
+        if not adapter or adapter == saved.adapter:
             return
         self._change(lambda record: replace(record, adapter=adapter))
-        if self._is_doubted and found.time is not None:
-            self._files.warn_doubtful(found)
+        if self._is_doubted and saved.time is not None:
+            self._files.warn_doubtful(saved)

@@ -64,9 +64,9 @@ class BoardRead:
     """All settings of a board were read."""
 
     report: Connected
-    is_changed: bool  # the settings differ from the last reading
-    is_other: bool  # this may be another board
-    is_new: bool  # another board or line: error counts were reset
+    is_changed: bool  # True if the settings differ from the last reading
+    is_other: bool  # True if this may be another board
+    is_new: bool  # True if the board or line is new: error counts were reset
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,9 +102,9 @@ BoardEvent = BoardRead | MotorsShutDown | DriveLost | QualityChanged | Sample | 
 class SetUp:
     """Completed steps of the set-up, according to the stored settings."""
 
-    sticks: bool  # the channels of both motors are learned
-    limits: bool  # both motors have a current limit
-    timeout: bool  # the serial timeout is on
+    sticks: bool  # True if the channels of both motors are learned
+    limits: bool  # True if both motors have a current limit
+    timeout: bool  # True if the serial timeout is on
 
 
 class SafeStart:
@@ -125,10 +125,10 @@ class SafeStart:
         self, state: DeviceState, newest: Newest, inputs: BoardInputs | None, *, joint: bool
     ) -> None:
         values, currents = _commands(state, newest, joint=joint), newest.get(Currents)
-        flows = currents is not None and max(currents.counts) > NOISE_COUNTS
+        is_driven = currents is not None and max(currents.counts) > NOISE_COUNTS
         if not values or (inputs is not None and inputs.lacks_signal):
             self._is_over = False
-        elif all(abs(value) <= NEARLY_NEUTRAL for value in values) or flows:
+        elif all(abs(value) <= NEARLY_NEUTRAL for value in values) or is_driven:
             self._is_over = True
 
 
@@ -149,26 +149,26 @@ class BoardMirror:
         self.errors = ErrorCounts(errors_changed)
         self.quality = ConnectionQuality()
         self.newest = Newest()
-        self.counters = Counters()  # counters of the line since its opening
+        self.counters = Counters()  # counters of the line since it was opened
         self.settings: ConnectionSettings | None = None
-        self.adapter = ""  # key of the USB adapter; to be set before a board is read
+        self.adapter = ""  # key of the USB adapter, set before a board is read
         self.is_responding = False
-        self.is_joint = False  # active state, which may differ from the stored motor mode
-        self.echo = False  # sent bytes come back, as on the board's RS-232 side
-        self.connected_at: float | None = None  # opening time of the line, as `now` in `handle`
-        self.connected_utc: datetime | None = None  # opening time of the line, as `utc`
-        self.restarts = 0  # detected restarts since the line was opened
-        self.returns = 0  # number of ended silences
+        self.is_joint = False  # active motor mode, which may differ from the stored mode
+        self.echo = False  # True if sent bytes come back, as on the board's RS-232 side
+        self.connected_at: float | None = None  # time of opening the line, as `now` in `handle`
+        self.connected_utc: datetime | None = None  # time of opening the line, in UTC
+        self.restarts = 0  # number of detected restarts since the line was opened
+        self.returns = 0  # number of silences that ended since the line was opened
         self.lease: LeaseChanged | None = None  # lease of a served board
         self.other_speeds = SetpointsChanged().speeds  # setpoints of another driver
-        self.is_network_silent = False  # the server of the board does not respond
-        self.network_delay: float | None = None  # round trip to the server in seconds
+        self.is_network_silent = False  # True if the server of the board does not respond
+        self.network_delay: float | None = None  # round-trip time to the server, in seconds
         self.last: DeviceState | None = None  # last reading; remains after the line is closed
         self._safe_start = SafeStart()
         self._events = StatusEvents()
         self._currents = SpikeFilter()
         self._joint: dict[str, bool] = {}  # `is_joint` of unselected boards
-        self._was_read = False  # a board was read since the line was opened
+        self._was_read = False  # True if a board was read since the line was opened
         self._channel_control = 0  # consecutive replies that report control by channels
 
     # --- State --------------------------------------------------------------------------
@@ -309,7 +309,7 @@ class BoardMirror:
             yield Event(now, EventKind.LINK, text)
 
     def close(self, now: float, *, may_move: bool) -> Iterator[BoardEvent]:
-        """Handle the end of the connection. `may_move`: no stop was confirmed."""
+        """Handle the end of the connection. `may_move` is True if no stop was confirmed."""
         was_read, self._was_read = self._was_read, False
         self.is_responding, self.connected_at, self.connected_utc = False, None, None
         self.lease = self.network_delay = None
@@ -343,9 +343,9 @@ class BoardMirror:
         is_known = before is not None and before.parameters == state.parameters
         is_new = is_other and not (is_known and url == report.settings.url)
         if occasion is ReadReason.SELECTED and before is not None:
-            left, selected = f"{url} {_identity(before)}", f"{url} {_identity(state)}"
-            self.errors.select(left, selected)
-            self._joint[left] = self.is_joint
+            previous, selected = f"{url} {_identity(before)}", f"{url} {_identity(state)}"
+            self.errors.select(previous, selected)
+            self._joint[previous] = self.is_joint
             self.is_joint = self._joint.pop(selected, _is_joint(state))
         elif occasion.power_cycled or (opened and not may_be_same):
             self.is_joint = _is_joint(state)
@@ -401,18 +401,18 @@ class BoardMirror:
             filtered: Sequence[Sample] = (sample,)
             if isinstance(sample, Currents):
                 filtered = self._currents.passed(sample, is_doubtful=is_doubtful)
-            for newest in filtered:
-                self.newest.update(newest)
-                yield newest
+            for passed in filtered:
+                self.newest.update(passed)
+                yield passed
             if isinstance(sample, Control):
                 self._channel_control = 0 if sample.by_serial else self._channel_control + 1
-                if self._channel_control == _LOST:
+                if self._channel_control == _REPLIES_UNTIL_LOST:
                     yield DriveLost(self.control_text)
         if self.state is not None and not self.state.mode.is_serial:
             self._safe_start.update(self.state, self.newest, self.inputs(now), joint=self.is_joint)
 
     def _stop_reason(self, latched: LatchedStatus) -> str:
-        """Return the reason why the board stopped its motors, or an empty text.
+        """Return the reason why the board stopped its motors, or "" if it did not.
 
         A timeout always stops the motors. Other serial errors require UART-Error Shutdown (0x08).
         """
@@ -449,7 +449,7 @@ class BoardMirror:
 
 
 _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
-_LOST = 2  # consecutive replies
+_REPLIES_UNTIL_LOST = 2  # consecutive replies that report control by channels
 
 
 def _is_joint(state: DeviceState) -> bool:

@@ -1,4 +1,4 @@
-"""Quality of the line to a board, from its latest transactions."""
+"""Quality of the line to a board, measured from recent transactions."""
 
 import math
 from collections import deque
@@ -9,23 +9,23 @@ from trex_gui.devices.trex.client.client import Counters
 from trex_gui.devices.trex.client.telemetry import Currents
 from trex_gui.devices.trex.driving.board_reasons import NOISE_COUNTS
 
-_WINDOW = 10.0  # shortest measurement in seconds
-# Smallest measurement in transactions: 3 s at 19200 baud. The three failures after which a board
-# is silent are less than `_NOISY` of this number, so they are not noise.
-_FEWEST = 500
+_MINIMUM_SECONDS = 10.0  # minimum length of a measurement
+
+# Minimum number of transactions in a measurement, which take 3 s at 19200 baud. The three failures
+# after which a board counts as silent are a smaller fraction of them than `_NOISY`.
+_MINIMUM_TRANSACTIONS = 500
 
 _INTERVAL = 2.0  # seconds between two results, so that the text remains readable
 
 # A line that damages 1 % of the bytes loses 1.3 % of the transactions (measured with the simulated
 # board), because most damaged replies without CRC look valid. It damages one in 25 motor commands
-# of four bytes, and a single bit can turn one command into another.
-_NOISY = 0.01  # share of failures from which a line is noisy
-_GOOD = 0.005  # share of failures below which a noisy line is good again
+# of four bytes, and a single wrong bit can turn one command into another.
+_NOISY = 0.01  # fraction of failures at which a line is noisy
+_GOOD = 0.005  # fraction of failures below which a noisy line is good again
 
-_STRAY_BYTES = 10  # unexpected bytes that count as one failure: the longest reply
+_STRAY_BYTES = 10  # size of the longest reply; as many unexpected bytes count as one failure
 
-
-_NOISE_LASTS = 5.0  # seconds after a failure in which replies without CRC are doubtful
+_DOUBTFUL_FOR = 5.0  # seconds after a failure during which replies without CRC are doubtful
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,12 +38,12 @@ class _Mark:
 
 class ConnectionQuality:
     def __init__(self) -> None:
-        self.is_noisy: bool | None = None  # `None` until enough was measured
-        self.lost = 0.0  # share of transactions with a missing or corrupted reply
-        self.seconds = 0.0  # length of the measurement, at first less than 10
-        self.rate = 0.0  # transactions a second; 0 if unknown
+        self.is_noisy: bool | None = None  # `None` until the first result
+        self.lost = 0.0  # fraction of transactions with a missing or corrupted reply
+        self.seconds = 0.0  # length of the measurement, initially less than 10
+        self.rate = 0.0  # transactions per second; 0 if unknown
         self._marks = deque[_Mark]()
-        self._failures = 0  # last reported number of failures
+        self._failures = 0  # number of failures last reported
         self._failed_at = -math.inf
 
     def reset(self) -> bool:
@@ -65,20 +65,20 @@ class ConnectionQuality:
         marks.append(newest)
         while (
             len(marks) > 2
-            and newest.time - marks[1].time >= _WINDOW
-            and newest.requests - marks[1].requests >= _FEWEST
+            and newest.time - marks[1].time >= _MINIMUM_SECONDS
+            and newest.requests - marks[1].requests >= _MINIMUM_TRANSACTIONS
         ):
             marks.popleft()
         requests = newest.requests - marks[0].requests
         self.seconds = time - marks[0].time
         self.rate = requests / self.seconds if self.seconds else 0.0
-        if requests < _FEWEST:
+        if requests < _MINIMUM_TRANSACTIONS:
             return False
         before = self.is_noisy, round(self.lost, 3)
         self.lost = (newest.lost - marks[0].lost) / requests
         disturbed = (newest.stray - marks[0].stray) / _STRAY_BYTES / requests
-        damaged = max(self.lost, disturbed)
-        self.is_noisy = damaged >= (_GOOD if self.is_noisy else _NOISY)
+        failed = max(self.lost, disturbed)
+        self.is_noisy = failed >= (_GOOD if self.is_noisy else _NOISY)
         return (self.is_noisy, round(self.lost, 3)) != before
 
     def has_failed_lately(self, time: float, counters: Counters) -> bool:
@@ -87,11 +87,11 @@ class ConnectionQuality:
         if failures > self._failures:
             self._failed_at = time
         self._failures = failures
-        return time - self._failed_at < _NOISE_LASTS
+        return time - self._failed_at < _DOUBTFUL_FOR
 
 
 class SpikeFilter:
-    """Filter for currents that no neighbouring sample confirms."""
+    """Filter for currents that no adjacent sample confirms."""
 
     def __init__(self) -> None:
         self._last: Currents | None = None
@@ -111,13 +111,13 @@ class SpikeFilter:
 
 def _is_between(sample: Currents, first: Currents, second: Currents) -> bool:
     return all(
-        min(ends) - NOISE_COUNTS <= count <= max(ends) + NOISE_COUNTS
-        for count, *ends in zip(sample.counts, first.counts, second.counts, strict=True)
+        min(limits) - NOISE_COUNTS <= count <= max(limits) + NOISE_COUNTS
+        for count, *limits in zip(sample.counts, first.counts, second.counts, strict=True)
     )
 
 
 def quality_text(quality: ConnectionQuality) -> str:
-    """Return the quality in words, with the share of answered requests."""
+    """Describe the quality, with the percentage of answered requests."""
     if quality.is_noisy is None:
         return tr("being measured …")
     text = tr("noisy: {0:.1f} % of the requests of the last {1:.0f} s answered")

@@ -1,4 +1,4 @@
-"""Steps of every write of settings: prepare, write, verify, finish."""
+"""Steps of a write of settings: prepare, write, verify, finish."""
 
 from collections.abc import Sequence
 from datetime import datetime
@@ -19,8 +19,8 @@ Values = tuple[tuple[tuple[str, int], ...], tuple[tuple[CalibrationKey, Calibrat
 class WriteTransaction:
     """Write of settings. Call `save_snapshot` and `start`, write, then call `finish`.
 
-    If the line or the program fails during a write, the record expects no values of the written
-    settings. The next connection shows the stored values.
+    If the line or the program fails during the write, the record has no expected values for the
+    written settings. The next connection shows the stored values.
     """
 
     def __init__(

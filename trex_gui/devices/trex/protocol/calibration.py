@@ -1,4 +1,4 @@
-"""Channel calibrations, and remapping of raw inputs.
+"""Channel calibrations and the remapping of raw inputs.
 
 Ref: Pololu TReX User's Guide 4.b (regions); TReX 1.0 command documentation 0x87, 0x90-0x94,
 0xA0-0xA4. The arithmetic between the region limits is inferred: no source gives it.
@@ -17,7 +17,7 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 INVALID_RAW = 0xFFFF  # reply to 0x86 for a channel without a valid pulse
 CALIBRATION_FIELDS = ("minimum", "neutral", "maximum", "deadband")
 FULL_SCALE = 127
-NEARLY_NEUTRAL = 8  # greatest output that ends safe-start; inferred from "near neutral"
+NEARLY_NEUTRAL = 8  # largest output that ends safe-start; inferred from "near neutral"
 HIGHEST_CODED = 0x3FFF  # 14 bits
 
 
@@ -57,7 +57,7 @@ CALIBRATION_KEYS: Mapping[str, CalibrationKey] = {str(key): key for key in Calib
 
 @dataclass(frozen=True, slots=True)
 class Calibration:
-    """Limits of a channel's raw counts, for one input source.
+    """Calibration of a channel for one input source, in raw counts.
 
     A count is 0.4 us (RC) or 4.89 mV (analog). The board accepts a calibration only if
     minimum <= neutral <= maximum and minimum < maximum.
@@ -104,17 +104,17 @@ class Calibration:
 def read_count(text: str) -> tuple[int, InputSource | None]:
     """Parse a count such as `3750`, `1500us` or `2.5 V`.
 
-    Return the count and the input source of its unit. Counts are integers. Voltages have no
-    thousands separators.
+    Return the count and the input source implied by the unit, or `None` without a unit. Counts are
+    integers. Voltages have no thousands separators.
 
     Raises:
-        AmbiguousNumber: the separator may be a thousands separator.
+        AmbiguousNumber: a separator may be a thousands separator.
         BadRequest: the text is not a count.
     """
     number = re.sub(r"(counts?|#)$", "", text.strip().casefold()).strip()
     if number.isdecimal() and len(number) < 10:
         return int(number), None
-    if re.search(r"[^\d.,]$", number):  # no fractional counts: 1.5 may be ms
+    if re.search(r"[^\d.,]$", number):  # a unit is required: 1.5 alone may be ms
         if (seconds := quantity(number, "s")) is not None:
             return InputSource.RC.counts(seconds * 1e6), InputSource.RC
         if (volts := quantity(number, "V", thousands=False)) is not None:
@@ -149,9 +149,10 @@ def remap(
 ) -> int:
     """Return the output, -127 to 127, before mixing and flip.
 
-    An ignored channel gives 0. So do `None` and 0xFFFF, which mean no valid signal (inferred).
-    The output is 0 within `deadband` counts of neutral and full at minimum and maximum. In between,
-    it grows with the distance, or with its square (parabolic), and is rounded down.
+    The output is 0 for an ignored channel, and for `None` and 0xFFFF, which mean no valid signal
+    (inferred). It is also 0 within `deadband` counts of neutral. At minimum and maximum, it is
+    full. In between, it grows with the distance from the deadband, or with the square of that
+    distance (parabolic). It is rounded down.
     """
     if raw is None or raw == INVALID_RAW or ignored:
         return 0
@@ -162,8 +163,8 @@ def remap(
     if raw >= calibration.maximum or raw <= calibration.minimum:
         magnitude = FULL_SCALE
     else:
-        end = calibration.maximum if offset > 0 else calibration.minimum
-        travel = abs(end - calibration.neutral) - calibration.deadband
+        limit = calibration.maximum if offset > 0 else calibration.minimum
+        travel = abs(limit - calibration.neutral) - calibration.deadband
         position = distance - calibration.deadband
         if parabolic:
             magnitude = FULL_SCALE * position * position // (travel * travel)

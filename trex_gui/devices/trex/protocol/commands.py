@@ -41,7 +41,7 @@ class Command(ABC, Generic[ReplyT_co]):
     data_size: ClassVar[int] = 0  # data bytes after the command byte, without the CRC byte
     fixed_reply: ClassVar[int] = 0  # size of the reply in bytes, if it is constant
     moves: ClassVar[bool] = False  # True if the command may start or stop a motor
-    seconds_to_answer: ClassVar[float] = 0.0  # longest delay of the reply, without transmission
+    seconds_to_answer: ClassVar[float] = 0.0  # maximum reply delay, without transmission
     has_crc: ClassVar[bool] = True  # True if the packet carries a CRC while CRC is enabled
 
     @property
@@ -57,8 +57,8 @@ class Command(ABC, Generic[ReplyT_co]):
         """Decode a command. BadRequest if the data does not fit."""
         return cls()
 
-    def reply_size(self, _head: bytes = b"", /) -> int:
-        """Return the size of a reply that starts with these bytes. 0: no reply."""
+    def reply_size(self, _start: bytes = b"", /) -> int:
+        """Return the size of a reply that starts with these bytes. 0 means no reply."""
         return self.fixed_reply
 
     @abstractmethod
@@ -85,7 +85,7 @@ class _ChannelCommand(Command[ReplyT_co]):
         return self.opcodes[self.channel - 1]
 
 
-# --- Queries, 0x81 to 0x9F, which work in every mode ------------------------------------
+# --- Queries, 0x81 to 0x9F, in every mode -----------------------------------------------
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,10 +103,10 @@ class GetSignature(Command[Signature]):
 
     opcodes = (0x81,)
 
-    def reply_size(self, head: bytes = b"", /) -> int:
+    def reply_size(self, start: bytes = b"", /) -> int:
         models = device_table().models
-        known = (model.signature_size for model in models if head.startswith(model.signature))
-        return max(known, default=min(model.signature_size for model in models))
+        sizes = (model.signature_size for model in models if start.startswith(model.signature))
+        return max(sizes, default=min(model.signature_size for model in models))
 
     def parse(self, reply: bytes) -> Signature:
         for model in device_table().models:
@@ -153,7 +153,7 @@ class GetStatus(Command[Status]):
     fixed_reply = 1
 
     def parse(self, reply: bytes) -> Status:
-        if reply[0] == self.opcode:  # an echo, which would confirm a stop
+        if reply[0] == self.opcode:  # an echo must not confirm a stop
             raise BadReply(tr("the request came back instead of a status"))
         return Status(reply[0])
 
@@ -171,10 +171,10 @@ class GetUartErrors(Command[UartError]):
 
 @dataclass(frozen=True, slots=True)
 class _ChannelQuery(Command[ReplyT_co]):
-    """Command with a mask of channels. Bit n is channel n+1."""
+    """Query with a channel mask. Bit n is channel n+1."""
 
     data_size = 1
-    reply_of_channel: ClassVar[int] = 1  # bytes
+    bytes_per_channel: ClassVar[int] = 1  # reply bytes for each channel
 
     mask: int = ALL_CHANNELS
 
@@ -195,16 +195,16 @@ class _ChannelQuery(Command[ReplyT_co]):
     def channels(self) -> tuple[int, ...]:
         return channels_in(self.mask)
 
-    def reply_size(self, _head: bytes = b"", /) -> int:
-        return self.reply_of_channel * len(self.channels)
+    def reply_size(self, _start: bytes = b"", /) -> int:
+        return self.bytes_per_channel * len(self.channels)
 
 
 @dataclass(frozen=True, slots=True)
 class GetRawChannels(_ChannelQuery[Mapping[int, int | None]]):
-    """0x86: raw counts by channel. `None` without a valid pulse."""
+    """0x86: channel → raw count. `None` without a valid pulse."""
 
     opcodes = (0x86,)
-    reply_of_channel = 2
+    bytes_per_channel = 2
 
     def parse(self, reply: bytes) -> Mapping[int, int | None]:
         counts = struct.unpack(f"<{len(self.channels)}H", reply)
@@ -216,13 +216,13 @@ class GetRawChannels(_ChannelQuery[Mapping[int, int | None]]):
 
 @dataclass(frozen=True, slots=True)
 class GetRemappedChannels(_ChannelQuery[Mapping[int, int]]):
-    """0x87: remapped inputs by channel, -127 to 127."""
+    """0x87: channel → remapped input, -127 to 127."""
 
     opcodes = (0x87,)
 
     def parse(self, reply: bytes) -> Mapping[int, int]:
-        # Bit 7 is the direction. The documentation says "lower six bits" for channel 3, and
-        # seven for other channels. Only seven bits can hold a magnitude of 0 to 127.
+        # Bit 7 is the direction. The documentation says "lower six bits" for channel 3 and
+        # seven for the other channels. A magnitude of 0 to 127 needs seven bits.
         return {
             channel: -(byte & FULL_SCALE) if byte & 0x80 else byte
             for channel, byte in zip(self.channels, reply, strict=True)
@@ -314,7 +314,7 @@ class GetParameter(Command[int]):
 
 # --- Writes to EEPROM, 0xA0 to 0xAF, in serial mode only --------------------------------
 
-FORMAT_BYTES = b"\x55\x2a"  # end of every write, so that noise cannot imitate a write
+FORMAT_BYTES = b"\x55\x2a"  # last data bytes of every write, which noise must not imitate
 
 
 def _result(reply: bytes) -> ResultCode:
@@ -382,7 +382,7 @@ class SetParameter(Command[ResultCode]):
 
 
 class _MotorCommand(Command[None]):
-    """Motor command, 0xC0 to 0xF1. Only later reports can confirm it."""
+    """Motor command, 0xC0 to 0xF1. Only later queries can confirm it."""
 
     __slots__ = ()
 
@@ -421,8 +421,8 @@ class DriveMotor(_MotorCommand):
 class DriveBoth(_MotorCommand):
     """0xD0-0xEF: set, or accelerate, both motors in one packet.
 
-    For acceleration, the formula in the documentation gives 0xD0. Its heading and working programs
-    use 0xE0.
+    The formula in the documentation yields 0xD0 for acceleration. The heading in the documentation
+    and working programs use 0xE0.
     """
 
     opcodes = range(0xD0, 0xF0)
@@ -506,6 +506,6 @@ _CLASSES: tuple[type[Command[object]], ...] = (
     DriveAuxiliary,
     Null,
 )
-COMMANDS: Mapping[int, type[Command[object]]] = {  # by command byte
+COMMANDS: Mapping[int, type[Command[object]]] = {  # opcode → class
     opcode: cls for cls in _CLASSES for opcode in cls.opcodes
 }

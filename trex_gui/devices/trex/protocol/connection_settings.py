@@ -21,7 +21,7 @@ def numbers_in(text: str) -> frozenset[int]:
 class ConnectionSettings(PortSettings):
     """Port, line and address of a board.
 
-    `reserved` numbers forbid compact packets, packets to these numbers, and other baud rates.
+    Numbers in `reserved` forbid compact packets, packets to these numbers and other baud rates.
     """
 
     line: LineSettings = field(default_factory=LineSettings)
@@ -41,17 +41,17 @@ class ConnectionSettings(PortSettings):
     def packed(self) -> str:
         number = -1 if self.device_number is None else self.device_number
         line, shared = self.line, SHARED + self.reserved_text if self.reserved else ""
-        reach = f"{line.baud} {line.detection.name} {line.stop_bits} {number}"
-        return f"{reach} {self.polynomial:02X}{shared}"
+        own = f"{line.baud} {line.detection.name} {line.stop_bits} {number} {self.polynomial:02X}"
+        return own + shared
 
     def unpacked(self, text: str) -> "ConnectionSettings":
         """Parse a `packed` text. BadRequest if it is invalid.
 
-        A text without reserved numbers does not change `reserved`.
+        If the text has no reserved numbers, `reserved` is unchanged.
         """
         try:
-            reach, is_shared, reserved = text.partition(SHARED)
-            baud, detection, stop_bits, number, polynomial = reach.split(" ")
+            own, is_shared, reserved = text.partition(SHARED)
+            baud, detection, stop_bits, number, polynomial = own.split(" ")
             line = LineSettings(int(baud), Detection[detection], int(stop_bits))
             line.to_wire()  # raises if no board has these settings
             settings = replace(
@@ -69,7 +69,7 @@ class ConnectionSettings(PortSettings):
     def at(self, line: SerialFormat) -> PortSettings:
         """Return the settings with another serial format.
 
-        A format that no board has gives plain `PortSettings`.
+        These are plain `PortSettings` unless `line` is `LineSettings`.
         """
         if isinstance(line, LineSettings):
             return replace(self, line=line)

@@ -75,7 +75,7 @@ BEYOND_A_STOP = tr_noop(
 
 
 def describe(command: c.Command[Any], board: c.Signature | None = None) -> str:
-    """Return a command in words. Default units are those of the newest TReX."""
+    """Describe a command, by default in units of the newest TReX."""
     if (text := _QUERIES.get(type(command))) is not None:
         return tr(text)
     match command:
@@ -110,7 +110,7 @@ def describe(command: c.Command[Any], board: c.Signature | None = None) -> str:
 
 
 def describe_reply(command: c.Command[Any], value: Any, board: c.Signature | None = None) -> str:
-    """Return a parsed reply in words. Empty for a command without a reply."""
+    """Describe a parsed reply. Empty for a command without a reply."""
     match command, value:
         case _, c.Signature():
             return str(value)
@@ -125,8 +125,11 @@ def describe_reply(command: c.Command[Any], value: Any, board: c.Signature | Non
         case c.GetSerialControl(), _:
             return tr("yes") if value else tr("no")
         case ((c.GetRawChannels() | c.GetRemappedChannels()), _):
-            none = tr("no signal")
-            return ", ".join(f"{n}: {none if raw is None else raw}" for n, raw in value.items())
+            no_signal = tr("no signal")
+            return ", ".join(
+                f"{channel}: {no_signal if count is None else count}"
+                for channel, count in value.items()
+            )
         case c.GetCurrent(motor=motor), _:
             return _current(motor, value, board)
         case c.GetCurrents(), _:

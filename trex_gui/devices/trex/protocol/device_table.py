@@ -22,7 +22,7 @@ class Model:
     part: str
     signature: bytes
     signature_size: int
-    current_unit: float  # ampere per count
+    current_unit: float  # amperes per count
     firmware: tuple[str, ...]
     highest_pwm: int | None
     guide: str  # URL of the user's guide
@@ -30,9 +30,9 @@ class Model:
 
 @dataclass(frozen=True, slots=True)
 class PwmClock:
-    """PWM frequency by prescaler and maximum.
+    """Formula for the PWM frequency.
 
-    Inferred. The formula gives both documented frequencies.
+    Inferred. It yields both documented frequencies.
     """
 
     clock: int
@@ -54,16 +54,16 @@ class PwmClock:
     def choices(self, highest: float) -> tuple[tuple[int, int], ...]:
         """Return (prescaler, maximum) pairs up to `highest` Hz, lowest frequency first.
 
-        For each frequency, the pair has the greatest maximum: its speed steps are finest.
+        Each frequency uses the lowest prescaler that reaches it, for the finest speed steps.
         """
         pairs = [
-            (prescaler, top)
+            (prescaler, maximum)
             for prescaler in range(len(self.divisors))
-            for top in range(HIGHEST_WIRE + 1)
-            if self.frequency(prescaler, top) <= highest
+            for maximum in range(HIGHEST_WIRE + 1)
+            if self.frequency(prescaler, maximum) <= highest
             and (
                 prescaler == 0
-                or self.frequency(prescaler, top) < self.frequency(prescaler - 1, HIGHEST_WIRE)
+                or self.frequency(prescaler, maximum) < self.frequency(prescaler - 1, HIGHEST_WIRE)
             )
         ]
         return tuple(sorted(pairs, key=lambda pair: self.frequency(*pair)))

@@ -31,19 +31,23 @@ class Drive:
 
     @classmethod
     def at(cls, speed: int) -> "Drive":
-        """Return the setpoint for -127 to 127, else raise BadRequest. 0 is forward."""
+        """Return the setpoint for a speed, -127 to 127. 0 is forward.
+
+        Raises:
+            BadRequest: the speed is outside its limits.
+        """
         if not -FULL_SCALE <= speed <= FULL_SCALE:
             raise BadRequest(tr("a motor's speed is -127 to 127, not {0}").format(speed))
         return cls(Direction.REVERSE if speed < 0 else Direction.FORWARD, abs(speed))
 
     @classmethod
     def brake(cls, duty: int = FULL_SCALE) -> "Drive":
-        """Return a setpoint from 0 (coast) to 127 (full brake)."""
+        """Return a braking setpoint. `duty` is 0 (coast) to 127 (full brake)."""
         return cls(Direction.BRAKE, seven_bits(duty, tr("brake duty")))
 
     @property
     def signed(self) -> int:
-        """Speed, negative in reverse, and 0 while braking."""
+        """Speed. Negative in reverse, 0 while braking."""
         if self.is_brake:
             return 0
         return -self.speed if self.direction is Direction.REVERSE else self.speed

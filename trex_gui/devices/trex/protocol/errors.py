@@ -183,7 +183,7 @@ class BoardElsewhere(TrexNoReplyError):  # noqa: N818 - nothing went wrong with 
 
     @property
     def settings(self) -> PortSettings:
-        """The `ConnectionSettings` that reach the board: the last field."""
+        """The `ConnectionSettings` that reach the board."""
         settings = self.fields[-1]
         assert isinstance(settings, PortSettings)  # noqa: S101 - by construction
         return settings
@@ -214,7 +214,7 @@ class Rejected(TrexError):  # noqa: N818 - reads as a result, like `Outcome`
 
 
 def is_unsteady(error: BaseException) -> bool:
-    """True if a stored value was different at each reading."""
+    """True if each reading of a stored value was different."""
     return isinstance(error, TrexError) and error.code is ErrorCode.READINGS_DIFFER
 
 

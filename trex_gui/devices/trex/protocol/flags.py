@@ -124,7 +124,7 @@ def bit_names(bits: Status | UartError) -> list[str]:
 
 
 class InputSource(Enum):
-    """Kind of the channel inputs, with the units of raw counts.
+    """Kind of channel input. It determines the unit of raw counts.
 
     Ref: Pololu TReX User's Guide 4.b: 0.4 us for RC pulses, 4.89 mV (5 V / 1023) for voltages.
     """
@@ -166,7 +166,7 @@ class InputSource(Enum):
         return round(physical * self.counts_per_unit)
 
     def text(self, count: float) -> str:
-        """Format a raw count, such as `1500 µs` or `2.50 V`."""
+        """Format a raw count as `1500 µs` or `2.50 V`."""
         if self is InputSource.RC:
             return f"{self.physical(count):.0f} µs"
         return f"{Number(self.physical(count)):.2f} V"
@@ -187,7 +187,7 @@ class Mode(Enum):
 
     @property
     def source(self) -> InputSource:
-        rc = self is Mode.RC or self is Mode.SERIAL_RC  # no set: hashing slows the simulator
+        rc = self is Mode.RC or self is Mode.SERIAL_RC  # a set would slow the simulator
         return InputSource.RC if rc else InputSource.ANALOG
 
 

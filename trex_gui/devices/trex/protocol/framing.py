@@ -30,7 +30,7 @@ def _table(polynomial: int) -> bytes:
 
 
 def check_polynomial(polynomial: int) -> int:
-    """Return `polynomial`, or raise BadRequest if its top bit is 0."""
+    """Return `polynomial`, or raise BadRequest if it is not 0x80-0xFF."""
     if not 0x80 <= polynomial <= 0xFF:
         raise BadRequest(tr("a CRC-7 polynomial is 0x80 to 0xFF, not {0:#x}").format(polynomial))
     return polynomial
@@ -39,7 +39,7 @@ def check_polynomial(polynomial: int) -> int:
 def crc7(data: bytes, polynomial: int = DEFAULT_POLYNOMIAL) -> int:
     """Return the CRC-7 of `data`, 0-127.
 
-    The top bit comes first, the start value is 0, and seven zero bits are appended.
+    The highest bit is processed first. The initial value is 0, and seven zero bits are appended.
     """
     table = _table(check_polynomial(polynomial))
     remainder = 0
@@ -70,9 +70,9 @@ class Framing:
         if self.device_number is None:
             packet = bytes([command.opcode]) + command.data()
         else:
-            head = bytes([EXPANDED_START, self.device_number, command.opcode & 0x7F])
-            packet = head + command.data()
-        # Inferred: the CRC covers the whole packet, 0x80 and device number included.
+            header = bytes([EXPANDED_START, self.device_number, command.opcode & 0x7F])
+            packet = header + command.data()
+        # Inferred: the CRC covers the whole packet, including 0x80 and the device number.
         if self.polynomial is not None and command.has_crc:
             packet += bytes([crc7(packet, self.polynomial)])
         return packet
@@ -101,12 +101,12 @@ class Malformed:
 
 @dataclass(frozen=True, slots=True)
 class NeedData:
-    size: int  # least number of missing bytes
+    size: int  # minimum number of missing bytes
 
 
 @dataclass(frozen=True, slots=True)
 class Reply(Generic[ReplyT_co]):
-    raw: bytes  # bytes with echo and CRC
+    raw: bytes  # received bytes, including echo and CRC
     value: ReplyT_co
 
 
@@ -145,29 +145,29 @@ class PacketParser:
         if buffer[0] < 0x80:
             return self._reject(tr("a data byte outside a packet"))
         device_number: int | None = None
-        head = 1
+        header_size = 1
         opcode = buffer[0]
         if opcode == EXPANDED_START:
             if len(buffer) < 3:
                 return None
             device_number = buffer[1]
-            head = 3
+            header_size = 3
             opcode = buffer[2] | 0x80
         cls = COMMANDS.get(opcode)
         if cls is None:
-            # The packet size is unknown: each data byte is reported as outside a packet.
+            # The packet size is unknown. Each data byte will be reported as outside a packet.
             return self._reject(tr("{0:#04x} is not a TReX command").format(opcode))
         has_crc = self._polynomial is not None and opcode != 0xFF
-        if len(buffer) < head + cls.data_size + has_crc:
+        if len(buffer) < header_size + cls.data_size + has_crc:
             return None
         raw = bytes(buffer)
-        body = raw[: head + cls.data_size]
+        body = raw[: header_size + cls.data_size]
         if self._polynomial is not None and has_crc:
             expected = crc7(body, self._polynomial)
             if raw[-1] != expected:
                 return self._reject(tr("the CRC is {0:02X}, not {1:02X}").format(raw[-1], expected))
         try:
-            command = cls.from_packet(opcode, body[head:])
+            command = cls.from_packet(opcode, body[header_size:])
         except BadRequest as error:
             return self._reject(str(error))
         self._buffer.clear()
@@ -180,7 +180,7 @@ class ReplyParser(Generic[ReplyT_co]):
 
     command: Command[ReplyT_co]
     framing: Framing = field(default_factory=Framing)
-    echo: bool = False  # the packet comes back before the reply, as on RS-232
+    echo: bool = False  # True if an echo precedes the reply, as on RS-232
     _buffer: bytearray = field(default_factory=bytearray, init=False)
 
     def feed(self, data: bytes = b"") -> Reply[ReplyT_co] | NeedData | Malformed:
@@ -193,21 +193,21 @@ class ReplyParser(Generic[ReplyT_co]):
         sent = self.framing.encode(self.command) if self.echo else b""
         if raw[: len(sent)] != sent[: len(raw)]:
             return Malformed(raw, tr("the echo should be {0}").format(hex_text(sent)))
-        answer = raw[len(sent) :]
+        reply = raw[len(sent) :]
         crc = self.framing.crc_size
-        size = self.command.reply_size(answer)
+        size = self.command.reply_size(reply)
         missing = len(sent) + size + (crc if size else 0) - len(raw)
         if missing > 0:
             return NeedData(missing)
         if missing < 0:
             surplus = tr("1 byte") if missing == -1 else tr("{0} bytes").format(-missing)
             return Malformed(raw, tr("{0} more than the reply has").format(surplus))
-        payload = answer[:size]
+        payload = reply[:size]
         if size and self.framing.polynomial is not None:
             expected = crc7(payload, self.framing.polynomial)
-            if answer[-1] != expected:
+            if reply[-1] != expected:
                 return Malformed(
-                    raw, tr("the CRC is {0:02X}, not {1:02X}").format(answer[-1], expected)
+                    raw, tr("the CRC is {0:02X}, not {1:02X}").format(reply[-1], expected)
                 )
         try:
             return Reply(raw, self.command.parse(payload))

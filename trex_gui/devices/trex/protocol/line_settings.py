@@ -1,6 +1,6 @@
 """Baud rate, error detection and stop bits of the line (parameter 0x7E).
 
-Ref: Pololu TReX User's Guide 5.a, 5.e. Some bit fields are inferred, see the parameter table.
+Ref: Pololu TReX User's Guide 5.a, 5.e. The parameter table marks inferred bit fields.
 """
 
 from dataclasses import dataclass, field

@@ -165,9 +165,9 @@ class ParameterSpec:
     valid: frozenset[int] = frozenset()
     needs_power_cycle: bool = False
     since: str = "1.0"
-    grades: Mapping[str, Grade] = field(default_factory=dict)  # evidence by field of the table
+    grades: Mapping[str, Grade] = field(default_factory=dict)  # field of the table → evidence
     doubt: str = ""  # argument against an inferred default
-    section: str = ""  # of the user's guide, such as `4.c`; empty if unknown
+    section: str = ""  # section of the user's guide, such as `4.c`; empty if unknown
 
     @property
     def readable(self) -> bool:
@@ -285,12 +285,12 @@ class ParameterSpec:
             shortened = text if len(text) <= 40 else f"{text[:40]}…"
             raise BadRequest(
                 tr("{0} is {1}, not {2}").format(
-                    self.name, self._spoken_range(), shortened or tr("empty")
+                    self.name, self._range_in_words(), shortened or tr("empty")
                 )
             )
         return value
 
-    def _spoken_range(self) -> str:
+    def _range_in_words(self) -> str:
         if self.kind is ParameterKind.CHOICE:
             return tr(" or ").join(self.choices.values())
         if self.kind is ParameterKind.CHANNELS:
@@ -315,13 +315,13 @@ class ParameterSpec:
         steps = self._steps(text)
         if steps is None or not math.isfinite(steps):
             return None
-        near = round(steps)
+        wire = round(steps)
         is_quantity = bool(self.unit) or self.kind is ParameterKind.PWM_MAXIMUM
-        if near != steps and not is_quantity:  # plain numbers have no values in between
+        if wire != steps and not is_quantity:  # a plain number must be exact
             return None
         if not self.minimum - _ROUNDING <= steps <= self.maximum + _ROUNDING:
             return None
-        return 1 if self.zero and near == 0 < steps else near
+        return 1 if self.zero and wire == 0 < steps else wire
 
     def _steps(self, text: str) -> float | None:
         is_coded = self.kind in {ParameterKind.POLYNOMIAL, ParameterKind.UART}
@@ -391,8 +391,8 @@ class ParameterSet:
         for spec in self.specs:
             if normal in {spec.key, spec.name.lower().replace("-", "_").replace(" ", "_")}:
                 return spec
-        guess = difflib.get_close_matches(normal, [spec.key for spec in self.specs], n=1)
-        hint = tr("; did you mean {0}?").format(guess[0]) if guess else ""
+        similar = difflib.get_close_matches(normal, [spec.key for spec in self.specs], n=1)
+        hint = tr("; did you mean {0}?").format(similar[0]) if similar else ""
         message = tr("{0} {1} has no parameter {2!r}{3}").format(
             self.model.name, self.firmware, key, hint
         )

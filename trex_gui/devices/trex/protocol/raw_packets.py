@@ -15,7 +15,7 @@ from trex_gui.devices.trex.protocol.commands import (
 from trex_gui.devices.trex.protocol.descriptions import describe
 from trex_gui.devices.trex.protocol.framing import EXPANDED_START, Malformed, Packet, PacketParser
 
-MOST_BYTES = 256  # limit of a request; the longest packet has 14 bytes
+_BYTE_LIMIT = 256  # limit for one request; the longest packet has 14 bytes
 
 _MOTOR_OPCODES = frozenset(opcode for opcode, cls in COMMANDS.items() if cls.moves)
 
@@ -30,7 +30,7 @@ class RawPacket:
 
     @property
     def moves(self) -> bool:
-        """True if a board may read a motor command, or the start of one, in the packet."""
+        """True if the packet may contain a motor command or its start."""
         return may_move(self.packet.raw)
 
     @property
@@ -48,7 +48,7 @@ class RawPacket:
         return self.writes and self.device_number is None
 
     def is_within_stop(self, device_number: int | None) -> bool:
-        """True if a stop sent to this number (`None`: to all) reaches the packet's boards."""
+        """True if a stop to this number (`None`: all boards) reaches the packet's boards."""
         return device_number is None or device_number == self.device_number
 
     @property
@@ -81,10 +81,10 @@ def parse_hexadecimal(text: str) -> bytes:
         ) from None
     if not data:
         raise BadRequest(tr("Which bytes? Give them in hexadecimal, such as 86 1F."))
-    if len(data) > MOST_BYTES:
+    if len(data) > _BYTE_LIMIT:
         raise BadRequest(
             tr("{0} bytes are too many: at most {1} are sent at once.").format(
-                len(data), MOST_BYTES
+                len(data), _BYTE_LIMIT
             )
         )
     return data
@@ -97,9 +97,9 @@ def packets_of(data: bytes, polynomial: int | None) -> tuple[RawPacket, ...]:
 
 
 def may_move(data: bytes) -> bool:
-    """True if any part of the bytes may be a motor command.
+    """True if the bytes may contain a motor command.
 
-    An expanded packet without its command byte counts, because a motor command may follow.
+    This includes an expanded packet without its command byte, which may still follow.
     """
     if not _MOTOR_OPCODES.isdisjoint(data):
         return True

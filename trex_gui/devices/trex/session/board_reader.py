@@ -1,4 +1,4 @@
-"""Reader of a board: all settings, then polled values."""
+"""Reader of a board's settings and polled values."""
 
 import itertools
 import math
@@ -19,7 +19,8 @@ from trex_gui.devices.trex.session.polling import SAFETY_PARAMETERS, Polling, To
 _STALE_READS = 3
 _STALE_READ_INTERVAL = 2.0  # seconds
 
-# Each of the four parameters is read once a second. This takes a tenth of a line at 1200 baud.
+# Each of the four safety parameters is read once a second. At 1200 baud, this takes a tenth of the
+# line's capacity.
 _SAFETY_READ_INTERVAL = 0.25  # seconds
 
 
@@ -27,7 +28,7 @@ class BoardReader:
     state: DeviceState  # set by the first reading
 
     def __init__(self, line: OpenLine) -> None:
-        self.signature: Signature | None = None  # signature of the last board
+        self.signature: Signature | None = None  # signature of the last board read
         self.polling = Polling()
         self.safety_read_at = -math.inf
         self.port_rates: frozenset[int] | None = None  # baud rates of the port; `None` if unknown
@@ -43,7 +44,7 @@ class BoardReader:
     def read_everything(self, occasion: ReadReason) -> None:
         """Read and report all settings.
 
-        Except after a reload, the motors are stopped and have to be armed again: the window may
+        Except after a reload, stop the motors. They must be armed again, because the window may
         still send setpoints for the previous state or board.
         """
         line = self._line
@@ -54,8 +55,8 @@ class BoardReader:
         )
         number = self.state.parameters.get(ParameterKey.DEVICE_NUMBER)
         if occasion is ReadReason.OPENED and number is not None and is_several(line.client, number):
-            where = line.client.settings.label, line.client.settings.line.text()
-            raise TrexBadReplyError(ErrorCode.SEVERAL_BOARDS, *where)
+            settings = line.client.settings
+            raise TrexBadReplyError(ErrorCode.SEVERAL_BOARDS, settings.label, settings.line.text())
         self._stale_reads = 0
         self.signature = self.state.signature
         if occasion is not ReadReason.RELOADED:
@@ -67,7 +68,7 @@ class BoardReader:
         line.motors.handle(OutputEvent.BOARD_READ, line.now())
         line.transport.wait_for_guardian()
         line.report_guardian()
-        if occasion is not ReadReason.SELECTED:  # pending samples are from the new board
+        if occasion is not ReadReason.SELECTED:  # else, pending samples are from the new board
             line.flush()
         client = line.client
         line.emit(
@@ -83,26 +84,26 @@ class BoardReader:
         )
 
     @property
-    def _fed_timeout(self) -> float:
-        """Serial timeout that polling must prevent, in seconds. 0: none."""
+    def _timeout_to_prevent(self) -> float:
+        """Serial timeout that polling must prevent, in seconds. 0 means none."""
         return self.state.serial_timeout if self._line.motors.is_armed else 0.0
 
     def seconds_to_next(self, now: float) -> float:
-        return self.polling.seconds_to_next(now, self._fed_timeout)
+        return self.polling.seconds_to_next(now, self._timeout_to_prevent)
 
     def next_topic(self, now: float) -> Topic | None:
         line = self._line
         return self.polling.next(
             now,
             line.client.settings.line,
-            self._fed_timeout,
+            self._timeout_to_prevent,
             careful=line.driver.avoids_risky_polls(),
         )
 
     def poll(self, topic: Topic) -> None:
         line = self._line
         try:
-            # Stops and setpoints were just served. Only a status may take two transactions.
+            # Stops and setpoints were just served. Only a status read may take two transactions.
             request = line.request if topic is LatchedStatus else line.client.request
             sample = poll(request, topic, line.now, line.status)
             line.liveness.record_reply(topic)
@@ -130,8 +131,8 @@ class BoardReader:
     def check_safety_parameter(self, now: float) -> None:
         """Read the next safety parameter.
 
-        An unexpected value means a power cycle that was too short to lose a reply. Then everything
-        is read, and the motors have to be armed again.
+        An unexpected value indicates a power cycle that was too short to lose a reply. In this
+        case, everything is read, and the motors must be armed again.
         """
         line = self._line
         self.safety_read_at = now + _SAFETY_READ_INTERVAL

@@ -1,4 +1,4 @@
-"""Execution of the requests queued for a board. Every request gets an outcome."""
+"""Execution of requests queued for a board. Every request has an outcome."""
 
 from dataclasses import replace
 
@@ -48,7 +48,7 @@ class JobServer:
         except (BadRequest, NoReply, BadReply, Rejected, OtherBoard) as error:
             line.emit(Outcome(job.id, error=error))
         except BaseException:
-            # The session ends, and reports an outcome for every queued request.
+            # The session ends and reports an outcome for every queued request.
             line.queue.jobs.appendleft(job)
             raise
         else:
@@ -115,7 +115,10 @@ class JobServer:
         self._reader.read_everything(ReadReason.SELECTED)
 
     def _stop_all(self, job: SelectBoard) -> None:
-        """Stop all boards on the line, which commands without a device number have driven."""
+        """Stop all boards on the line.
+
+        Commands without a device number have driven them.
+        """
         for number in job.sharing:
             self._line.client.settings = replace(self._line.client.settings, device_number=number)
             self._line.motors.handle(OutputEvent.DIRECT_COMMAND_SENT, self._line.now())
@@ -174,8 +177,8 @@ class JobServer:
     def _write(self, job: Write) -> Written:
         """Write all values. After `Close`, only complete the current value.
 
-        `Close` first stops motors that may be moving. If another board replies, it is read, and no
-        value counts as written.
+        A `Close` first stops motors that may be moving. If another board replies, that board is
+        read. No value counts as written then.
         """
         line = self._line
         state, stop_is_due = self._reader.state, True

@@ -1,6 +1,6 @@
-"""Requests to a session, and its reports. Both cross threads.
+"""Requests to a session and reports from it. Both cross threads.
 
-Motor messages are in `driving.requests`, messages of all devices in `core.session`.
+Motor messages are in `driving.requests`. Messages for all devices are in `core.session`.
 """
 
 from dataclasses import dataclass
@@ -21,10 +21,10 @@ from trex_gui.devices.trex.protocol.raw_packets import RawPacket
 
 @dataclass(frozen=True, slots=True)
 class SendPacket:
-    """Send a packet that the user typed. The `Outcome` has the reply as `bytes`.
+    """Send a packet that the user typed. The `Outcome` contains the reply as `bytes`.
 
-    While the motors are not armed, a packet that may move a motor is rejected. Stored values are
-    read again, and cleared status bits are reported.
+    While the motors are not armed, a packet that may move a motor is rejected. After a write,
+    stored values are read again. Status bits that the packet cleared are reported.
     """
 
     id: int
@@ -33,16 +33,16 @@ class SendPacket:
 
 @dataclass(frozen=True, slots=True)
 class Write:
-    """Store parameters and calibrations. The `Outcome` has a `Written`.
+    """Store parameters and calibrations. The `Outcome` contains a `Written`.
 
-    A new device number is rejected while motors are armed or may be moving: if its reply were lost,
+    A new device number is rejected while motors are armed or may be moving. If the reply were lost,
     no stop would reach the board.
     """
 
     id: int
-    parameters: tuple[tuple[str, int], ...] = ()  # key, wire value
+    parameters: tuple[tuple[str, int], ...] = ()  # (key, wire value) pairs
     calibrations: tuple[tuple[CalibrationKey, Calibration], ...] = ()
-    before: DeviceState | None = None  # state known to the sender; `None`: the last reading
+    before: DeviceState | None = None  # state known to the sender; `None` for the last reading
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,8 +56,8 @@ class Reload:
 class ProbeNumber:
     """Read the signature of the board with a device number.
 
-    The `Outcome` has the `Signature`, or `None` if no board replies. Its error is a `BadReply` if
-    several boards reply. The request is rejected while motors are armed or may be moving.
+    The `Outcome` contains the `Signature`, or `None` if no board replies. Its error is a `BadReply`
+    if several boards reply. The request is rejected while motors are armed or may be moving.
     """
 
     id: int
@@ -80,10 +80,10 @@ class SelectBoard:
 
 @dataclass(frozen=True, slots=True)
 class SetReconnectCandidates:
-    """Set additional settings to probe for a silent board. No outcome.
+    """Set further settings to probe for a silent board. No outcome.
 
-    They are dropped when the board responds at other settings. Send this request before a `Write`
-    of UART settings, because the board may lose power during the write.
+    These settings are dropped when the board responds at other settings. Send this request before a
+    `Write` of UART settings, because the board may lose power during the write.
     """
 
     settings: tuple[ConnectionSettings, ...]
@@ -93,11 +93,12 @@ class SetReconnectCandidates:
 class SetWatched:
     """Set the polling rate. No outcome.
 
-    The rate is full while samples are watched or motors may be moving, else low.
+    The rate is full while samples are watched, or motors are armed or may be moving. Otherwise it
+    is low.
     """
 
-    watched: bool  # samples are shown or recorded
-    traffic: bool = False  # a server also sends the bytes on its line
+    watched: bool  # True if samples are shown or recorded
+    traffic: bool = False  # True if a server also sends the bytes on its line
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,10 +167,10 @@ class Connected:
     """A board was read. Reported after each complete reading."""
 
     state: DeviceState
-    echo: bool  # sent bytes come back, as on the RS-232 side of the board
+    echo: bool  # True if sent bytes come back, as on the RS-232 side of the board
     occasion: ReadReason
     settings: ConnectionSettings
-    may_move: bool = False  # motors were driven, and no stop was confirmed since
+    may_move: bool = False  # True if motors were driven and no stop was confirmed since
     port_rates: frozenset[int] | None = None  # baud rates of the port; `None` if unknown
     selection: int = 0  # id of the `SelectBoard` for this board; 0 for the first board
 
@@ -205,12 +206,12 @@ class NotResponding:
 
     reason: str
     counters: Counters
-    is_network: bool = False  # the server does not respond, the board's state is unknown
+    is_network: bool = False  # True if the server does not respond: the board's state is unknown
 
 
 @dataclass(frozen=True, slots=True)
 class Batch:
-    """Samples since the last batch. Reported once a display frame, or less often."""
+    """Samples since the last batch. Reported at most once per display frame."""
 
     samples: tuple[Sample, ...]
     counters: Counters
@@ -246,7 +247,7 @@ class NetworkDelay:
 class Traffic:
     """Bytes on the line of a server."""
 
-    events: tuple[TrafficEvent, ...]  # on the clock of this computer
+    events: tuple[TrafficEvent, ...]  # times on this computer's clock
 
 
 BoardReport = (
@@ -267,7 +268,7 @@ BoardReport = (
 
 @dataclass(frozen=True, slots=True)
 class OfBoard:
-    """Report from a board of a group, except the first board."""
+    """Report from a board of a group, other than the first."""
 
     number: int
     report: BoardReport

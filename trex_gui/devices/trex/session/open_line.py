@@ -28,7 +28,7 @@ from trex_gui.devices.trex.session.request_queue import BoardQueue, TrexRequestQ
 
 # In a group, a board is silent after this number of unanswered stops in a row. Each attempt to
 # reconnect repeats the stop.
-_MOST_UNANSWERED = 3
+_UNANSWERED_LIMIT = 3
 
 
 class SampleBatcher:
@@ -36,7 +36,7 @@ class SampleBatcher:
         self._report = report
         self._samples: list[Sample] = []
         self._last_flush = 0.0
-        self.interval = FRAME  # shortest time in seconds between two batches
+        self.interval = FRAME  # minimum time between two batches, in seconds
         self.add = self._samples.append
         self.extend = self._samples.extend
 
@@ -53,7 +53,10 @@ class SampleBatcher:
 
 @dataclass(slots=True, eq=False)
 class OpenLine:
-    """Line and parts of one board. Methods serve stops first, then setpoints."""
+    """Line of one board, with its driver, monitor and queues.
+
+    Stops are served before setpoints.
+    """
 
     client: TrexClient
     transport: GuardedTransport
@@ -67,8 +70,8 @@ class OpenLine:
     emit: Callable[[BoardReport], None]
     boards: list["OpenLine"]  # all boards of the session
     reserved: frozenset[int]  # numbers of devices outside the session
-    has_driven: bool = False  # True until each board on the line is stopped
-    is_guarded: bool = False  # last reported value
+    has_driven: bool = False  # True from driving until all boards on the line are stopped
+    is_guarded: bool = False  # value last reported
 
     @property
     def settings(self) -> ConnectionSettings:
@@ -86,7 +89,7 @@ class OpenLine:
     # --- Urgent work --------------------------------------------------------------------
 
     def collect(self, seconds: float = 0.0) -> None:
-        """Handle new requests. Wait up to `seconds` for the first.
+        """Handle new requests. Wait up to `seconds` for the first request.
 
         Raises:
             Closing: a `Close` was received.
@@ -115,14 +118,14 @@ class OpenLine:
         return run.is_confirmed
 
     def _stop(self, runs: dict["OpenLine", StopRun]) -> None:
-        """Stop these boards. Include stops that become due during this time."""
+        """Stop these boards, and others whose stop becomes due."""
 
-        def due() -> list[StopRun]:
+        def newly_due() -> list[StopRun]:
             self.requests.collect()
             others = [board for board in self.boards if board not in runs]
             added = {board: run for board in others for run in board.due_stops()}
             for run in added.values():
-                run.most_unanswered = _MOST_UNANSWERED
+                run.most_unanswered = _UNANSWERED_LIMIT
             runs.update(added)
             return list(added.values())
 
@@ -130,8 +133,8 @@ class OpenLine:
             stop_together(list(runs.values()))
             return
         for run in runs.values():
-            run.most_unanswered = _MOST_UNANSWERED
-        stop_together(list(runs.values()), due)
+            run.most_unanswered = _UNANSWERED_LIMIT
+        stop_together(list(runs.values()), newly_due)
         for board, run in runs.items():
             for error in run.unanswered:  # the group is not driven until this board responds
                 board.record_failure(error)
@@ -172,7 +175,7 @@ class OpenLine:
             raise TrexRequestError(ErrorCode.OTHERS_WHILE_DRIVING)
 
     def record_failure(self, error: StudioError, topic: Topic | None = None) -> None:
-        """Count a failed transaction. After several in a row, the board is silent."""
+        """Count a failed transaction. After several in a row, the board counts as silent."""
         self.motors.restart.record_lost_reply()
         if self.liveness.record_failure(self.now(), topic):
             self.motors.handle(OutputEvent.NOT_RESPONDING, self.now())

@@ -1,11 +1,11 @@
 """Schedule of the polled values.
 
-Each value is polled as often as the board renews it. Faster polling would read old values and delay
-motor commands.
+Each value is polled as often as the board updates it. Faster polling would read old values and
+delay motor commands.
 
 While motors are armed, polling also prevents the board's serial timeout. The board measures the
-time between received bytes, and cannot receive while it replies. So the longest silence covers a
-reply and the first byte of the next query.
+time between received bytes, and cannot receive while it replies. Therefore, the longest silence
+includes a reply and the first byte of the next query.
 """
 
 import math
@@ -26,19 +26,19 @@ SAFETY_PARAMETERS = (  # read continuously, because they protect the motors
 
 Topic = type[Sample]  # class of a polled value
 
-_LONGEST_LAG = 0.1  # seconds; a schedule that is later than this does not catch up
+_MAXIMUM_LAG = 0.1  # seconds; a schedule does not catch up on a longer lag
 
-# The board's response delay (1 ms), half of its 10 ms cycle, and the host's delay (some
-# milliseconds, measured while a window paints).
+# Sum of the board's response delay (1 ms), half of its 10 ms cycle and the host's delay (a few
+# milliseconds, measured while a window is painted).
 _MARGIN = 0.015  # longest time between a reply and the next query, in seconds
 
-_KEEPALIVE_SHARE = 0.4  # share of the serial timeout after which any topic is polled
+_KEEPALIVE_FRACTION = 0.4  # fraction of the serial timeout after which a poll is due
 
 _CHEAPEST = Control  # shortest transaction: one byte out, one byte in
 
 
 def rates(source: InputSource, *, watched: bool = True) -> Mapping[Topic, float]:
-    """Return the polls per second by topic, fastest topic first."""
+    """Return the polls per second for each topic, fastest topic first."""
     is_analog = source is InputSource.ANALOG
     return {
         topic: (not watched and polled.unwatched)
@@ -67,11 +67,11 @@ def too_slow(line: LineSettings, timeout: float) -> frozenset[Topic]:
 def survives_a_loss(line: LineSettings, timeout: float, lateness: float) -> bool:
     """True if a lost reply does not cause a serial timeout.
 
-    `lateness` is the timeout of a reply in seconds, without its transmission.
+    `lateness` is the timeout for a reply in seconds, without the transmission time.
     """
-    left_out = too_slow(line, timeout)
-    polled = [POLLED[topic].query for topic in POLLED if topic not in left_out]
-    return timeout <= 0 or max(silence(line, query) for query in polled) + lateness < timeout
+    omitted = too_slow(line, timeout)
+    queries = [POLLED[topic].query for topic in POLLED if topic not in omitted]
+    return timeout <= 0 or max(silence(line, query) for query in queries) + lateness < timeout
 
 
 # --- The schedule -----------------------------------------------------------------------
@@ -85,7 +85,7 @@ class Schedule:
         self._due: dict[Topic, float] = {}
 
     def start(self, topic_rates: Mapping[Topic, float], now: float) -> None:
-        """Set the polls per second by topic. All topics are due at `now`."""
+        """Set the polls per second for each topic. All topics are due at `now`."""
         self._rates = topic_rates
         self._due = dict.fromkeys(topic_rates, now)
 
@@ -95,15 +95,15 @@ class Schedule:
         return topic if topic is not None and self._due[topic] <= now else None
 
     def record_poll(self, topic: Topic, now: float) -> None:
-        """Set the next due time, one period after the last.
+        """Set the next due time, one period after the last due time.
 
-        If the line falls behind, all topics are delayed by the same time, so that none starves.
+        If the line falls behind, all topics are delayed by the same time, so that no topic starves.
         """
         if topic in self._due:
             self._due[topic] += 1 / self._rates[topic]
-            behind = now - _LONGEST_LAG - min(self._due.values())
-            if behind > 0:
-                self._due = {each: due + behind for each, due in self._due.items()}
+            delay = now - _MAXIMUM_LAG - min(self._due.values())
+            if delay > 0:
+                self._due = {topic: due + delay for topic, due in self._due.items()}
 
     def seconds_to_next(self, now: float) -> float:
         return max(0.0, min(self._due.values(), default=math.inf) - now)
@@ -135,25 +135,26 @@ class Polling:
         """Record and return the topic to poll now. `None` if no topic is due.
 
         Polls keep the serial `timeout` (seconds, 0: off) from expiring. `careful` omits queries
-        that a bit error turns into a motor command.
+        that a bit error may turn into a command that drives a motor.
         """
-        left_out: Collection[Topic] = too_slow(line, timeout)
+        omitted: Collection[Topic] = too_slow(line, timeout)
         if careful:
-            left_out = {*left_out, Raw}  # 86 1F is one bit away from C6 1F, 87 1F brakes
+            # 86 1F is one bit away from C6 1F, which drives. 87 1F may only become C7 1F, a brake.
+            omitted = {*omitted, Raw}
         while topic := self._schedule.next(now):
             self._schedule.record_poll(topic, now)
-            if topic not in left_out:
+            if topic not in omitted:
                 break
-        if topic is None and self._pause_left(now, timeout) == 0:
+        if topic is None and self._seconds_to_keepalive(now, timeout) == 0:
             topic = _CHEAPEST
         if topic is not None:
             self._polled_at = now
         return topic
 
     def seconds_to_next(self, now: float, timeout: float) -> float:
-        return min(self._schedule.seconds_to_next(now), self._pause_left(now, timeout))
+        return min(self._schedule.seconds_to_next(now), self._seconds_to_keepalive(now, timeout))
 
-    def _pause_left(self, now: float, timeout: float) -> float:
+    def _seconds_to_keepalive(self, now: float, timeout: float) -> float:
         if timeout <= 0:
             return math.inf
-        return max(0.0, self._polled_at + timeout * _KEEPALIVE_SHARE - now)
+        return max(0.0, self._polled_at + timeout * _KEEPALIVE_FRACTION - now)

@@ -24,29 +24,30 @@ log = logging.getLogger(__name__)
 
 _FAILURES = 3  # after this number of failures in a row, the board counts as silent
 
-# Failures of these topics are also counted by topic, because few byte values are valid replies. If
-# TX and RX touch, requests come back and pass for valid replies to other topics.
+# Failures of each of these topics are also counted separately, because few byte values are valid
+# replies to them. If TX and RX touch, requests come back and look like valid replies to the other
+# topics.
 _STRICT = frozenset({Control, ModeSample})
 
 
 class LivenessMonitor:
-    """Detects a silent board, and probes for it."""
+    """Detector of a silent board, which also probes for it."""
 
     def __init__(self, timeouts: Timeouts) -> None:
         self.retry_at = 0.0  # time of the next probe, on the line's clock
         self.candidates: tuple[ConnectionSettings, ...] = ()  # further settings to probe
         self._retry = timeouts.retry
         self._failures_of = Counter[Topic]()
-        self._places = deque[ConnectionSettings]()
+        self._untried = deque[ConnectionSettings]()
         self.start()
 
     def expect(self, candidates: tuple[ConnectionSettings, ...]) -> None:
         if candidates != self.candidates:
             self.candidates = candidates
-            self._places.clear()
+            self._untried.clear()
 
     def start(self) -> None:
-        self.silent = False  # the board has stopped responding
+        self.silent = False  # True if the board has stopped responding
         self._failures = 0
         self._failures_of.clear()
         self._has_probed = False
@@ -67,7 +68,7 @@ class LivenessMonitor:
         if failures < _FAILURES or self.silent:
             return False
         self.silent = True
-        self._places.clear()
+        self._untried.clear()
         self.retry_later(now)
         return True
 
@@ -77,8 +78,8 @@ class LivenessMonitor:
     def is_scanning(self, client: TrexClient) -> bool:
         """True if a silent board may be at other settings.
 
-        Then only stops and probes may be sent. The first probe makes this permanent: a board at
-        another rate may have received other bytes.
+        In this state, only stops and probes may be sent. After the first probe, it lasts until the
+        board responds, because a board at another baud rate may have misread the probe.
         """
         can_probe = client.transport.is_configurable
         return self.silent and can_probe and (self._has_probed or bool(self.candidates))
@@ -86,31 +87,31 @@ class LivenessMonitor:
     def probe_next(self, client: TrexClient) -> TrexClient | None:
         """Send one probe. Return a client if the board replied."""
         self._has_probed = True
-        if not self._places:
-            self._places.extend(reconnect_places(client.settings, self.candidates))
-        found = _probe(client, self._places.popleft())
+        if not self._untried:
+            self._untried.extend(reconnect_places(client.settings, self.candidates))
+        found = _probe(client, self._untried.popleft())
         if found is None:
-            self.retry_at = client.transport.clock() + (0.0 if self._places else self._retry)
+            self.retry_at = client.transport.clock() + (0.0 if self._untried else self._retry)
         elif found is not client:
             self.expect(())
         return found
 
 
-def _probe(client: TrexClient, place: ConnectionSettings) -> TrexClient | None:
+def _probe(client: TrexClient, settings: ConnectionSettings) -> TrexClient | None:
     transport = client.transport
     try:
-        found = client_at(transport, place)
+        found = client_at(transport, settings)
     except BadRequest as error:
-        log.debug("%s: %s", place.text(), error)
+        log.debug("%s: %s", settings.text(), error)
         found = None
     if found is None:
         # A stop must use the settings at which the board last replied.
         transport.reconfigure(client.settings.line)
         return None
-    if place == client.settings:
+    if settings == client.settings:
         client.echo = found.echo
         return client
-    log.info("the board came back at %s", place.text())
+    log.info("the board responds at %s", settings.text())
     found.counters = client.counters
     return found
 
@@ -126,20 +127,20 @@ def reconnect_candidates(
 ) -> tuple[ConnectionSettings, ...]:
     """Return the possible settings of a board that loses power during a write.
 
-    A value that was being stored becomes the factory default. The default line settings are
-    omitted, because they are always probed. `before` and `after` are stored wire values by key.
+    A value that was being stored becomes the factory default. The present settings are omitted,
+    because they are always probed. `before` and `after` map keys to stored wire values.
     """
     specs = {spec.key: spec for spec in parameters_of("trex", firmware).readable}
     changed = [key for key in REACH if key in before and after.get(key) not in {None, before[key]}]
-    ends = [before, {**before, **after}]
-    half_way = [{**end, key: specs[key].default} for end in ends for key in changed]
-    places = dict.fromkeys(
-        place
-        for stored in [*reversed(ends), *half_way]
-        if (place := after_power_cycle(link, stored, firmware)) is not None
+    complete = [before, {**before, **after}]
+    interrupted = [{**stored, key: specs[key].default} for stored in complete for key in changed]
+    candidates = dict.fromkeys(
+        candidate
+        for stored in [*reversed(complete), *interrupted]
+        if (candidate := after_power_cycle(link, stored, firmware)) is not None
     )
-    places.pop(link, None)
-    return tuple(places)
+    candidates.pop(link, None)
+    return tuple(candidates)
 
 
 def after_power_cycle(
@@ -147,8 +148,8 @@ def after_power_cycle(
 ) -> ConnectionSettings | None:
     """Return the connection settings after the next start. `None` for invalid values.
 
-    `stored` are wire values by key. Missing values stay as in `link`. Firmware before 1.2 halves
-    two baud rates: the result has the actual rate.
+    `stored` maps keys to wire values. Missing values are taken from `link`. Firmware before 1.2
+    halves two baud rates. In this case, the result has the actual rate.
     """
     line, polynomial = link.line, link.polynomial
     try:
@@ -171,56 +172,61 @@ def reconnect_places(
 ) -> tuple[ConnectionSettings, ...]:
     """Return the settings to probe for a silent board, present settings first.
 
-    The factory default comes last: a power cut while UART settings are stored leaves the board with
-    it. A board replies with any stop bits, so a candidate with other stop bits replaces the present
-    settings. Settings are omitted if a board at other settings could read their probe as a motor
-    command. On a line with other devices, only the present settings are probed.
+    The factory default is last. A board has it after a power cut while UART settings are stored.
+    The number of stop bits does not prevent a reply, so a candidate that differs only in stop bits
+    replaces the present settings. Settings are omitted if a board at other settings could read
+    their probe as a motor command. On a line with other devices, only the present settings are
+    probed.
     """
     if used.reserved:
         return (used,)
     candidates = [
-        replace(place, url=used.url, name=used.name, timeouts=used.timeouts) for place in expected
+        replace(settings, url=used.url, name=used.name, timeouts=used.timeouts)
+        for settings in expected
     ]
-    first = next((place for place in candidates if _differ_in_stop_bits(place, used)), used)
-    places: dict[object, ConnectionSettings] = {}
-    for place in (first, *candidates, replace(first, line=LineSettings())):
-        places.setdefault((place.line, place.framing), place)
+    first = next(
+        (candidate for candidate in candidates if _differ_only_in_stop_bits(candidate, used)), used
+    )
+    unique: dict[object, ConnectionSettings] = {}
+    for settings in (first, *candidates, replace(first, line=LineSettings())):
+        unique.setdefault((settings.line, settings.framing), settings)
     return tuple(
-        place
-        for place in places.values()
-        if not (Attempt.at(place).is_unsafe and _may_misread(place.line, places.values()))
+        settings
+        for settings in unique.values()
+        if not (Attempt.at(settings).is_unsafe and _may_misread(settings.line, unique.values()))
     )
 
 
-def _differ_in_stop_bits(first: ConnectionSettings, second: ConnectionSettings) -> bool:
+def _differ_only_in_stop_bits(first: ConnectionSettings, second: ConnectionSettings) -> bool:
     stop_bits = second.line.stop_bits
-    alike = replace(first, line=replace(first.line, stop_bits=stop_bits)) == second
-    return alike and first.line.stop_bits != stop_bits
+    is_equal = replace(first, line=replace(first.line, stop_bits=stop_bits)) == second
+    return is_equal and first.line.stop_bits != stop_bits
 
 
-def _may_misread(line: LineSettings, places: Iterable[ConnectionSettings]) -> bool:
+def _may_misread(line: LineSettings, candidates: Iterable[ConnectionSettings]) -> bool:
+    """True if a board at one of the candidates may misread a probe on this line."""
     return any(
-        place.line.detection is Detection.ODD and place.line.baud * 3 == line.baud * 8
-        for place in places
+        candidate.line.detection is Detection.ODD and candidate.line.baud * 3 == line.baud * 8
+        for candidate in candidates
     )
 
 
-def client_at(wire: Transport, settings: ConnectionSettings) -> TrexClient | None:
+def client_at(transport: Transport, settings: ConnectionSettings) -> TrexClient | None:
     """Apply the settings to the line. Return a client if the board responds.
 
     Without a reply, this takes about 0.3 s on a local port. A second query checks the address.
 
     Raises:
         BadRequest: the port does not support the settings.
-        PortUnavailable: the line is gone.
+        PortUnavailable: the line was lost.
     """
     if not settings.reserved:
-        flush(wire, settings.timeouts.extra)
-    wire.reconfigure(settings.line)
-    reply = send_probe(wire, Attempt.at(settings), settings.timeouts.extra)
+        flush(transport, settings.timeouts.extra)
+    transport.reconfigure(settings.line)
+    reply = send_probe(transport, Attempt.at(settings), settings.timeouts.extra)
     if reply.kind not in {ReplyKind.BOARD, ReplyKind.SEVERAL}:
         return None
-    client = TrexClient(wire, settings, echo=reply.echo)
+    client = TrexClient(transport, settings, echo=reply.echo)
     try:
         query(client.request, GetSignature())
     except (NoReply, BadReply):

@@ -1,4 +1,4 @@
-"""Queue of requests to a session, by board. Motor requests come first."""
+"""Queues of requests to a session, one for each board. Motor requests have priority."""
 
 from collections import Counter, deque
 from collections.abc import Callable, Mapping
@@ -33,8 +33,8 @@ class BoardQueue:
     def add(self, request: BoardRequest, *, is_closing: bool) -> None:
         """Queue a request. `is_closing` drops motor commands.
 
-        A stop drops all setpoints until the next `Arm`, because their sender may not know of the
-        stop.
+        A stop drops all setpoints until the next `Arm`, because the sender of a setpoint may not
+        know about the stop.
         """
         match request:
             case Stop():
@@ -70,11 +70,11 @@ class TrexRequestQueue:
 
     _inbox: Inbox[Request]
     _boards: Mapping[int | None, BoardQueue]  # by device number, in group order
-    is_ready: bool = True  # every board was read
-    is_closing: bool = False  # a `Close` was received
-    is_watched: bool = True  # samples are shown or recorded
-    _awaited: Counter[int] = field(default_factory=Counter)  # missing outcomes by id of the stop
-    _failed: dict[int, Outcome] = field(default_factory=dict)  # first error by id of the stop
+    is_ready: bool = True  # True if every board was read
+    is_closing: bool = False  # True if a `Close` was received
+    is_watched: bool = True  # True if samples are shown or recorded
+    _awaited: Counter[int] = field(default_factory=Counter)  # id of a stop → missing outcomes
+    _failed: dict[int, Outcome] = field(default_factory=dict)  # id of a stop → first error
 
     def collect(self, seconds: float = 0.0) -> None:
         """Queue received requests, waiting up to `seconds` for the first."""
@@ -90,10 +90,10 @@ class TrexRequestQueue:
                     self.is_watched = watched
                 case _ if isinstance(request, LeaseRequest):
                     pass  # a line of this computer has no other clients
-                case ToBoard(number=number, request=inner):
-                    self._dispatch(number, inner)
+                case ToBoard(number=number, request=board_request):
+                    self._dispatch(number, board_request)
                 case Arm() if not self.is_ready:
-                    pass  # some board is not read yet
+                    pass  # at least one board was not read yet
                 case Stop() | Arm() | Heartbeat():
                     if isinstance(request, Stop):
                         self._awaited[request.id] += len(boards)
@@ -116,14 +116,14 @@ class TrexRequestQueue:
 
     def joined(self, outcome: Outcome, number: int) -> Outcome | None:
         """Return the common outcome of a stop. `None` until all boards have an outcome."""
-        stop = outcome.id
+        stop_id = outcome.id
         if outcome.error is not None:
             error = TrexNoReplyError(ErrorCode.OF_BOARD, number, outcome.error)
-            self._failed.setdefault(stop, Outcome(stop, error=error))
-        self._awaited[stop] -= 1
-        if self._awaited[stop]:
+            self._failed.setdefault(stop_id, Outcome(stop_id, error=error))
+        self._awaited[stop_id] -= 1
+        if self._awaited[stop_id]:
             return None
-        return self._failed.pop(stop, outcome)
+        return self._failed.pop(stop_id, outcome)
 
     def sees_close(self) -> bool:
         """Queue received requests. Return whether a `Close` was received."""

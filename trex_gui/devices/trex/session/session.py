@@ -1,7 +1,7 @@
 """Session loop of a line, without Qt. It runs one transaction at a time.
 
-Stops have the highest priority, before setpoints, requests and polls. Of all motor commands, only a
-stop is sent without a request.
+Stops have the highest priority, followed by setpoints, requests and polls. No motor command except
+a stop is sent without a request.
 """
 
 import logging
@@ -59,8 +59,8 @@ class _Board:
     line: OpenLine = field(init=False)
     reader: BoardReader = field(init=False)
     jobs: JobServer = field(init=False)
-    had_job: bool = False  # a request was served since the last poll
-    stopped_another: bool = False  # another board confirmed the last stop
+    had_job: bool = False  # True if a request was served since the last poll
+    stopped_another: bool = False  # True if another board confirmed the last stop
 
 
 class TrexSession:
@@ -71,7 +71,7 @@ class TrexSession:
         inbox: requests to the session.
         emit: receives every report, in the thread of `run`.
         open_transport: opens the port.
-        may_move: motors may be moving since an earlier session. A stop is sent first.
+        may_move: motors may still be moving from an earlier session. A stop is sent first.
     """
 
     def __init__(
@@ -91,7 +91,7 @@ class TrexSession:
             self._create_board(number, settings.of_board(number), may_move)
             for number in settings.group
         ] or [self._create_board(None, settings, may_move)]
-        self._has_driven = False  # the last step drove one of several boards
+        self._has_driven = False  # True if the last step drove a board of a group
         self._in_turn = list(self._boards)  # least recently served board first
         queues = {board.number: board.queue for board in self._boards}
         self._requests = TrexRequestQueue(inbox, queues, is_ready=len(self._boards) == 1)
@@ -109,14 +109,14 @@ class TrexSession:
                 self._emit(report if number == self._settings.group[0] else OfBoard(number, report))
 
         motors = MotorOutput(emit, settings.timeouts, may_move=may_move)
-        if number is not None:  # a group is armed together, after every board was read
+        if number is not None:  # a group is armed together after all boards are read
             motors.handle(OutputEvent.STOP, 0.0)
         liveness = LivenessMonitor(settings.timeouts)
         queue = BoardQueue(motors, liveness, emit, self._now)
         return _Board(number, settings, motors, liveness, queue, emit)
 
     def run(self) -> None:
-        """Serve the line until it is lost or `Close` comes. Then report `Closed`.
+        """Serve the line until it is lost or closed. Then report `Closed`.
 
         Never raises. Driven motors are always stopped, the port is closed, and every request has an
         outcome.
@@ -158,10 +158,10 @@ class TrexSession:
             try:
                 self._start(client)
             except BadReply:
-                # A line that was just opened may have lost the echo.
+                # A line may lose the echo just after it is opened.
                 self._start(client)
         except (NoReply, BadReply) as error:
-            if self._needs_stop():  # the stop precedes further probes
+            if self._needs_stop():  # further probes would delay the stop
                 raise explain(self._settings, echo=client.echo, error=error) from error
             raise diagnose(
                 client, error, progress=self._report_probe, cancelled=self._needs_stop
@@ -175,14 +175,14 @@ class TrexSession:
         )
 
     def _add(self, board: _Board, client: TrexClient, lines: list[OpenLine]) -> None:
-        own = client if board is self._boards[0] else client.to_board(board.settings)
+        board_client = client if board is self._boards[0] else client.to_board(board.settings)
         status, batcher = StatusReader(self._transport.clock), SampleBatcher(board.emit)
         sees_close = self._requests.sees_close
         board.line = OpenLine(
-            client=own,
+            client=board_client,
             transport=self._transport,
             motors=board.motors,
-            driver=MotorDriver(board.motors, own, status, batcher.extend, sees_close),
+            driver=MotorDriver(board.motors, board_client, status, batcher.extend, sees_close),
             status=status,
             liveness=board.liveness,
             requests=self._requests,
@@ -253,8 +253,8 @@ class TrexSession:
         boards, transport = self._boards, self._transport
         try:
             driven = [board for board in boards if board.motors.may_move]
-            stopped = [board for board in boards if board.motors.may_move or board.motors.stops]
-            stop_together([board.line.driver.closing_stop() for board in stopped])
+            to_stop = [board for board in boards if board.motors.may_move or board.motors.stops]
+            stop_together([board.line.driver.closing_stop() for board in to_stop])
             for board in driven:
                 if not board.motors.may_move:
                     board.stopped_another = self._is_another(board)

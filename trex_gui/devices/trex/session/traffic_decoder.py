@@ -22,7 +22,7 @@ from trex_gui.devices.trex.protocol.parameters import parameter_number
 from trex_gui.devices.trex.protocol.raw_packets import may_move, packets_of
 from trex_gui.devices.trex.session.polling import SAFETY_PARAMETERS
 
-_POLLED = frozenset(range(0x82, 0x90)) | {0xFF}  # polled values and the null command
+_POLLED = frozenset(range(0x82, 0x90)) | {0xFF}  # queries of polled values, and the null command
 
 
 class TrexDecoder(Decoder):
@@ -108,7 +108,7 @@ _packets = lru_cache(maxsize=256)(packets_of)  # polling repeats the same few pa
 def last_exchange(
     transaction: Transaction,
 ) -> tuple[Packet | Malformed | None, Reply[object] | NeedData | Malformed | None]:
-    """Return the last sent packet and its reply. `None` if missing."""
+    """Return the last sent packet and its reply, each `None` if missing."""
     if not transaction.sent:
         return None, None
     packet = _packets(transaction.sent, _polynomial(transaction.settings))[-1].packet
