@@ -1,7 +1,7 @@
 """Messages between server and clients, and their encoding.
 
-A message contains the name of its type and its fields, in MessagePack. Decoding checks the type of
-each field, and accepts only the types in the tables of this module.
+A message contains the name of its type and its fields, encoded as MessagePack. The decoder checks
+the type of each field, and accepts only the types in the tables of this module.
 """
 
 import math
@@ -63,7 +63,7 @@ VERSION = 1  # a server refuses clients with another version
 
 @dataclass(frozen=True, slots=True)
 class Hello:
-    """Request: the first message of a client."""
+    """First message of a client."""
 
     version: int
     program: str  # name and version, for the log
@@ -71,29 +71,29 @@ class Hello:
 
 @dataclass(frozen=True, slots=True)
 class Alive:
-    """Request: the client still runs."""
+    """Periodic message of a running client."""
 
 
 @dataclass(frozen=True, slots=True)
 class Leave:
-    """Request: the last message of a client."""
+    """Last message of a client."""
 
 
 @dataclass(frozen=True, slots=True)
 class Welcome:
-    """Report: a client was accepted. The newest reports of the session follow."""
+    """First message to an accepted client. The newest reports of the session follow."""
 
     name: str  # name of the served board
 
 
 @dataclass(frozen=True, slots=True)
 class Tick:
-    """Report: the server still runs."""
+    """Periodic message of a running server."""
 
 
 @dataclass(frozen=True, slots=True)
 class Refused:
-    """Report: the server refuses or drops the client. This is the last message."""
+    """Last message to a client that the server refuses or drops."""
 
     reason: str
 
@@ -101,17 +101,17 @@ class Refused:
 ClientRequest = Hello | Alive | Leave
 ServerReport = Welcome | Tick | Refused
 
-LARGEST_REQUEST = 8192  # bytes; a `Write` of all settings, with their old values, has 3000
+LARGEST_REQUEST = 8192  # bytes; a `Write` of all settings, with the previous values, has 3000
 
 Request = SessionRequest | ClientRequest
 Report = SessionReport | ServerReport
 _REQUESTS: Any = Request
 _REPORTS: Any = Report | ProbeProgress
 
-_TO_BOARD: Any = BoardRequest  # inside messages to or from one of several boards
-_OF_BOARD: Any = BoardReport
+_TO_BOARD: Any = BoardRequest  # requests inside a `ToBoard`
+_OF_BOARD: Any = BoardReport  # reports inside an `OfBoard`
 
-_VALUES: Any = Written | Signature  # in an `Outcome`, besides bytes and `None`
+_VALUES: Any = Written | Signature  # values of an `Outcome`, besides bytes and `None`
 
 _ERRORS: dict[str, type[Any]] = {
     kind.__name__: kind
@@ -139,41 +139,49 @@ def inner_request(request: Request) -> Request:
     return request.request if isinstance(request, ToBoard) else request
 
 
-def encode_request(request: Request, *head: float) -> bytes:
-    return msgpack.encode([*head, _codec().unstructure(request, _REQUESTS)])
+def encode_request(request: Request, *header: float) -> bytes:
+    return msgpack.encode([*header, _codec().unstructure(request, _REQUESTS)])
 
 
-def decode_request(data: bytes, head: int) -> tuple[tuple[float, ...], Request]:
-    """Return the `head` numbers and the request. BadRequest if the bytes are not a request."""
-    return _decode(data, head, _REQUESTS)
+def decode_request(data: bytes, header_size: int) -> tuple[tuple[float, ...], Request]:
+    """Return the numbers in the header, and the request.
+
+    Raises:
+        BadRequest: the bytes are not a request.
+    """
+    return _decode(data, header_size, _REQUESTS)
 
 
 def encode_report(report: Report) -> Any:
     return _codec().unstructure(report, _REPORTS)
 
 
-def with_head(report: Any, *head: float) -> bytes:
-    return msgpack.encode([*head, report])
+def with_head(report: Any, *header: float) -> bytes:
+    return msgpack.encode([*header, report])
 
 
-def decode_report(data: bytes, head: int) -> tuple[tuple[float, ...], Report]:
-    """Return the `head` numbers and the report. BadRequest if the bytes are not a report."""
-    return _decode(data, head, _REPORTS)
+def decode_report(data: bytes, header_size: int) -> tuple[tuple[float, ...], Report]:
+    """Return the numbers in the header, and the report.
+
+    Raises:
+        BadRequest: the bytes are not a report.
+    """
+    return _decode(data, header_size, _REPORTS)
 
 
-def _decode(data: bytes, head: int, union: Any) -> tuple[tuple[float, ...], Any]:
+def _decode(data: bytes, header_size: int, union: Any) -> tuple[tuple[float, ...], Any]:
     try:
-        *numbers, body = msgpack.decode(data)
-        return _numbers(numbers, head), _codec().structure(body, union)
+        *header, body = msgpack.decode(data)
+        return _check_header(header, header_size), _codec().structure(body, union)
     except Exception as error:
-        raise BadRequest(f"no message: {error!r:.200}") from error
+        raise BadRequest(f"not a message: {error!r:.200}") from error
 
 
-def _numbers(found: list[Any], count: int) -> tuple[float, ...]:
-    is_number = [type(value) in {int, float} and math.isfinite(value) for value in found]
-    if len(found) != count or not all(is_number):
-        raise ValueError(f"{count} numbers and a message were expected")
-    return tuple(found)
+def _check_header(header: list[Any], size: int) -> tuple[float, ...]:
+    is_number = [type(value) in {int, float} and math.isfinite(value) for value in header]
+    if len(header) != size or not all(is_number):
+        raise ValueError(f"{size} numbers and a message were expected")
+    return tuple(header)
 
 
 @cache
@@ -182,7 +190,7 @@ def _codec() -> cattrs.Converter:
     for kind in (int, float, str, bytes, bool):
         codec.register_structure_hook(kind, _strict(kind))
     for base, plain in ((IntEnum, int), (StrEnum, str)):  # else the hooks of `int` and `str` apply
-        codec.register_structure_hook(base, _member(plain))
+        codec.register_structure_hook(base, _member_hook(plain))
     codec.register_unstructure_hook_func(_is_code, lambda code: code.name)
     codec.register_structure_hook_func(_is_code, lambda name, kind: kind[name])
     for flags in (Status, UartError):
@@ -225,7 +233,7 @@ def _strict(kind: type) -> Callable[[Any, Any], Any]:
     return check
 
 
-def _member(plain: type) -> Callable[[Any, Any], Any]:
+def _member_hook(plain: type) -> Callable[[Any, Any], Any]:
     return lambda value, kind: kind(_strict(plain)(value, plain))
 
 
@@ -274,7 +282,7 @@ def _error_of(form: Any) -> StudioError | None:
             arguments = [ErrorCode[code], *fields] if code else fields
             error: StudioError = _ERRORS[kind](*arguments)
             return error
-    raise ValueError("no error")
+    raise ValueError("not an error")
 
 
 def _outcome_form(outcome: Outcome, codec: cattrs.Converter) -> Any:
@@ -289,5 +297,5 @@ def _outcome_of(form: Any, codec: cattrs.Converter) -> Outcome:
     if isinstance(value, dict):
         value = codec.structure(value, _VALUES)
     elif not (value is None or isinstance(value, bytes)):
-        raise ValueError("no value of an outcome")
+        raise ValueError("not a value of an outcome")
     return Outcome(_strict(int)(number, int), value, _error_of(error))

@@ -1,9 +1,9 @@
-"""Lease to drive. One client holds it while its heartbeats arrive."""
+"""Permission to drive. A client holds the lease while its heartbeats arrive."""
 
 from dataclasses import dataclass, field
 from enum import IntEnum
 
-LEASE_TIMEOUT = 0.5  # seconds without a heartbeat; a robot at full speed moves by a metre
+LEASE_TIMEOUT = 0.5  # seconds without a heartbeat, in which a robot at full speed moves one metre
 
 
 class Role(IntEnum):
@@ -27,7 +27,7 @@ class User:
 class Party:
     """Client of the server, with its user."""
 
-    id: str  # id of the client
+    id: str
     user: str
     role: Role
 
@@ -55,11 +55,14 @@ class Lease:
         return self.holder == party
 
     def hand_over(self, by: Party, user: str, now: float) -> bool:
-        """Hand the lease over to a waiting user. Return False if that is not possible."""
-        heir = next((party for party in self.waiting if party.user == user), None)
-        if heir is None or by != self.holder:
+        """Hand the lease over to a waiting user.
+
+        Return False if the user is not waiting or `by` does not hold the lease.
+        """
+        successor = next((party for party in self.waiting if party.user == user), None)
+        if successor is None or by != self.holder:
             return False
-        self._grant(heir, now)
+        self._grant(successor, now)
         return True
 
     def claim(self, by: Party, now: float) -> bool:

@@ -19,8 +19,8 @@ from trex_gui.core.translation import tr
 from trex_gui.core.transport.urls import LOCAL_USER, Address
 from trex_gui.devices.trex.serve.lease import User
 
-_MOST_SCOUTED = 32
-_DEAD_MS = 4000  # timeout of a silent connection
+_ADDRESS_LIMIT = 32  # maximum number of addresses found by a scan
+_DEAD_MS = 4000  # timeout of a silent connection, in milliseconds
 _ROOT = "trex/v1"
 
 
@@ -66,37 +66,38 @@ def get(session: zenoh.Session, *parts: str, seconds: float) -> list[bytes]:
 
 
 def scout(seconds: float) -> tuple[Address, ...]:
-    found: dict[Address, None] = {}
+    addresses: dict[Address, None] = {}
     config = _config({"scouting/multicast/enabled": True})
     try:
         scouting = zenoh.scout(what="peer", config=config)
     except zenoh.ZError:  # no network
         return ()
     try:
-        end = time.monotonic() + seconds
-        while time.monotonic() < end:
+        deadline = time.monotonic() + seconds
+        while time.monotonic() < deadline:
             hello = scouting.try_recv()
             if hello is None:
                 time.sleep(0.02)
                 continue
             for locator in hello.locators:
-                kind, _, where = str(locator).partition("/")
+                kind, _, endpoint = str(locator).partition("/")
                 with suppress(BadRequest):  # any computer on the network may reply
-                    if kind in {"tcp", "tls"} and len(found) < _MOST_SCOUTED:
-                        found[Address.of_host(where.split("?")[0])] = None
+                    if kind in {"tcp", "tls"} and len(addresses) < _ADDRESS_LIMIT:
+                        addresses[Address.of_host(endpoint.split("?")[0])] = None
     finally:
         scouting.stop()  # type: ignore[no-untyped-call]
-    return tuple(found)
+    return tuple(addresses)
 
 
 class ClientLink:
     """Connection of a client to a server, with a second connection for stops.
 
-    A lost network packet delays later packets of its connection. So a stop is sent over both.
+    A lost network packet delays later packets of its connection. Therefore, a stop is sent over
+    both connections.
 
     Args:
-        address: of the board.
-        receive: called with each message of the server, in a thread of the engine.
+        address: address of the board.
+        receive: called with each message from the server, in a thread of the engine.
     """
 
     def __init__(self, address: Address, receive: Callable[[bytes], None]) -> None:
@@ -134,7 +135,7 @@ def open_server(
     *,
     tls: tuple[Path, Path] | None = None,
 ) -> zenoh.Session:
-    """Listen for clients. `tls` are the certificate and key files.
+    """Listen for clients. `tls` names the certificate and key files.
 
     The engine reads the secrets from a file in `folder`, which only this program may use.
 
@@ -179,12 +180,12 @@ def open_server(
 
 
 def declare_publisher(session: zenoh.Session, name: str) -> zenoh.Publisher:
-    """Return a publisher that drops no messages and does not batch them."""
+    """Return a publisher that neither drops nor batches messages."""
     block = zenoh.CongestionControl.BLOCK
     return session.declare_publisher(name, congestion_control=block, express=True)
 
 
-_MESSAGES = {  # by kind of key: engine messages from clients, engine messages to clients
+_MESSAGES = {  # kind of key → (engine messages from clients, engine messages to clients)
     "send": (["put"], ["declare_subscriber"]),
     "data": (["declare_subscriber"], ["put"]),
     "query": (["query"], ["reply", "declare_queryable"]),
@@ -193,10 +194,10 @@ _MESSAGES = {  # by kind of key: engine messages from clients, engine messages t
 
 
 def _access(name: str, users: Sequence[User]) -> dict[str, Any]:
-    def rules(number: str, keys: Mapping[str, str]) -> list[dict[str, Any]]:
+    def rules(prefix: str, keys: Mapping[str, str]) -> list[dict[str, Any]]:
         return [
             {
-                "id": f"{number}-{kind}-{flow}",
+                "id": f"{prefix}-{kind}-{flow}",
                 "permission": "allow",
                 "flows": [flow],
                 "messages": list(messages),
@@ -222,11 +223,11 @@ def _access(name: str, users: Sequence[User]) -> dict[str, Any]:
     return {
         "enabled": True,
         "default_permission": "deny",
-        "rules": [*public, *(rule for own in private.values() for rule in own)],
+        "rules": [*public, *(rule for user_rules in private.values() for rule in user_rules)],
         "subjects": [{"id": user, "usernames": [user]} for user in private],
         "policies": [
-            {"rules": [rule["id"] for rule in (*public, *own)], "subjects": [user]}
-            for user, own in private.items()
+            {"rules": [rule["id"] for rule in (*public, *user_rules)], "subjects": [user]}
+            for user, user_rules in private.items()
         ],
     }
 

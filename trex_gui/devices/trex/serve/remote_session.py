@@ -1,4 +1,4 @@
-"""Session of a served board. It has the messages of a local session."""
+"""Session of a served board, with the messages of a local session."""
 
 import logging
 import math
@@ -67,29 +67,30 @@ from trex_gui.version import __version__
 
 log = logging.getLogger(__name__)
 
-_SLICE = 0.005  # longest delay of a received report, in seconds
+_SLICE = 0.005  # maximum delay of a received report, in seconds
 _HEARTBEAT = 0.1  # seconds between two heartbeats
 
-# The server sends ten reports a second. It stops the motors of a client after half a second.
-_SILENCE = 0.7  # seconds without a report; then the network is silent
-_LOST = 5.0  # seconds without a report; then the connection ends
+# The server sends ten reports a second. It stops the motors if the driving client is silent for half
+# a second.
+_SILENT_AFTER = 0.7  # seconds without a report after which the network counts as silent
+_LOST_AFTER = 5.0  # seconds without a report after which the connection ends
 
-_ANSWER = 3.0  # timeout in seconds of the welcome and of a lease request
-_LEAVING = 1.0  # timeout in seconds of the last stop
-_LAST_STOP = -2  # id of the stop before leaving
-_DELAY_INTERVAL = 1.0  # seconds between two reports of the delay
+_REPLY_TIMEOUT = 3.0  # seconds, for the welcome and for a lease request
+_STOP_TIMEOUT = 1.0  # seconds, for the last stop
+_LAST_STOP_ID = -2  # id of the stop before `Leave`
+_DELAY_INTERVAL = 1.0  # seconds between two reports of the network delay
 
 
 @dataclass(slots=True)
-class _Waiting:
+class _WaitingRequests:
     requests: list[Request]
-    until: float
+    deadline: float
 
 
 class RemoteSession:
     """Session over a server, with the arguments of a `TrexSession`.
 
-    It requests the lease for the first request that needs it, and returns the lease at the end.
+    It requests the lease when a request first needs it, and returns it at the end.
     """
 
     def __init__(
@@ -107,16 +108,16 @@ class RemoteSession:
         self._received: deque[tuple[float, bytes]] = deque()
         self._counter = count(1)
         self._seen = 0.0  # newest server time in a report
-        self._offset = math.inf  # this clock minus the server's clock, an upper bound
+        self._offset = math.inf  # upper bound of this clock minus the server's clock
         self._heard_at = 0.0
         self._beat_at = 0.0
         self._watched = SetWatched(True)
         self._welcome: Welcome | None = None
         self._lease = LeaseChanged()
-        self._waiting: _Waiting | None = None
+        self._waiting: _WaitingRequests | None = None
         self._board: Connected | None = None
         self._is_silent = False
-        self._has_armed = False  # this client has armed motors, and has not stopped them since
+        self._has_armed = False  # True if this client has armed motors and not stopped them since
         self._closed: Closed | None = None
         self._counters = Counters()
         self._unanswered: set[int] = set()
@@ -129,22 +130,22 @@ class RemoteSession:
             self._open, self._step, lambda detail: TrexInternalError(ErrorCode.INTERNAL, detail)
         )
         self._close()
-        for number in self._unanswered - {_LAST_STOP}:
+        for number in self._unanswered - {_LAST_STOP_ID}:
             self._emit(Outcome(number, error=error or NoReply(self._lost_text)))
         self._emit(self._closed or Closed(error, self._may_move))
 
-    # --- Beginning and end --------------------------------------------------------------
+    # --- Opening and closing ------------------------------------------------------------
 
     _link: ClientLink | None = None
 
     def _open(self) -> None:
         address = Address.of(self._settings.url)
         self._link = ClientLink(address, self._receive)
-        end = self._clock() + _ANSWER
+        deadline = self._clock() + _REPLY_TIMEOUT
         hello_at = 0.0
         while self._welcome is None:
             now = self._clock()
-            if now >= end:
+            if now >= deadline:
                 text = tr("{0} serves no board named {1} to this user.")
                 raise PortUnavailable(text.format(address.host, address.name))
             if now >= hello_at:
@@ -159,13 +160,13 @@ class RemoteSession:
             return
         try:
             if self._may_move and self._closed is None:
-                self._forward(Stop(_LAST_STOP))
-                end = self._clock() + _LEAVING
-                while self._may_move and self._clock() < end:
+                self._forward(Stop(_LAST_STOP_ID))
+                deadline = self._clock() + _STOP_TIMEOUT
+                while self._may_move and self._clock() < deadline:
                     self._inbox.get(_SLICE)
                     self._handle_reports()
-        except Exception:  # the engine may raise any error when the connection is gone
-            log.info("the server has left first", exc_info=True)
+        except Exception:  # the engine may raise any error when the connection is lost
+            log.info("the server left first", exc_info=True)
         try:
             self._send(Leave())
             self._link.close()
@@ -181,15 +182,15 @@ class RemoteSession:
             self._send(Alive())
         self._handle_requests(min(_SLICE, max(0.0, self._beat_at - now)))
         self._handle_reports()
-        self._judge_silence()
-        if self._waiting is not None and self._clock() >= self._waiting.until:
+        self._check_silence()
+        if self._waiting is not None and self._clock() >= self._waiting.deadline:
             self._reject_waiting()
 
-    def _judge_silence(self) -> None:
+    def _check_silence(self) -> None:
         silence = self._clock() - self._heard_at
-        if silence >= _LOST:
+        if silence >= _LOST_AFTER:
             raise NoReply(self._lost_text)
-        if silence >= _SILENCE and not self._is_silent and self._board is not None:
+        if silence >= _SILENT_AFTER and not self._is_silent and self._board is not None:
             self._is_silent = True
             self._emit(NotResponding(self._lost_text, self._counters, is_network=True))
 
@@ -222,10 +223,10 @@ class RemoteSession:
             case _ if isinstance(request, LeaseRequest) or self._lease.is_mine:
                 self._forward(request)
             case SetMotor() | SetMotors() | SetAuxiliary() if self._waiting is not None:
-                self._waiting.requests.append(request)  # after an `Arm`
+                self._waiting.requests.append(request)  # follows a waiting `Arm`
             case Arm() | Write() | SelectBoard() | ProbeNumber() | Reload() | SendPacket():
                 if self._waiting is None:
-                    self._waiting = _Waiting([], self._clock() + _ANSWER)
+                    self._waiting = _WaitingRequests([], self._clock() + _REPLY_TIMEOUT)
                     self._send(AskLease())
                 self._waiting.requests.append(request)
 
@@ -254,8 +255,8 @@ class RemoteSession:
 
     def _send(self, request: Request | ClientRequest) -> None:
         if self._link is not None:
-            head = next(self._counter), self._seen, self._clock()
-            data = encode_request(request, *head)
+            header = next(self._counter), self._seen, self._clock()
+            data = encode_request(request, *header)
             self._link.send(data, is_stop=isinstance(request, Stop))
 
     # --- Reports ------------------------------------------------------------------------
@@ -270,7 +271,7 @@ class RemoteSession:
             try:
                 (_, time, echo), report = decode_report(data, 3)
             except BadRequest as error:
-                log.warning("ignored an invalid message of the server: %s", error)
+                log.warning("ignored an invalid message from the server: %s", error)
                 continue
             self._seen = max(self._seen, time)
             self._offset = min(self._offset, arrived - time)
@@ -302,20 +303,20 @@ class RemoteSession:
                 self._emit_local(report)
 
     def _emit_local(self, report: Report | ServerReport, board: int | None = None) -> None:
-        """Emit a report with times and URL of this computer.
+        """Emit a report, with the times and URL of this computer.
 
-        `board` is the number of a board of the group, `None` for the first board.
+        `board` is the number of a board in the group, or `None` for the first board.
         """
 
-        def emit(own: BoardReport) -> None:
-            self._emit(own if board is None else OfBoard(board, own))
+        def emit(local: BoardReport) -> None:
+            self._emit(local if board is None else OfBoard(board, local))
 
         match report:
             case OfBoard(number=number, report=inner):
                 self._emit_local(inner, number)
             case Outcome():
                 report = self._local_outcome(report, board)
-                if report.id != _LAST_STOP:
+                if report.id != _LAST_STOP_ID:
                     emit(report)
             case Connected():
                 report = replace(report, settings=self._local_settings(report.settings))
@@ -331,16 +332,16 @@ class RemoteSession:
                 )
                 emit(replace(report, samples=samples))
             case Traffic(events=events):
-                moved = (replace(event, time=event.time + self._offset) for event in events)
-                self._emit(Traffic(tuple(moved)))
+                local_events = (replace(event, time=event.time + self._offset) for event in events)
+                self._emit(Traffic(tuple(local_events)))
             case MotorsStopped(reason=reason, confirmed=confirmed):
                 # The end of a lease stops every board. Other stops are reported by each board.
-                is_alone = self._board is None or not self._board.settings.group
-                is_alone = is_alone or reason is ErrorCode.LEASE_LOST
-                self._may_move = self._may_move and not (confirmed and is_alone)
-                if self._has_armed or reason is None:  # else another client's motors
+                is_group = self._board is not None and bool(self._board.settings.group)
+                stops_all = not is_group or reason is ErrorCode.LEASE_LOST
+                self._may_move = self._may_move and not (confirmed and stops_all)
+                if self._has_armed or reason is None:  # else, another client drove the motors
                     emit(report)
-                if is_alone:
+                if stops_all:
                     self._has_armed = self._has_armed and reason is None
             case Welcome() | Refused() | Tick():
                 pass

@@ -1,4 +1,4 @@
-"""Served boards on a network: list and stop."""
+"""Find and stop served boards on a network."""
 
 import json
 from collections.abc import Iterable
@@ -12,10 +12,10 @@ from trex_gui.core.transport.urls import LOCAL_USER, Address, is_name, known_hos
 from trex_gui.devices.trex.serve.sessions import NEEDS_EXTRA
 
 _SCOUTING_S = 0.7
-_ANSWER_S = 2.0
-_OPEN_S = 1.0  # timeout on an open connection, which may be dead
-_STOP_S = 10.0  # a stop may take this long on a line that corrupts bytes
-_MOST_AT_ONCE = 100  # most connections at once
+_REPLY_TIMEOUT_S = 2.0
+_REUSE_TIMEOUT_S = 1.0  # timeout on an open connection, which may be dead
+_STOP_TIMEOUT_S = 10.0  # a stop may take this long on a line that corrupts bytes
+_CONNECTION_LIMIT = 100  # maximum number of simultaneous connections
 ALL = "all"
 
 
@@ -44,15 +44,15 @@ class Robots:
             StudioError: no host can be queried at all.
         """
         addresses = _addresses(hosts)
-        with ThreadPoolExecutor(_MOST_AT_ONCE) as pool:
-            rows = {row["url"]: row for found in pool.map(self._at, addresses) for row in found}
+        with ThreadPoolExecutor(_CONNECTION_LIMIT) as pool:
+            rows = {row["url"]: row for rows in pool.map(self._rows_at, addresses) for row in rows}
         return sorted(rows.values(), key=lambda row: (row["name"], row["url"]))
 
     def stop(self, names: Iterable[str]) -> dict[str, str]:
-        """Stop served boards at the same time.
+        """Stop served boards simultaneously.
 
-        `names` are board names, URLs or `ALL`. Return an error for each URL, empty for a confirmed
-        stop. A board that is not found has an error under its name.
+        `names` are board names, URLs or `ALL`. Return an error for each URL, or an empty text for a
+        confirmed stop. The error for a board that was not found is under its name.
         """
         addresses, missing = [], set[str]()
         for name in names:
@@ -65,17 +65,17 @@ class Robots:
             addresses += [Address.of(row["url"]) for row in rows]
             missing -= {ALL, *(row["name"] for row in rows)}
         boards = list(dict.fromkeys(addresses))
-        with ThreadPoolExecutor(_MOST_AT_ONCE) as pool:
+        with ThreadPoolExecutor(_CONNECTION_LIMIT) as pool:
             errors = pool.map(self._stop, boards)
             results = {board.url: error for board, error in zip(boards, errors, strict=True)}
         return results | dict.fromkeys(missing, tr("It did not answer."))
 
-    def _at(self, address: Address) -> list[dict[str, Any]]:
+    def _rows_at(self, address: Address) -> list[dict[str, Any]]:
         try:
-            answers = self._get(address, "*", "info", seconds=_ANSWER_S)
+            replies = self._get(address, "*", "info", seconds=_REPLY_TIMEOUT_S)
         except PortUnavailable:
             return []
-        rows = [row for row in map(_row_of, answers) if row is not None]
+        rows = [row for row in map(_row_of, replies) if row is not None]
         for row in rows:
             row["url"] = Address(address.host, row["name"], address.user, address.port).url
         return rows
@@ -83,27 +83,27 @@ class Robots:
     def _stop(self, board: Address) -> str:
         user = board.user or LOCAL_USER
         try:
-            answers = self._get(board, board.name, "stop", user, seconds=_STOP_S)
+            replies = self._get(board, board.name, "stop", user, seconds=_STOP_TIMEOUT_S)
         except StudioError as error:
             return str(error)
-        return str(json.loads(answers[0])["error"]) if answers else tr("It did not answer.")
+        return str(json.loads(replies[0])["error"]) if replies else tr("It did not answer.")
 
     def _get(self, address: Address, *parts: str, seconds: float) -> list[bytes]:
-        """Return the replies of a host. Reconnect if an open connection gives no reply."""
+        """Return the replies of a host. Reconnect if an open connection has no reply."""
         host, network = replace(address, name=""), _network()
         if connection := self._newest.get(host):
-            answers: list[bytes] = network.get(connection, *parts, seconds=_OPEN_S)
-            if answers:
-                return answers
+            replies: list[bytes] = network.get(connection, *parts, seconds=_REUSE_TIMEOUT_S)
+            if replies:
+                return replies
         connection = self._newest[host] = network.open_client(address)
         self._opened.append(connection)
         return list(network.get(connection, *parts, seconds=seconds))
 
 
 def _addresses(hosts: Iterable[str]) -> list[Address]:
-    given = [Address.of_host(text) for text in hosts]
-    if given:
-        return given
+    addresses = [Address.of_host(text) for text in hosts]
+    if addresses:
+        return addresses
     network = _network()
     known = known_hosts()
     names = {address.host for address in known}
@@ -115,10 +115,10 @@ def _row_of(data: bytes) -> dict[str, Any] | None:
     try:
         row = json.loads(data)
         texts = row["name"], row["board"] or "", row["driver"] or "", *row["problems"]
-        is_sound = is_name(row["name"]) and all(map(str.isprintable, texts))
+        is_valid = is_name(row["name"]) and all(map(str.isprintable, texts))
     except (ValueError, LookupError, TypeError):
         return None
-    return row if is_sound and isinstance(row, dict) else None
+    return row if is_valid and isinstance(row, dict) else None
 
 
 def require_network() -> None:

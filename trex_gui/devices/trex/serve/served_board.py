@@ -1,4 +1,4 @@
-"""Served board. The network runs in threads of the engine."""
+"""Network server of a board. The network runs in threads of the engine."""
 
 import json
 import logging
@@ -39,19 +39,19 @@ from trex_gui.devices.trex.settings.board_records import utc_now
 log = logging.getLogger(__name__)
 
 _RETRY_S = 1.0  # seconds between two attempts to open the line
-_LEAVING = 0.5  # seconds for the last messages to a client
-_MOST_CLIENTS = 16  # clients of a user, including recently lost clients
-_MOST_EVENTS = 1000  # events in a batch
-_MOST_WAITING = 300  # queued messages for a client, about five seconds
+_OUTBOX_TIMEOUT = 0.5  # seconds to send the last messages to a client
+_CLIENT_LIMIT = 16  # clients for each user, including recently lost clients
+_EVENT_LIMIT = 1000  # events in a batch
+_MESSAGE_LIMIT = 300  # queued messages for each client, which span about five seconds
 
 
 class _Outbox:
-    """Message queue to one client. Only its thread waits for the client."""
+    """Queue of messages to a client. Only its own thread waits for the client."""
 
-    def __init__(self, session: zenoh.Session, name: str, full: Callable[[], None]) -> None:
-        self._messages = queue.Queue[bytes | None](_MOST_WAITING)
-        self._full = full
-        self._is_over = False  # the client does not receive its messages
+    def __init__(self, session: zenoh.Session, name: str, on_full: Callable[[], None]) -> None:
+        self._messages = queue.Queue[bytes | None](_MESSAGE_LIMIT)
+        self._on_full = on_full
+        self._is_over = False  # True if the client does not receive its messages
         self._publisher = declare_publisher(session, name)
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
@@ -65,13 +65,13 @@ class _Outbox:
             self._messages.put_nowait(message)
         except queue.Full:
             self._is_over = True
-            self._full()
+            self._on_full()
 
     def _run(self) -> None:
         while (message := self._messages.get()) is not None and not self._is_over:
             try:
                 self._publisher.put(message)
-            except Exception:  # the client is gone
+            except Exception:  # the client was lost
                 log.info("a message could not be sent", exc_info=True)
         self._publisher.undeclare()  # type: ignore[no-untyped-call]
 
@@ -108,7 +108,7 @@ class ServedBoard:
         self._board = BoardMirror(Keeper(log.info, log.warning).memory)
         self._others: dict[int, BoardMirror] = {}  # other boards of the group, by number
         self._traffic: list[TrafficEvent] = []  # events since the last batch
-        self._logs = False  # `_traffic` is recorded
+        self._records_traffic = False
         self._present: set[Party] = set()  # connected clients
         self._outboxes: dict[Party, _Outbox] = {}
         self._is_ending = False
@@ -117,9 +117,10 @@ class ServedBoard:
             self._network = open_server(name, listen, users, Path(folder), tls=tls)
         self._measurements = self._network.declare_publisher(key(name, "data", "measurements"))
         self._table: MeasurementTable | None = None
-        self._is_subscribed = False  # a program subscribes to the measurements
+        self._is_subscribed = False  # True if a program subscribes to the measurements
         listener = self._measurements.declare_matching_listener(self._on_matching)
-        # One expression per user, because the engine announces only allowed expressions to clients.
+        # Each user has an expression, because the engine announces only allowed expressions to
+        # clients.
         self._references: list[object] = [
             listener,
             self._network.declare_queryable(key(name, "info"), self._on_query),
@@ -136,7 +137,7 @@ class ServedBoard:
     def run(self, is_ended: Callable[[], object]) -> Closed:
         """Serve until `is_ended`, then stop the motors and close the line.
 
-        A lost line is opened again. Return the last report of the session.
+        A lost line is reopened. Return the last report of the session.
         """
         last_error = ""
         while not is_ended():
@@ -162,13 +163,13 @@ class ServedBoard:
             last_error = error
             self._wait(is_ended)
         for outbox in list(self._outboxes.values()):
-            outbox.close(_LEAVING)
+            outbox.close(_OUTBOX_TIMEOUT)
         self._network.close()  # type: ignore[no-untyped-call]
         return self._last
 
     def _wait(self, is_ended: Callable[[], object]) -> None:
-        end = self._computer.clock() + _RETRY_S
-        while not is_ended() and self._computer.clock() < end:
+        deadline = self._computer.clock() + _RETRY_S
+        while not is_ended() and self._computer.clock() < deadline:
             self._closed.clear()
             self._closed.wait(self.server.step())
 
@@ -178,7 +179,7 @@ class ServedBoard:
     _is_open = False
 
     def _put(self, request: object) -> None:
-        if isinstance(request, SetReconnectCandidates):  # clients use another URL of the line
+        if isinstance(request, SetReconnectCandidates):  # clients use another URL for the line
             url, name = self._settings.url, self._settings.name
             local = (replace(settings, url=url, name=name) for settings in request.settings)
             request = SetReconnectCandidates(tuple(local))
@@ -212,8 +213,8 @@ class ServedBoard:
 
     def _record_traffic(self, event: TrafficEvent) -> None:
         is_start = event.direction is not TrafficDirection.RECEIVED
-        self._logs = self.server.shows_traffic and (self._logs or is_start)
-        if self._logs and len(self._traffic) < _MOST_EVENTS:
+        self._records_traffic = self.server.shows_traffic and (self._records_traffic or is_start)
+        if self._records_traffic and len(self._traffic) < _EVENT_LIMIT:
             self._traffic.append(event)
 
     def _publish(self, sample: Sample) -> None:
@@ -242,13 +243,13 @@ class ServedBoard:
             self.server.remove(party)
             self._remove(party)
             return
-        own = {present for present in self._present if present.user == party.user}
-        if len(own) >= _MOST_CLIENTS:  # the engine may not have reported lost clients yet
-            lost = own - self.server.parties
-            for present in lost:
-                self._remove(present)
-            own -= lost
-        if len(own) < _MOST_CLIENTS:
+        clients = {client for client in self._present if client.user == party.user}
+        if len(clients) >= _CLIENT_LIMIT:  # the engine may not have reported lost clients yet
+            lost = clients - self.server.parties
+            for client in lost:
+                self._remove(client)
+            clients -= lost
+        if len(clients) < _CLIENT_LIMIT:
             self._present.add(party)
         else:
             log.warning("%s has too many clients", party.user)
@@ -294,7 +295,7 @@ class ServedBoard:
         self._is_subscribed = status.matching
 
     def info(self) -> dict[str, Any]:
-        """Return the board's entry of `trexcmd robots --json`."""
+        """Return the board's entry in the output of `trexcmd robots --json`."""
         board, lease = self._board, self.server.lease
         state = board.state
         boards = [board, *self._others.values()]

@@ -67,17 +67,17 @@ from trex_gui.devices.trex.session.messages import (
 
 log = logging.getLogger(__name__)
 
-_MOST_WAITING = 32  # client requests that one stop confirms
-MOST_REQUESTS = 600  # requests of a user a second; a driving window sends about 120
-MOST_JOBS = 8  # queued requests of a client
-_LONGEST_PACKET = 16  # bytes; a packet on the wire delays a stop
-_MOST_ATTEMPTS = 3
+_WAITING_LIMIT = 32  # client requests that one stop confirms
+MOST_REQUESTS = 600  # requests per second for each user; a driving window sends about 120
+MOST_JOBS = 8  # queued requests for each client
+_PACKET_LIMIT = 16  # bytes; a longer packet would delay a stop too long
+_ATTEMPT_LIMIT = 3  # attempts of a `ProbeNumber`
 _CLIENT_TIMEOUT = 5.0  # seconds without a message from a client
-_TICK_INTERVAL = 0.1
-_IDLE_INTERVAL = 0.25  # seconds between two steps without a client, half of the lease timeout
-_NO_OUTCOME = 0
+_TICK_INTERVAL = 0.1  # seconds between two messages to a client
+_IDLE_INTERVAL = 0.25  # seconds between two steps without clients; half of the lease timeout
+_NO_OUTCOME = 0  # id of a request without an outcome
 
-_STALE = SetpointRequest | Arm  # ignored if they are older than the lease timeout
+_EXPIRING = SetpointRequest | Arm  # requests that are ignored after the lease timeout
 
 _WATCHES = SetWatched(True)  # default of a client that has not sent `SetWatched`
 
@@ -92,7 +92,7 @@ class _Client:
     sent: int = 0
     sent_at: float = 0.0
     watched: SetWatched = _WATCHES
-    jobs: deque[Job | ToBoard] = field(default_factory=deque)  # jobs after the job in flight
+    jobs: deque[Job | ToBoard] = field(default_factory=deque)  # jobs that follow the job in flight
     in_flight: int = 0  # id of the job in the session, or 0
 
 
@@ -102,7 +102,7 @@ class BoardServer:
     Args:
         name: name of the served board.
         request: receives the requests to the session.
-        send: receives a client and a message to the client. It must not block.
+        send: receives a client and a message for the client. It must not block.
         clock: clock of the session, in seconds.
     """
 
@@ -115,21 +115,21 @@ class BoardServer:
     ) -> None:
         self.name = name
         self.lease = Lease()
-        self.refused: Counter[str] = Counter()  # number of refused messages, by reason
+        self.refused: Counter[str] = Counter()  # reason → number of refused messages
         self.polynomial: int | None = None  # `None` without CRC
         self._request, self._send, self._clock = request, send, clock
         self._lock = threading.RLock()
         self._clients: dict[Party, _Client] = {}
         self._ids = count(1)
-        # Clients that wait for an outcome, with their own request ids, by id of the request
+        # Request id → clients that wait for the outcome, with their own request ids
         self._outcomes: dict[int, list[tuple[Party, int]]] = {}
         self._pending_stop = 0  # id of the last stop; 0 after a request that may move a motor
-        self._seconds: dict[str, tuple[int, int]] = {}  # second and its number of requests, by user
-        # Reports for a new client, by board (`None`: the first) and type
+        self._seconds: dict[str, tuple[int, int]] = {}  # user → second, requests in it
+        # Board (`None` for the first) → type → report for a new client
         self._newest: dict[int | None, dict[type, BoardReport]] = {None: {}}
-        self._watched_stops: dict[int, Callable[[Outcome], None]] = {}  # callbacks by id
+        self._watched_stops: dict[int, Callable[[Outcome], None]] = {}  # stop id → callback
         self._lease_stop = 0  # id of the stop at the end of a lease
-        # Speeds since the last stop, by board (`None`: the first) and motor
+        # Board (`None` for the first) → motor → speed since the last stop
         self._speeds: dict[int | None, dict[int, int]] = {}
 
     # --- Time ---------------------------------------------------------------------------
@@ -139,7 +139,7 @@ class BoardServer:
         with self._lock:
             now = self._clock()
             if self.lease.seconds_left(now) <= 0 and self.lease.holder is not None:
-                log.warning("no heartbeat of %s: the motors are stopped", self.lease.holder.user)
+                log.warning("no heartbeat from %s: stopping the motors", self.lease.holder.user)
                 self._end_lease(self.lease.holder)
             for client in self._all:
                 if now - client.heard_at > _CLIENT_TIMEOUT:
@@ -161,7 +161,7 @@ class BoardServer:
         try:
             (counter, seen, sent), request = decode_request(data, 3)
         except BadRequest as error:
-            log.debug("refused a message of %s: %s", party.user, error)
+            log.debug("refused a message from %s: %s", party.user, error)
             self._refuse("malformed")
             return
         with self._lock:
@@ -174,7 +174,7 @@ class BoardServer:
                 self._refuse("unknown client")
             elif counter <= (client.stopped if isinstance(request, Stop) else client.counter):
                 self._refuse("replayed")
-            elif counter < client.stopped and isinstance(inner, _STALE | Heartbeat):
+            elif counter < client.stopped and isinstance(inner, _EXPIRING | Heartbeat):
                 self._refuse("overtaken by a stop")
             elif isinstance(request, ToBoard) and isinstance(inner, Arm | Heartbeat):
                 self._refuse("malformed")
@@ -194,10 +194,10 @@ class BoardServer:
     def stop(self, then: Callable[[Outcome], None]) -> None:
         """Stop the motors. `then` receives the outcome."""
         with self._lock:
-            own = next(self._ids)
-            self._watched_stops[own] = then
+            stop_id = next(self._ids)
+            self._watched_stops[stop_id] = then
             self._speeds.clear()
-            self._request(Stop(own))
+            self._request(Stop(stop_id))
 
     @property
     def shows_traffic(self) -> bool:
@@ -231,17 +231,17 @@ class BoardServer:
             text = f"{self.name} speaks version {VERSION} of the messages, not {hello.version}."
             self._post(client, encode_report(Refused(text)), now)
             return
-        former = self._clients.get(party)
-        if former is not None and counter <= former.counter:
+        previous = self._clients.get(party)
+        if previous is not None and counter <= previous.counter:
             self._refuse("replayed")
             return
-        if former is not None:
-            self._remove(former)
+        if previous is not None:
+            self._remove(previous)
         self._clients[party] = client
-        news: list[Report] = [Welcome(self.name), self._lease_for(client)]
+        reports: list[Report] = [Welcome(self.name), self._lease_for(client)]
         for board, newest in self._newest.items():
-            news += [_of_board(board, report) for report in newest.values()]
-        for report in news:
+            reports += [_of_board(board, report) for report in newest.values()]
+        for report in reports:
             self._post(client, encode_report(report), now)
         self._update_watched()
         log.info("%s has joined (%.60r)", party.user, hello.program)
@@ -298,12 +298,12 @@ class BoardServer:
         elif isinstance(request, Job):
             client.jobs.append(request if number is None else ToBoard(number, request))
             self._request_next_job(client)
-        elif isinstance(request, _STALE) and age > LEASE_TIMEOUT:
+        elif isinstance(request, _EXPIRING) and age > LEASE_TIMEOUT:
             self._refuse("too old")
         elif isinstance(request, SetpointRequest) and not _is_possible(request):
             self._refuse("impossible setpoint")
         elif isinstance(request, Heartbeat):
-            self._request(Heartbeat())  # has the time of this computer
+            self._request(Heartbeat())  # a new heartbeat has the time of this computer
         elif number is not None and isinstance(request, SetpointRequest):
             self._pending_stop = 0
             self._record_speeds(None if number == self._first else number, request)
@@ -330,11 +330,11 @@ class BoardServer:
             return True
         if isinstance(request, SendPacket):
             raw = request.packet.packet.raw
-            if len(raw) > _LONGEST_PACKET or len(client.jobs) >= MOST_JOBS:
+            if len(raw) > _PACKET_LIMIT or len(client.jobs) >= MOST_JOBS:
                 return False
             if request.packet.is_query:
                 return True
-        if isinstance(request, ProbeNumber) and not 0 < request.attempts <= _MOST_ATTEMPTS:
+        if isinstance(request, ProbeNumber) and not 0 < request.attempts <= _ATTEMPT_LIMIT:
             return False
         return self.lease.holder == client.party and len(client.jobs) < MOST_JOBS
 
@@ -345,9 +345,9 @@ class BoardServer:
             assert isinstance(job, Job)  # noqa: S101 - nothing else is queued
             if isinstance(job, SendPacket) and job.packet.moves:
                 self._pending_stop = 0
-            client.in_flight = own = next(self._ids)
-            self._outcomes[own] = [(client.party, job.id)]
-            job = replace(job, id=own)
+            client.in_flight = request_id = next(self._ids)
+            self._outcomes[request_id] = [(client.party, job.id)]
+            job = replace(job, id=request_id)
             self._request(replace(request, request=job) if isinstance(request, ToBoard) else job)
 
     def _drop_jobs(self, party: Party) -> None:
@@ -358,10 +358,10 @@ class BoardServer:
 
     def _change(self, change: Callable[[], bool]) -> None:
         """Change the lease. Stop the motors of the old driver before the new driver may arm."""
-        number, former = self.lease.number, self.lease.holder
+        number, old_driver = self.lease.number, self.lease.holder
         if change() and self.lease.number != number:
-            if former is not None:
-                self._drop_jobs(former)
+            if old_driver is not None:
+                self._drop_jobs(old_driver)
             self._stop()
             self._report_lease()
 
@@ -380,7 +380,7 @@ class BoardServer:
         self._request(Stop(self._lease_stop))
 
     def _forward(self, client: _Client, request: Request) -> None:
-        """Forward a stop or a motor command. A pending stop serves later stop requests."""
+        """Forward a stop or a motor command. A pending stop also serves later stop requests."""
         if not isinstance(request, Stop):
             self._pending_stop = 0
             if isinstance(request, SetpointRequest):
@@ -390,9 +390,9 @@ class BoardServer:
         self._speeds.clear()
         waiting = self._outcomes.get(self._pending_stop)
         if waiting is None:
-            self._pending_stop = own = next(self._ids)
-            waiting = self._outcomes[own] = []
-            self._request(Stop(own))
+            self._pending_stop = stop_id = next(self._ids)
+            waiting = self._outcomes[stop_id] = []
+            self._request(Stop(stop_id))
         waiting.append((client.party, request.id))
 
     def _reject(self, client: _Client, request: Request) -> None:
@@ -412,15 +412,15 @@ class BoardServer:
     # --- Reports ------------------------------------------------------------------------
 
     def report(self, report: Report) -> None:
-        """Send a report to every client, but an `Outcome` only to waiting clients."""
+        """Send a report to all clients, or an `Outcome` to the waiting clients."""
         with self._lock:
             now = self._clock()
             match report:
-                case Outcome(id=own) if own == self._lease_stop:
+                case Outcome(id=request_id) if request_id == self._lease_stop:
                     self._report_lease_stop(confirmed=report.error is None)
                     return
-                case Outcome(id=own) if own in self._watched_stops:
-                    self._watched_stops.pop(own)(report)
+                case Outcome(id=request_id) if request_id in self._watched_stops:
+                    self._watched_stops.pop(request_id)(report)
                     return
                 case Outcome():
                     self._report_outcome(report, now)
@@ -445,11 +445,11 @@ class BoardServer:
         newest = self._newest.setdefault(board, {})
         match report:
             case Connected():
-                lasting = {GuardianChanged, SetpointsChanged} & newest.keys()
+                retained = {GuardianChanged, SetpointsChanged} & newest.keys()
                 opened = replace(report, occasion=ReadReason.OPENED)
                 self._newest[board] = {
                     Connected: opened,
-                    **{kind: newest[kind] for kind in lasting},
+                    **{kind: newest[kind] for kind in retained},
                 }
                 if board is None:
                     self.polynomial = report.settings.framing.polynomial
@@ -471,14 +471,14 @@ class BoardServer:
                 self.report(_of_board(board, setpoints))
 
     def _report_outcome(self, outcome: Outcome, now: float, board: int | None = None) -> None:
-        """Send an outcome to the waiting clients. Request the next job of its client.
+        """Send an outcome to the waiting clients, then request the client's next job.
 
         `board` is `None` for the first board.
         """
         waiting = self._outcomes.pop(outcome.id, [])
         if isinstance(outcome.value, Written):
             self._report_written(outcome.value, [party for party, _ in waiting], board)
-        for party, number in waiting[:_MOST_WAITING]:
+        for party, number in waiting[:_WAITING_LIMIT]:
             if client := self._clients.get(party):
                 report = _of_board(board, replace(outcome, id=number))
                 self._post(client, encode_report(report), now)
