@@ -142,8 +142,8 @@ def test_prefix_selects_one_of_several_boards(two: SimulatedBoards) -> None:
     assert show(two, "@9")["power"] is False
     assert show(two, "@9")["model"] == "trexjr"
     assert control(two, "line mute on").startswith("ok")
-    assert control(two, "power off") == "error say which board first: @7, @9"
-    assert control(two, "@8 power off") == "error there is no board @8, but @7, @9"
+    assert control(two, "power off") == "error begin the line with a board: @7, @9"
+    assert control(two, "@8 power off") == "error there is no board @8; the boards are @7, @9"
 
 
 def test_board_keeps_its_name_when_its_number_changes(two: SimulatedBoards) -> None:

@@ -70,8 +70,8 @@ log = logging.getLogger(__name__)
 _SLICE = 0.005  # maximum delay of a received report, in seconds
 _HEARTBEAT = 0.1  # seconds between two heartbeats
 
-# The server sends ten reports a second. It stops the motors if the driving client is silent for half
-# a second.
+# The server sends ten reports a second. It stops the motors if the driving client is silent for
+# half a second.
 _SILENT_AFTER = 0.7  # seconds without a report after which the network counts as silent
 _LOST_AFTER = 5.0  # seconds without a report after which the connection ends
 

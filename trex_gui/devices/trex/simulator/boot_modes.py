@@ -13,12 +13,12 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
 from trex_gui.devices.trex.simulator.channels import Channels
 from trex_gui.devices.trex.simulator.memory import Memory
 
-_NEUTRALS = 2.0  # seconds in which neutrals are measured
+_NEUTRALS = 2.0  # seconds for measuring neutrals
 _SETTLING = 0.1  # seconds until each channel has a pulse, inferred
-_EXTREMES = 10.0  # seconds in which extremes are measured
+_EXTREMES = 10.0  # seconds for measuring extremes
 _HELD = 50  # updates (0.5 s) for which an extreme must be held
-_FLASH = 0.4  # seconds for each channel's result, inferred
-_UNSTEADY = {InputSource.RC: 100, InputSource.ANALOG: 40}  # range in counts, inferred
+_FLASH = 0.4  # seconds for showing each channel's result, inferred
+_STEADY = {InputSource.RC: 100, InputSource.ANALOG: 40}  # maximum range in counts, inferred
 
 
 class BootHost(Protocol):
@@ -30,9 +30,9 @@ class BootHost(Protocol):
 
 
 class BootLoader:
-    """Boot loader: restores the default serial settings, then waits for firmware.
+    """Boot loader. It restores the default serial settings, then waits for firmware.
 
-    `leds` are the patterns of the red and the green LED. `update` runs 100 times a second.
+    `leds` contains the patterns of the red and the green LED. `update` runs 100 times a second.
     """
 
     is_over = False
@@ -62,9 +62,10 @@ class BootLoader:
             self._board.memory.restore_line_settings()
 
     def reply(self, byte: int) -> bytes:
-        """Echo a byte that is not firmware, with a question mark (forum thread 5011).
+        """Reply to a byte that is not firmware (forum thread 5011).
 
-        Inferred: the reply has the active baud rate, and no byte is firmware.
+        The reply is the byte and a question mark. Inferred: it is sent at the active baud rate, and
+        no byte is firmware.
         """
         return bytes([byte]) + b"?" if self._ready else b""
 
@@ -87,11 +88,11 @@ _LEDS = {
 
 
 class LearningMode:
-    """Learning mode: measures neutral and extremes of each channel.
+    """Learning mode. It measures neutral and extremes of each channel.
 
-    After `is_over`, normal operation starts without a power cycle. Inferred: the steadiness limit,
-    the deadband (the default or the noise, whichever is larger), and that a channel that fails
-    retains its values.
+    After `is_over`, normal operation starts without a power cycle. Inferred: the limit for a steady
+    channel, and the deadband (the default or the noise, whichever is larger). Also inferred: a
+    channel that fails retains its values.
     """
 
     def __init__(self, board: BootHost) -> None:
@@ -99,7 +100,7 @@ class LearningMode:
         self._board = board
         self._step = _Step.READY
         self._time = 0.0
-        self._watched = {channel: _Watched() for channel in CHANNELS}
+        self._measurements = {channel: _Measurement() for channel in CHANNELS}
         self._learned: set[int] = set()
 
     @property
@@ -125,14 +126,14 @@ class LearningMode:
                 self._wait(raw)
             case _Step.NEUTRALS:
                 if self._time > _SETTLING:
-                    self._watch(raw)
+                    self._measure(raw)
                 if self._time >= _NEUTRALS:
                     self._learn_neutrals()
             case _Step.NEUTRALS_SHOWN:
                 if self._time >= _FLASH * len(CHANNELS):
                     self._start(_Step.EXTREMES if self._learned else _Step.DONE)
             case _Step.EXTREMES:
-                self._watch(raw)
+                self._measure(raw)
                 if self._time >= _EXTREMES:
                     self._learn_extremes()
 
@@ -149,21 +150,24 @@ class LearningMode:
         elif self._board.mode is Mode.ANALOG or any(value is not None for value in raw):
             self._start(_Step.NEUTRALS)
 
-    def _watch(self, raw: Sequence[int | None]) -> None:
+    def _measure(self, raw: Sequence[int | None]) -> None:
         for channel, value in zip(CHANNELS, raw, strict=True):
-            self._watched[channel].update(value)
+            self._measurements[channel].update(value)
 
     def _learn_neutrals(self) -> None:
-        limit = _UNSTEADY[self._board.mode.source]
+        limit = _STEADY[self._board.mode.source]
         self._learned = {
-            channel for channel, watched in self._watched.items() if watched.settle(limit)
+            channel
+            for channel, measurement in self._measurements.items()
+            if measurement.learn_neutral(limit)
         }
         self._start(_Step.NEUTRALS_SHOWN)
 
     def _learn_extremes(self) -> None:
         source = self._board.mode.source
         for channel in sorted(self._learned):
-            calibration = self._watched[channel].calibration(DEFAULT_CALIBRATION[source].deadband)
+            deadband = DEFAULT_CALIBRATION[source].deadband
+            calibration = self._measurements[channel].calibration(deadband)
             if calibration is None:
                 self._learned.discard(channel)
             else:
@@ -171,15 +175,15 @@ class LearningMode:
         self._start(_Step.DONE)
 
 
-class _Watched:
+class _Measurement:
     def __init__(self) -> None:
         self._values: list[int] = []
         self._is_bad = False
         self._neutral = 0
         self._noise = 0
         self._recent: deque[int] = deque(maxlen=_HELD)
-        self._lows: list[int] = []  # of held positions
-        self._highs: list[int] = []  # of held positions
+        self._lows: list[int] = []  # maximum of the recent values at each update
+        self._highs: list[int] = []  # minimum of the recent values at each update
 
     def update(self, value: int | None) -> None:
         if value is None:
@@ -191,7 +195,7 @@ class _Watched:
             self._lows.append(max(self._recent))
             self._highs.append(min(self._recent))
 
-    def settle(self, limit: int) -> bool:
+    def learn_neutral(self, limit: int) -> bool:
         if self._is_bad or not self._values:
             return False
         self._noise = max(self._values) - min(self._values)

@@ -1,4 +1,4 @@
-"""Channel motor control: remapping, mixing, switches, safe-start.
+"""Motor control by channels: remapping, mixing, switches and safe-start.
 
 Ref: Pololu TReX User's Guide 4.a-4.c; TReX Jr User's Guide 4.e (safe-start); TReX 1.0 command
 documentation 0x87.
@@ -17,7 +17,7 @@ from trex_gui.devices.trex.simulator.motors import AuxiliaryMotor, Motor, MotorD
 
 @dataclass(frozen=True, slots=True)
 class ChannelSetup:
-    """Calibrations, and channel masks of parameters 0x02-0x04."""
+    """Calibrations and the channel masks in parameters 0x02-0x04."""
 
     calibrations: Sequence[Calibration]
     ignored: int = 0
@@ -25,7 +25,7 @@ class ChannelSetup:
     parabolic: int = 0
 
     def remapped(self, raw: Sequence[int | None]) -> tuple[int, ...]:
-        """Return the channels before mixing and flip, -127 to 127."""
+        """Return the outputs before mixing and flip, -127 to 127."""
         return tuple(
             remap(
                 raw[index],
@@ -41,8 +41,8 @@ class ChannelSetup:
         """True if a switch channel (4 flip, 5 override) is active.
 
         A switch is active below a threshold (sourced, User's Guide 4.a). Inferred: the threshold is
-        half way from neutral to minimum, or to maximum if the channel is reversed. A channel
-        without a signal and an ignored channel are inactive.
+        halfway from neutral to minimum, or to maximum if the channel is reversed. A switch is
+        inactive if its channel has no signal or is ignored.
         """
         index = channel - 1
         if raw is None or _has(self.ignored, index):
@@ -78,13 +78,13 @@ def _clip(value: int) -> int:
 
 
 _SIGNAL_REQUIRED_WITHIN = 0.5  # seconds; User's Guide 4.c
-_NEARLY_NEUTRAL = 8  # greatest output that ends safe-start, inferred
+_NEARLY_NEUTRAL = 8  # largest output that ends safe-start, inferred
 
 
 class ChannelControl:
     def __init__(self, channels: Channels, memory: Memory, mode: Mode) -> None:
-        self.safe_start = not mode.is_serial  # until signals are valid and sticks centred
-        self.override = False  # channel 5 gives control to the serial port
+        self.safe_start = not mode.is_serial  # True until signals are valid and sticks centred
+        self.override = False  # True if channel 5 selects serial control
         self._channels = channels
         self._memory = memory
         self._mode = mode
@@ -100,11 +100,11 @@ class ChannelControl:
         )
 
     def remapped(self, *, mix: bool) -> tuple[int, ...]:
-        """Return the reply to 0x87, -127 to 127. The first values are those of motors 1 and 2."""
+        """Return the reply to 0x87, -127 to 127. The first two values are for motors 1 and 2."""
         raw, setup = self._channels.raw, self.setup
-        plain, flip = setup.remapped(raw), setup.is_switched(4, raw[3])
+        values, flip = setup.remapped(raw), setup.is_switched(4, raw[3])
         joint = self._memory.is_joint
-        return *motor_values(plain, mix=mix, flip=flip, joint=joint), *plain[2:]
+        return *motor_values(values, mix=mix, flip=flip, joint=joint), *values[2:]
 
     def update(self) -> bool:
         """Update safe-start and override. Return whether the serial port controls the motors."""
@@ -123,7 +123,7 @@ class ChannelControl:
         return self.override and not self.safe_start
 
     def drive(self, motors: Sequence[Motor], aux: AuxiliaryMotor, *, mix: bool) -> None:
-        """Drive the motors by the sticks. Inferred: the sticks accelerate the motors."""
+        """Drive the motors with the sticks. Inferred: sticks accelerate the motors."""
         remapped = self.remapped(mix=mix)
         for number, motor in enumerate(motors[: 1 if self._memory.is_joint else 2], 1):
             value = remapped[number - 1]

@@ -43,7 +43,7 @@ class Signal:
     kind: SignalKind
     value: float = 0.0  # pulse width in µs, or voltage in V
     noise: float = 0.0  # standard deviation of each pulse or conversion
-    lost: float = 0.0  # share of missing pulses, 0-1
+    lost: float = 0.0  # fraction of missing pulses, 0-1
 
     @classmethod
     def parse(cls, text: str, source: InputSource) -> "Signal":
@@ -54,18 +54,18 @@ class Signal:
         word = text.strip().lower()
         if word in _WITHOUT_VALUE:
             return cls(_WITHOUT_VALUE[word])
-        found = _SIGNAL.fullmatch(word)
-        if not found:
+        match = _SIGNAL.fullmatch(word)
+        if not match:
             raise ValueError(
                 f"{text!r} is not counts, 1500us, 2.5V, invalid, silent or rest "
                 "(a value may be followed by noise 2us, lost 0.1)"
             )
-        signal = cls._of(float(found[1]), found[2], source)
-        spread = float(found[3] or 0)
-        lost = float(found[5] or 0)
+        signal = cls._of(float(match[1]), match[2], source)
+        spread = float(match[3] or 0)
+        lost = float(match[5] or 0)
         if not spread and not lost:
             return signal
-        noise = cls._of(spread, found[4] or found[2], source)
+        noise = cls._of(spread, match[4] or match[2], source)
         if noise.kind is not signal.kind:
             raise ValueError("value and noise have different units")
         if not 0 <= lost <= 1:
@@ -82,7 +82,7 @@ class Signal:
 
     @classmethod
     def pulses(cls, microseconds: float) -> "Signal":
-        """Return servo pulses, 50 a second. The width may be invalid for the board."""
+        """Return a signal of 50 servo pulses a second. The board may reject the width."""
         if not 0 <= microseconds < _RECEIVER_PERIOD:
             raise ValueError(f"a pulse is 0 to {_RECEIVER_PERIOD:.0f} us wide")
         return cls(SignalKind.PULSES, microseconds)
@@ -121,7 +121,7 @@ class Signal:
     def conversion(self, random: Random) -> int:
         """Convert the voltage to raw counts.
 
-        Inferred: a pulse train gives its mean, an open input 0 V.
+        Inferred: pulses are converted to their mean voltage, and an open input to 0 V.
         """
         volts = 0.0
         if self.kind is SignalKind.VOLTAGE:
@@ -133,18 +133,19 @@ class Signal:
         return InputSource.ANALOG.counts(max(0.0, min(SUPPLY, volts)))
 
 
-# Seconds without a pulse until the value is 0xFFFF. The command documentation says 100 ms, the
-# User's Guide about 150 ms.
+# Seconds without a pulse until the value is 0xFFFF. The command documentation says 100 ms. The
+# User's Guide says about 150 ms.
 SIGNAL_LOST_AFTER = 0.1
 
-TICK = 0.0025  # seconds of a simulation step
-_PERIOD_TICKS = 8  # each input is measured once in this period: 50 Hz, RC and analog
+TICK = 0.0025  # length of a simulation step, in seconds
+_PERIOD_TICKS = 8  # ticks between two measurements of an RC or analog input: 50 Hz
+
 # An analog value is the mean of 16 conversions. Inferred: they are spread over the period.
-_SAMPLES_A_TICK = 2
+_SAMPLES_PER_TICK = 2
 
 
 class Channels:
-    """The five inputs. Each is measured 50 times a second, one after the other."""
+    """The five inputs. They are measured in turn, each 50 times a second."""
 
     def __init__(self, source: InputSource, seed: int = 0) -> None:
         self._random = Random(seed)  # noqa: S311 - noise, not secrets
@@ -158,10 +159,9 @@ class Channels:
         self.source = source
         unknown = 0 if source is InputSource.ANALOG else None
         self._raw: dict[int, int | None] = dict.fromkeys(CHANNELS, unknown)
-        self._pulse_ticks = dict.fromkeys(
-            CHANNELS, -math.inf
-        )  # tick of the last pulse, valid or not
-        self._good_ticks = dict.fromkeys(CHANNELS, -math.inf)
+        # Channel → tick of the last pulse, and of the last valid pulse
+        self._pulse_ticks = dict.fromkeys(CHANNELS, -math.inf)
+        self._valid_ticks = dict.fromkeys(CHANNELS, -math.inf)
         self._converted = dict.fromkeys(CHANNELS, 0)
         self._ticks = 0
 
@@ -170,7 +170,7 @@ class Channels:
         return self._ticks * TICK >= SIGNAL_LOST_AFTER
 
     def silence(self, channel: int) -> float:
-        return (self._ticks - self._good_ticks[channel]) * TICK
+        return (self._ticks - self._valid_ticks[channel]) * TICK
 
     def tick(self) -> None:
         self._ticks += 1
@@ -182,21 +182,21 @@ class Channels:
                 self._pulse_ticks[channel] = self._ticks
                 self._raw[channel] = signal.pulse(self._random)
                 if self._raw[channel] is not None:
-                    self._good_ticks[channel] = self._ticks
+                    self._valid_ticks[channel] = self._ticks
 
     def _convert(self) -> None:
         is_due = self._ticks % _PERIOD_TICKS == 0
         for channel, signal in self.signals.items():
-            for _ in range(_SAMPLES_A_TICK):
+            for _ in range(_SAMPLES_PER_TICK):
                 self._converted[channel] += signal.conversion(self._random)
             if is_due:
-                samples = _SAMPLES_A_TICK * _PERIOD_TICKS
+                samples = _SAMPLES_PER_TICK * _PERIOD_TICKS
                 self._raw[channel] = (self._converted[channel] + samples // 2) // samples
                 self._converted[channel] = 0
 
     @property
     def raw(self) -> tuple[int | None, ...]:
-        """Return the raw counts of channels 1-5. `None` where the board replies 0xFFFF."""
+        """Raw counts of channels 1-5. `None` if the board replies 0xFFFF."""
         if self.source is InputSource.ANALOG:
             return tuple(self._raw.values())
         oldest = self._ticks - SIGNAL_LOST_AFTER / TICK

@@ -1,4 +1,4 @@
-"""TReX options of `trex-sim`, and the demonstration."""
+"""Options of `trex-sim` for TReX boards, and the demonstration."""
 
 import math
 import os
@@ -26,23 +26,23 @@ _FIRMWARE = sorted({version for model in device_table().models for version in mo
 
 _PERIOD = 0.02  # seconds between two pulses of a standard receiver
 
-# Period in seconds and amplitude as a share of the stick's travel, by channel. The periods have no
-# small common multiple, so that the motion does not repeat. Channel 5 never activates the serial
+# Channel → period in seconds, and amplitude as a fraction of the stick's travel. The periods have
+# no small common multiple, so that the motion does not repeat. Channel 5 never activates the serial
 # override.
 _SWINGS = {1: (7.0, 0.8), 2: (11.0, 0.7), 3: (17.0, 0.6), 4: (23.0, 0.3), 5: (29.0, 0.2)}
 
 
 def demonstrate(board: Board, timeline: Timeline) -> None:
-    """Load the motors. Move the sticks that no control line has set."""
+    """Load the motors, and move the sticks that no control line has set."""
     for physics in board.physics:
         physics.load = physics.initial_load = physics.constants.light_load
     signals = board.channels.signals.copy()
 
     def move_sticks() -> None:
-        for channel, (seconds, size) in _SWINGS.items():
-            present = board.channels.signals[channel]
-            if present == signals[channel] or present.kind is SignalKind.REST:
-                position = size * math.sin(2 * math.pi * board.now / seconds)
+        for channel, (period, amplitude) in _SWINGS.items():
+            current = board.channels.signals[channel]
+            if current == signals[channel] or current.kind is SignalKind.REST:
+                position = amplitude * math.sin(2 * math.pi * board.now / period)
                 signal = Signal.voltage(2.5 + 2.5 * position)
                 if board.channels.source is InputSource.RC:
                     signal = Signal.pulses(1500 + 500 * position)
@@ -94,9 +94,9 @@ def simulate(
 ) -> Simulation:
     boards = []
     for index, device in enumerate(devices or [DeviceOption()]):
-        kind = device.model or model
-        stored = _eeprom(eeprom, device, kind, len(devices), error_shutdown=error_shutdown == "on")
-        board = Board(kind, firmware, eeprom=stored, mode=mode, mix=mix, seed=seed + index)
+        key = device.model or model
+        stored = _eeprom(eeprom, device, key, len(devices), error_shutdown=error_shutdown == "on")
+        board = Board(key, firmware, eeprom=stored, mode=mode, mix=mix, seed=seed + index)
         board.timeout_needs_shutdown = timeout_needs_shutdown == "on"
         board.unknown_reply = b"" if unknown_parameter == "silent" else b"\xff"
         board.rejection_is_error = rejected_write == "error"
@@ -135,8 +135,8 @@ def _choice(name: str, values: Sequence[str], default: str, help_text: str) -> c
 
 SIMULATOR = SimulatorPlugin(
     help="Control lines: channel, jumper, power, load, current, fault, battery, eeprom, accept, "
-    "factory, line, show, quit; with missing arguments each replies with its usage. With several "
-    'devices a control line begins with one of them, as in "@9 power cycle".',
+    "factory, line, show, quit. A command without its arguments replies with its usage. With "
+    'several devices, a control line begins with a device number, as in "@9 power cycle".',
     options=(
         _choice("--model", _MODELS, "trex", "Kind of board."),
         _choice("--firmware", _FIRMWARE, "1.2", "Firmware version."),
@@ -145,7 +145,7 @@ SIMULATOR = SimulatorPlugin(
         click.Option(
             ["--echo"],
             is_flag=True,
-            help="Return the bytes of the host, as the RS-232 connector does.",
+            help="Echo the bytes from the host, as the RS-232 connector does.",
         ),
         click.Option(
             ["--eeprom"],

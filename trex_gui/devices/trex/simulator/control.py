@@ -115,10 +115,10 @@ def report(board: Board) -> dict[str, Any]:
 
 
 def control(line: SimulatedBoards, text: str) -> str:
-    """Execute a control line. Return `ok …` or `error …`, without a line end.
+    """Execute a control line. Return `ok …` or `error …`, without a newline.
 
     With several boards, the line begins with the initial device number of a board, as in
-    `@9 power cycle`. Commands to the wire need no number.
+    `@9 power cycle`. Commands for the wire need no number.
     """
     name = ""
     if text.strip().startswith("@"):
@@ -142,8 +142,8 @@ def _board(line: SimulatedBoards, name: str) -> Board | None:
 def _no_board(line: SimulatedBoards, name: str, *_words: str) -> str:
     names = ", ".join(f"@{number}" for number in line.numbers)
     if name:
-        raise ValueError(f"there is no board {name}, but {names}")
-    raise ValueError(f"say which board first: {names}")
+        raise ValueError(f"there is no board {name}; the boards are {names}")
+    raise ValueError(f"begin the line with a board: {names}")
 
 
 def _channel(board: Board, channel: str, value: str, *more: str) -> str:
@@ -163,7 +163,7 @@ def _jumper(board: Board, which: str, state: str) -> str:
             return f"mix jumper {state}"
         case "so-ground", ("on" | "off"):
             board.so_ground = state == "on"
-            effect = "; read at power-up, and no reply gets out until it is off"
+            effect = "; read at power-up, and no reply is sent until it is off"
             return f"so-ground jumper {state}{effect if board.so_ground else ''}"
     raise WrongUsage
 
@@ -233,7 +233,7 @@ def _accept(board: Board, key: str, highest: str, mask: str = "127") -> str:
     if not spec.is_open(limits[0]):
         raise ValueError(f"{spec.key}: {limits[0]} is not beyond an inferred limit")
     board.memory.accepted[spec.key] = limits
-    return f"{spec.key} up to {limits[0]} is stored and bitwise and {limits[1]}"
+    return f"{spec.key} is accepted up to {limits[0]} and stored with the mask {limits[1]}"
 
 
 def _factory(board: Board) -> str:
@@ -248,10 +248,10 @@ def _require_saved(board: Board) -> None:
 
 
 def _show(line: SimulatedBoards, board: Board) -> str:
-    shown = report(board)
-    shown["counters"]["line"] = dict(line.faults.counters)
-    shown["line"] = show_wire(line)
-    return json.dumps(shown)
+    state = report(board)
+    state["counters"]["line"] = dict(line.faults.counters)
+    state["line"] = show_wire(line)
+    return json.dumps(state)
 
 
 def _wire(line: SimulatedBoards, *words: str) -> str:
@@ -262,9 +262,8 @@ def _wire(line: SimulatedBoards, *words: str) -> str:
         case ["error", ("framing" | "parity" | "overrun") as name, *rest] if len(rest) < 2:
             count = amount(rest[0], highest=10_000) if rest else 1
             line.faults.errors.extend([ReceiveError(name)] * count)
-            undetected = ", which a board without parity does not detect"
-            undetected = undetected if name == "parity" else ""
-            return f"bytes from the host that will have a {name} error{undetected}: {count}"
+            note = ", which a board without parity does not detect" if name == "parity" else ""
+            return f"bytes from the host that will have a {name} error{note}: {count}"
     return wire(line, *words)
 
 

@@ -1,4 +1,4 @@
-"""Simulated board: modes, safety, motors. It does not handle bytes.
+"""Simulated board with modes, safety and motors. It does not handle bytes.
 
 Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 4, 5.
 """
@@ -33,8 +33,10 @@ from trex_gui.devices.trex.simulator.physics import DriverOutput, Machine
 
 MODE_JUMPERS = ("serial", "rc", "analog")
 
-_UPDATE_TICKS = 4  # updates of motors and safety: 100 times a second
-_CURRENT_TICKS = {InputSource.RC: 5, InputSource.ANALOG: 8}  # 80 or 50 readings a second
+_UPDATE_TICKS = 4  # ticks between two updates of motors and safety: 100 updates a second
+
+# Ticks between two current readings: 80 or 50 readings a second
+_CURRENT_TICKS = {InputSource.RC: 5, InputSource.ANALOG: 8}
 
 _MOTOR_KEYS = {
     number: [MotorParameter(name).of(number) for name in MotorSettings._fields] for number in (1, 2)
@@ -54,8 +56,8 @@ _COUNTERS = (
 class Board:
     """Controller with motors, receiver and jumpers.
 
-    `serial` drives the motors by serial commands, and has the latched bits. `sticks` drives the
-    motors by the channels, with serial override and safe-start.
+    `serial` executes serial motor commands and contains the latched bits. `sticks` drives the
+    motors from the channels, with serial override and safe-start.
     """
 
     def __init__(
@@ -75,21 +77,21 @@ class Board:
         if mode not in MODE_JUMPERS:
             raise ValueError(f"the mode jumper is {', '.join(MODE_JUMPERS)}, not {mode!r}")
         self.mode_jumper = mode  # one of `MODE_JUMPERS`, read at power-up
-        self.mix = mix  # the mix jumper is set; read continuously
+        self.mix = mix  # True if the mix jumper is set; read continuously
         self.so_ground = False
         self.now = self.powered_at = 0.0  # seconds since the start
         self.powered = False
         self.boots = 0  # number of power-ups
-        # True if the serial timeout stops motors only with UART-Error Shutdown. CMD10 names no
-        # condition, but the twin, a qik 2s12v10, has this condition.
+        # True if the serial timeout stops motors only with UART-Error Shutdown. The command
+        # documentation names no such condition, but the twin, a qik 2s12v10, has it.
         self.timeout_needs_shutdown = False
         self.unknown_reply = b""  # reply to a read of an unknown parameter
-        self.rejection_is_error = False  # a rejected write is also a format error
+        self.rejection_is_error = False  # True if a rejected write is also a format error
         self.channels = Channels(InputSource.RC, seed)
         self.machine = Machine(self.model.key, self.model.current_unit, seed)
         self.physics = self.machine.motors
         self._initial_jumpers = (mode, mix)
-        self.is_starved = False  # switched on, but the battery is too low
+        self.is_starved = False  # True if the board is switched on, but the battery is too low
         self.counters: Counter[str] = Counter(dict.fromkeys(_COUNTERS, 0))
         self._ticks = 0
         self.power_on()
@@ -115,9 +117,9 @@ class Board:
     def power_off(self) -> None:
         """Switch off. The motors coast, and an unfinished write is lost."""
         self.is_starved = False
-        self._go_down()
+        self._lose_power()
 
-    def _go_down(self) -> None:
+    def _lose_power(self) -> None:
         self.powered = False
         self.boot_mode = None
         self.memory.lose_write()
@@ -149,7 +151,7 @@ class Board:
             in_control=self.powered and self.mode.is_serial,
         )
         self.sticks = ChannelControl(self.channels, self.memory, self.mode)
-        self.receiving = False  # a packet is incomplete, which lights an LED
+        self.receiving = False  # True while a packet is incomplete, which lights an LED
 
     @property
     def is_running(self) -> bool:
@@ -161,8 +163,8 @@ class Board:
         end = self.now + seconds
         while True:
             next_tick = (self._ticks + 1) * TICK
-            write_left = self.memory.busy_for
-            until = min(next_tick, self.now + write_left) if write_left else next_tick
+            write_time = self.memory.busy_for
+            until = min(next_tick, self.now + write_time) if write_time else next_tick
             if until > end + EPSILON:
                 break
             self._advance_to(until)
@@ -181,7 +183,9 @@ class Board:
             self.channels.tick()
             if self._ticks % _UPDATE_TICKS == 0:
                 self._update()
-        self.machine.advance(TICK, [_drive(motor.direction, motor.speed) for motor in self.motors])
+        self.machine.advance(
+            TICK, [_driver_output(motor.direction, motor.speed) for motor in self.motors]
+        )
         self._check_supply()
         if self.powered and self._ticks % _CURRENT_TICKS[self.mode.source] == 0:
             for physics in self.physics:
@@ -193,7 +197,7 @@ class Board:
     def _check_supply(self) -> None:
         if self.powered and self.machine.is_too_low:
             self.counters["brown_outs"] += 1
-            self._go_down()
+            self._lose_power()
             self.is_starved = True
         elif self.is_starved and not self.machine.is_too_low:
             self.power_on()
@@ -224,7 +228,7 @@ class Board:
 
     @property
     def remapped(self) -> tuple[int, ...]:
-        """Reply to 0x87, -127 to 127. The first values are those of motors 1 and 2."""
+        """Reply to 0x87, -127 to 127. The first two values are for motors 1 and 2."""
         return self.sticks.remapped(mix=self.mix)
 
     def _update_control(self) -> None:
@@ -291,9 +295,9 @@ class Board:
 
 
 @cache
-def _drive(direction: MotorDirection, speed: int) -> DriverOutput:
-    """Return the drive of a motor. Inferred: the duty cycle is speed / 127."""
-    share = speed / FULL_SPEED
+def _driver_output(direction: MotorDirection, speed: int) -> DriverOutput:
+    """Return the output of a motor driver. Inferred: the duty cycle is speed / 127."""
+    duty = speed / FULL_SPEED
     if direction is MotorDirection.BRAKE:
-        return DriverOutput(brake=share)
-    return DriverOutput(share if direction is MotorDirection.FORWARD else -share)
+        return DriverOutput(brake=duty)
+    return DriverOutput(duty if direction is MotorDirection.FORWARD else -duty)

@@ -29,20 +29,20 @@ class BoardStation:
         self.advance = board.advance
         self._line = line
         self._boot = board.boots
-        self._ahead = line.now - board.now  # the board may be older than the line
+        self._clock_offset = line.now - board.now  # the board may have started before the line
         self._receives_since = line.now
         self._discard_transfer()
 
     def _discard_transfer(self) -> None:
         self._is_transmitting = False
         self._is_pausing = False
-        self._input: RateConverter | None = None  # converter from a host at another rate
-        self._output: RateConverter | None = None  # converter to a host at another rate
+        self._input: RateConverter | None = None  # converter from a host at another baud rate
+        self._output: RateConverter | None = None  # converter to a host at another baud rate
 
     def _check_boot(self) -> None:
         if self._boot != self.board.boots:
             self._boot = self.board.boots
-            self._receives_since = self.board.powered_at + self._ahead
+            self._receives_since = self.board.powered_at + self._clock_offset
             self._discard_transfer()
 
     def _is_up(self, boot: int) -> bool:
@@ -65,7 +65,7 @@ class BoardStation:
         self, byte: int, host: SerialFormat | None, error: ReceiveError | None, begun: float
     ) -> None:
         if error is ReceiveError.PARITY and self.line_format.parity is Parity.NONE:
-            error = None  # undetected without parity
+            error = None  # not detected without parity
         if host is not None:
             error = self._format_error(host) or error
         self._receive(byte, error, begun)
@@ -94,16 +94,16 @@ class BoardStation:
             self._start_transfer()
 
     def _format_error(self, host: SerialFormat) -> ReceiveError | None:
-        """Return the error of bytes with other parity or stop bits.
+        """Return the error for bytes with another parity or other stop bits.
 
         A real receiver accepts some of these bytes: half of them have the right parity by chance,
         and many UARTs check only one stop bit. The simulator rejects every byte, so that results
         are reproducible.
         """
-        own = self.line_format
-        if own.parity is not host.parity:
-            return ReceiveError.FRAMING if own.parity is Parity.NONE else ReceiveError.PARITY
-        return None if own.stop_bits == host.stop_bits else ReceiveError.FRAMING
+        line = self.line_format
+        if line.parity is not host.parity:
+            return ReceiveError.FRAMING if line.parity is Parity.NONE else ReceiveError.PARITY
+        return None if line.stop_bits == host.stop_bits else ReceiveError.FRAMING
 
     # --- Transmitting -------------------------------------------------------------------
 
@@ -184,7 +184,7 @@ class BoardStation:
 
 
 class SimulatedBoards(SimulatedLine):
-    """Line with boards. `numbers` are their initial device numbers."""
+    """Line with boards. `numbers` contains their initial device numbers."""
 
     def __init__(
         self, boards: Sequence[Board], *, echo: bool = False, paced: bool = True, seed: int = 0
@@ -202,5 +202,5 @@ class SimulatedBoards(SimulatedLine):
 
     @property
     def is_grounded(self) -> bool:
-        """True if a jumper grounds SO. Inferred: the host then receives nothing."""
+        """True if a jumper grounds SO. Inferred: the host receives nothing in this state."""
         return any(board.so_ground for board in self.boards)

@@ -36,7 +36,7 @@ class EepromError(StudioError):
 class Eeprom:
     """EEPROM of one board, in wire values. Each write is also saved to the file, if any.
 
-    There is a cell for each parameter in any firmware of the model. `error_shutdown` is the factory
+    It has a cell for each parameter in any firmware of the model. `error_shutdown` is the factory
     default of UART-Error Shutdown, which no source mentions.
     """
 
@@ -123,7 +123,7 @@ class Eeprom:
             self.unsaved = error
 
     def save(self) -> None:
-        """Write the file, if any, atomically. EepromError if that fails."""
+        """Write the file atomically, if there is a file. EepromError on failure."""
         if self._path is None:
             return
         text = json.dumps(self._document(), indent=2) + "\n"
@@ -151,9 +151,9 @@ class Eeprom:
         try:
             self._set_document(json.loads(text))
         except (TypeError, ValueError, RecursionError) as error:
-            why = "it is nested too deep" if isinstance(error, RecursionError) else error
+            reason = "it is nested too deeply" if isinstance(error, RecursionError) else error
             raise EepromError(
-                f"the EEPROM file {self._path} is damaged ({why}); "
+                f"the EEPROM file {self._path} is damaged ({reason}); "
                 "repair it, or delete it to start with a new board"
             ) from error
 
@@ -197,8 +197,8 @@ def _factory_calibrations() -> dict[InputSource, dict[int, Calibration]]:
     return {source: dict.fromkeys(CHANNELS, DEFAULT_CALIBRATION[source]) for source in InputSource}
 
 
-# Seconds of a write to the EEPROM, 4 ms a byte (command documentation, 0xAF and 0xA0-0xA4). The
-# four values of a calibration have two bytes each.
+# Duration of a write to the EEPROM in seconds, 4 ms per byte (command documentation, 0xAF and
+# 0xA0-0xA4). The four values of a calibration have two bytes each.
 PARAMETER_WRITE = 0.004
 CALIBRATION_WRITE = 0.032
 
@@ -207,7 +207,7 @@ CALIBRATION_WRITE = 0.032
 class _Step:
     """Pending write to the EEPROM. A power cut before `store` calls `lose`.
 
-    Inferred: the power cut erases the cell. The firmware uses the default at the next power-up.
+    Inferred: the power cut erases the cell, and the firmware uses the default at the next power-up.
     """
 
     seconds: float
@@ -218,27 +218,28 @@ class _Step:
 class Memory:
     """Active and stored settings, with pending writes.
 
-    Parameters 0x7B-0x7F take effect after a power cycle, other parameters after their write.
+    Parameters 0x7B-0x7F take effect after a power cycle. Other parameters take effect when they are
+    written.
     """
 
     def __init__(self, eeprom: Eeprom, firmware: str) -> None:
         self.parameters = parameters_of(eeprom.model.key, firmware)
         self.writes = 0  # number of finished writes
-        # Values that this firmware accepts beyond inferred limits: highest value and mask of the
-        # stored bits, by key
+        # Key → highest value that this firmware accepts beyond an inferred limit, and mask of the
+        # stored bits
         self.accepted: dict[str, tuple[int, int]] = {}
         self.eeprom = eeprom
         self._firmware = firmware
         self._steps: deque[_Step] = deque()
-        self._done = 0.0  # seconds spent on the first step
+        self._done = 0.0  # seconds spent on the first pending step
         self.load()
 
     def load(self) -> None:
         self.lose_write()
         self.eeprom.reset_if_pending()
-        self.active = self.stored()  # active parameters by key
+        self.active = self.stored()  # key → active wire value
         self.line_settings = LineSettings.from_wire(self.active[ParameterKey.UART_SETTINGS])
-        self.baud = self.line_settings.real_baud(self._firmware)  # the bit rate on the line
+        self.baud = self.line_settings.real_baud(self._firmware)  # actual bit rate on the line
 
     def stored(self) -> dict[str, int]:
         return {spec.key: self.eeprom[spec.key] for spec in self.parameters.readable}
@@ -290,7 +291,7 @@ class Memory:
         if spec.readable:
             self._start_write(spec.key, value, at_once=not spec.needs_power_cycle)
         else:
-            # Inferred: 0x7F sets a mark, and the next power-up resets all parameters.
+            # Inferred: 0x7F sets a flag, and the next power-up resets all parameters.
             self._steps.append(_Step(PARAMETER_WRITE, self.eeprom.request_reset, lambda: None))
         return ResultCode.OK
 
@@ -340,7 +341,7 @@ class Memory:
             self.writes += 1
 
     def lose_write(self) -> None:
-        """Simulate a power cut: lose the current write, drop later writes."""
+        """Simulate a power cut: lose the current write and drop later writes."""
         if self._steps:
             self._steps[0].lose()
         self._steps.clear()

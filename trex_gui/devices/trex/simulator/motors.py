@@ -29,7 +29,7 @@ class MotorSettings(NamedTuple):
 
     acceleration: int = 0
     brake_duration: int = 0
-    current_limit: int = 0  # 0: no limit
+    current_limit: int = 0  # 0 means no limit
     current_limit_p: int = 0
 
 
@@ -43,7 +43,7 @@ class Motor:
         self.direction = MotorDirection.BRAKE
         self.target_direction = MotorDirection.BRAKE
         self.target_speed = 0
-        self._tenths = 0  # speed in tenths; an update adds the acceleration parameter
+        self._tenths = 0  # speed in tenths; each update adds at most the acceleration
         self._driven = MotorDirection.BRAKE  # last direction in which the motor ran
         self._braked = 0  # number of braking updates since the motor ran
 
@@ -82,8 +82,8 @@ class Motor:
             self._brake(self.target_speed)
             return
         if self.direction is not target:
-            # Inferred: earlier braking counts, and a motor that continues in its direction does
-            # not brake. The duration is in updates of 10 ms.
+            # Inferred: previous braking counts, and a motor that continues in its direction does
+            # not brake. The brake duration is in updates of 10 ms.
             reverses = self._driven not in {target, MotorDirection.BRAKE}
             if reverses and self._braked < settings.brake_duration:
                 self._brake(FULL_SPEED)
@@ -104,7 +104,7 @@ class Motor:
 
 
 class AuxiliaryMotor:
-    """Third output: one direction, without brake (inferred) or current sensing."""
+    """Third output, with one direction and without brake (inferred) or current sensing."""
 
     def __init__(self) -> None:
         self.target_speed = 0
@@ -126,7 +126,7 @@ class AuxiliaryMotor:
 
 
 def _ramp(tenths: int, target: int, acceleration: int) -> int:
-    """Return the speed after one update, in tenths of a count. Acceleration 0: no ramp."""
+    """Return the speed after one update, in tenths of a count. Acceleration 0 means no ramp."""
     if acceleration == 0 or tenths >= target:
         return target  # no deceleration
     return min(tenths + acceleration, target)
@@ -138,7 +138,7 @@ class SerialControl:
     def __init__(
         self, motors: Sequence[Motor], aux: AuxiliaryMotor, *, joint: bool, in_control: bool
     ) -> None:
-        self.in_control = in_control  # the motors obey serial commands
+        self.in_control = in_control  # True if the motors obey serial commands
         self.status = Status(0)
         self.uart_errors = UartError(0)
         self.errors = 0  # number of UART errors
@@ -194,7 +194,7 @@ class SerialControl:
             stop()
 
     def check_timeout(self, now: float, timeout: int, *, shut_down: bool) -> None:
-        """Latch the error after `timeout` tenths of a second without a byte. 0: never.
+        """Latch the error after `timeout` tenths of a second without a byte. 0 means never.
 
         Inferred: the error occurs only in serial control, and is latched once per timeout.
         """

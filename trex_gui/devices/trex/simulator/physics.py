@@ -1,4 +1,4 @@
-"""Battery, two DC motors with their loads, current sensors.
+"""Battery, two DC motors with loads, and current sensors.
 
 A motor has a resistance, a back-EMF, an inertia and dry friction. Its current is high at a start or
 a reversal, falls with speed, and rises with the load up to the stall current. The battery voltage
@@ -16,13 +16,13 @@ HIGHEST_READING = 255
 @dataclass(frozen=True, slots=True)
 class Constants:
     battery: float  # V without load
-    battery_resistance: float  # ohm, with cables
+    battery_resistance: float  # ohm, including cables
     brown_out: float  # V below which the board resets
-    resistance: float  # ohm, of a motor with its driver and wires
+    resistance: float  # ohm; motor, driver and wires
     back_emf: float  # V s/rad; the torque constant in N m/A has the same value
-    inertia: float  # kg m2, of rotor and gears, relative to the rotor
-    free: float  # A without load, through friction of motor and gears
-    light_load: float  # A of a robot on a flat floor
+    inertia: float  # kg m2; rotor and gears, referred to the rotor
+    free: float  # A without load, due to friction of motor and gears
+    light_load: float  # A for a robot on a flat floor
 
     @property
     def stall(self) -> float:
@@ -30,15 +30,15 @@ class Constants:
 
 
 CONSTANTS = {
-    # The vendor gives only the figures of the drivers. The motors are the largest supported.
+    # The vendor specifies only the drivers. The motors are the largest that the drivers support.
     "trex": Constants(
         battery=12.0,  # six lead cells
         battery_resistance=0.04,  # a 7 Ah lead battery (25 mOhm) and a metre of cable
         brown_out=6.0,  # inferred: a linear regulator for 5 V logic needs a volt more
         resistance=0.4,  # stalls at 30 A; continuous rating 13 A (reference: VNH2SP30 carrier)
-        back_emf=7.33e-3,  # 15,000 turns a minute at 12 V, a motor of the 550 size
-        inertia=8e-6,  # time constant of 60 ms, usual for that size
-        free=1.2,  # 4 % of the stall current, usual with a gearbox
+        back_emf=7.33e-3,  # 15,000 rpm at 12 V, for a motor of size 550
+        inertia=8e-6,  # time constant of 60 ms, which is typical for this size
+        free=1.2,  # 4 % of the stall current, which is typical with a gearbox
         light_load=3.0,
     ),
     "trexjr": Constants(
@@ -46,7 +46,7 @@ CONSTANTS = {
         battery_resistance=0.2,  # ten AA cells of 20 mOhm
         brown_out=5.0,  # sourced: the Jr runs from 5 to 24 V
         resistance=2.4,  # stalls at 5 A; continuous rating 2.5 A (sourced)
-        back_emf=1.1e-2,  # 10,000 turns a minute at 12 V, a small gear motor
+        back_emf=1.1e-2,  # 10,000 rpm at 12 V, for a small gear motor
         inertia=3e-6,  # time constant of 60 ms
         free=0.2,
         light_load=0.8,
@@ -59,17 +59,17 @@ _NOISE_COUNTS = 0.3  # standard deviation of a reading, which is an average of 6
 class MotorPhysics:
     def __init__(self, constants: Constants, current_unit: float, seed: int) -> None:
         self.constants = constants
-        self.initial_load = constants.free  # A, also after `factory_reset`
+        self.initial_load = constants.free  # A; initial value of `load`
         self._unit = current_unit
         self._random = random.Random(seed)  # noqa: S311 - noise, not secrets
         self._charge = 0.0  # A s since the last measurement
-        self._time = 0.0  # s
+        self._time = 0.0  # s since the last measurement
         self.factory_reset()
 
     def factory_reset(self) -> None:
         self.load = self.initial_load  # A; dry friction, which does not depend on the speed
-        self.forced: float | None = None  # reported current in A; `None`: the real current
-        self.fault = False  # the driver has shut down
+        self.forced: float | None = None  # reported current in A; `None` for the real current
+        self.fault = False  # True if the driver has shut down
         self.speed = 0.0  # rad/s, positive forward
         self.clear_reading()
 
@@ -108,7 +108,7 @@ class MotorPhysics:
             counts = mean / self._unit + self._random.gauss(0, _NOISE_COUNTS)
         else:
             counts = 0.0
-        self.reading = max(0, min(HIGHEST_READING, round(counts)))  # last reading, counts of 0x8D
+        self.reading = max(0, min(HIGHEST_READING, round(counts)))  # counts in replies to 0x8D
 
     def clear_reading(self) -> None:
         self.reading = 0
@@ -120,18 +120,18 @@ class MotorPhysics:
 
     @property
     def rpm(self) -> float:
-        """Turns a minute of the rotor, positive forward."""
+        """Rotor speed in revolutions per minute. Positive forward."""
         return self.speed * 30 / math.pi
 
 
 @dataclass(frozen=True, slots=True)
 class DriverOutput:
-    share: float = 0.0  # of the supply voltage, -1 to 1
+    share: float = 0.0  # fraction of the supply voltage, -1 to 1
     brake: float = 0.0  # duty cycle of braking, 0-1
 
 
 class Machine:
-    """Battery and two motors. `volts` is the voltage at the board."""
+    """Battery and two motors. `volts` is the supply voltage at the board."""
 
     def __init__(self, model: str, current_unit: float, seed: int) -> None:
         self.constants = CONSTANTS[model]

@@ -1,7 +1,7 @@
 """UART and packet parser of the board, without a clock.
 
 Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 5.b (protocols), 5.e (CRC-7).
-This module does not use `protocol.commands`. It implements the documents independently.
+This module does not use `protocol.commands`. It implements the documentation independently.
 """
 
 from collections import deque
@@ -15,8 +15,8 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
-# Sizes in bytes, inferred. The documents say only that a host which waits for replies causes no
-# overrun. So each buffer holds at least the longest packet or reply.
+# Inferred sizes in bytes. The documentation says only that a host that waits for replies causes no
+# overrun. Therefore, each buffer has space for at least the longest packet or reply.
 RECEIVE_BUFFER = 32
 SEND_BUFFER = 32
 
@@ -56,7 +56,7 @@ class SerialPort:
     def __init__(self, board: Board) -> None:
         self.board = board
         self._boot = board.boots
-        self._reply = b""  # sent after the pause
+        self._reply = b""  # reply to send after the pause
         self._reset()
 
     def feed(self, byte: int) -> None:
@@ -138,17 +138,17 @@ class SerialPort:
         self._parse_packet()
 
     def _parse_packet(self) -> None:
-        head = 1
+        header_size = 1
         command = self._packet[0]
         if command == _EXPANDED:
-            head = 3
+            header_size = 3
             number = self.board.memory.active[ParameterKey.DEVICE_NUMBER]
             if len(self._packet) >= 2 and self._packet[1] != number:
                 self.board.counters["packets_for_others"] += 1
                 self._clear_packet()
                 self._is_skipping = True
                 return
-            if len(self._packet) < head:
+            if len(self._packet) < header_size:
                 return
             command = self._packet[2] | _COMMAND_BIT
             if command == _NULL:
@@ -159,14 +159,14 @@ class SerialPort:
             return
         size, handler = _COMMANDS[command]
         polynomial = self.board.memory.crc_polynomial
-        if len(self._packet) < head + size + (polynomial is not None):
+        if len(self._packet) < header_size + size + (polynomial is not None):
             return
         packet = bytes(self._packet)
         self._clear_packet()
         if polynomial is not None and remainder(packet[:-1], polynomial) != packet[-1]:
             self.board.report_error(UartError.CRC)
         else:
-            self._execute(handler, command, packet[head : head + size])
+            self._execute(handler, command, packet[header_size : header_size + size])
 
     def _execute(self, handler: "_Handler", command: int, data: bytes) -> None:
         try:
@@ -262,7 +262,7 @@ def _set_parameter(board: Board, _command: int, data: bytes) -> bytes:
 
 
 def _drive_one(board: Board, command: int, data: bytes) -> bytes:
-    """0xC0-0xCF: bit 3 selects the motor, bit 2 a ramp, bits 1:0 the direction."""
+    """0xC0-0xCF: bit 3 selects the motor, bit 2 a ramp, and bits 1:0 the direction."""
     number = 2 if command & 0b1000 else 1
     direction = MotorDirection.from_bits(command)
     board.serial.drive(number, direction, data[0], accelerate=bool(command & 0b0100))
@@ -270,7 +270,7 @@ def _drive_one(board: Board, command: int, data: bytes) -> bytes:
 
 
 def _drive_both(board: Board, command: int, data: bytes) -> bytes:
-    """0xD0-0xEF: bits 1:0 select the direction of motor 1, bits 3:2 of motor 2."""
+    """0xD0-0xEF: bits 1:0 are the direction of motor 1, bits 3:2 of motor 2."""
     accelerate = command >= 0xE0
     board.serial.drive(1, MotorDirection.from_bits(command), data[0], accelerate=accelerate)
     board.serial.drive(2, MotorDirection.from_bits(command >> 2), data[1], accelerate=accelerate)
@@ -282,7 +282,7 @@ def _drive_aux(board: Board, command: int, data: bytes) -> bytes:
     return b""
 
 
-_COMMANDS: dict[int, tuple[int, _Handler]] = {  # number of data bytes and handler, by command byte
+_COMMANDS: dict[int, tuple[int, _Handler]] = {  # command byte → data size, handler
     0x81: _read(lambda board: board.model.signature + board.firmware.encode("ascii")),
     0x82: _read(lambda board: board.mode.value.encode("ascii")),
     0x83: _read(lambda board: bytes([board.serial.in_control])),
