@@ -97,7 +97,7 @@ class ErrorCounts:
 
     @property
     def occurred(self) -> list[ErrorEntry]:
-        """Errors that were reported or latched before, newest first.
+        """Errors that were reported, or latched before the connection. Newest first.
 
         The general UART error bit is omitted if specific UART errors are listed.
         """
@@ -181,7 +181,7 @@ class ErrorCounts:
 
 # --- Events for the log -----------------------------------------------------------------
 
-_EVENT_GAP = 1.0  # seconds without a report of a bit before its next report is a new event
+_EVENT_GAP = 1.0  # minimum seconds between two reports of a bit for a new event
 
 _KINDS = {
     **dict.fromkeys(MOTOR_FAULTS.values(), EventKind.FAULT),

@@ -26,7 +26,7 @@ class Files(Protocol):
     """Requests from a `BoardMemory`, handled at once or later."""
 
     def find(self, board: BoardIdentity, /) -> None:
-        """Read the record of a board. Call `handle_record`."""
+        """Read the record of a board, then call `handle_record`."""
 
     def find_lost(self, board: BoardIdentity, adapter: str) -> None:
         """Find the newest record at this adapter under another number, and call `set_lost`."""

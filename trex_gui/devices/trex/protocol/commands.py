@@ -314,7 +314,7 @@ class GetParameter(Command[int]):
 
 # --- Writes to EEPROM, 0xA0 to 0xAF, in serial mode only --------------------------------
 
-FORMAT_BYTES = b"\x55\x2a"  # last data bytes of every write, which noise must not imitate
+FORMAT_BYTES = b"\x55\x2a"  # last data bytes of every write, so that noise cannot imitate it
 
 
 def _result(reply: bytes) -> ResultCode:

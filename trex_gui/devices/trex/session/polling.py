@@ -26,7 +26,7 @@ SAFETY_PARAMETERS = (  # read continuously, because they protect the motors
 
 Topic = type[Sample]  # class of a polled value
 
-_MAXIMUM_LAG = 0.1  # seconds; a schedule does not catch up on a longer lag
+_MAXIMUM_LAG = 0.1  # seconds; a schedule does not make up for a longer lag
 
 # Sum of the board's response delay (1 ms), half of its 10 ms cycle and the host's delay (a few
 # milliseconds, measured while a window is painted).
