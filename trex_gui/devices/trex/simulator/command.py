@@ -135,7 +135,7 @@ def _choice(name: str, values: Sequence[str], default: str, help_text: str) -> c
 
 SIMULATOR = SimulatorPlugin(
     help="Control lines: channel, jumper, power, load, current, fault, battery, eeprom, accept, "
-    "factory, line, show, quit. A command without its arguments replies with its usage. With "
+    "factory, line, show, quit; a command without its arguments replies with its usage. With "
     'several devices, a control line begins with a device number, as in "@9 power cycle".',
     options=(
         _choice("--model", _MODELS, "trex", "Kind of board."),
