@@ -17,27 +17,27 @@ class SpokenRange(NamedTuple):
 
 
 class Spoken:
-    """Mixin that computes its texts when a screen reader requests them.
+    """Mixin whose texts are computed when a screen reader requests them.
 
-    Qt's own properties would send an event with each sample. The description is the state and
-    the `accessibleDescription` or the tool tip.
+    Qt's own properties would send an event for every sample. The announced description consists
+    of the state and the `accessibleDescription` or the tool tip.
     """
 
     spoken_role = QAccessible.Role.Graphic
 
     def spoken_name(self) -> str:
-        """Return a name that changes. Empty to use `accessibleName`."""
+        """Return the current name. If it is empty, `accessibleName` is used."""
         return ""
 
     def spoken_state(self) -> str:
         return ""
 
     def spoken_range(self) -> SpokenRange | None:
-        """Return the displayed value. `None` for text only."""
+        """Return the displayed value and its limits. `None` for text only."""
         return None
 
     def set_spoken_value(self, value: float) -> None:
-        """Handle input from a screen reader. Does nothing by default."""
+        """Handle a value set by a screen reader. Does nothing by default."""
 
 
 class _Interface(QAccessibleWidget):
@@ -54,8 +54,8 @@ class _Interface(QAccessibleWidget):
         if kind is QAccessible.Text.Name:
             return widget.spoken_name() or default
         if kind is QAccessible.Text.Value:
-            shown = widget.spoken_range()
-            return f"{shown.value:g}" if shown else widget.spoken_state()
+            spoken_range = widget.spoken_range()
+            return f"{spoken_range.value:g}" if spoken_range else widget.spoken_state()
         if kind is QAccessible.Text.Description:
             if default == widget.accessibleName():  # a tool tip may repeat the name
                 default = ""
@@ -69,15 +69,15 @@ class _RangeInterface(_Interface, QAccessibleValueInterface):
         QAccessibleValueInterface.__init__(self)
 
     def interface_cast(self, kind: QAccessible.InterfaceType, /) -> Any:
-        """Return a pointer. Qt crashes on `None` and on the return type of the stub."""
+        """Return a pointer. Qt crashes on `None` and on the type that the stub declares."""
         if kind is QAccessible.InterfaceType.ValueInterface:
             return VoidPtr(getCppPointer(self)[-1])
         return super().interface_cast(kind) or VoidPtr(0)
 
     def _range(self) -> SpokenRange:
         widget = self.widget()
-        shown = widget.spoken_range() if isinstance(widget, Spoken) else None
-        return shown or SpokenRange(0, 0, 0)
+        spoken_range = widget.spoken_range() if isinstance(widget, Spoken) else None
+        return spoken_range or SpokenRange(0, 0, 0)
 
     def currentValue(self) -> float:
         return self._range().value

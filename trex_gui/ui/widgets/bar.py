@@ -1,4 +1,4 @@
-"""Bars of live values, and their limits."""
+"""Bars for live values, and the limits of the values."""
 
 from collections.abc import Sequence
 from enum import Enum
@@ -39,12 +39,12 @@ def paint_track(
     *,
     fill: str = "bar",
 ) -> None:
-    """Paint a bar from the middle mark, or a needle without marks."""
+    """Paint a bar from the middle mark to the value. Without marks, paint a needle."""
     color, radius = theme().color, track.height() / 2
 
-    def x_of(at: int) -> float:
+    def x_of(position: int) -> float:
         low, high = axis
-        return track.left() + track.width() * min(max((at - low) / (high - low), 0.0), 1.0)
+        return track.left() + track.width() * min(max((position - low) / (high - low), 0.0), 1.0)
 
     painter.setPen(QPen(color("hairline"), 1))
     painter.setBrush(color("track"))

@@ -25,9 +25,9 @@ from trex_gui.ui.theme.theme import set_look, theme
 from trex_gui.ui.widgets.placement import fit_on_screen
 
 ENTER = {Qt.Key.Key_Return, Qt.Key.Key_Enter}
-_PRESSES = {QEvent.Type.KeyPress, QEvent.Type.KeyRelease}
+_KEY_EVENTS = {QEvent.Type.KeyPress, QEvent.Type.KeyRelease}
 _POLL_MS = 50
-_LOSSES = {
+_LOSS_EVENTS = {
     QEvent.Type.FocusOut,
     QEvent.Type.Hide,
     QEvent.Type.TouchCancel,
@@ -52,7 +52,7 @@ class EnterWatch(QObject):
             focused.installEventFilter(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if not isinstance(event, QKeyEvent) or event.type() not in _PRESSES:
+        if not isinstance(event, QKeyEvent) or event.type() not in _KEY_EVENTS:
             return False
         keypad = Qt.KeyboardModifier.KeypadModifier
         if event.key() not in ENTER or event.modifiers() & ~keypad:
@@ -101,9 +101,10 @@ def paint_placeholder(view: QAbstractItemView, text: str, *, short: str = "") ->
 
 
 def strokes(painter: QPainter) -> Iterator[None]:
-    """Yield once for each thin stroke of a line one logical pixel wide.
+    """Yield once for each offset at which to draw a thin line.
 
-    A two-pixel pen would take a hundred times as long for a noisy curve.
+    Together the lines are one logical pixel wide. With a two-pixel pen, a noisy curve would take a
+    hundred times as long.
     """
     base = painter.worldTransform()
     ratio = painter.deviceTransform().m22() / base.m22()
@@ -128,13 +129,13 @@ def reserve_space(widget: QWidget) -> None:
 
 
 class PressMonitor(QObject):
-    """Detects the loss of the input that holds a control.
+    """Detects when a held control loses its input.
 
-    An opening menu or dialog swallows the release of a button or key without any event.
-    Therefore a held control is polled.
+    A held control is polled, because an opening menu or dialog swallows the release of a button
+    or key without any event.
     """
 
-    lost = Signal()  # focus or mouse lost, or the widget hidden, disabled or covered
+    lost = Signal()  # the focus or mouse is lost, or the widget is hidden, disabled or covered
 
     def __init__(self, widget: QWidget) -> None:
         super().__init__(widget)
@@ -153,7 +154,7 @@ class PressMonitor(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         is_disabled = event.type() == QEvent.Type.EnabledChange and not self._widget.isEnabled()
-        if watched is self._widget and (event.type() in _LOSSES or is_disabled):
+        if watched is self._widget and (event.type() in _LOSS_EVENTS or is_disabled):
             self._lose()
         return False
 
@@ -171,21 +172,21 @@ class PressMonitor(QObject):
 
 
 class ConfirmButton(QPushButton):
-    """Button that ignores clicks until a double-click interval after it appears.
+    """Button that ignores clicks for a double-click interval after it appears.
 
     A double click that makes the button appear under the pointer cannot press it.
     """
 
     def __init__(self, text: str = "", parent: QWidget | None = None) -> None:
         super().__init__(text, parent)
-        self._appeared = -inf  # time in seconds, also of a change of its function
+        self._appeared = -inf  # time in seconds; reset when its function changes
 
     @property
     def accepts_clicks(self) -> bool:
         return now() - self._appeared > QApplication.doubleClickInterval() / 1000
 
     def hold_off(self) -> None:
-        """Restart the wait after a change of the button's function."""
+        """Ignore clicks again because the button's function has changed."""
         self._appeared = now()
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -216,8 +217,8 @@ class RedButton(QPushButton):
 class HoldButton(QPushButton):
     """Button held with the mouse, a finger, the space bar or Enter.
 
-    Loss of input (`PressMonitor`) or a mouse that leaves the button releases it. The user then
-    has to press again, even if the mouse returns with its button down.
+    The hold ends when the input is lost (`PressMonitor`) or the mouse leaves the button. The user
+    then has to press again, even if the mouse returns with its button down.
     """
 
     hold_started = Signal()
@@ -252,7 +253,7 @@ class HoldButton(QPushButton):
             self._start()
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        if self.is_held:  # else Qt would press the button again when the mouse returns
+        if self.is_held:  # otherwise Qt would press the button again when the mouse returns
             if not self.rect().contains(event.position().toPoint()):
                 self._end()
             event.accept()
@@ -276,7 +277,7 @@ WidgetT = TypeVar("WidgetT", bound=QWidget)
 
 
 def focused_wheel(turn: Callable[[WidgetT, QWheelEvent], None]) -> Callable[..., None]:
-    """Return a `wheelEvent` for a focused widget. Otherwise the page scrolls."""
+    """Return a `wheelEvent` that works only with the focus. Otherwise the page scrolls."""
 
     def wheel_event(widget: WidgetT, event: QWheelEvent) -> None:
         if widget.hasFocus():
@@ -299,7 +300,7 @@ def only_when_visible(slot: Callable[[WidgetT], None]) -> Callable[[WidgetT], No
 
 
 def commit_typed() -> None:
-    """Commit the text of the focused spin box or cell.
+    """Commit the text typed into the focused spin box or cell.
 
     An editor commits its text when it loses the focus. Shortcuts, menus and, on a Mac, buttons do
     not take the focus.

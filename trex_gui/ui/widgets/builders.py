@@ -50,7 +50,7 @@ class Card(QGroupBox):
         self._title = label(self, size="heading")
         self.setTitle(title)
 
-    def setTitle(self, title: str) -> None:  # noqa: N802 - of Qt
+    def setTitle(self, title: str) -> None:  # noqa: N802 - Qt's name
         self._title.setText(title)
         set_style_property(self, "titled", bool(title))
         self.ensurePolished()  # Qt reserves the space that the current style defines
@@ -67,7 +67,7 @@ class Card(QGroupBox):
 
 
 class SpinBox(QSpinBox):
-    """Spin box whose wheel works only with the focus. Otherwise the page scrolls."""
+    """Spin box that uses the wheel only with the focus. Otherwise the page scrolls."""
 
     wheelEvent = focused_wheel(QSpinBox.wheelEvent)
 
@@ -76,7 +76,7 @@ _BESIDE_TEXT = QMargins(0, 0, 4, 0)
 
 
 class ComboBox(QComboBox):
-    """Combo box whose wheel works only with the focus, as in `SpinBox`."""
+    """Combo box that uses the wheel only with the focus, like `SpinBox`."""
 
     wheelEvent = focused_wheel(QComboBox.wheelEvent)
 
@@ -93,13 +93,16 @@ class ComboBox(QComboBox):
 
 
 Handler = Callable[..., object] | SignalInstance  # target of a signal
-Trigger = Callable[[], object]  # handler of an action, without its checked state
+Trigger = Callable[[], object]  # handler of an action; does not receive the checked state
 Part = QWidget | QLayout
 Item = Part | int | tuple[Part, int] | tuple[Part, int, Qt.AlignmentFlag]
-"""Part of a layout with stretch and alignment. A number is the stretch of an empty space."""
+"""Part of a layout, with stretch and alignment. A number is the stretch of an empty space."""
 
 Margins = int | tuple[int, int, int, int] | None
-"""Pixels left, top, right and bottom, or on all sides. `None`: 0 in cards, else Qt's default."""
+"""Pixels on the left, top, right and bottom, or on all sides.
+
+`None`: 0 in cards, otherwise Qt's default.
+"""
 
 WidgetT = TypeVar("WidgetT", bound=QWidget)
 
@@ -107,7 +110,7 @@ WidgetT = TypeVar("WidgetT", bound=QWidget)
 def plain(text: str) -> str:
     """Return a text that Qt shows literally.
 
-    Tool tips and message boxes guess the format, and open the files that markup names.
+    Tool tips and message boxes guess the format of a text. They open files named by markup.
     """
     return Qt.convertFromPlainText(text) if Qt.mightBeRichText(text) else text
 
@@ -143,7 +146,7 @@ def button(
 ) -> QPushButton:
     """Create a push button.
 
-    `default`: Enter presses it while no button has the focus. `None` leaves this to Qt.
+    `default`: Enter presses the button while no button has the focus. `None` leaves this to Qt.
     `confirms`: create a `ConfirmButton`, because the button may appear under the pointer.
     """
     kind = ConfirmButton if confirms else QPushButton
@@ -207,7 +210,7 @@ def label(
 ) -> QLabel:
     """Create a label.
 
-    `expand`: take the remaining width. `rich`: the text is markup; escape text from outside.
+    `expand`: take the remaining width. `rich`: the text is markup. Escape foreign text.
     `size`: "title", "heading", "caption", or empty for ordinary text.
     """
     widget = QLabel(parent)
@@ -231,7 +234,7 @@ def label(
 
 
 def search_field(parent: QWidget, name: str, accessible: str, hint: str) -> QLineEdit:
-    """Create a field with a clear button. Ctrl+F focuses it while `parent` is visible."""
+    """Create a search field. Ctrl+F focuses it while `parent` is visible."""
     widget = named(QLineEdit(parent), name, accessible=accessible)
     widget.setPlaceholderText(hint)
     widget.setClearButtonEnabled(True)
@@ -239,11 +242,11 @@ def search_field(parent: QWidget, name: str, accessible: str, hint: str) -> QLin
     if clear is not None:
         set_icon(clear, "clear")
 
-    def find() -> None:
+    def focus() -> None:
         widget.setFocus()
         widget.selectAll()
 
-    QShortcut(QKeySequence.StandardKey.Find, parent, find)
+    QShortcut(QKeySequence.StandardKey.Find, parent, focus)
     return widget
 
 
@@ -257,9 +260,9 @@ def combo_box(
     on_activate: Handler | None = None,
     on_change: Handler | None = None,
 ) -> ComboBox:
-    """Create a combo box. An item is a text, or a text and its data.
+    """Create a combo box. An item is a text, or a text with its data.
 
-    `on_activate`: selection by the user. `on_change`: every change of the current index.
+    `on_activate`: called on a selection by the user. `on_change`: called on every new index.
     """
     widget = named(ComboBox(parent), name, accessible=accessible, tip=tip)
     for item in items:
@@ -270,7 +273,10 @@ def combo_box(
 
 
 UNGROUPED = QLocale(QLocale.Language.French)
-"""Locale of spin boxes for whole numbers. Others read 1,5 or 1.5 as 15 in large ranges."""
+"""Locale of spin boxes for whole numbers.
+
+Other locales read 1,5 or 1.5 as 15 in large ranges.
+"""
 
 
 def spin_box(
@@ -295,13 +301,13 @@ def spin_box(
     widget.setRange(lowest, highest)
     widget.setSingleStep(step)
     widget.setValue(lowest if value is None else value)
-    return _complete(widget, suffix, on_change)
+    return _set_up_spin_box(widget, suffix, on_change)
 
 
 SpinT = TypeVar("SpinT", QSpinBox, QDoubleSpinBox)
 
 
-def _complete(widget: SpinT, suffix: str, on_change: Handler | None) -> SpinT:
+def _set_up_spin_box(widget: SpinT, suffix: str, on_change: Handler | None) -> SpinT:
     widget.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     widget.setSuffix(suffix)
     widget.setKeyboardTracking(False)
@@ -309,11 +315,11 @@ def _complete(widget: SpinT, suffix: str, on_change: Handler | None) -> SpinT:
     return widget
 
 
-_AROUND_NUMBER = 16  # pixels beside a number without buttons
+_AROUND_NUMBER = 16  # pixels beside a number in a spin box without buttons
 
 
 def strip_style(box: QAbstractSpinBox, widest: str) -> None:
-    """Hide a spin box's buttons. Its minimum width fits the `widest` text."""
+    """Hide the buttons of a spin box. Its minimum width fits the text `widest`."""
 
     def update_space() -> None:
         box.setMinimumWidth(box.fontMetrics().horizontalAdvance(widest) + _AROUND_NUMBER)
@@ -349,14 +355,14 @@ def double_spin_box(
     widget.setRange(lowest, highest)
     widget.setSingleStep(step)
     widget.setValue(lowest)
-    return _complete(widget, suffix, on_change)
+    return _set_up_spin_box(widget, suffix, on_change)
 
 
 TableT = TypeVar("TableT", bound=QTableView)
 
 
 def flat_table(table: TableT, name: str, accessible: str) -> TableT:
-    """Set the common look of a table. By default one whole row can be selected."""
+    """Set the common look of a table. By default, a single row can be selected."""
     named(table, name, accessible=accessible)
     name_headers(table)
     table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
@@ -376,7 +382,7 @@ def flat_table(table: TableT, name: str, accessible: str) -> TableT:
 
 
 def set_row_height(table: QTableView, padding: int) -> None:
-    """Set the row height to a line of text and `padding` pixels, in any font."""
+    """Set the row height to the line height plus `padding` pixels. It follows the font."""
     header, line = table.verticalHeader(), table.fontMetrics
     follow_theme(table, "rows", lambda: header.setDefaultSectionSize(line().height() + padding))
 
@@ -384,7 +390,7 @@ def set_row_height(table: QTableView, padding: int) -> None:
 def splitter(
     parent: QWidget, name: str, orientation: Qt.Orientation, *parts: tuple[QWidget, int]
 ) -> QSplitter:
-    """Create a splitter of widgets and their stretch. No widget can collapse."""
+    """Create a splitter. `parts`: widgets and their stretch. No widget can collapse."""
     result = named(QSplitter(orientation, parent), name)
     result.setChildrenCollapsible(False)
     for index, (widget, stretch) in enumerate(parts):
@@ -410,7 +416,7 @@ def action(
     checkable: bool = False,
     on_trigger: Trigger | None = None,
 ) -> QAction:
-    """Create an action. Its shortcut works in widgets after `addAction`."""
+    """Create an action. Its shortcut works in widgets to which the action is added."""
     result = QAction(QIcon(), text, parent)
     result.setObjectName(name)
     result.setShortcut(QKeySequence(shortcut))
@@ -432,16 +438,16 @@ def tab_order(*parts: QWidget) -> None:
 def _tab_stops(part: QWidget) -> Iterator[QWidget]:
     if part.focusPolicy() & Qt.FocusPolicy.TabFocus:
         yield part
-    if isinstance(part, QTabWidget):  # has its tab bar as its last child
+    if isinstance(part, QTabWidget):  # its tab bar is its last child
         pages = (part.widget(index) for index in range(part.count()))
-        inside = [part.tabBar(), *(page for page in pages if page)]
-    elif isinstance(part, QSplitter):  # changes the order of its children
-        inside = [found for index in range(part.count()) if (found := part.widget(index))]
+        children = [part.tabBar(), *(page for page in pages if page)]
+    elif isinstance(part, QSplitter):  # reorders its children
+        children = [child for index in range(part.count()) if (child := part.widget(index))]
     else:
-        inside = part.findChildren(QWidget, options=Qt.FindChildOption.FindDirectChildrenOnly)
-    for each in inside:
-        if not each.isWindow():
-            yield from _tab_stops(each)
+        children = part.findChildren(QWidget, options=Qt.FindChildOption.FindDirectChildrenOnly)
+    for child in children:
+        if not child.isWindow():
+            yield from _tab_stops(child)
 
 
 def set_large(*buttons: QPushButton) -> None:
@@ -454,14 +460,14 @@ def set_large(*buttons: QPushButton) -> None:
 
 
 def set_bold(widget: QWidget, bold: bool = True) -> None:
-    """Set bold by style sheet. The font of a widget would not survive a new parent."""
+    """Set bold text by style sheet. The font of a widget would not survive a new parent."""
     set_style_property(widget, "bold", bold)
 
 
 def row(
     *items: Item, into: QWidget | None = None, margins: Margins = None, spacing: int | None = None
 ) -> QHBoxLayout:
-    """Create a horizontal layout, either of the widget `into` or for another layout."""
+    """Create a horizontal layout of the widget `into`, or for use in another layout."""
     return _filled(QHBoxLayout(into) if into else QHBoxLayout(), items, margins, spacing)
 
 
@@ -478,14 +484,14 @@ def grid(
     spacing: tuple[int, int] | None = None,
     stretch: Iterable[tuple[int, int]] = (),
 ) -> QGridLayout:
-    """Create an empty grid. `spacing`: horizontal, vertical. `stretch`: column, factor."""
+    """Create an empty grid. `spacing`: horizontal, vertical. `stretch`: column → factor."""
     layout = QGridLayout(into) if into else QGridLayout()
     _set_margins(layout, margins)
     if spacing is not None:
         layout.setHorizontalSpacing(spacing[0])
         layout.setVerticalSpacing(spacing[1])
-    for number, factor in stretch:
-        layout.setColumnStretch(number, factor)
+    for index, factor in stretch:
+        layout.setColumnStretch(index, factor)
     return layout
 
 

@@ -1,4 +1,4 @@
-"""Painted boards and robots, not to scale: bodies, header blocks, jumpers, texts."""
+"""Painting of boards and robots, not to scale: bodies, header blocks, jumpers, texts."""
 
 from collections.abc import Sequence
 
@@ -7,7 +7,7 @@ from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPen, QPolygonF
 
 from trex_gui.ui.theme.theme import scaled_font, theme
 
-_HOLE, _INSET = 5, 12  # pixels: radius of a hole, and its distance from the edges
+_HOLE, _INSET = 5, 12  # pixels: radius of a hole, distance of its centre from the edges
 _ROW = 2.4  # line heights from one jumper to the next
 _UNLIMITED = 10_000  # pixels, more than any text needs
 _LEFT = Qt.AlignmentFlag.AlignLeft
@@ -23,10 +23,12 @@ def _paint_plate(painter: QPainter, plate: QRectF, radius: float) -> None:
 def paint_chassis(painter: QPainter, chassis: QRectF) -> None:
     unit = chassis.width() / 220
     _paint_plate(painter, chassis, 34 * unit)
-    tip, wide, high = QPointF(chassis.center().x(), chassis.top() + 7 * unit), 14 * unit, 15 * unit
+    tip = QPointF(chassis.center().x(), chassis.top() + 7 * unit)
+    half_width, height = 14 * unit, 15 * unit
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(theme().color("mark"))
-    painter.drawPolygon(QPolygonF([tip, tip + QPointF(wide, high), tip + QPointF(-wide, high)]))
+    right, left = tip + QPointF(half_width, height), tip + QPointF(-half_width, height)
+    painter.drawPolygon(QPolygonF([tip, right, left]))
 
 
 def paint_body(painter: QPainter, body: QRectF, name: str) -> None:
@@ -43,31 +45,31 @@ def paint_body(painter: QPainter, body: QRectF, name: str) -> None:
     painter.restore()
 
 
-def paint_block(painter: QPainter, place: QRectF, pins: Sequence[str] = ()) -> None:
+def paint_block(painter: QPainter, rect: QRectF, pins: Sequence[str] = ()) -> None:
     painter.setPen(QPen(theme().color("outline"), 1))
     painter.setBrush(theme().color("base"))
-    painter.drawRoundedRect(place, 4, 4)
+    painter.drawRoundedRect(rect, 4, 4)
     for number, pin in enumerate(pins):
-        width = place.width() / len(pins)
-        at = QRectF(place.left() + number * width, place.top(), width, place.height())
-        write(painter, at, pin, "window_text", bold=True, align=_CENTER)
+        width = rect.width() / len(pins)
+        pin_rect = QRectF(rect.left() + number * width, rect.top(), width, rect.height())
+        write(painter, pin_rect, pin, "window_text", bold=True, align=_CENTER)
 
 
 def jumper_size(line: float) -> tuple[float, float]:
-    """Return width and height of a jumper for a line height of text."""
+    """Return the width and height of a jumper. `line`: line height of the text."""
     return 3.6 * line, 1.8 * line
 
 
-def paint_jumper(painter: QPainter, place: QRectF, is_on: bool | None) -> None:
-    """Paint two pins with or without a jumper. `None` (unknown) is dashed."""
+def paint_jumper(painter: QPainter, rect: QRectF, is_on: bool | None) -> None:
+    """Paint two pins with or without a jumper. An unknown state (`None`) is dashed."""
     style = Qt.PenStyle.DashLine if is_on is None else Qt.PenStyle.SolidLine
     painter.setPen(QPen(theme().color("outline"), 1.5, style))
     painter.setBrush(theme().color("mark") if is_on else Qt.BrushStyle.NoBrush)
-    painter.drawRoundedRect(place, 5, 5)
+    painter.drawRoundedRect(rect, 5, 5)
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(theme().color("base" if is_on else "outline"))
-    for share in (0.3, 0.7):
-        pin = place.topLeft() + QPointF(share * place.width(), place.height() / 2)
+    for fraction in (0.3, 0.7):
+        pin = rect.topLeft() + QPointF(fraction * rect.width(), rect.height() / 2)
         painter.drawEllipse(pin, 3.5, 3.5)
 
 
@@ -85,47 +87,47 @@ def paint_jumpers(painter: QPainter, at: QPointF, jumpers: Sequence[Jumper], lin
     """Paint a column of jumpers with their texts. `line`: line height of the text."""
     width, height = jumper_size(line)
     for number, (text, is_on) in enumerate(jumpers):
-        place = QRectF(at.x(), at.y() + number * _ROW * line, width, height)
-        paint_jumper(painter, place, is_on)
-        beside = QRectF(place.right() + 0.6 * line, place.top(), _UNLIMITED, height)
-        write(painter, beside, text, "window_text", bold=True)
+        rect = QRectF(at.x(), at.y() + number * _ROW * line, width, height)
+        paint_jumper(painter, rect, is_on)
+        text_rect = QRectF(rect.right() + 0.6 * line, rect.top(), _UNLIMITED, height)
+        write(painter, text_rect, text, "window_text", bold=True)
 
 
 def write(
     painter: QPainter,
-    place: QRectF,
+    rect: QRectF,
     text: str,
     color: str,
     *,
     bold: bool = False,
     align: Qt.AlignmentFlag = _LEFT,
 ) -> None:
-    """Write one line in a theme colour, elided to the width of `place`."""
+    """Write one line in a theme colour, elided to the width of `rect`."""
     painter.save()
     painter.setFont(_font(painter.font(), bold=bold))
     painter.setPen(theme().color(color))
     elide = Qt.TextElideMode.ElideRight
-    shown = painter.fontMetrics().elidedText(text, elide, round(place.width()))
-    painter.drawText(place, align | Qt.AlignmentFlag.AlignVCenter, shown)
+    elided = painter.fontMetrics().elidedText(text, elide, round(rect.width()))
+    painter.drawText(rect, align | Qt.AlignmentFlag.AlignVCenter, elided)
     painter.restore()
 
 
-def write_lines(painter: QPainter, place: QRectF, lines: Sequence[str], *, alarm: str = "") -> None:
-    """Write wrapped lines, vertically centred. `alarm`: theme colour of the last line."""
+def write_lines(painter: QPainter, rect: QRectF, lines: Sequence[str], *, alarm: str = "") -> None:
+    """Write wrapped lines, vertically centred. `alarm`: theme colour of a last line in bold."""
     wrap = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignTop
     rows = []
     for number, text in enumerate(lines):
         is_alarm = bool(alarm) and number == len(lines) - 1
         font = _font(painter.font(), bold=not number or is_alarm)
         color = alarm if is_alarm else "muted" if number else "window_text"
-        box = QRect(0, 0, int(place.width()), _UNLIMITED)
+        box = QRect(0, 0, int(rect.width()), _UNLIMITED)
         rows.append((text, font, color, QFontMetrics(font).boundingRect(box, wrap, text).height()))
-    top = place.center().y() - sum(height for *_, height in rows) / 2
+    top = rect.center().y() - sum(height for *_, height in rows) / 2
     painter.save()
     for text, font, color, height in rows:
         painter.setFont(font)
         painter.setPen(theme().color(color))
-        painter.drawText(QRectF(place.left(), top, int(place.width()), height), wrap, text)
+        painter.drawText(QRectF(rect.left(), top, int(rect.width()), height), wrap, text)
         top += height
     painter.restore()
 

@@ -30,33 +30,33 @@ class Document(Protocol):
 
 
 @dataclass(slots=True)
-class _Following:
+class _QueuedSave:
     content: Content
-    known: bytes | None
+    expected: bytes | None
 
 
 class DocumentSaver(QObject):
     """Saves a document in the background. Asks before changes are lost.
 
-    Edits during a save stay unsaved. A second save of a file waits for the first. A save to
+    Edits made during a save remain unsaved. A second save of a file waits for the first. A save to
     another file does not wait, because a disk may hang.
     """
 
-    saved = Signal(object)  # the `Path`
-    failed = Signal(object)  # the `StudioError` that prevented a save
+    saved = Signal(object)  # `Path` of the saved file
+    failed = Signal(object)  # `StudioError` that prevented a save
 
     def __init__(self, document: Document, window: QWidget) -> None:
         super().__init__(window)
         self._document = document
         self._window = window
-        self._running: dict[Path, list[_Following]] = {}
+        self._running: dict[Path, list[_QueuedSave]] = {}  # path being saved → queued saves
         self._last_started = self._last_recorded = 0  # numbers of saves
         self._leave: Callable[[], object] | None = None
 
     def save(self, path: Path, make: Callable[[], Content], *, ask: bool = False) -> bool:
         """Save the content that `make` returns. Return False if `make` fails.
 
-        `failed` reports a `StudioError` of `make`. `ask`: ask before overwriting changes that
+        `failed` emits a `StudioError` raised by `make`. `ask`: ask before overwriting changes that
         another program made in the file.
         """
         try:
@@ -68,16 +68,16 @@ class DocumentSaver(QObject):
         self._start(path, content, self._document.on_disk if ask else None)
         return True
 
-    def _start(self, path: Path, content: Content, known: bytes | None) -> None:
-        """Save if the file still contains `known`. `None`: overwrite any content."""
+    def _start(self, path: Path, content: Content, expected: bytes | None) -> None:
+        """Save if the file still contains `expected`. `None`: overwrite any content."""
         if path in self._running:
-            self._running[path].append(_Following(content, known))
+            self._running[path].append(_QueuedSave(content, expected))
             return
         self._last_started += 1
         self._running[path] = []
         in_background(
             self,
-            partial(save_over, path, content.text, known),
+            partial(save_over, path, content.text, expected),
             partial(self._on_ended, path, content, self._last_started),
             partial(self._on_failed, path),
         )
@@ -85,26 +85,26 @@ class DocumentSaver(QObject):
     def _on_ended(self, path: Path, content: Content, number: int, is_written: bool) -> None:
         if is_written:
             written = content.text.encode("utf-8")
-            for following in self._running[path]:
-                following.known = None if following.known is None else written
+            for queued in self._running[path]:
+                queued.expected = None if queued.expected is None else written
             if number > self._last_recorded:  # else a later save finished first
                 self._last_recorded = number
                 content.record_saved(path)
             self.saved.emit(path)
         elif file_questions.may_overwrite(self._window, path.name):
-            self._running[path].insert(0, _Following(content, None))
+            self._running[path].insert(0, _QueuedSave(content, None))
         else:
             self._leave = None
-        self._start_following(path)
+        self._start_queued(path)
 
     def _on_failed(self, path: Path, error: StudioError) -> None:
         self._leave = None
         self.failed.emit(error)
-        self._start_following(path)
+        self._start_queued(path)
 
-    def _start_following(self, path: Path) -> None:
-        for following in self._running.pop(path):
-            self._start(path, following.content, following.known)
+    def _start_queued(self, path: Path) -> None:
+        for queued in self._running.pop(path):
+            self._start(path, queued.content, queued.expected)
         if not self._running and self._leave is not None:
             leave, self._leave = self._leave, None
             leave()
@@ -112,7 +112,7 @@ class DocumentSaver(QObject):
     def may_leave(
         self, answer: SaveAnswer, save: Callable[[], bool], leave: Callable[[], object]
     ) -> bool:
-        """Return whether the document may be left. `SAVE`: call `leave` after saving."""
+        """Return whether the document may be left. On `SAVE`, save it and then call `leave`."""
         if answer is SaveAnswer.SAVE:
             self.save_and_leave(save, leave)
         return answer is SaveAnswer.DISCARD
@@ -120,8 +120,8 @@ class DocumentSaver(QObject):
     def answer(self) -> SaveAnswer:
         """Ask the user about unsaved changes. Return `DISCARD` if there are none."""
         if self._running:
-            may = file_questions.may_leave_unfinished(self._window, self._document.name)
-            return SaveAnswer.DISCARD if may else SaveAnswer.CANCEL
+            may_leave = file_questions.may_leave_unfinished(self._window, self._document.name)
+            return SaveAnswer.DISCARD if may_leave else SaveAnswer.CANCEL
         if not self._document.modified:
             return SaveAnswer.DISCARD
         return file_questions.before_closing(self._window, self._document.name)

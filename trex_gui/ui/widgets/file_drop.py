@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 class FileDrop(QObject):
     """Event filter for dropped files. Qt calls the newest filter of a window first."""
 
-    dropped = Signal(object)  # a list of `Path`s, at least one
+    dropped = Signal(object)  # list of at least one `Path`
 
     def __init__(self, window: QWidget, accepts: Callable[[Sequence[Path]], bool] = bool) -> None:
         super().__init__(window)

@@ -1,4 +1,4 @@
-"""File dialogs, and questions before a file is overwritten or lost."""
+"""File dialogs, and questions before a file is overwritten or changes are lost."""
 
 from enum import Enum, auto
 from pathlib import Path
@@ -35,7 +35,7 @@ def before_closing(window: QWidget, name: str) -> SaveAnswer:
 
 
 def may_overwrite(window: QWidget, name: str) -> bool:
-    return _may(
+    return _confirm(
         window,
         tr("Changed on disk"),
         tr(
@@ -46,26 +46,26 @@ def may_overwrite(window: QWidget, name: str) -> bool:
 
 def may_leave_unfinished(window: QWidget, name: str) -> bool:
     text = tr("{0} is still being saved. Close without waiting? Changes may be lost.")
-    return _may(window, tr("Still saving"), text.format(name))
+    return _confirm(window, tr("Still saving"), text.format(name))
 
 
-def may_rewrite(window: QWidget, trouble: str) -> bool:
-    return _may(
+def may_rewrite(window: QWidget, reason: str) -> bool:
+    return _confirm(
         window,
         tr("Rewrite the file"),
         tr(
             "The changes cannot be merged into the text of the file: {0}.\n\nRewrite the file from "
             "the settings? Its comments will be lost."
-        ).format(trouble),
+        ).format(reason),
     )
 
 
 def may_replace(window: QWidget, name: str, why: str) -> bool:
     """Ask before replacing a file. `why`: rest of a sentence that begins with `name`."""
-    return _may(window, tr("Replace the file"), tr("{0} {1} Replace it?").format(name, why))
+    return _confirm(window, tr("Replace the file"), tr("{0} {1} Replace it?").format(name, why))
 
 
-def _may(window: QWidget, title: str, text: str) -> bool:
+def _confirm(window: QWidget, title: str, text: str) -> bool:
     button = QMessageBox.StandardButton
     answer = QMessageBox.question(
         window, title, plain(text), button.Yes | button.Cancel, button.Cancel

@@ -1,4 +1,4 @@
-"""Labels: notes, elided and muted text, heads of pages, signs, legend keys."""
+"""Labels: notes, elided and muted text, page headers, signs, legend keys."""
 
 from PySide6.QtCore import QPointF, QSize, Qt
 from PySide6.QtGui import (
@@ -24,14 +24,14 @@ from trex_gui.ui.widgets.accessible import Spoken
 from trex_gui.ui.widgets.builders import column, named, plain, row, set_bold
 from trex_gui.ui.widgets.painted import never_mirror
 
-_SIGN_PADDING = 2  # pixels beyond the height of a line
+_SIGN_PADDING = 2  # pixels added to the line height
 PAGE_MARGINS = 16, 12, 16, 12  # pixels around a page with a `PageHead`
-_TITLE_SIZE = 1.6  # times the font size
+_TITLE_SIZE = 1.6  # relative to the font size
 _LONG_TITLE = 48  # characters
 
 
 class Note(QLabel):
-    """Wrapped text with space for `lines` lines. With 0 lines, hidden while empty."""
+    """Wrapped text with space for `lines` lines. With 0 lines, it is hidden while empty."""
 
     def __init__(self, lines: int, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -57,7 +57,7 @@ class Note(QLabel):
 
 
 class ElidedLabel(QLabel):
-    """Plain text with a tool tip. Elided, but not shorter than the text `at_least`."""
+    """Plain text with a tool tip. Elided, but never narrower than the text `at_least`."""
 
     def __init__(self, at_least: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -72,9 +72,9 @@ class ElidedLabel(QLabel):
     def minimumSizeHint(self) -> QSize:
         if self.wordWrap():
             return super().minimumSizeHint()
-        whole = self.sizeHint()
-        least = self.fontMetrics().horizontalAdvance(self._at_least)
-        return QSize(min(whole.width(), least), whole.height())
+        hint = self.sizeHint()
+        minimum = self.fontMetrics().horizontalAdvance(self._at_least)
+        return QSize(min(hint.width(), minimum), hint.height())
 
     def paintEvent(self, event: QPaintEvent) -> None:
         if self.wordWrap():
@@ -131,16 +131,16 @@ class LinkLabel(QLabel):
 
     def focusNextPrevChild(self, forward: bool) -> bool:
         moved = super().focusNextPrevChild(forward)
-        if moved and self.hasSelectedText():  # the link is selected
+        if moved and self.hasSelectedText():  # Tab selects the link
             announcement = QAccessibleAnnouncementEvent(self, self.selectedText())
             QAccessible.updateAccessibility(announcement)
         return moved
 
 
 class LiveLabel(QLabel, Spoken):
-    """Label of a live value. Screen readers read `accessibleName: text`.
+    """Label of a live value. Screen readers read its accessible name and its text.
 
-    Other labels send an event with each text, or hide their text behind an accessible name.
+    A plain label would send an event for every text, or hide its text behind an accessible name.
     """
 
     spoken_role = QAccessible.Role.StaticText
@@ -166,7 +166,7 @@ class Muted(QLabel):
 
 
 class PageHead(QWidget):
-    """Title of a page, a line about its state, and its controls at the right."""
+    """Header of a page: its title, a line about its state, and its controls."""
 
     def __init__(self, title: str, parent: QWidget, *controls: QWidget | QLayout) -> None:
         super().__init__(parent)
@@ -180,7 +180,7 @@ class PageHead(QWidget):
         row((texts, 1), *controls, into=self, margins=0)
 
     def show_title(self, text: str) -> None:
-        """Show a title. A long title is smaller, but takes the same height."""
+        """Show a title. A long title has a smaller font but takes the same height."""
         self.title.show_text(text)
         large = QFontMetrics(scaled_font(self.font(), _TITLE_SIZE))
         self.title.setFixedHeight(large.height() + 2)
@@ -192,7 +192,7 @@ class PageHead(QWidget):
 
 
 class LegendKey(ElidedLabel):
-    """Sample and name of a curve, in a theme colour. A dot if `style` is `None`.
+    """Sample and name of a curve. `style`: pen of the sample. `None` for a dot.
 
     The name is elided only if the size policy ignores its width.
     """

@@ -1,4 +1,4 @@
-"""Painted LEDs: lit, dark, or in a pattern."""
+"""Painted LEDs that are lit, dark or flashing in a pattern."""
 
 import re
 from collections.abc import Sequence
@@ -14,10 +14,10 @@ from trex_gui.ui.widgets.builders import column, plain, row
 from trex_gui.ui.widgets.labels import ElidedLabel
 from trex_gui.ui.widgets.painted import Animation, Painted, Painter
 
-_FAST = 8.0  # flashes per second of a fast flash
+_FAST = 8.0  # flashes per second of the pattern "fast flash"
 _PATTERN = re.compile(r"(blink|alternate|short flash) (\d+)/s")
-_SHORT = 0.15  # fraction of the period in which a short flash is lit
-_PACKETS = 17.0  # irregular steps per second of an LED that shows packets
+_SHORT = 0.15  # fraction of the period in which an LED with a short flash is lit
+_PACKETS = 17.0  # steps per second of the irregular pattern "with packets"
 
 
 def is_lit(pattern: str, seconds: float, *, second: bool = False) -> bool:
@@ -26,24 +26,24 @@ def is_lit(pattern: str, seconds: float, *, second: bool = False) -> bool:
         return seconds * _FAST % 1 < 0.5
     if pattern == "with packets":
         return int(seconds * _PACKETS) * 5 % 7 < 4
-    found = _PATTERN.fullmatch(pattern)
-    if found is None:
+    parsed = _PATTERN.fullmatch(pattern)
+    if parsed is None:
         return pattern == "on"
-    phase = seconds * int(found[2]) % 1
-    if found[1] == "short flash":
+    phase = seconds * int(parsed[2]) % 1
+    if parsed[1] == "short flash":
         return phase < _SHORT
-    return (phase < 0.5) is not (second and found[1] == "alternate")
+    return (phase < 0.5) is not (second and parsed[1] == "alternate")
 
 
 def paint_lamp(
     painter: QPainter, middle: QPointF, radius: float, color: str, *, is_known: bool = True
 ) -> None:
-    """Paint an LED. It is dark without a colour, and dashed if unknown."""
+    """Paint an LED. Without a colour it is dark. An unknown state is dashed."""
     style = Qt.PenStyle.SolidLine if is_known else Qt.PenStyle.DashLine
     painter.setPen(QPen(theme().color(color or "track_edge"), 1.5, style))
     painter.setBrush(theme().color(color or "track_off"))
     painter.drawEllipse(middle, radius, radius)
-    if color:  # a glint marks lit lamps, for users who do not see the colour
+    if color:  # a glint marks a lit LED for users who cannot see the colour
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(Qt.GlobalColor.white)
         painter.drawEllipse(middle - QPointF(radius, radius) * 0.3, radius / 4, radius / 4)
@@ -76,7 +76,7 @@ class Lamp(Painted):
 class Leds(QWidget):
     def __init__(self, parent: QWidget | None = None, *, stacked: bool = False) -> None:
         super().__init__(parent)
-        self._shown = ("", "")
+        self._patterns = ("", "")
         self._since = now()
         self._motion = Animation(self, self._on_frame)
         self.lamps = (Lamp("led_red", self), Lamp("led_green", self))
@@ -87,10 +87,10 @@ class Leds(QWidget):
         self.show_patterns(("off", "off"))
 
     def show_patterns(
-        self, shown: tuple[str, str], words: Sequence[str] = ("", ""), meaning: str = ""
+        self, patterns: tuple[str, str], words: Sequence[str] = ("", ""), meaning: str = ""
     ) -> None:
-        """Show a pattern and words for each LED. Tool tips show `meaning` if given."""
-        self._shown = shown
+        """Show a pattern and a description for each LED. Tool tips show `meaning` if given."""
+        self._patterns = patterns
         names = tr("Red"), tr("Green")
         for lamp, label, name, text in zip(self.lamps, self._labels, names, words, strict=True):
             label.setText(tr("{0}: {1}").format(name, text) if text else name)
@@ -101,16 +101,16 @@ class Leds(QWidget):
         self._run()
 
     def show_moment(self, seconds: float) -> None:
-        """Show the pattern at a time after its start, until the next frame."""
+        """Show the patterns `seconds` after their start, until the next frame."""
         for index, lamp in enumerate(self.lamps):
-            lamp.set_lit(is_lit(self._shown[index], seconds, second=index == 1))
+            lamp.set_lit(is_lit(self._patterns[index], seconds, second=index == 1))
 
     def _on_frame(self, _seconds: float = 0.0) -> None:
         self.show_moment(now() - self._since if self._motion.is_wanted else 0.0)
 
     def _run(self) -> None:
         self._on_frame()
-        self._motion.run(any(pattern not in {"on", "off"} for pattern in self._shown))
+        self._motion.run(any(pattern not in {"on", "off"} for pattern in self._patterns))
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -1,4 +1,4 @@
-"""Rows across a window: messages, questions, actions."""
+"""Rows of messages, questions and actions across a window."""
 
 from collections.abc import Callable
 from functools import partial
@@ -41,16 +41,16 @@ _BUTTONS: dict[Remedy | type[ConnectWith | CopyCommand], tuple[str, str]] = {
     ConnectWith: ("bannerConnectWith", tr_noop("Connect with its settings")),
     CopyCommand: ("bannerCopy", tr_noop("Copy command")),
 }
-"""Object names and texts of the buttons for remedies."""
+"""Object name and text of the button for each remedy."""
 
-_NEWS_MS = 20_000  # display time of news, which stays in the log
+_NEWS_MS = 20_000  # display time of a news message, which remains in the log
 
 
 class ActionBar(QFrame):
     def __init__(self, stop: QPushButton, parent: QWidget) -> None:
         super().__init__(parent)
         self.stop = stop
-        stop.setParent(self)  # before other children, for the Tab order
+        stop.setParent(self)  # before the other children, so that Tab visits it first
         set_look(self, "actions")
 
     def fill(self, *items: ui.Item) -> QHBoxLayout:
@@ -92,12 +92,12 @@ class _MessageRow(QFrame):
             self._layout.removeWidget(button)
             button.hide()
             button.setParent(None)
-            button.deleteLater()  # not now: its click may have called this method
+            button.deleteLater()  # later, because its click may have called this method
 
 
 class Banner(_MessageRow):
     chosen = Signal(object)  # the `Remedy` or `ConnectWith` of the pressed button
-    help_wanted = Signal(str)  # the topic of the message
+    help_wanted = Signal(str)  # help topic of the message
 
     def __init__(
         self,
@@ -110,8 +110,8 @@ class Banner(_MessageRow):
         self._help_topic = help_topic
         self._notifier = notifier
         self._offered: Remedies = ()
-        self._is_suppressed = False  # a lasting danger hides the newest message
-        self._old = new_timer(self, _NEWS_MS, self._on_old, single_shot=True)
+        self._is_suppressed = False  # True if a lasting danger hides the newest message
+        self._expiry = new_timer(self, _NEWS_MS, self._on_expired, single_shot=True)
         self._help = ui.button(
             self, "bannerHelp", tr("Help"), default=False, on_click=self._on_help_clicked
         )
@@ -143,7 +143,7 @@ class Banner(_MessageRow):
             self._show(text, "info")
 
     def _check_danger(self) -> bool:
-        """Return whether a danger lasts. Then new messages are only logged."""
+        """Return whether a danger lasts. If it does, new messages are only logged."""
         self._is_suppressed = self._notifier is not None and self._notifier.danger_lasts()
         return self._is_suppressed
 
@@ -165,11 +165,11 @@ class Banner(_MessageRow):
         self._show("")
 
     @Slot()
-    def _on_old(self) -> None:
+    def _on_expired(self) -> None:
         focused = self.window().focusWidget()
         is_used = self.underMouse() or (focused is not None and self.isAncestorOf(focused))
         if is_used:
-            self._old.start()
+            self._expiry.start()
         elif not self._offered:
             self.clear()
 
@@ -215,9 +215,9 @@ class Banner(_MessageRow):
         ui.set_bold(self._text, is_danger)
         self._text.setText(text)
         if text and sign == "info":
-            self._old.start()
+            self._expiry.start()
         else:
-            self._old.stop()
+            self._expiry.stop()
         self._help.setVisible(bool(text and self._help_topic(text)))
         # Screen readers need a name while there is no message.
         self._text.setAccessibleName("" if text else tr("No message"))
@@ -230,19 +230,19 @@ def message_height(widget: QWidget) -> int:
 
 
 class MessageSpace(QWidget):
-    """Space of one line for messages in a layout.
+    """Space in a layout for a message of one line.
 
     A taller message covers the widget above. At the top of a window, it covers the widget below.
     """
 
     def __init__(self, parent: QWidget, *messages: QWidget, floats: bool = False) -> None:
-        """`floats`: no height, because the widget above has space at its bottom."""
+        """`floats`: take no height, because the widget above reserves space at its bottom."""
         super().__init__(parent)
         self._cover = QWidget(parent)  # not in the layout
         self._cover.setAutoFillBackground(True)
         self._rows = ui.column(*messages, into=self._cover, margins=0)
-        for each in (self._cover, *messages):
-            each.installEventFilter(self)
+        for widget in (self._cover, *messages):
+            widget.installEventFilter(self)
         follow_theme(
             self, "height", lambda: self.setFixedHeight(0 if floats else message_height(self))
         )
@@ -272,7 +272,7 @@ class MessageSpace(QWidget):
 
 
 class InlinePrompt(_MessageRow):
-    """Question with a button for each answer, and Cancel.
+    """Question with a button for each answer and a Cancel button.
 
     Unlike a dialog, it does not cover the stop button. A new question cancels the current one.
     """
@@ -294,9 +294,9 @@ class InlinePrompt(_MessageRow):
         still: Callable[[], bool] = lambda: True,
         otherwise: Callable[[], object] = lambda: None,
     ) -> None:
-        """Show a question. Does not wait for the answer.
+        """Show a question without waiting for the answer.
 
-        `still`: returns whether the question still makes sense, see `reconsider`. `otherwise`:
+        `still`: returns whether the question still makes sense (see `reconsider`). `otherwise`:
         called when the question is cancelled or no longer makes sense.
         """
         self.withdraw()
@@ -307,10 +307,10 @@ class InlinePrompt(_MessageRow):
             button = self._add_button(answer.name, answer.text, self._cancel)
             button.clicked.connect(partial(self._on_answered, answer))
         self.show()
-        focused, types = QApplication.focusWidget(), Qt.WidgetAttribute.WA_InputMethodEnabled
-        is_editor = focused is not None and focused.testAttribute(types)
+        focused, accepts_text = QApplication.focusWidget(), Qt.WidgetAttribute.WA_InputMethodEnabled
+        is_editor = focused is not None and focused.testAttribute(accepts_text)
         if not is_editor or isinstance(focused, QAbstractItemView):
-            self._cancel.setFocus()  # not while the user types
+            self._cancel.setFocus()  # never while the user is typing
 
     @Slot()
     def withdraw(self) -> None:

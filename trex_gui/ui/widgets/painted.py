@@ -11,7 +11,7 @@ from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import Spoken
 
 _FRAME_MS = 40
-_LONGEST_FRAME = 0.2  # seconds, so that nothing jumps after a delay
+_LONGEST_FRAME = 0.2  # limit in seconds, so that nothing jumps after a delay
 
 
 def never_mirror(target: QWidget | QGraphicsWidget | QPainter) -> None:
@@ -26,7 +26,7 @@ class Animation:
         """`step` receives the seconds since the previous frame."""
         self._widget, self._step = widget, step
         self._timer = new_timer(widget, _FRAME_MS, self._on_frame)
-        self._at = 0.0
+        self._frame_time = 0.0
 
     @property
     def is_wanted(self) -> bool:
@@ -38,11 +38,11 @@ class Animation:
         if not (moves and self.is_wanted and self._widget.isVisible()):
             self._timer.stop()
         elif not self._timer.isActive():
-            self._at = now()
+            self._frame_time = now()
             self._timer.start()
 
     def _on_frame(self) -> None:
-        seconds, self._at = now() - self._at, now()
+        seconds, self._frame_time = now() - self._frame_time, now()
         if self._widget.isVisible():
             self._step(min(seconds, _LONGEST_FRAME))
         else:

@@ -8,19 +8,19 @@ from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.theme import theme
 
 _FRAME = QMargins(8, 40, 8, 8)
-"""Pixels for title bar and borders, which are unknown until a window is shown.
+"""Pixels for the title bar and the borders, which are unknown until a window is shown.
 
 Windows 11 has 31 at the top and 8 at the sides. GNOME has 37 at the top, KDE 30, macOS 28.
 """
 
 
 def fitted(window: QRect, available: QRect) -> QRect:
-    """Fit a window with its frame into `available`. Rectangles exclude the frame."""
+    """Fit a window and its frame into `available`. `window` and the result exclude the frame."""
     space = available.marginsRemoved(_FRAME)
     size = window.size().boundedTo(space.size())
-    last = space.bottomRight() - QPoint(size.width() - 1, size.height() - 1)
-    x = max(space.x(), min(window.x(), last.x()))
-    y = max(space.y(), min(window.y(), last.y()))
+    limit = space.bottomRight() - QPoint(size.width() - 1, size.height() - 1)
+    x = max(space.x(), min(window.x(), limit.x()))
+    y = max(space.y(), min(window.y(), limit.y()))
     return QRect(QPoint(x, y), size)
 
 
@@ -33,13 +33,13 @@ def fit_on_screen(window: QWidget) -> None:
 
 
 def restore_geometry(window: QWidget, key: str, width: int, height: int) -> None:
-    """Restore the saved geometry. Without one, use this size (`resize_with_font`)."""
+    """Restore the saved geometry. If none is saved, use the given size (`resize_with_font`)."""
     resize_with_font(window, width, height)
     window.restoreGeometry(Preferences().data(f"{key}/geometry"))
 
 
 def resize_with_font(window: QWidget, width: int, height: int) -> None:
-    """Resize a window. The size is in pixels at 100 %, and larger for larger fonts."""
+    """Resize a window. The size is in pixels at a font size of 100 %. Larger fonts enlarge it."""
     scale = max(theme().font_size, 100) / 100
     window.resize(round(width * scale), round(height * scale))
 
@@ -51,8 +51,8 @@ def save_geometry(window: QWidget, key: str) -> None:
 class _Placement(QObject):
     """Restores the position at which a window was closed.
 
-    A window manager may move a hidden window by the size of its frame. Qt positions a dialog by a
-    frame of unknown size.
+    A window manager may move a hidden window by the size of its frame. Qt positions a dialog before
+    it knows the size of the frame.
     """
 
     def __init__(self, window: QWidget) -> None:
@@ -63,21 +63,21 @@ class _Placement(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         window = self._window
-        # Checked before any call of the window, which gets events even while being destroyed.
+        # Checked before any call of the window, which receives events even while it is destroyed.
         if watched is not window or event.spontaneous():
             return False
         if not window.isMaximized() and not window.isFullScreen():
             if event.type() == QEvent.Type.Hide:
                 self._last = window.geometry()
             elif event.type() == QEvent.Type.Show:
-                place = self._last or self._first_place()
-                screen = QGuiApplication.screenAt(place.center()) or window.screen()
-                window.setGeometry(fitted(place, screen.availableGeometry()))
+                geometry = self._last or self._first_geometry()
+                screen = QGuiApplication.screenAt(geometry.center()) or window.screen()
+                window.setGeometry(fitted(geometry, screen.availableGeometry()))
         return False
 
-    def _first_place(self) -> QRect:
-        place, parent = self._window.geometry(), self._window.parentWidget()
+    def _first_geometry(self) -> QRect:
+        geometry, parent = self._window.geometry(), self._window.parentWidget()
         if not self._window.testAttribute(Qt.WidgetAttribute.WA_Moved):  # not moved or restored
-            whole = self._window.screen().availableGeometry()
-            place.moveCenter((parent.window().frameGeometry() if parent else whole).center())
-        return place
+            screen = self._window.screen().availableGeometry()
+            geometry.moveCenter((parent.window().frameGeometry() if parent else screen).center())
+        return geometry

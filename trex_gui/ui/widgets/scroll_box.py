@@ -6,9 +6,11 @@ from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
-_LINES = 4  # minimum height
-_CHARACTERS = 24  # minimum width of a box that scrolls sideways, in average characters
-_WIDEST = 664  # pixels; largest minimum width, beside places and demo panel on a 1024 screen
+_LINES = 4  # minimum height in lines of text
+_CHARACTERS = 24  # minimum width if the area scrolls sideways, in average characters
+_WIDEST = 664
+"""Largest minimum width in pixels. The places and the demo panel need the rest of a screen that is
+1024 pixels wide."""
 
 
 class ScrollBox(QScrollArea):
@@ -25,9 +27,9 @@ class ScrollBox(QScrollArea):
         *,
         sideways: bool = False,
     ) -> None:
-        """Scroll `content`: a widget, or a function that creates the widget in its parent.
+        """Create the area for `content`: a widget, or a function that creates it in a parent.
 
-        `sideways`: the box may be narrower than the content.
+        `sideways`: the area may be narrower than the content.
         """
         super().__init__(parent)
         if not isinstance(content, QWidget):

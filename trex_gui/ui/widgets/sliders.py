@@ -13,7 +13,7 @@ from trex_gui.ui.widgets.painted import Painter, never_mirror
 class PaintedSlider(QSlider, Spoken):
     spoken_role = QAccessible.Role.Slider
     positions_per_unit = 1.0  # slider positions per displayed unit
-    space_below = 0  # pixels below groove and handle
+    space_below = 0  # pixels below the groove and the handle
 
     wheelEvent = focused_wheel(QSlider.wheelEvent)
 
@@ -32,7 +32,7 @@ class PaintedSlider(QSlider, Spoken):
 
     def spoken_range(self) -> SpokenRange:
         positions = self.minimum(), self.value(), self.maximum()
-        return SpokenRange(*(each / self.positions_per_unit for each in positions))
+        return SpokenRange(*(position / self.positions_per_unit for position in positions))
 
     def set_spoken_value(self, value: float) -> None:
         self.setValue(round(value * self.positions_per_unit))
@@ -59,7 +59,7 @@ class PaintedSlider(QSlider, Spoken):
                 painter.drawRoundedRect(handle.adjusted(1, 1, -1, -1), 2, 2)
 
     def x_of(self, value: int, handle: QRect) -> int:
-        """Return the x coordinate of the handle's middle at a value."""
+        """Return the x coordinate of the handle's centre at a value."""
         span = self.width() - handle.width()
         return handle.width() // 2 + QStyle.sliderPositionFromValue(
             self.minimum(), self.maximum(), value, span
@@ -67,7 +67,7 @@ class PaintedSlider(QSlider, Spoken):
 
 
 class PressSlider(PaintedSlider):
-    """Slider held with the left mouse button. Loss of input releases the slider."""
+    """Slider that is held with the left mouse button. Losing the input releases it."""
 
     grabbed = Signal()  # start of a hold
     released = Signal()  # end of a hold
@@ -80,7 +80,7 @@ class PressSlider(PaintedSlider):
 
     @Slot()
     def release(self) -> None:
-        """End a hold until the user presses again."""
+        """End the hold until the user presses again."""
         if self.held:
             self.held = False
             self._monitor.end()
@@ -95,7 +95,7 @@ class PressSlider(PaintedSlider):
             self.grabbed.emit()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Ignore other buttons. On a middle click, Qt would jump to the mouse."""
+        """Ignore all but the left button. On a middle click, Qt would move the handle."""
         event.ignore()
         if event.button() is Qt.MouseButton.LeftButton:
             self.grab_handle()
@@ -115,7 +115,7 @@ class PressSlider(PaintedSlider):
 
 
 class StickSlider(PaintedSlider):
-    """Slider filled from `rest`. `valueChanged` reports changes by the user only."""
+    """Slider filled from `rest` to its value. `valueChanged` reports only changes by the user."""
 
     def __init__(
         self, lowest: int, highest: int, rest: int, color: str, parent: QWidget | None = None
@@ -130,7 +130,7 @@ class StickSlider(PaintedSlider):
         return "" if self.value_label is None else self.value_label.text()
 
     def follow(self, value: int) -> None:
-        """Show a value from elsewhere. Does nothing during a drag."""
+        """Show a value that the user did not set. Does nothing during a drag."""
         if not self.isSliderDown() and value != self.value():
             with QSignalBlocker(self):
                 self.setValue(value)
@@ -154,9 +154,9 @@ class StickSlider(PaintedSlider):
         painter.setPen(QPen(color("track_edge")))
         painter.setBrush(color("track" if self.isEnabled() else "track_off"))
         painter.drawRoundedRect(QRect(left, middle - 2, right - left, 5), 2, 2)
-        rest, here = self.x_of(self._rest, handle), handle.center().x()
+        rest_x, handle_x = self.x_of(self._rest, handle), handle.center().x()
         if self.isEnabled():
-            start, end = max(min(rest, here), left + 2), max(rest, here)
+            start, end = max(min(rest_x, handle_x), left + 2), max(rest_x, handle_x)
             painter.fillRect(start, middle - 1, max(end - start, 0), 4, color(self._color))
         if self.minimum() < self._rest < self.maximum():
-            painter.fillRect(rest, middle - 6, 1, 13, color("mark"))
+            painter.fillRect(rest_x, middle - 6, 1, 13, color("mark"))

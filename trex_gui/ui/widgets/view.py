@@ -17,9 +17,9 @@ def copy_lines(lines: Iterable[str], notifier: Notifier) -> None:
 
 
 class View(QWidget):
-    summarized = Signal(str)  # one-line summary of the content, at each refresh
+    summarized = Signal(str)  # one-line summary of the content, emitted at each refresh
 
-    searched = ""  # search text, stripped, in lower case
+    searched = ""  # search text, stripped and case-folded
 
     @Slot(str)
     def search(self, text: str) -> None:
