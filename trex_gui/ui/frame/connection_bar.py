@@ -34,30 +34,30 @@ if TYPE_CHECKING:
 _NOT_CONNECTED, _OTHER = "not connected", "other"
 
 # Widths in average characters
-_PORT, _LEAST_PORT = 18, 10
-_STATE, _LEAST_STATE = 26, 6  # below 26 for the state, baud rate and quality are hidden
-_QUALITY, _CONNECT, _WIDEST = 11, 14, 116
+_PORT, _MIN_PORT = 18, 10
+_STATE, _MIN_STATE = 26, 6  # below 26, the baud rate and the quality are hidden
+_QUALITY, _CONNECT, _MAX_BAR = 11, 14, 116
 
 
 class PortList(ui.ComboBox):
     def initStyleOption(self, option: QStyleOptionComboBox) -> None:
-        """Elide a long text. With a style sheet, Qt would cut it within a letter."""
+        """Elide a long text. With a style sheet, Qt would cut it in the middle of a letter."""
         super().initStyleOption(option)
         combo, field = QStyle.ComplexControl.CC_ComboBox, QStyle.SubControl.SC_ComboBoxEditField
         width = self.style().subControlRect(combo, option, field, self).width() - 2
-        text, end = option.currentText, Qt.TextElideMode.ElideRight
-        option.currentText = option.fontMetrics.elidedText(text, end, width)
+        text, elide = option.currentText, Qt.TextElideMode.ElideRight
+        option.currentText = option.fontMetrics.elidedText(text, elide, width)
 
 
 class ConnectionBar(QFrame):
     """Bar with a list of ports, and a button that connects or disconnects.
 
-    Selecting a port does not connect it. The list shows the port connected or selected last. At
-    the start it shows the preferred port.
+    Selecting a port does not connect to it. The list shows the port that was last connected or
+    selected. At first it shows the preferred port.
     """
 
-    connecting = Signal()  # before each connection
-    choice_changed = Signal()  # `would_connect`, possibly
+    connecting = Signal()  # emitted before each connection attempt
+    choice_changed = Signal()  # `would_connect` may have changed
     line_settings_requested = Signal()
     remedy_chosen = Signal(object)  # a `Remedy`
 
@@ -79,8 +79,8 @@ class ConnectionBar(QFrame):
         self._connected: Port | None = None
         self._chosen: Port | None = None
         self._last: Port | None = None  # port of the last connection attempt
-        self._wants_none = False
-        self._next: QWidget | None = None  # widget with the focus while the button is disabled
+        self._none_selected = False
+        self._interim_focus: QWidget | None = None  # focused widget while the button is disabled
         self._create_widgets()
 
         self._combo.activated.connect(self._on_activated)
@@ -136,7 +136,7 @@ class ConnectionBar(QFrame):
         self._progress = ui.progress_bar(self, "progressBar", tr("Progress"))
         self._progress.setFixedWidth(40)
         self._progress.hide()
-        # When a part appears, it first takes the space of baud rate and quality, then of the state.
+        # A part that appears takes the space of the baud rate and quality first, then of the state.
         self._parts = ui.row(
             self._lamp,
             (self._status, 1),
@@ -149,7 +149,7 @@ class ConnectionBar(QFrame):
             into=pill,
             margins=(10, 1, 6, 1),
         )
-        # The window adds search and help.
+        # The window adds the search field and the help button.
         self.row = ui.row((pill, 9), self.button, 0, into=self, margins=(12, 6, 12, 6))
         ui.tab_order(pill, self.button)
         pill.installEventFilter(self)
@@ -157,27 +157,27 @@ class ConnectionBar(QFrame):
 
     def _update_space(self) -> None:
         character = self.fontMetrics().averageCharWidth()
-        self._pill.setMaximumWidth(_WIDEST * character)
-        self._status.setMinimumWidth(_LEAST_STATE * character)
+        self._pill.setMaximumWidth(_MAX_BAR * character)
+        self._status.setMinimumWidth(_MIN_STATE * character)
         self._quality.setFixedWidth(_QUALITY * character)
-        self._combo.setMinimumWidth(_LEAST_PORT * character)
+        self._combo.setMinimumWidth(_MIN_PORT * character)
         self.button.setMinimumWidth(_CONNECT * character)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         del watched
         if event.type() in {QEvent.Type.Resize, QEvent.Type.LayoutRequest}:
-            more = (_STATE - _LEAST_STATE) * self.fontMetrics().averageCharWidth()
-            left = self._pill.width() - more - self._parts.minimumSize().width()
+            reserved = (_STATE - _MIN_STATE) * self.fontMetrics().averageCharWidth()
+            free = self._pill.width() - reserved - self._parts.minimumSize().width()
             widths = {
-                each: each.minimumSizeHint().expandedTo(each.minimumSize()).width()
+                part: part.minimumSizeHint().expandedTo(part.minimumSize()).width()
                 + self._parts.spacing()
-                for each in (self._quality, self._line)
+                for part in (self._quality, self._line)
             }
-            left += sum(width for each, width in widths.items() if not each.isHidden())
-            for each, width in widths.items():
-                each.setVisible(width <= left)
-                left -= width if width <= left else 0
-            self._combo.setMaximumWidth(self._combo.minimumWidth() + max(left, 0))
+            free += sum(width for part, width in widths.items() if not part.isHidden())
+            for part, width in widths.items():
+                part.setVisible(width <= free)
+                free -= width if width <= free else 0
+            self._combo.setMaximumWidth(self._combo.minimumWidth() + max(free, 0))
         return False
 
     @Slot()
@@ -189,7 +189,7 @@ class ConnectionBar(QFrame):
 
     @property
     def would_connect(self) -> bool:
-        """True if idle, or if the list shows another port than the connected port."""
+        """True if idle, or if the list shows a port other than the connected port."""
         shown = self._combo.currentData()
         is_other = isinstance(shown, Port) and shown != self._manager.current.port
         return is_other or self._manager.is_idle
@@ -247,7 +247,7 @@ class ConnectionBar(QFrame):
     @Slot()
     def find_board(self, *, at_once: bool = False) -> None:
         """Open the search dialog. `at_once`: search the shown port immediately."""
-        from trex_gui.ui.frame.find_dialog import FindDialog  # noqa: PLC0415 - not at the start
+        from trex_gui.ui.frame.find_dialog import FindDialog  # noqa: PLC0415 - not needed at first
 
         if self._dialog is None:
             self._dialog = FindDialog(self._manager, self._ports, self._unless_busy, self.window())
@@ -271,12 +271,12 @@ class ConnectionBar(QFrame):
             self._select(None)
 
     def _select(self, port: Port | None) -> None:
-        self._chosen, self._wants_none = port, port is None
+        self._chosen, self._none_selected = port, port is None
         self._on_ports_changed()
         self.choice_changed.emit()
 
     def _prompt_for_address(self) -> None:
-        address, given = QInputDialog.getText(
+        address, accepted = QInputDialog.getText(
             self,
             title_of(tr("Other port or address…")),
             tr(
@@ -284,7 +284,7 @@ class ConnectionBar(QFrame):
                 "socket://host:port or rfc2217://host:port:"
             ),
         )
-        if given and address.strip():
+        if accepted and address.strip():
             self._select(self._ports.add_typed(address))
         else:
             self._on_ports_changed()
@@ -293,7 +293,7 @@ class ConnectionBar(QFrame):
         """Connect to a port. Ask first while settings are being written."""
 
         def connect() -> None:
-            self._chosen, self._wants_none = port, False
+            self._chosen, self._none_selected = port, False
             self.connecting.emit()
             self._manager.connect_to(port)
 
@@ -319,7 +319,7 @@ class ConnectionBar(QFrame):
     def _port_to_show(self) -> Port | None:
         chosen = self._chosen
         if chosen is None:
-            return None if self._wants_none else self._ports.preferred
+            return None if self._none_selected else self._ports.preferred
         if chosen == self._manager.current.port:
             return chosen
         return self._ports.now(chosen)
@@ -332,7 +332,7 @@ class ConnectionBar(QFrame):
         if device.port != self._connected:
             self._connected = device.port
             if device.port is not None:
-                self._chosen, self._wants_none = device.port, False
+                self._chosen, self._none_selected = device.port, False
                 self._last = device.port
             self._on_ports_changed()
         self._line.setText(device.line_text)
@@ -364,15 +364,15 @@ class ConnectionBar(QFrame):
         self.button.setEnabled(self._manager.current.link is not ConnectionState.DISCONNECTING)
         focused = self.window().focusWidget()
         if had_focus and not self.button.isEnabled():
-            self._next = focused
-        elif self.button.isEnabled() and self._next is not None:
-            if focused is self._next:
+            self._interim_focus = focused
+        elif self.button.isEnabled() and self._interim_focus is not None:
+            if focused is self._interim_focus:
                 self.button.setFocus()
-            self._next = None
+            self._interim_focus = None
 
     @Slot(int, int, str)
-    def _on_progressed(self, done: int, total: int, what: str) -> None:
+    def _on_progressed(self, done: int, total: int, step: str) -> None:
         self._progress.setVisible(done < total)
         self._progress.setRange(0, total)
         self._progress.setValue(done)
-        self._progress.setToolTip(ui.plain(what))
+        self._progress.setToolTip(ui.plain(step))

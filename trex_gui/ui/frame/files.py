@@ -1,4 +1,4 @@
-"""Opening of files: dropped, named on the command line, or recent."""
+"""Opening of dropped files, recent files and files from the command line."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -18,7 +18,7 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.file_drop import FileDrop
 
 _KEY = "files/recent"
-_MOST = 8
+_MAX_RECENT = 8
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,8 +40,8 @@ class RecentFiles(QObject):
     @property
     def entries(self) -> tuple[RecentFile, ...]:
         lines = (line.split(" ", 2) for line in Preferences().text(_KEY).splitlines())
-        found = [RecentFile(line[0], line[1], Path(line[2])) for line in lines if len(line) == 3]
-        return tuple(found[:_MOST])
+        files = [RecentFile(line[0], line[1], Path(line[2])) for line in lines if len(line) == 3]
+        return tuple(files[:_MAX_RECENT])
 
     def add(self, device: str, kind: str, path: Path) -> None:
         added = RecentFile(device, kind, path.absolute())
@@ -52,13 +52,13 @@ class RecentFiles(QObject):
         self._save(*(file for file in self.entries if file != removed))
 
     def _save(self, *files: RecentFile) -> None:
-        lines = [f"{file.device} {file.kind} {file.path}" for file in files[:_MOST]]
+        lines = [f"{file.device} {file.kind} {file.path}" for file in files[:_MAX_RECENT]]
         Preferences().set(_KEY, "\n".join(lines))
         self.changed.emit()
 
 
 class FileOpener(QObject):
-    """Opens files in their workspaces. Adds all workspaces if none fits."""
+    """Opens files in their workspaces. Adds all workspaces if none can open a file."""
 
     def __init__(
         self,
@@ -79,7 +79,7 @@ class FileOpener(QObject):
         self.recent_menu.setToolTipsVisible(True)
         self.recent.changed.connect(self._fill_menu)
         self._fill_menu()
-        # Queued: a question about the file must not block the program that the file comes from.
+        # Queued, because a question must not block the program from which a file is dragged.
         drop = FileDrop(window)
         drop.dropped.connect(self._on_dropped, Qt.ConnectionType.QueuedConnection)
 

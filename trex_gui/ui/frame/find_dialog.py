@@ -31,9 +31,9 @@ _CHECKABLE = Qt.ItemFlag.ItemIsUserCheckable
 
 
 class FindDialog(ReusedDialog):
-    """Dialog beside the window. Closing it ends the scan."""
+    """Non-modal search dialog. Closing it ends the scan."""
 
-    check_requested = Signal()  # help on checking a board
+    check_requested = Signal()  # the user needs help with checking a board
 
     def __init__(
         self,
@@ -51,10 +51,10 @@ class FindDialog(ReusedDialog):
         self._manager = device_manager
         self._unless_busy = unless_busy
         self._scanner = device_manager.scanner
-        self._checked: dict[Port, bool] = {}  # changes by the user
-        self._first: Port | None = None  # port selected in the window
-        self._shown: tuple[ScanFinding, ...] | None = None
-        self._connects: dict[QPushButton, Port] = {}
+        self._checked: dict[Port, bool] = {}  # check boxes that the user has changed
+        self._first: Port | None = None  # port selected in the window, listed first
+        self._shown_findings: tuple[ScanFinding, ...] | None = None
+        self._connect_buttons: dict[QPushButton, Port] = {}
         self._create_widgets()
 
         ports.changed.connect(self._on_ports_changed)
@@ -139,7 +139,7 @@ class FindDialog(ReusedDialog):
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
-        if not event.spontaneous():  # minimized is not closed
+        if not event.spontaneous():  # minimizing is not closing
             self._scanner.cancel()
 
     @property
@@ -159,7 +159,7 @@ class FindDialog(ReusedDialog):
                 if self._scanner.can_search(port):
                     self._list.addItem(self._item(port))
         rows = min(max(self._list.count(), 2), 6)
-        height = self._list.sizeHintForRow(0)  # below 0 without rows
+        height = self._list.sizeHintForRow(0)  # negative without rows
         height = height if height > 0 else self.fontMetrics().height() + 4
         self._list.setFixedHeight(rows * height + 2 * self._list.frameWidth() + 4)
         self._on_actions_changed()
@@ -195,11 +195,11 @@ class FindDialog(ReusedDialog):
         self._list.setEnabled(not running)
         self._full.setEnabled(not running)
         self._start.setEnabled(not running and bool(self._chosen))
-        if not running and self.focusWidget() is self._cancel:  # the focus moves to a board
-            next(iter(self._connects), self._start).setFocus()
+        if not running and self.focusWidget() is self._cancel:  # the focus moves to the first board
+            next(iter(self._connect_buttons), self._start).setFocus()
         self._cancel.setEnabled(running)
         self._check.setVisible(self._manager.current.has_line_settings)
-        for connect, its_port in self._connects.items():
+        for connect, its_port in self._connect_buttons.items():
             connect.setEnabled(its_port != port)
 
     @Slot()
@@ -215,9 +215,9 @@ class FindDialog(ReusedDialog):
     def _on_scanner_changed(self) -> None:
         self._on_actions_changed()
         self._on_progressed()
-        if self._scanner.findings != self._shown:
-            self._shown = self._scanner.findings
-            self._show_findings(self._shown)
+        if self._scanner.findings != self._shown_findings:
+            self._shown_findings = self._scanner.findings
+            self._show_findings(self._shown_findings)
 
     @Slot()
     def _on_finished(self) -> None:
@@ -229,15 +229,15 @@ class FindDialog(ReusedDialog):
                 self._ports.lead_to(board.port, board.device, board.found.settings.packed)
 
     def _show_findings(self, findings: tuple[ScanFinding, ...]) -> None:
-        self._connects.clear()
+        self._connect_buttons.clear()
         while self._rows.count() > 1:
             if (item := self._rows.takeAt(0)) and (row := item.widget()):
                 row.hide()
                 row.deleteLater()
         ordered = sorted(findings, key=lambda finding: finding.found is None)
-        rows = [self._row(index, each) for index, each in enumerate(ordered)]
-        for place, row in enumerate(rows):
-            self._rows.insertWidget(place, row)
+        rows = [self._row(index, finding) for index, finding in enumerate(ordered)]
+        for index, row in enumerate(rows):
+            self._rows.insertWidget(index, row)
         ui.tab_order(self._cancel, *rows)
 
     def _row(self, index: int, finding: ScanFinding) -> QFrame:
@@ -258,7 +258,7 @@ class FindDialog(ReusedDialog):
                 on_click=lambda: self._connect(finding),
             )
             connect.setEnabled(finding.port != self._manager.current.port)
-            self._connects[connect] = finding.port
+            self._connect_buttons[connect] = finding.port
             layout.addWidget(connect, 0, Qt.AlignmentFlag.AlignVCenter)
         if finding.command:
             copy = ui.button(row, f"copyCommand{index}", tr("Copy command"), default=False)

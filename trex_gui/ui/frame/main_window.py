@@ -54,12 +54,12 @@ _DEVICE = "window/device"
 
 
 def last_device() -> str:
-    """Return the device key of the last visible workspace. Empty at first."""
+    """Return the key of the device whose workspace was last visible. Empty at first."""
     return Preferences().text(_DEVICE)
 
 
 class MainWindow(QMainWindow):
-    seen_changed = Signal(bool)  # True if a window of the program is neither hidden nor minimised
+    seen_changed = Signal(bool)  # True if a window of the program is neither hidden nor minimized
 
     def __init__(
         self,
@@ -68,7 +68,7 @@ class MainWindow(QMainWindow):
         notifier: Notifier,
         add_all_workspaces: Callable[[], object],
     ) -> None:
-        """`add_all_workspaces` adds the workspaces of devices that are not used yet."""
+        """`add_all_workspaces` adds the workspaces of devices that have not been used yet."""
         super().__init__()
         restore_choices()  # before fonts are measured
         self.setObjectName("mainWindow")
@@ -79,7 +79,7 @@ class MainWindow(QMainWindow):
         self._notifier = notifier
         self._store = Preferences()
         frame = QWidget(self)
-        self.question = InlinePrompt(frame)  # for questions of the window and of the workspaces
+        self.question = InlinePrompt(frame)  # questions of the window and the workspaces
         self.connection = bar = ConnectionBar(
             device_manager, ports, lambda: self._workspace.device_name, self.question
         )
@@ -101,7 +101,7 @@ class MainWindow(QMainWindow):
         bar.button.setFocus()
         self._workspaces: tuple[Workspace, ...] = ()
         self._actions: dict[str, QAction] = {}
-        self._menus_shown: list[QMenu] = []
+        self._current_menus: list[QMenu] = []
         self.help_dialog: HelpDialog | None = None
         self._was_connected = False
         self._warning = UnconfirmedStopWarning(device_manager, self.question, self)
@@ -127,25 +127,27 @@ class MainWindow(QMainWindow):
         page_key = f"{workspace.key}/page"
         workspace.show_saved(self._store.text(page_key))
         workspace.page_changed.connect(partial(self._store.set, page_key))
-        for each in self._workspaces:
-            each.set_actions(self._actions)
+        for added in self._workspaces:
+            added.set_actions(self._actions)
         self._show_current()
 
     def _fill_menus(self) -> None:
-        for old in (*self._actions.values(), *self._menus_shown):
-            old.setObjectName("")
-            old.deleteLater()
+        for replaced in (*self._actions.values(), *self._current_menus):
+            replaced.setObjectName("")
+            replaced.deleteLater()
         self.menuBar().clear()
-        self._actions = fill_menu_bar(self, self._menus([one.menus() for one in self._workspaces]))
+        self._actions = fill_menu_bar(
+            self, self._menus([space.menus() for space in self._workspaces])
+        )
         menus = (action.menu() for action in self.menuBar().actions())
-        self._menus_shown = [menu for menu in menus if isinstance(menu, QMenu)]
+        self._current_menus = [menu for menu in menus if isinstance(menu, QMenu)]
         preferences = self._actions["preferences"]
         preferences.setMenuRole(QAction.MenuRole.PreferencesRole)
-        self._menus_shown[0].insertMenu(preferences, self.files.recent_menu)
+        self._current_menus[0].insertMenu(preferences, self.files.recent_menu)
         # These work in every window of the program.
         for key in ("stop", "help", "search"):
             self._actions[key].setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
-        self._actions["stop"].setAutoRepeat(False)  # the user may still hold Esc that closed a menu
+        self._actions["stop"].setAutoRepeat(False)  # Esc may still be held after it closed a menu
 
     def _connect(self) -> None:
         for signal in (self.connection.connecting, self.connection.choice_changed):
@@ -172,7 +174,7 @@ class MainWindow(QMainWindow):
         return next(workspace for workspace in self._workspaces if workspace.key == key)
 
     def _menus(self, workspaces: Sequence[Menus]) -> Iterator[tuple[str, Entries]]:
-        """Yield titles and entries. Menus of a single workspace come before Window."""
+        """Yield each menu's title and entries. Menus of a single workspace precede Window."""
         bar, stop = self.connection, partial(stop_or_close_dialog, self._manager)
 
         def shared(menu: Menu) -> Entries:
@@ -205,7 +207,7 @@ class MainWindow(QMainWindow):
         )
         yield from ((tr("&File"), file), (tr("&Edit"), shared(Menu.EDIT)), (tr("&Device"), device))
         for menus in workspaces:
-            yield from ((own, menus[own]) for own in menus if isinstance(own, str))
+            yield from ((title, menus[title]) for title in menus if isinstance(title, str))
         yield from ((tr("&Window"), shared(Menu.WINDOW)), (tr("&Help"), help_))
 
     @Slot()
@@ -233,8 +235,8 @@ class MainWindow(QMainWindow):
                 self._actions[entry.key].setVisible(workspace is self._workspace)
         for menu_action in self.menuBar().actions():
             if isinstance(menu := menu_action.menu(), QMenu):
-                offered = (a.isVisible() and not a.isSeparator() for a in menu.actions())
-                menu_action.setVisible(any(offered))
+                entries = (a for a in menu.actions() if a.isVisible() and not a.isSeparator())
+                menu_action.setVisible(any(entries))
         self._on_actions_changed()
 
     @Slot()
@@ -266,8 +268,8 @@ class MainWindow(QMainWindow):
         name, port = self._workspace.device_name, self._manager.current.port
         title = f"{tr('TReX Studio')}[*]"
         if name and port is not None:
-            where = tr("{0} on {1}") if port.url else tr("{0} (demo)")
-            title = f"{where.format(name, port.url)}[*] – {tr('TReX Studio')}"
+            device = tr("{0} on {1}") if port.url else tr("{0} (demo)")
+            title = f"{device.format(name, port.url)}[*] – {tr('TReX Studio')}"
         self.setWindowTitle(title)
         self.setWindowModified(self._workspace.has_edits)
 
@@ -306,15 +308,15 @@ class MainWindow(QMainWindow):
         dialog.open_preferences()
 
     def _show_help(self) -> None:
-        own = (topic for space in self._workspaces for topic in space.help_topics.items())
-        topics = HELP_TOPICS | dict(own)
+        device_topics = (item for space in self._workspaces for item in space.help_topics.items())
+        topics = HELP_TOPICS | dict(device_topics)
         page = self._workspace.page_at(self._workspace.current)
         self.show_help(topic_in_front(topics, page))
 
     @Slot(str)
     def show_help(self, topic: str) -> None:
         """Show a help page or a section (`page.md#anchor`) beside the window."""
-        from trex_gui.ui.help.dialog import HelpDialog  # noqa: PLC0415 - not at the start
+        from trex_gui.ui.help.dialog import HelpDialog  # noqa: PLC0415 - not needed at first
 
         if self.help_dialog is None:
             self.help_dialog = HelpDialog()

@@ -1,4 +1,4 @@
-"""Places of a workspace: a column of tabs at the left, with icons and names."""
+"""Places of a workspace: a column of tabs on the left, with icons and names."""
 
 from collections.abc import Sequence
 
@@ -11,7 +11,7 @@ from trex_gui.ui.theme.theme import follow_theme, scaled_font, theme
 from trex_gui.ui.widgets.builders import column, named
 from trex_gui.ui.widgets.painted import Painter
 
-_NARROW = 1100  # pixels; a narrower workspace shows only icons
+_NARROW = 1100  # pixels; narrower workspaces show only icons
 _ICON, _AROUND = 20, 8  # pixels
 _KEYS = {Qt.Key.Key_Up: -1, Qt.Key.Key_Left: -1, Qt.Key.Key_Down: 1, Qt.Key.Key_Right: 1}
 
@@ -41,7 +41,7 @@ class PlaceBar(QTabBar):
             self._update_name(index)
 
     def set_count(self, index: int, count: int) -> None:
-        """Show a count on a tab. 0 shows none. Tabs do not move."""
+        """Show a count on a tab. 0 hides it. The tabs do not move."""
         if count != self._counts.get(index, 0):
             self._counts[index] = count
             self._update_name(index)
@@ -52,20 +52,20 @@ class PlaceBar(QTabBar):
         self.setAccessibleTabName(index, name)
         self.setTabToolTip(index, name if self.is_narrow else "")
 
-    def tabSizeHint(self, index: int) -> QSize:  # noqa: N802 - of Qt
+    def tabSizeHint(self, index: int) -> QSize:  # noqa: N802 - Qt's name
         metrics = self.fontMetrics()
         height = max(round(1.6 * metrics.height()), _ICON + 12)
         if self.is_narrow:
             return QSize(_ICON + 3 * _AROUND, height)
         name = metrics.horizontalAdvance(self.tabText(index))
-        padding = _ICON + 6 * _AROUND + metrics.height()  # includes a count after the name
+        padding = _ICON + 6 * _AROUND + metrics.height()  # includes space for a count
         return QSize(round(1.1 * name) + padding, height)  # Qt gives all tabs the largest width
 
-    def minimumTabSizeHint(self, index: int) -> QSize:  # noqa: N802 - of Qt
+    def minimumTabSizeHint(self, index: int) -> QSize:  # noqa: N802 - Qt's name
         return self.tabSizeHint(index)
 
     def minimumSizeHint(self) -> QSize:
-        """Return the size without names. The window can then become narrow."""
+        """Return the size without names. It allows a narrow window."""
         height = sum(self.tabSizeHint(index).height() for index in range(self.count()))
         return QSize(_ICON + 3 * _AROUND, height)
 
@@ -86,39 +86,39 @@ class PlaceBar(QTabBar):
         with Painter(self) as painter:
             for index in filter(self.isTabVisible, range(self.count())):
                 is_current = index == self.currentIndex()
-                place = self.tabRect(index).adjusted(_AROUND, 2, -_AROUND, -2)
+                rect = self.tabRect(index).adjusted(_AROUND, 2, -_AROUND, -2)
                 if is_current or index == hovered:
                     painter.setPen(Qt.PenStyle.NoPen)
                     painter.setBrush(theme().color("selected" if is_current else "window"))
-                    painter.drawRoundedRect(place, 6, 6)
+                    painter.drawRoundedRect(rect, 6, 6)
                 if is_current:
                     painter.setBrush(theme().color("accent"))
-                    bar = QRectF(place.left(), place.top() + 6, 3, place.height() - 12)
+                    bar = QRectF(rect.left(), rect.top() + 6, 3, rect.height() - 12)
                     painter.drawRoundedRect(bar, 1.5, 1.5)
-                left = place.left() + _AROUND + 4
-                sign = QRect(left, place.center().y() - _ICON // 2 + 1, _ICON, _ICON)
+                left = rect.left() + _AROUND + 4
+                icon_rect = QRect(left, rect.center().y() - _ICON // 2 + 1, _ICON, _ICON)
                 if self.is_narrow:
-                    sign.moveCenter(place.center())
+                    icon_rect.moveCenter(rect.center())
                 color = "accent" if is_current else "muted"
-                icon(self.icons[index], color).paint(painter, sign)
+                icon(self.icons[index], color).paint(painter, icon_rect)
                 if count := self._counts.get(index):
-                    self._paint_count(painter, place, count)
+                    self._paint_count(painter, rect, count)
                 if self.is_narrow:
                     continue
                 font = QFont(self.font())
                 font.setWeight(QFont.Weight.DemiBold if is_current else QFont.Weight.Normal)
                 painter.setFont(font)
                 painter.setPen(theme().color("window_text" if is_current else "muted"))
-                text = QRect(sign.right() + 12, place.top(), place.width(), place.height())
+                text = QRect(icon_rect.right() + 12, rect.top(), rect.width(), rect.height())
                 painter.drawText(text, Qt.AlignmentFlag.AlignVCenter, self.tabText(index))
 
-    def _paint_count(self, painter: QPainter, place: QRect, count: int) -> None:
+    def _paint_count(self, painter: QPainter, rect: QRect, count: int) -> None:
         font = scaled_font(self.font(), 0.8)
         side = QFontMetrics(font).height()
-        badge = QRect(place.right() - side - 2, 0, side + 2, side)
-        badge.moveCenter(QPoint(badge.center().x(), place.center().y()))
+        badge = QRect(rect.right() - side - 2, 0, side + 2, side)
+        badge.moveCenter(QPoint(badge.center().x(), rect.center().y()))
         if self.is_narrow:
-            badge.moveTop(place.top())
+            badge.moveTop(rect.top())
         painter.setFont(font)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(theme().color("accent"))
@@ -134,7 +134,7 @@ def counted(title: str, count: int) -> str:
 
 
 class Places(QTabWidget):
-    """Tabs in a column, as icons in a narrow window."""
+    """Tabs in a column. A narrow window shows only icons."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -160,7 +160,7 @@ class Places(QTabWidget):
 
 
 class Place(QWidget):
-    """Several pages on tabs in one place."""
+    """Place that shows several pages on tabs."""
 
     tabs: QTabWidget
 

@@ -1,4 +1,4 @@
-"""Dialog of the preferences. All but the language take effect at once."""
+"""Preferences dialog. All changes except the language take effect at once."""
 
 from collections.abc import Sequence
 
@@ -40,38 +40,44 @@ class PreferencesDialog(ReusedDialog):
         schemes = [(names[scheme], scheme) for scheme in SCHEMES]
         sizes = [(tr("{0} %").format(percent), percent) for percent in FONT_SIZES]
         languages = [(name, code) for code, name in LANGUAGES.items()]
-        own = tr("Physical units (µs, V, %, s)"), tr("Values of the board (counts, 0 to 127)")
+        unit_names = (
+            tr("Physical units (µs, V, %, s)"),
+            tr("Values of the board (counts, 0 to 127)"),
+        )
         form = QFormLayout()
 
-        def choice(
+        def add_box(
             name: str,
             title: str,
             items: Sequence[tuple[str, object]],
-            choose: ui.Handler,
+            on_activate: ui.Handler,
             tip: str = "",
         ) -> ui.ComboBox:
-            box = ui.combo_box(self, name, "", items=items, tip=tip, on_activate=choose)
+            box = ui.combo_box(self, name, "", items=items, tip=tip, on_activate=on_activate)
             form.addRow(title, box)
             return box
 
-        self._scheme = choice(
-            "schemeBox", tr("&Theme:"), schemes, lambda at: select_scheme(SCHEMES[at])
+        self._scheme = add_box(
+            "schemeBox", tr("&Theme:"), schemes, lambda index: select_scheme(SCHEMES[index])
         )
-        self._font_size = choice(
-            "fontSizeBox", tr("&Font size:"), sizes, lambda at: select_font_size(FONT_SIZES[at])
+        self._font_size = add_box(
+            "fontSizeBox",
+            tr("&Font size:"),
+            sizes,
+            lambda index: select_font_size(FONT_SIZES[index]),
         )
-        self._language = choice(
+        self._language = add_box(
             "languageBox",
             tr("&Language:"),
             [(tr("As the system"), AS_THE_SYSTEM), *languages],
             lambda _: select_language(self._language.currentData()),
             tr("Takes effect when the program starts again"),
         )
-        self._units = choice(
+        self._units = add_box(
             "unitsBox",
             tr("&Units:"),
-            list(zip(own, (False, True), strict=True)),
-            lambda at: units().set_order(own_first=bool(at)),
+            list(zip(unit_names, (False, True), strict=True)),
+            lambda index: units().set_order(own_first=bool(index)),
             tr("What is shown first, and what a number typed without a unit means"),
         )
         self._automatic = ui.check_box(

@@ -56,16 +56,20 @@ class ReportDialog(ReusedDialog):
         self._save.setDefault(True)
         close = ui.button(self, "reportClose", tr("&Close"), on_click=self.close)
         left, right = ui.column(files, (self._list, 1)), ui.column(content, (self._text, 1))
-        head = ui.label(self, text=self.windowTitle(), size="title")
+        heading = ui.label(self, text=self.windowTitle(), size="title")
         ui.column(
-            head, about, (ui.row((left, 1), (right, 3)), 1), ui.row(1, self._save, close), into=self
+            heading,
+            about,
+            (ui.row((left, 1), (right, 3)), 1),
+            ui.row(1, self._save, close),
+            into=self,
         )
         follow_theme(self, "font", lambda: self._text.setFont(fixed_font()))
         self._list.currentItemChanged.connect(self._show_current)
         self._list.itemChanged.connect(self._enable)
 
     def open_report(self, parts: Mapping[str, Callable[[], str]]) -> None:
-        """Collect the files in another thread. `parts`: file name → function."""
+        """Collect the files in another thread. `parts`: file name → function for its content."""
         self._list.clear()
         self._text.clear()
         self._enable()
@@ -107,8 +111,8 @@ class ReportDialog(ReusedDialog):
     @Slot()
     def _prompt_and_save(self) -> None:
         suggested = file_questions.last_folder() / suggested_name()
-        title, kinds = tr("&Save report for support…"), tr("Zip archives (*.zip)")
-        path = file_questions.prompt_to_save(self, title, suggested, kinds, ".zip")
+        title, filters = tr("&Save report for support…"), tr("Zip archives (*.zip)")
+        path = file_questions.prompt_to_save(self, title, suggested, filters, ".zip")
         if path is not None:
             self.save(path)
 

@@ -21,13 +21,13 @@ _ICONS: dict[Kind, str] = {
     "message": "warning",
     "help": "help",
 }
-_VISIBLE = 12  # hits without scrolling
-_WIDEST, _LIST, _TITLE = 56, 110, 52  # widths of field, list and titles, average characters
-_FOUND = Qt.ItemDataRole.UserRole
+_VISIBLE = 12  # hits that are visible without scrolling
+_FIELD, _LIST, _TITLE = 56, 110, 52  # widths in average characters
+_HIT = Qt.ItemDataRole.UserRole
 
 
 class SearchField(QLineEdit):
-    """Search field with a list of hits. Enter opens the selected hit, Esc closes the list."""
+    """Search field with a list of hits. Enter opens the selected hit. Esc closes the list."""
 
     def __init__(self, findables: Callable[[], Iterable[Findable]], parent: QWidget) -> None:
         """`findables` is called at the start of each search."""
@@ -36,7 +36,7 @@ class SearchField(QLineEdit):
         self.setPlaceholderText(tr("Search everything (Ctrl+K)"))
         self._findables = findables
         self._index: SearchIndex | None = None  # during a search
-        self._before: QWidget | None = None  # widget with the focus before the search
+        self._focus_before: QWidget | None = None  # focused widget before the search
         self._model = QStandardItemModel(0, 2, self)
         self._hits = ui.named(QTreeView(), "searchHits", accessible=tr("Hits"))
         self._hits.setHeaderHidden(True)
@@ -52,12 +52,12 @@ class SearchField(QLineEdit):
         follow_theme(self, "width", self._limit_width)
 
     def _limit_width(self) -> None:
-        self.setMaximumWidth(_WIDEST * self.fontMetrics().averageCharWidth())
+        self.setMaximumWidth(_FIELD * self.fontMetrics().averageCharWidth())
 
     @Slot()
     def start(self) -> None:
         if (focused := self.window().focusWidget()) is not self:
-            self._before = focused
+            self._focus_before = focused
         self.window().activateWindow()
         self.setFocus(Qt.FocusReason.ShortcutFocusReason)
         self._show_hits()
@@ -66,14 +66,14 @@ class SearchField(QLineEdit):
     def _show_hits(self) -> None:
         self._index = self._index or SearchIndex(self._findables())
         self._model.setRowCount(0)
-        nothing = Findable("help", "", tr("Nothing was found."))
-        for found in self._index.find(self.text()) or [nothing]:
-            text = " · ".join(filter(None, (found.place, " ".join(found.text.split())[:120])))
-            title, more = QStandardItem(icon(_ICONS[found.kind]), found.title), QStandardItem(text)
-            title.setData(found, _FOUND)
-            title.setAccessibleText(f"{found.title}. {text}")
-            more.setForeground(theme().color("muted"))
-            self._model.appendRow([title, more])
+        no_hit = Findable("help", "", tr("Nothing was found."))
+        for hit in self._index.find(self.text()) or [no_hit]:
+            text = " · ".join(filter(None, (hit.place, " ".join(hit.text.split())[:120])))
+            title, details = QStandardItem(icon(_ICONS[hit.kind]), hit.title), QStandardItem(text)
+            title.setData(hit, _HIT)
+            title.setAccessibleText(f"{hit.title}. {text}")
+            details.setForeground(theme().color("muted"))
+            self._model.appendRow([title, details])
         character = self.fontMetrics().averageCharWidth()
         width = min(_LIST * character, self.window().width())
         self._completer.complete(QRect(self.width() - width, 0, width, self.height()))
@@ -82,15 +82,15 @@ class SearchField(QLineEdit):
 
     @Slot()
     def _on_chosen(self) -> None:
-        found = self._hits.currentIndex().data(_FOUND)
+        hit = self._hits.currentIndex().data(_HIT)
         self._hits.hide()  # restores the focus before the hit changes it
-        found.show()
+        hit.show()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Hide and watched is self._hits:
             self.clear()
             self._index = None
-            if self._before is not None and Shiboken.isValid(self._before):
-                self._before.setFocus()
-            self._before = None
+            if self._focus_before is not None and Shiboken.isValid(self._focus_before):
+                self._focus_before.setFocus()
+            self._focus_before = None
         return super().eventFilter(watched, event)

@@ -19,14 +19,14 @@ from trex_gui.ui.theme.theme import set_look, set_text_color
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.labels import ElidedLabel, Muted, PageHead
 
-_MOST_PORTS = 4
+_MAX_PORTS = 4
 
 
 @dataclass(frozen=True, slots=True)
 class StartWay:
     wiring: Wires
     note: str
-    name: str = ""  # button text with a free mnemonic, needed for several ways
+    name: str = ""  # button text with a free mnemonic; needed if there are several ways
     danger: str = ""
 
 
@@ -37,8 +37,8 @@ class StartTexts:
     ways: Sequence[StartWay]
     none: str  # heading of the card about the demo
     demo: str  # button text with a free mnemonic
-    files: Sequence[tuple[str, str]]  # key of an action that opens a file, button text
-    prefix: str = ""  # start of object names
+    files: Sequence[tuple[str, str]]  # action that opens a file, button text
+    prefix: str = ""  # prefix of object names
 
 
 class PortRow(QWidget):
@@ -75,9 +75,9 @@ class StartPanel(QWidget):
         wirings = self._wirings(texts.ways)
 
         plugged = ui.Card(tr("What is plugged in"), self)
-        self._rows = [PortRow(f"{prefix}startPort", plugged) for _ in range(_MOST_PORTS)]
-        for at, row in enumerate(self._rows):
-            row.button.clicked.connect(partial(self._on_port_clicked, at))
+        self._rows = [PortRow(f"{prefix}startPort", plugged) for _ in range(_MAX_PORTS)]
+        for index, row in enumerate(self._rows):
+            row.button.clicked.connect(partial(self._on_port_clicked, index))
         self._none = ui.label(
             plugged,
             f"{prefix}startNoPort",
@@ -98,13 +98,13 @@ class StartPanel(QWidget):
             ui.column(Muted(text, card), (button, 0, Qt.AlignmentFlag.AlignLeft), into=card)
 
         files = ui.named(ui.Card(title_of(tr("&Files:")), self), f"{prefix}startFiles")
-        opening = [
+        file_buttons = [
             ui.button(files, f"{prefix}start_{key}", text, on_click=partial(workspace.trigger, key))
             for key, text in texts.files
         ]
-        for button in opening:
+        for button in file_buttons:
             set_look(button, "link")
-        ui.row(*opening, 1, into=files)
+        ui.row(*file_buttons, 1, into=files)
         right = ui.column((plugged, 1), silent, other, margins=0, spacing=12)
         top = ui.row((wirings, 2), (right, 1), margins=0, spacing=16)
         ui.column(head, (top, 1), files, into=self, margins=0, spacing=12)
@@ -150,7 +150,7 @@ class StartPanel(QWidget):
 
     @Slot()
     def _on_ports_changed(self) -> None:
-        preferred, self._ports = self._frame.ports.preferred, self._real_ports[:_MOST_PORTS]
+        preferred, self._ports = self._frame.ports.preferred, self._real_ports[:_MAX_PORTS]
         self._none.setVisible(not any(port.kind is PortKind.SERIAL for port in self._ports))
         for row, port in zip_longest(self._rows, self._ports):
             row.setVisible(port is not None)
@@ -159,13 +159,13 @@ class StartPanel(QWidget):
 
     @Slot()
     def _on_connecting(self) -> None:
-        """Focus the places. Qt would pass the focus of the hidden page to any widget."""
+        """Focus the places. Otherwise Qt would move the focus from this page to any widget."""
         focused = self._frame.focusWidget()
         if focused is not None and self.isAncestorOf(focused):
             self._frame.pages.tabBar().setFocus()
 
-    def _on_port_clicked(self, at: int) -> None:
-        """Connect to this workspace's device. A known device at the port has priority."""
-        port, ports = self._ports[at], self._frame.ports
+    def _on_port_clicked(self, index: int) -> None:
+        """Connect to a port. A device known there has priority over this workspace's device."""
+        port, ports = self._ports[index], self._frame.ports
         is_known = port.device != ports.plugins[0].key
         self._frame.connection.connect_to(port if is_known else ports.lead_to(port, self._device))

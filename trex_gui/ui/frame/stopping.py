@@ -1,4 +1,4 @@
-"""Stop by Esc in every window, and warning about an unconfirmed stop."""
+"""Stop by Esc in every window, and a warning about an unconfirmed stop."""
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Slot
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QWindow
@@ -11,11 +11,11 @@ from trex_gui.ui.runtime import now
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.messages import InlinePrompt
 
-_LOG_OUT_S = 60.0  # time after the start of a log-out in which closing counts as the log-out
+_LOG_OUT_S = 60.0  # closing this soon after a log-out starts is part of the log-out
 
 
 def stop_or_close_dialog(device_manager: DeviceManager) -> None:
-    """Stop, and close a dialog in front. With a dialog, stop only if motors may move."""
+    """Stop the motors and close the active dialog. With a dialog, stop only if motors may move."""
     dialog, needs_stop = QApplication.activeWindow(), device_manager.needs_stop
     if needs_stop or not isinstance(dialog, QDialog):
         device_manager.press_stop()
@@ -25,10 +25,10 @@ def stop_or_close_dialog(device_manager: DeviceManager) -> None:
 
 
 class EscapeWatch(QObject):
-    """Event filter that stops the motors on Esc before any widget gets the key.
+    """Event filter that stops the motors on Esc.
 
-    Modal dialogs would block a shortcut, and table editors would consume the key. Only events of
-    native windows pass through Python.
+    Modal dialogs would block a shortcut, and table editors would consume the key. The filter sees
+    the key before any widget. It is on native windows, so that few events pass through Python.
 
     If Esc closes a dialog, a question, a menu, a list or a table editor, it stops the motors only
     while they may be moving.
@@ -52,18 +52,18 @@ class EscapeWatch(QObject):
         del watched
         if not isinstance(event, QKeyEvent) or event.key() != Qt.Key.Key_Escape:
             return False
-        if event.type() == QEvent.Type.ShortcutOverride and _is_closed_by_escape():
+        if event.type() == QEvent.Type.ShortcutOverride and _escape_closes_widget():
             event.accept()  # Esc then arrives as a key press, not as the shortcut of the menu
             return True
         is_pressed = event.type() == QEvent.Type.KeyPress and not event.isAutoRepeat()
-        closes = _is_closed_by_escape() or isinstance(QApplication.activeWindow(), QDialog)
+        closes = _escape_closes_widget() or isinstance(QApplication.activeWindow(), QDialog)
         if is_pressed and (not closes or self._manager.needs_stop):
             self._manager.press_stop()
         return False
 
 
-def _is_closed_by_escape() -> bool:
-    """Return whether Esc closes a menu, a list, a question or an editor in a table."""
+def _escape_closes_widget() -> bool:
+    """Return whether Esc closes a menu, a list, a question or a table editor."""
     if QApplication.activePopupWidget() is not None:
         return True
     focus = QApplication.focusWidget()
@@ -77,7 +77,7 @@ class UnconfirmedStopWarning(QObject):
     """Warns about an unconfirmed stop when the user closes the window.
 
     The warning does not block, so other events can still end the program. The window closes once
-    the stop is confirmed or the user closes it again. Log-out shows no warning.
+    the stop is confirmed or the user closes it again. A log-out shows no warning.
     """
 
     def __init__(
@@ -87,7 +87,7 @@ class UnconfirmedStopWarning(QObject):
         self._manager = device_manager
         self._question = question
         self._window = window
-        self.is_shown = False  # True while the warning is visible; replaces other questions
+        self.is_shown = False  # True while the warning is visible
         self._log_out_at: float | None = None
         app = QApplication.instance()
         if isinstance(app, QApplication):
@@ -95,7 +95,7 @@ class UnconfirmedStopWarning(QObject):
 
     @property
     def is_due(self) -> bool:
-        """True if closing needs the warning. Read this after closing every line."""
+        """True if closing requires the warning. Read this after all lines are closed."""
         is_log_out = self._log_out_at is not None and now() - self._log_out_at < _LOG_OUT_S
         return bool(self._manager.unconfirmed_stop) and not self.is_shown and not is_log_out
 

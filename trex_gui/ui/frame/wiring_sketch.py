@@ -20,16 +20,16 @@ from trex_gui.ui.widgets.circuit import (
 )
 from trex_gui.ui.widgets.painted import Painted, Painter
 
-_COLORS = ("window_text", "accent", "outline")  # wires from top to bottom
-_WIRES = 3.6  # line heights above the first wire
-_SMALLEST, _LARGEST, _LARGEST_TEXT = 0.85, 2.0, 1.2  # scales; at 1 the drawing fits the font
+_COLORS = ("window_text", "accent", "outline")  # of the wires from top to bottom
+_FIRST_WIRE = 3.6  # position in line heights
+_SMALLEST, _LARGEST, _LARGEST_TEXT = 0.85, 2.0, 1.2  # scales; 1 fits the font
 
 
 @dataclass(frozen=True, slots=True)
 class Wires:
     board: str  # name of the board
     adapter: str  # name of the adapter or receiver
-    wires: Sequence[tuple[str, str]]  # pins of adapter and board, at most three, from the top
+    wires: Sequence[tuple[str, str]]  # pins of adapter and board from the top; at most 3
     jumpers: Sequence[Jumper] = ()
 
 
@@ -59,11 +59,11 @@ class WiringSketch(Painted):
         left, right = self._pin_widths()
         rows, jumpers = 2 * len(wiring.wires), jumpers_size(font, wiring.jumpers)
         width = max(8.5 * line, text_width(font, wiring.adapter) + line + left / 2)
-        adapter = QRectF(1, (_WIRES - 1.4) * line, width, (rows + 0.8) * line)
-        at = adapter.right() + (left + right) / 2 + 5 * line
+        adapter = QRectF(1, (_FIRST_WIRE - 1.4) * line, width, (rows + 0.8) * line)
+        board_left = adapter.right() + (left + right) / 2 + 5 * line
         board = max(12 * line, right + text_width(font, wiring.board))
-        height = (_WIRES + rows + 1) * line + jumpers.height()
-        return adapter, QRectF(at, 1, max(board, jumpers.width() + 3 * line), height)
+        height = (_FIRST_WIRE + rows + 1) * line + jumpers.height()
+        return adapter, QRectF(board_left, 1, max(board, jumpers.width() + 3 * line), height)
 
     def _pin_widths(self) -> tuple[float, float]:
         line = self.fontMetrics().height()
@@ -72,14 +72,14 @@ class WiringSketch(Painted):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
-        whole, line = self.sizeHint(), self.fontMetrics().height()
+        hint, line = self.sizeHint(), self.fontMetrics().height()
         (adapter, body), (left, right) = self._boxes(), self._pin_widths()
-        height = self.height() - line  # leaves space above and below
-        scale = min(self.width() / whole.width(), height / whole.height(), _LARGEST)
+        height = self.height() - line  # without the space above and below
+        scale = min(self.width() / hint.width(), height / hint.height(), _LARGEST)
         with Painter(self) as painter:
             painter.translate(
-                (self.width() - scale * whole.width()) / 2,
-                (self.height() - scale * whole.height()) / 2,
+                (self.width() - scale * hint.width()) / 2,
+                (self.height() - scale * hint.height()) / 2,
             )
             painter.scale(scale, scale)
             painter.setFont(scaled_font(self.font(), min(1.0, _LARGEST_TEXT / scale)))
@@ -91,15 +91,15 @@ class WiringSketch(Painted):
             write(painter, title, self._wiring.adapter, "window_text", bold=True, align=center)
             paint_body(painter, body, self._wiring.board)
             for number, (pin, board_pin) in enumerate(self._wiring.wires):
-                y = (_WIRES + 2 * number) * line
+                y = (_FIRST_WIRE + 2 * number) * line
                 painter.setPen(QPen(theme().color(_COLORS[number]), 3))
                 painter.drawLine(QPointF(adapter.right(), y), QPointF(body.left(), y))
                 for x, width, name in (
                     (adapter.right(), left, pin),
                     (body.left(), right, board_pin),
                 ):
-                    place = QRectF(x - width / 2, y - 0.75 * line, width, 1.5 * line)
-                    paint_block(painter, place, (name,))
-                top = (_WIRES + 2 * len(self._wiring.wires) - 0.4) * line
-            at = QPointF(body.left() + 2 * line, top)
-            paint_jumpers(painter, at, self._wiring.jumpers, line)
+                    rect = QRectF(x - width / 2, y - 0.75 * line, width, 1.5 * line)
+                    paint_block(painter, rect, (name,))
+                top = (_FIRST_WIRE + 2 * len(self._wiring.wires) - 0.4) * line
+            top_left = QPointF(body.left() + 2 * line, top)
+            paint_jumpers(painter, top_left, self._wiring.jumpers, line)

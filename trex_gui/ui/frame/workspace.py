@@ -43,7 +43,7 @@ Entries = Sequence[Entry | str]  # actions and separators of one menu
 
 
 class Menu(Enum):
-    """Menus with entries of the window and of workspaces, in their order."""
+    """Menus that the window and the workspaces share, in their order."""
 
     FILE = auto()
     EDIT = auto()
@@ -53,7 +53,7 @@ class Menu(Enum):
 
 
 Menus = Mapping[Menu | str, Entries]
-"""Entries of a workspace by menu, or by the title of an extra menu."""
+"""Menu, or title of an extra menu → entries of a workspace."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,41 +67,42 @@ class FileKind:
 
 @dataclass(frozen=True, slots=True)
 class PageInfo:
-    key: str  # the key of its action is `workspace_key`
+    key: str  # its action has the key `workspace_key`
     title: str  # with the mnemonic of the menu entry
-    make: Callable[[QWidget], QWidget]  # creates the page in a parent, when shown or after startup
+    make: Callable[[QWidget], QWidget]  # creates the page in a parent, on first use or after start
     icon: str = "info"
     place: Place | None = None  # place shared with adjacent pages
 
 
 class Workspace(QWidget):
-    """Pages of a device, its bar at the bottom of the window, and its menu entries."""
+    """Pages, bottom bar and menu entries of a device."""
 
     actions_changed = Signal()  # result of `enabled_actions`
     page_changed = Signal(str)  # key of the visible page
 
-    bar: QWidget  # with the stop button
+    bar: QWidget  # bottom bar with the stop button
 
     def __init__(self, key: str, notifier: Notifier, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.notifier = notifier
         self.key = key
         self.log = Log(self)  # messages while this workspace is visible, and events
-        self.stop_text = tr("&Stop motors")  # menu entry of Esc
+        self.stop_text = tr("&Stop motors")  # text of the menu entry for Esc
         # Object names of pages, docks and dialogs → help topics.
         self.help_topics: Mapping[str, str] = {}
         self.message_help = MessageHelp({})
-        self.file_kinds: Sequence[FileKind] = ()  # opened here when dropped or named at the start
+        # Files that this workspace opens when they are dropped or named on the command line.
+        self.file_kinds: Sequence[FileKind] = ()
         # Keys of file kinds → functions that open a recent file.
         self.openers: Mapping[str, Callable[[Path], object]] = {}
         self.docks: Sequence[QDockWidget] = ()  # shown and hidden by the workspace
         # Keys of entries that move motors. A search hit only opens their menu.
         self.moving: Collection[str] = ()
         self.pages = Places(self)
-        self._actions: Mapping[str, QAction] = {}  # by key, set with the menus
+        self._actions: Mapping[str, QAction] = {}  # key → action; set with the menus
         self._infos: tuple[PageInfo, ...] = ()
-        self._holders: list[tuple[QTabWidget, int]] = []  # tabs and index of each page
-        self._missing: set[int] = set()  # numbers of pages that are not created yet
+        self._tabs: list[tuple[QTabWidget, int]] = []  # tab widget and tab index of each page
+        self._missing: set[int] = set()  # indices of pages that are not created yet
 
     def add_pages(self, infos: Sequence[PageInfo]) -> None:
         """Add pages. Pages that share a place get tabs in it."""
@@ -109,27 +110,27 @@ class Workspace(QWidget):
         self._missing = set(range(len(infos)))
         icons = []
         for info in infos:
-            holder = self.pages if info.place is None else info.place.tabs
-            if info.place is None or not holder.count():
+            tabs = self.pages if info.place is None else info.place.tabs
+            if info.place is None or not tabs.count():
                 icons.append(info.icon)
-            if info.place is not None and not holder.count():
+            if info.place is not None and not tabs.count():
                 self.pages.addTab(info.place, info.place.title)
-            holder.addTab(QWidget(self), info.title.replace("&", ""))
-            self._holders.append((holder, holder.count() - 1))
+            tabs.addTab(QWidget(self), info.title.replace("&", ""))
+            self._tabs.append((tabs, tabs.count() - 1))
         self.pages.bar.icons = icons
-        for holder in {holder: None for holder, _ in self._holders}:
-            holder.currentChanged.connect(self._on_current_changed)
+        for tabs in {tabs: None for tabs, _ in self._tabs}:
+            tabs.currentChanged.connect(self._on_current_changed)
         self._create_page(self.current)
 
     @property
     def current(self) -> int:
-        """Number of the visible page, from 0."""
+        """Index of the visible page."""
         place = self.pages.currentWidget()
-        shown = {self.pages, place.tabs if isinstance(place, Place) else None}
+        visible = {self.pages, place.tabs if isinstance(place, Place) else None}
         current = (
             number
-            for number, (holder, index) in enumerate(self._holders)
-            if holder in shown and holder.currentIndex() == index
+            for number, (tabs, index) in enumerate(self._tabs)
+            if tabs in visible and tabs.currentIndex() == index
         )
         return next(current, 0)
 
@@ -139,8 +140,8 @@ class Workspace(QWidget):
 
     def page_at(self, number: int) -> QWidget | None:
         """Return a page in its scroll area, or its placeholder."""
-        holder, index = self._holders[number]
-        return holder.widget(index)
+        tabs, index = self._tabs[number]
+        return tabs.widget(index)
 
     @Slot()
     def _on_current_changed(self) -> None:
@@ -155,18 +156,18 @@ class Workspace(QWidget):
         if number not in self._missing:
             return
         self._missing.remove(number)
-        holder, index = self._holders[number]
-        current, placeholder = holder.currentIndex(), holder.widget(index)
-        where = holder.findChild(QStackedWidget) or self  # final parent
-        box = ScrollBox(self._infos[number].make, where)
+        tabs, index = self._tabs[number]
+        current, placeholder = tabs.currentIndex(), tabs.widget(index)
+        parent = tabs.findChild(QStackedWidget) or self  # the parent after `insertTab`
+        box = ScrollBox(self._infos[number].make, parent)
         page = box.content
         follow_theme(page, "messages", partial(_reserve_space, page))
-        with QSignalBlocker(holder):  # the current page does not change
-            holder.insertTab(index, box, holder.tabText(index))
-            holder.removeTab(index + 1)
-            holder.setCurrentIndex(current)
-        # The page, and its later plots, are newer than the widgets below the pages.
-        order = partial(ui.tab_order, holder.tabBar(), box)
+        with QSignalBlocker(tabs):  # the current page does not change
+            tabs.insertTab(index, box, tabs.tabText(index))
+            tabs.removeTab(index + 1)
+            tabs.setCurrentIndex(current)
+        # The page and its plots are created after the widgets below the pages.
+        order = partial(ui.tab_order, tabs.tabBar(), box)
         order()
         if isinstance(page, PlotPage):
             page.plot_added.connect(order)
@@ -177,22 +178,22 @@ class Workspace(QWidget):
         self.show_number(self._number_of(key))
 
     def show_saved(self, saved: str) -> None:
-        """Show the page with the `saved` key. If there is none, show the first page."""
+        """Show the page with the key `saved`. If there is none, show the first page."""
         keys = [info.key for info in self._infos]
         self.show_page(saved if saved in keys else keys[0])
 
     def show_number(self, number: int) -> None:
-        holder, index = self._holders[number]
-        holder.setCurrentIndex(index)
+        tabs, index = self._tabs[number]
+        tabs.setCurrentIndex(index)
         if (place := self._infos[number].place) is not None:
             self.pages.setCurrentWidget(place)
 
     def set_page_count(self, key: str, count: int) -> None:
-        """Show a count on the tab of a page and on its place. 0 shows none."""
+        """Show a count on the tab of a page and on its place. 0 hides it."""
         number = self._number_of(key)
-        (holder, index), info = self._holders[number], self._infos[number]
+        (tabs, index), info = self._tabs[number], self._infos[number]
         if info.place is not None:
-            holder.setTabText(index, counted(info.title.replace("&", ""), count))
+            tabs.setTabText(index, counted(info.title.replace("&", ""), count))
             index = self.pages.indexOf(info.place)
         self.pages.bar.set_count(index, count)
 
@@ -211,11 +212,14 @@ class Workspace(QWidget):
         ]
 
     def findables(self) -> Iterable[Findable]:
-        """Return search entries of the device, apart from its menus and messages."""
+        """Return the search entries of the device, except its menus and messages."""
         return ()
 
     def report_parts(self) -> dict[str, Callable[[], str]]:
-        """Return functions that create the files of a support report in any thread."""
+        """Return functions that create the files of a support report.
+
+        They may be called in any thread.
+        """
         lines = "".join(f"{entry.line}\n" for entry in self.log.entries)
         return {"log.txt": lambda: lines}
 
@@ -236,15 +240,18 @@ class Workspace(QWidget):
 
     @property
     def has_edits(self) -> bool:
-        """True if there are edits saved neither in the device nor in a file."""
+        """True if some edits are saved neither in the device nor in a file."""
         return False
 
     def enabled_actions(self) -> Mapping[str, bool]:
-        """Return the state of each action by key. Missing actions are enabled."""
+        """Return action key → True if enabled. Missing actions are enabled."""
         return {}
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        """Return True if nothing would be lost. Otherwise ask. Call `leave` on consent."""
+        """Return True if nothing would be lost. Otherwise ask the user.
+
+        `leave`: called if the user agrees.
+        """
         del leave
         return True
 
@@ -275,10 +282,10 @@ def entries_of(menus: Menus) -> list[Entry]:
 def fill_menu_bar(
     window: QMainWindow, menus: Iterable[tuple[str, Entries]], prefix: str = ""
 ) -> dict[str, QAction]:
-    """Add menus by title to a window. Return the actions by key.
+    """Add menus to a window. Return the actions by key.
 
-    Object names are `openAction`, or `editorOpenAction` with a prefix. Qt hides separators at the
-    ends of a menu, and repeated separators.
+    Object names look like `openAction`, or `editorOpenAction` with the prefix `editor`. Qt hides
+    repeated separators and separators at the ends of a menu.
     """
     actions: dict[str, QAction] = {}
     for title, entries in menus:
@@ -304,7 +311,10 @@ def fill_menu_bar(
 
 
 def _add_icons(actions: Mapping[str, QAction], entries: Entries) -> None:
-    """Add icons when a menu opens. Earlier, they would delay the window by a tenth."""
+    """Add the icons of a menu that opens.
+
+    They would take a tenth of the time in which the window is created.
+    """
     for entry in entries:
         if isinstance(entry, Entry) and entry.icon:
             set_icon(actions[entry.key], entry.icon)
@@ -313,10 +323,10 @@ def _add_icons(actions: Mapping[str, QAction], entries: Entries) -> None:
 def menu_findables(
     window: QMainWindow, pages: Collection[str], moving: Collection[str]
 ) -> Iterator[Findable]:
-    """Yield search entries for the menu. Keys in `pages` are of kind "page".
+    """Yield search entries for the menus. Entries with keys in `pages` have the kind "page".
 
-    A hit triggers its menu entry. If the entry is disabled or `moving`, a hit opens the menu at
-    the entry.
+    A hit triggers its menu entry. If the entry is disabled or its key is in `moving`, the hit
+    opens the menu at the entry.
     """
     bar = window.menuBar()
 
@@ -327,11 +337,11 @@ def menu_findables(
             bar.setActiveAction(menu.menuAction())
             menu.setActiveAction(action)
 
-    for menu in [menu for each in bar.actions() if isinstance(menu := each.menu(), QMenu)]:
+    for menu in [menu for title in bar.actions() if isinstance(menu := title.menu(), QMenu)]:
         for action in menu.actions():
             key, keys = action.objectName().removesuffix("Action"), action.shortcut()
             if key and action.isVisible():
-                title, place = (each.replace("&", "") for each in (action.text(), menu.title()))
+                title, place = (name.replace("&", "") for name in (action.text(), menu.title()))
                 kind: Kind = "page" if key in pages else "action"
                 text = keys.toString(QKeySequence.SequenceFormat.NativeText)
                 yield Findable(kind, key, title, place, text, partial(show, menu, action, key))
