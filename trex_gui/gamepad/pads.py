@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 _HINTS = {
     "PYGAME_HIDE_SUPPORT_PROMPT": "1",
-    "SDL_VIDEODRIVER": "dummy",  # SDL's events need video, but it must not use the display
+    "SDL_VIDEODRIVER": "dummy",  # SDL's events need a video driver, which must not use the display
     "SDL_AUDIODRIVER": "dummy",
     "SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS": "1",  # no SDL window has the focus
     "SDL_NO_SIGNAL_HANDLERS": "1",  # SDL would swallow SIGTERM
@@ -30,13 +30,13 @@ class GamepadUnavailable(Exception):  # noqa: N818 - like PortUnavailable
 
 @dataclass(frozen=True, slots=True)
 class Pad:
-    """Gamepad from its connection to its disconnection."""
+    """Connected gamepad."""
 
     ident: int  # number of the connection; a reconnected gamepad gets another number
     guid: str  # SDL's identifier of the model
     name: str
-    axes: int  # count
-    buttons: int  # count
+    axes: int  # number of axes
+    buttons: int  # number of buttons
     # SDL's names of axes and buttons, if SDL knows the model: `{"lefty": "a1", "b": "b1"}`.
     parts: Mapping[str, str] = field(default_factory=dict, compare=False)
 
@@ -54,7 +54,7 @@ class Pad:
 
 @dataclass(frozen=True, slots=True)
 class PadState:
-    """State of a gamepad: axes from -1 to 1 (down and right are positive)."""
+    """State of a gamepad. Axes: -1 to 1, positive down and to the right."""
 
     axes: tuple[float, ...]
     buttons: tuple[bool, ...]
@@ -69,7 +69,7 @@ class PadState:
 
 
 class SdlPads:
-    """Gamepads of this computer. Only one instance, because SDL's state is global.
+    """Gamepads of this computer. Create only one instance, because SDL's state is global.
 
     Call all methods from one thread. They do not block.
     """
@@ -115,17 +115,17 @@ class SdlPads:
         return tuple(pad for pad, _ in self._open.values())
 
     def read(self, pad: Pad) -> PadState | None:
-        """Return the state at the last `pads`. `None` if the gamepad is gone."""
-        found = self._open.get(pad.ident)
-        if found is None or self._pygame is None:
+        """Return the state at the last call of `pads`. `None` if the gamepad is disconnected."""
+        entry = self._open.get(pad.ident)
+        if entry is None or self._pygame is None:
             return None
-        joystick = found[1]
+        joystick = entry[1]
         try:
             return PadState(
                 tuple(joystick.get_axis(number) for number in range(pad.axes)),
                 tuple(bool(joystick.get_button(number)) for number in range(pad.buttons)),
             )
-        except self._pygame.error:  # the gamepad is gone
+        except self._pygame.error:  # the gamepad is disconnected
             del self._open[pad.ident]
             return None
 
@@ -137,7 +137,7 @@ class SdlPads:
             self._pygame = None
 
     def _add(self, pygame: ModuleType, index: int) -> None:
-        with contextlib.suppress(pygame.error):  # already gone, or unreadable
+        with contextlib.suppress(pygame.error):  # the gamepad is already disconnected or unreadable
             joystick = pygame.joystick.Joystick(index)
             pad = Pad(
                 joystick.get_instance_id(),

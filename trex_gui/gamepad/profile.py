@@ -9,7 +9,7 @@ from trex_gui.gamepad.pads import Pad, PadState
 
 WIDEST_DEAD_ZONE = 0.5
 REST = 0.05
-"""Deflection (0 to 1) that counts as at rest even with a smaller dead zone.
+"""Deflection (0 to 1) up to which a stick is at rest, even with a smaller dead zone.
 
 Inferred: sticks settle within a few hundredths of their previous position.
 """
@@ -21,21 +21,21 @@ def shape(value: float, dead_zone: float, expo: float) -> float:
     The command is 0 within `dead_zone` (0 to `WIDEST_DEAD_ZONE`) and grows from 0 at its edge.
     `expo`: 0 (linear) to 1 (cubic, finer in the middle).
     """
-    reach = min(1.0, abs(value))
-    if reach <= dead_zone:
+    deflection = min(1.0, abs(value))
+    if deflection <= dead_zone:
         return 0.0
-    reach = (reach - dead_zone) / (1.0 - dead_zone)
-    return math.copysign((1.0 - expo) * reach + expo * reach**3, value)
+    deflection = (deflection - dead_zone) / (1.0 - dead_zone)
+    return math.copysign((1.0 - expo) * deflection + expo * deflection**3, value)
 
 
 class Style(Enum):
-    MIXED = "mixed"  # one axis drives forward, the other turns
+    MIXED = "mixed"  # one axis drives forward, the other axis turns
     TANK = "tank"  # each axis drives a motor; `first` drives the left motor, motor 1
 
 
 @dataclass(frozen=True, slots=True)
 class Axis:
-    """Axis and its direction. Inverted if the hardware counts forward as negative."""
+    """Number and direction of an axis. Inverted if the hardware reports forward as negative."""
 
     number: int
     inverted: bool = False
@@ -46,8 +46,8 @@ class GamepadProfile:
     """Functions of the axes and buttons of a gamepad.
 
     Attributes:
-        first: forward, or the left motor.
-        second: turn (positive to the right), or the right motor.
+        first: axis for forward, or for the left motor.
+        second: axis for turning (positive to the right), or for the right motor.
         dead_zone: 0 to `WIDEST_DEAD_ZONE`. The default is inferred: worn sticks come to rest up to
             a tenth off their centre.
         expo: 0 (linear) to 1 (cubic).
@@ -56,7 +56,7 @@ class GamepadProfile:
     """
 
     style: Style = Style.MIXED
-    first: Axis = Axis(1, inverted=True)  # left stick, up, on every pad that SDL knows
+    first: Axis = Axis(1, inverted=True)  # left stick, vertical, on every pad that SDL knows
     second: Axis = Axis(0)
     dead_zone: float = 0.15
     expo: float = 0.3
@@ -74,9 +74,11 @@ class GamepadProfile:
 
 
 def default_profile(pad: Pad) -> GamepadProfile:
-    """Return a profile with the left stick, left shoulder (hold) and right face button (stop).
+    """Return the default profile for a pad.
 
-    For a pad that SDL does not know, use the default numbers. With too few buttons, hold the last.
+    It uses the left stick, the left shoulder button (hold) and the right face button (stop). A pad
+    that SDL does not know gets the default numbers. If it has too few buttons, its last button is
+    the hold button.
     """
     default = GamepadProfile()
     forward, turn = (pad.part_number("a", part) for part in ("lefty", "leftx"))
@@ -96,48 +98,48 @@ def default_profile(pad: Pad) -> GamepadProfile:
 def read_profile(text: str) -> GamepadProfile | None:
     """Parse the result of `GamepadProfile.to_text`. `None` for invalid text."""
     try:
-        found = json.loads(text)
+        values = json.loads(text)
         return GamepadProfile(
-            style=Style(found["style"]),
-            first=_axis(found["first"]),
-            second=_axis(found["second"]),
-            dead_zone=_part(found["dead_zone"], WIDEST_DEAD_ZONE),
-            expo=_part(found["expo"], 1.0),
-            hold=_button(found["hold"]),
-            stop=_button(found["stop"]),
+            style=Style(values["style"]),
+            first=_axis(values["first"]),
+            second=_axis(values["second"]),
+            dead_zone=_number(values["dead_zone"], WIDEST_DEAD_ZONE),
+            expo=_number(values["expo"], 1.0),
+            hold=_button(values["hold"]),
+            stop=_button(values["stop"]),
         )
     except (ValueError, TypeError, KeyError, RecursionError):
         return None
 
 
-def _axis(found: object) -> Axis:
-    match found:
+def _axis(value: object) -> Axis:
+    match value:
         case [number, bool(inverted)] if type(number) is int and number >= 0:
             return Axis(number, inverted)
-    raise ValueError(found)
+    raise ValueError(value)
 
 
-def _button(found: object) -> int | None:
-    if found is None or (type(found) is int and found >= 0):
-        return found
-    raise ValueError(found)
+def _button(value: object) -> int | None:
+    if value is None or (type(value) is int and value >= 0):
+        return value
+    raise ValueError(value)
 
 
-def _part(found: object, most: float) -> float:
-    if type(found) is bool:
-        raise ValueError(found)
-    if isinstance(found, int | float) and 0 <= found <= most:
-        return float(found)
-    raise ValueError(found)
+def _number(value: object, maximum: float) -> float:
+    if type(value) is bool:
+        raise ValueError(value)
+    if isinstance(value, int | float) and 0 <= value <= maximum:
+        return float(value)
+    raise ValueError(value)
 
 
 class Waits(Enum):
-    """Condition that a gamepad has to meet before it drives."""
+    """Condition that must be met before a gamepad drives."""
 
-    REST = auto()  # each stick has to be at rest once
-    RELEASE = auto()  # the hold button has to be released first
-    HOLD = auto()  # the hold button has to be held
-    MOVE = auto()  # without a hold button, a stick has to leave its middle
+    REST = auto()  # each stick must be at rest once
+    RELEASE = auto()  # the hold button must first be released
+    HOLD = auto()  # the hold button must be held
+    MOVE = auto()  # without a hold button, a stick must leave its centre
     NOTHING = auto()  # the gamepad drives
 
 
@@ -157,10 +159,10 @@ class PilotRequest:
 
 
 class Pilot:
-    """Computes the setpoints of a gamepad by its profile.
+    """Computes the setpoints of a gamepad from its state and its profile.
 
     Some gamepads report random values until a stick is touched. Therefore both axes must be at rest
-    once before they count, and the hold button must be pressed after `reset`.
+    once before they count. The hold button must be pressed after `reset`.
     """
 
     def __init__(self, profile: GamepadProfile) -> None:

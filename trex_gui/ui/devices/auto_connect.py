@@ -1,4 +1,4 @@
-"""Automatic connection to known boards and unplugged adapters."""
+"""Automatic connection to known boards and to adapters that return."""
 
 from collections import deque
 from collections.abc import Sequence
@@ -19,8 +19,8 @@ from trex_gui.ui.runtime import new_timer
 _KEY = "connection/automatic"
 
 _SETTLE_MS = 700
-"""Delay from the appearance of a port until the program opens it. The system lists a port before
-it grants access, and may list the port of an unplugged adapter for a moment."""
+"""Delay before the program opens a port that has appeared. The system lists a port before it grants
+access, and may list the port of an unplugged adapter for a moment."""
 
 
 def connects_automatically() -> bool:
@@ -34,14 +34,14 @@ def set_automatic(enabled: bool) -> None:
 class AutoConnect(QObject):
     """Connects automatically, unless the user has disabled it.
 
-    - At the start, and when adapters are plugged in: connects if a device was found there before
-      and only one device replies. The port used last is probed first. Each port is probed once,
-      only at the settings at which a device was found. A visible problem prevents this, and so
-      does *Disconnect* until the user connects again.
-    - When an adapter returns that was missing or whose line was lost, even if its name has
-      changed. Another adapter with the old name is not used.
+    - At the start and when adapters are plugged in: connects if a device was found there before
+      and only one device replies. The last used port is probed first. Each port is probed once,
+      only with the settings of the device found there. A visible problem prevents the connection.
+      So does *Disconnect*, until the user connects again.
+    - When an adapter returns that was missing or whose line was lost: connects even if the name of
+      its port has changed. Another adapter with the old name is not used.
 
-    Ports that another program has open are skipped. Motors stay disarmed.
+    Ports that another program has open are skipped. The motors remain disarmed.
     """
 
     def __init__(
@@ -61,12 +61,12 @@ class AutoConnect(QObject):
         self._is_probing = False
         self._tried: Port | None = None  # port of the last connection attempt
         self._missing: Port | None = None  # connect to this port when it is plugged in
-        self._may_be_stale = False  # the system may list the missing port although it is gone
+        self._may_be_stale = False  # the system may still list the missing port
         self._notice = ""  # message for the next connection
         self._timer = new_timer(self, _SETTLE_MS, self._on_settled, single_shot=True)
 
     def start(self, *, at_once: bool = True) -> None:
-        """Start. `at_once`: treat present adapters as newly plugged in."""
+        """Start watching. `at_once`: treat present adapters as newly plugged in."""
         self._ports.changed.connect(self._on_ports_changed)
         self._manager.changed.connect(self._on_link_changed)
         self._scanner.finished.connect(self._on_scan_finished)
@@ -75,7 +75,7 @@ class AutoConnect(QObject):
         if not at_once:
             return
         last = self._ports.last_used
-        # A typed address may lead elsewhere now: a pseudo-terminal to a shell.
+        # A typed address may now lead elsewhere, for example a pseudo-terminal to a shell.
         first = [last] if last is not None and last.kind is PortKind.SERIAL else []
         self._start_probing(first, [port for port in _adapters(self._present) if port != last])
 
@@ -87,7 +87,7 @@ class AutoConnect(QObject):
         if current.link is ConnectionState.CONNECTED:
             self._missing, self._may_be_stale = None, False
             if self._notice:
-                # Later than the messages of the device, which take precedence.
+                # After the messages of the device, which take precedence.
                 QTimer.singleShot(0, self._show_notice)
 
     @Slot()
@@ -116,7 +116,7 @@ class AutoConnect(QObject):
         return found if found is not None and found.kind is PortKind.SERIAL else None
 
     def _reconnect(self) -> bool:
-        """Connect to the missing port if it is back. Return whether it is."""
+        """Connect to the missing port if it has returned. Return whether this connects."""
         found, missing = self._find_missing(), self._missing
         if found is None or missing is None or self._may_be_stale:
             return False

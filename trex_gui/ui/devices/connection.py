@@ -30,14 +30,14 @@ class ConnectionState(Enum):
 
 
 class DeviceConnection(SessionThread, Generic[SettingsT]):
-    """Base class of connections. A device adds its session and handles the reports.
+    """Base class of connections. A subclass adds its session and handles the reports.
 
     `line_closed` precedes the change of `link`. `failed` follows `changed`.
     """
 
     changed = Signal()  # `link` or `status`
-    # Data of the device is no longer valid. `Closed`, or `None` if the session does not end in time
-    # at the end of the program.
+    # The data of the device is no longer valid. Emits `Closed`, or `None` if the program ends and
+    # the session does not end in time.
     line_closed = Signal(object)
     interfered = Signal(str, object)  # sentence about another program at the port, `Remedies`
     failed = Signal(object)  # the `StudioError` that closed the line
@@ -85,7 +85,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
     # --- For each device ----------------------------------------------------------------
 
     def new_session(self, settings: SettingsT, *, may_move: bool) -> SessionFactory:
-        """Reset the data of the last session. Return the function that creates the next."""
+        """Reset the data of the last session. Return a function that creates the next session."""
         raise NotImplementedError
 
     def prepare_to_close(self) -> None:
@@ -118,10 +118,10 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
 
     @Slot(object)
     def _on_closed(self, last: Closed) -> None:
-        following, self._next = self._next, None
+        next_settings, self._next = self._next, None
         self.line_closed.emit(last)
-        if following is not None:
-            self.open(following, may_move=last.may_move)
+        if next_settings is not None:
+            self.open(next_settings, may_move=last.may_move)
             return
         self._set_state(ConnectionState.DISCONNECTED, tr("Not connected."))
         if last.error is not None:

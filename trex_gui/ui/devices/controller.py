@@ -19,7 +19,7 @@ SettingsT_contra = TypeVar("SettingsT_contra", bound=PortSettings, contravariant
 
 
 class DeviceModel(Protocol[SettingsT_contra]):
-    """Model of a device for its controller. See `DeviceConnection`."""
+    """Model of a device as seen by its controller. See `DeviceConnection`."""
 
     notifier: Notifier
 
@@ -49,9 +49,9 @@ class QualityReport:
 class DeviceController(QObject, Generic[SettingsT]):
     has_line_settings = False  # True if the user can change the line settings
 
-    changed = Signal()  # any property
+    changed = Signal()  # any property may have changed
     progressed = Signal(int, int, str)  # completed steps, total steps, next step
-    stop_reported = Signal(str)  # sentences about the progress of a `stop_because`
+    stop_reported = Signal(str)  # sentences about the progress of a stop
 
     def __init__(
         self,
@@ -66,7 +66,7 @@ class DeviceController(QObject, Generic[SettingsT]):
         self._model = model
         self.ports = ports
         self._scanner = scanner
-        # Settings of the next connection, without the address of a port.
+        # Settings of the next connection, without a port address.
         self.settings = self._demo_settings = default
         self.port: Port | None = None  # connected or connecting
         self._chosen: Port | None = None
@@ -96,14 +96,14 @@ class DeviceController(QObject, Generic[SettingsT]):
         return self.settings.short
 
     def select(self, port: Port) -> None:
-        """Select a port. Use the settings of a device found at a newly selected port."""
+        """Select a port. Use the settings of a device found at a new port."""
         if self._chosen is None or not self._chosen.is_same(port):
             self._chosen = port
             if port.settings:
                 self.set_packed(port.settings)
 
     def connect_to(self, port: Port) -> None:
-        """Connect to a port, after closing an open line and ending a scan of the port."""
+        """Connect to a port. First close an open line and end a scan of the port."""
         self.select(port)
         if self._scanner.is_searching(port):
             self._after_scan = port
@@ -137,7 +137,7 @@ class DeviceController(QObject, Generic[SettingsT]):
         self._model.disconnect_line()
 
     def shut_down(self) -> bool:
-        """Close the line and end the simulator. Return False if the line closed too late."""
+        """Close the line and end the simulator. Return False if the line does not close in time."""
         self.start_shutdown()
         in_time = self._model.shut_down()
         self.simulator.stop()
@@ -194,7 +194,7 @@ class DeviceController(QObject, Generic[SettingsT]):
     # --- For each device ----------------------------------------------------------------
 
     def set_packed(self, settings: str) -> None:
-        """Use packed settings at which a device was found. Does nothing by default."""
+        """Use the packed settings of a device that was found. Does nothing by default."""
 
     @property
     def quality(self) -> QualityReport:
@@ -202,7 +202,7 @@ class DeviceController(QObject, Generic[SettingsT]):
 
     @property
     def is_busy(self) -> bool:
-        """True if disconnecting now would interrupt writing."""
+        """True if disconnecting now would interrupt a write."""
         return False
 
     @property
@@ -212,7 +212,7 @@ class DeviceController(QObject, Generic[SettingsT]):
 
     @property
     def may_move(self) -> bool:
-        """True if motors were driven without a confirmed stop afterwards."""
+        """True if motors were driven and no stop has been confirmed since."""
         return False
 
     @property
@@ -222,7 +222,7 @@ class DeviceController(QObject, Generic[SettingsT]):
 
     @property
     def needs_stop(self) -> bool:
-        """True if Esc must stop the device even if it closes a dialog or menu."""
+        """True if Esc must stop the device even when it closes a dialog or menu."""
         return self.link is not ConnectionState.DISCONNECTED
 
     def press_stop(self) -> None:
@@ -232,10 +232,10 @@ class DeviceController(QObject, Generic[SettingsT]):
         """Stop because of an event.
 
         `reason`: clause without a period, such as "The screen was locked". Return sentences about
-        the stop that begin with the reason. The text is empty if there is nothing to stop.
+        the stop that begin with the reason. Return an empty text if there is nothing to stop.
         """
         raise NotImplementedError
 
     def stop_now(self, *, ending: bool = False) -> None:
-        """Stop, from any thread, without waiting. `ending`: also close the port."""
+        """Stop without waiting. Can be called from any thread. `ending`: also close the port."""
         raise NotImplementedError

@@ -29,13 +29,13 @@ from trex_gui.ui.widgets.sliders import StickSlider
 _NAME, _SLIDER, _VALUE, _TICK = range(4)
 
 _EXTRA_WIDTH = 34  # pixels, partly for a scroll bar
-_NOISE_STEPS = 10  # slider positions per cent
-_MAX_NOISE = 5  # per cent of the bytes; with more the line is unusable
+_NOISE_STEPS = 10  # slider positions per percent
+_MAX_NOISE = 5  # percent of the bytes; more noise makes the line unusable
 
 
 @dataclass(frozen=True, slots=True)
 class Columns:
-    """Longest text of each column. Aligns the groups of a panel."""
+    """Longest text of each column, which aligns the groups of a panel."""
 
     name: str = ""
     value: str = ""
@@ -45,7 +45,7 @@ class Columns:
 class Rows(ui.Card, Generic[SnapshotT]):
     def __init__(self, title: str, columns: Columns, parent: QWidget | None = None) -> None:
         super().__init__(title, parent)
-        self.controls: list[QWidget] = []  # in the order of the Tab key
+        self.controls: list[QWidget] = []  # in Tab order
         self._updates: list[Callable[[SnapshotT], object]] = []
         self._row = 0
         self._grid = ui.grid(self, margins=(4, 4, 2, 6), spacing=(3, 5), stretch=[(_SLIDER, 1)])
@@ -102,7 +102,7 @@ class Rows(ui.Card, Generic[SnapshotT]):
     def add_note(
         self, name: str, lines: int, read: Callable[[SnapshotT], tuple[str, bool]]
     ) -> None:
-        """Add a note across all columns. `read` returns its text, and True for an alarm."""
+        """Add a note across all columns. `read` returns its text and True for an alarm."""
         note = ui.named(Note(lines, self), name)
 
         def update(snapshot: SnapshotT) -> None:
@@ -125,7 +125,7 @@ class Rows(ui.Card, Generic[SnapshotT]):
         """Add a row. Return the label with the name."""
         row_number = self._next()
         label = ui.label(self, text=name, buddy=slider)
-        label.setTextFormat(Qt.TextFormat.AutoText)  # a number in `name` is bold by markup
+        label.setTextFormat(Qt.TextFormat.AutoText)  # markup in `name` may set a number in bold
         if isinstance(slider, StickSlider):
             slider.value_label = value
         value.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
@@ -162,36 +162,40 @@ def add_cable(
 ) -> None:
     """Add controls that disturb the cable.
 
-    `prefix`: start of object names. `mute` and `noise`: tool tips. `faults`: texts and values for
-    `cause`. `choice` and `once`: object name, text and tool tip of the fault list and its button.
+    `prefix`: prefix of object names. `mute`, `noise`: tool tips. `faults`: texts and values for
+    `cause`. `choice`, `once`: object name, text and tool tip of the fault list and its button.
     `before`: widgets on the left, with their stretch.
     """
-    lost = rows.check_box(
-        f"{prefix}Mute", tr("Replies lost"), mute, device.set_mute, lambda seen: seen.line.mute
+    mute_box = rows.check_box(
+        f"{prefix}Mute",
+        tr("Replies lost"),
+        mute,
+        device.set_mute,
+        lambda snapshot: snapshot.line.mute,
     )
-    share = LiveLabel(f"{prefix}NoiseValue", tr("Noise on the line"), rows)
+    noise_label = LiveLabel(f"{prefix}NoiseValue", tr("Noise on the line"), rows)
     slider = StickSlider(0, _MAX_NOISE * _NOISE_STEPS, 0, "bar", rows)
     ui.named(slider, f"{prefix}Noise", accessible=tr("Noise on the line"), tip=noise)
     slider.positions_per_unit = _NOISE_STEPS
     slider.setPageStep(_NOISE_STEPS)
     rows.connect_slider(
         slider,
-        lambda per_cent: device.set_noise(per_cent / 100),
+        lambda percent: device.set_noise(percent / 100),
         lambda snapshot: snapshot.line.noise * 100,
-        lambda per_cent: share.setText(f"{Number(per_cent):.1f}\u00a0%"),
+        lambda percent: noise_label.setText(f"{Number(percent):.1f}\u00a0%"),
     )
     name, text, tip = choice
-    kinds = ui.combo_box(rows, name, text, items=faults, tip=tip)
+    fault_list = ui.combo_box(rows, name, text, items=faults, tip=tip)
     name, text, tip = once
     button = ui.button(rows, name, text, tip=tip)
-    button.clicked.connect(lambda: cause(str(kinds.currentData())))
+    button.clicked.connect(lambda: cause(str(fault_list.currentData())))
 
-    rows.add_wide(*before, (lost, 1))
-    rows.add_row(tr("Noise"), slider, share)
-    rows.add_wide((kinds, 1), (button, 0))
+    rows.add_wide(*before, (mute_box, 1))
+    rows.add_row(tr("Noise"), slider, noise_label)
+    rows.add_wide((fault_list, 1), (button, 0))
 
     def enable(snapshot: SnapshotT) -> None:
-        for control in (lost, slider, kinds, button):
+        for control in (mute_box, slider, fault_list, button):
             control.setEnabled(snapshot.line.plugged)
 
     rows.on_snapshot(enable)
@@ -217,7 +221,7 @@ class DemoDock(QDockWidget):
         self._make = make
         self._use = use
         self._store = Preferences()
-        self._width = self._width_before = 0
+        self._width = self._width_before = 0  # of the window when it was widened, and before
         # True if the user wants to see the dock while the device is in use.
         self.wanted = self._store.flag(key, default=True)
         # Queued: Qt sets its own icons after the signal.
@@ -318,7 +322,7 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
         self.refresh()
 
     def show_head(self, snapshot: SnapshotT | None) -> None:
-        """Update the head. `None`: the simulator does not run."""
+        """Update the header. `None`: the simulator is not running."""
         raise NotImplementedError
 
     def sizeHint(self) -> QSize:

@@ -19,27 +19,27 @@ Controller = DeviceController[Any]
 class DeviceManager(QObject):
     """Connects to a device after disconnecting the previous device."""
 
-    changed = Signal()  # any property of `current`
+    changed = Signal()  # any property of `current` may have changed
     progressed = Signal(int, int, str)  # completed steps, total steps, next step
     current_changed = Signal()  # `current` is another kind of device
     stop_reported = Signal(str)  # sentences about an automatic stop, with `stop_remedies`
 
     def __init__(
-        self, makers: Mapping[str, Callable[[], Controller]], scanner: DeviceScanner
+        self, factories: Mapping[str, Callable[[], Controller]], scanner: DeviceScanner
     ) -> None:
-        """`makers`: device key → function that creates the controller on first use."""
+        """`factories`: device key → function that creates the controller on first use."""
         super().__init__()
         self.scanner = scanner
-        self._makers = dict(makers)
+        self._factories = dict(factories)
         self._controllers: dict[str, Controller] = {}
-        self.current = self.controller(next(iter(makers)))  # of the current or last connection
+        self.current = self.controller(next(iter(factories)))  # of the current or last connection
         self._next: Callable[[], None] | None = None
-        self.user_disconnected = False  # the user has disconnected and not reconnected
+        self.user_disconnected = False  # the user has disconnected and not yet reconnected
         self.stop_remedies: Remedies = ()  # offered with `stop_reported`
 
     def controller(self, device: str) -> Controller:
         if device not in self._controllers:
-            controller = self._makers[device]()
+            controller = self._factories[device]()
             controller.changed.connect(self._on_changed)
             controller.progressed.connect(self.progressed)
             controller.stop_reported.connect(partial(self._on_stop_reported, controller))
@@ -73,7 +73,8 @@ class DeviceManager(QObject):
     def switch_to(self, device: str, then: Callable[[], object]) -> bool:
         """Make another kind of device current without connecting it. Then call `then`.
 
-        A disconnecting device delays the call. Return False if a connected device prevents it.
+        A disconnecting device delays the call. Return False if a connected device prevents the
+        switch.
         """
         controller = self.controller(device)
         if controller is self.current:
@@ -88,7 +89,7 @@ class DeviceManager(QObject):
     def _switch_to(self, controller: Controller, then: Callable[[], object]) -> None:
         self._next = None
         if controller is not self.current:
-            # Even if idle: the controller may wait for the end of a scan.
+            # Even if idle, because the controller may be waiting for the end of a scan.
             self.current.disconnect_device()
             if not self.is_idle:
                 self._next = lambda: self._switch_to(controller, then)
@@ -120,8 +121,8 @@ class DeviceManager(QObject):
     def stop_because(self, reason: str, remedies: Remedies = ()) -> None:
         """Stop every device because of an event.
 
-        `stop_reported` emits the texts of all devices, the current device first. Without any text
-        it emits the reason if there are `remedies`.
+        `stop_reported` emits the texts of all devices, the current device first. If there is no
+        text but there are `remedies`, it emits the reason.
         """
         self.stop_remedies = remedies
         texts = {
@@ -157,19 +158,19 @@ class DeviceManager(QObject):
         return any(controller.needs_stop for controller in self._controllers.values())
 
     def stop_now(self, *, ending: bool = False) -> None:
-        """Stop every device, from any thread. `ending`: also close the ports."""
+        """Stop every device. Can be called from any thread. `ending`: also close the ports."""
         for controller in self._controllers.values():
             controller.stop_now(ending=ending)
 
     def shut_down(self) -> bool:
-        """Close all lines at once and end a scan. Return whether all ended in time."""
+        """Close all lines at once and end a scan. Return whether everything ended in time."""
         self._next = None
         for controller in self._controllers.values():
             controller.start_shutdown()
         self.scanner.cancel()
-        ends = [controller.shut_down() for controller in self._controllers.values()]
-        ends.append(self.scanner.shut_down())
-        return all(ends)
+        in_time = [controller.shut_down() for controller in self._controllers.values()]
+        in_time.append(self.scanner.shut_down())
+        return all(in_time)
 
     @Slot()
     def _on_changed(self) -> None:

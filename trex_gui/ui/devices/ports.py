@@ -16,9 +16,9 @@ from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
 
 _INTERVAL_MS = 1500
-_MOST_TYPED = 8
-_MOST_KNOWN = 20  # saved ports and adapters
-_REMEMBERED = "ports/typed"
+_MAX_TYPED = 8
+_MAX_KNOWN = 20  # saved ports and adapters
+_TYPED = "ports/typed"
 _KNOWN = "ports/known"
 
 
@@ -37,10 +37,10 @@ class Port:
     label: str
     device: str  # key of the kind of device at the port
     adapter: Adapter | None = None
-    settings: str = field(default="", compare=False)  # packed, at which a device was found
+    settings: str = field(default="", compare=False)  # packed settings of the device found there
 
     def is_same(self, other: "Port") -> bool:
-        """Return whether both are one port, even if its name or device has changed."""
+        """Return whether both are the same port. Its name or device may have changed."""
         if self.adapter is not None and other.adapter is not None:
             return self.adapter.is_same(other.adapter)
         if PortKind.DEMO in {self.kind, other.kind}:
@@ -53,8 +53,8 @@ class Ports(QObject):
 
     Order: serial ports of this computer, typed addresses, boards served over the network, and a
     simulated device of each kind. Pseudo-terminals and network ports have to be typed, because
-    systems do not list them. A port leads to the first kind of device by default. A kind that was
-    found there or selected is saved with the adapter and the settings.
+    systems do not list them. By default, a port leads to the first kind of device. A kind that was
+    found or selected at a port is saved with the adapter and the settings.
     """
 
     changed = Signal()  # `entries`
@@ -63,12 +63,12 @@ class Ports(QObject):
         super().__init__()
         self.plugins = tuple(plugins)
         self._store = Preferences()
-        self._typed = tuple(self._store.text(_REMEMBERED).splitlines()[-_MOST_TYPED:])
-        lines = map(_read, self._store.text(_KNOWN).split("\n")[-_MOST_KNOWN:])
+        self._typed = tuple(self._store.text(_TYPED).splitlines()[-_MAX_TYPED:])
+        lines = map(_read, self._store.text(_KNOWN).split("\n")[-_MAX_KNOWN:])
         kinds = {plugin.key for plugin in self.plugins}
-        # Ports that were used or selected, the newest last.
+        # Ports that were used or selected, newest last.
         self._known = [port for port in lines if port is not None and port.device in kinds]
-        self._served: dict[str, str] = {}  # labels of boards on the network, by URL
+        self._served: dict[str, str] = {}  # URL → label of a board on the network
         self.entries: tuple[Port, ...] = ()
         self._timer = new_timer(self, _INTERVAL_MS, self.refresh)
         self.refresh()
@@ -81,7 +81,7 @@ class Ports(QObject):
 
     @property
     def preferred(self) -> Port | None:
-        """Port used last, else the only USB adapter or the only port."""
+        """Last used port, otherwise the only USB adapter or the only serial port."""
         serial = [port for port in self.entries if port.kind is PortKind.SERIAL]
         adapters = [port for port in serial if port.adapter is not None]
         only = next((ports[0] for ports in (adapters, serial) if len(ports) == 1), None)
@@ -89,14 +89,15 @@ class Ports(QObject):
 
     @property
     def last_used(self) -> Port | None:
-        """Port at which a device was found last. `None` if it is not listed."""
+        """Port at which a device was last found. `None` if it is not listed."""
         newest = next((known for known in reversed(self._known) if known.settings), None)
         return self.now(newest) if newest is not None else None
 
     def now(self, port: Port) -> Port | None:
-        """Return the current entry of a port, which may have another name. `None` if missing.
+        """Return the current entry of a port. `None` if it is missing.
 
-        If several adapters share a serial number, return the adapter in the old USB socket.
+        The port may have another name now. If several adapters share a serial number, return the
+        adapter in the old USB socket.
         """
         entries = [entry for entry in self.entries if entry.is_same(port)]
         if len(entries) > 1:
@@ -125,14 +126,14 @@ class Ports(QObject):
             self.changed.emit()
 
     def add_typed(self, url: str) -> Port:
-        """Save a typed address. Return its entry, or the listed port that a link leads to."""
+        """Save a typed address. Return its entry, or the listed port behind a symbolic link."""
         url = url.strip()
         linked = self.find(os.path.realpath(url)) if Path(url).is_symlink() else None
         if linked is not None and linked.kind is PortKind.SERIAL:
             return linked
         if url not in self._typed and all(port.url != url for port in self.entries):
-            self._typed = (*self._typed, url)[-_MOST_TYPED:]
-            self._store.set(_REMEMBERED, "\n".join(self._typed))
+            self._typed = (*self._typed, url)[-_MAX_TYPED:]
+            self._store.set(_TYPED, "\n".join(self._typed))
             self.refresh()
         return self.find(url) or self._entry(PortKind.TYPED, url, url)
 
@@ -144,14 +145,14 @@ class Ports(QObject):
     def lead_to(self, port: Port, device: str, settings: str = "") -> Port:
         """Save the kind of device at a port. Return its entry.
 
-        `settings`: packed. Empty if the user only selected the kind.
+        `settings`: packed settings. Empty if the user only selected the kind.
         """
         known = replace(port, device=device, settings=settings)
         is_new = bool(settings) or device != port.device
         if port.kind is PortKind.DEMO or not is_new or self._lines[-1:] == [_line(known)]:
             return self.now(port) or port
         others = [other for other in self._known if not other.is_same(port)]
-        self._known = [*others, known][-_MOST_KNOWN:]
+        self._known = [*others, known][-_MAX_KNOWN:]
         self._store.set(_KNOWN, "\n".join(self._lines))
         self.refresh()
         return self.now(port) or self._entry(port.kind, port.url, port.url, port.adapter)

@@ -43,15 +43,15 @@ class ScanWorker(WorkerThread):
         for index, job in enumerate(self._jobs):
             if self._cancelled.is_set():
                 break
-            search = job(
+            result = job(
                 progress=partial(self.stepped.emit, index),
                 cancelled=self._cancelled.is_set,
                 open_wire=self._open_wire,
             )
-            self.searched.emit(index, search)
+            self.searched.emit(index, result)
 
     def cancel(self) -> None:
-        """End after the current probe: within half a second, or longer over a network."""
+        """End after the current probe. This takes up to half a second, or longer over a network."""
         self._cancelled.set()
 
     def close(self, timeout_ms: int = 1000) -> bool:
@@ -71,11 +71,11 @@ class ScanFinding:
 
 
 class DeviceScanner(QObject):
-    """Scans ports one after the other. No probe moves a motor of a supported device."""
+    """Scans ports one after another. No probe moves a motor of a supported device."""
 
     changed = Signal()  # `running`, `findings` or `summary`
     progressed = Signal()  # `done`, `total` or `text`
-    finished = Signal()  # end of a scan; the ports are free again
+    finished = Signal()  # the scan has ended and its ports are free
     simulators_changed = Signal()  # `can_search` of a simulated device
 
     def __init__(
@@ -87,7 +87,7 @@ class DeviceScanner(QObject):
         self._timeouts = timeouts or Timeouts()
         self._simulators: dict[str, Simulator] = {}
         self.logs: list[TrafficLog] = []  # record every byte of the scans
-        self.line = ("", "")  # kind and packed settings of the next connection
+        self.line = ("", "")  # kind of device and packed settings of the next connection
         self._worker: ScanWorker | None = None
         self._ports: tuple[Port, ...] = ()
         self.findings: tuple[ScanFinding, ...] = ()  # so far, in the order of the ports
@@ -122,7 +122,7 @@ class DeviceScanner(QObject):
     def start(
         self, ports: Sequence[Port], *, full: bool = False, only_recall: bool = False
     ) -> None:
-        """Scan ports. `only_recall`: only at settings at which a device was found before."""
+        """Scan ports. `only_recall`: use only settings with which a device was found before."""
         if self._worker is not None or not ports:
             return
         self._ports = tuple(ports)
@@ -188,26 +188,26 @@ class DeviceScanner(QObject):
         self.total = len(self._ports) * step.total
         self.done = index * step.total + step.done
         if not self.was_cancelled:
-            what = step.kind
+            target = step.kind
             if step.number is not None:
-                what = tr("{0} with device number {1}").format(what, step.number)
+                target = tr("{0} with device number {1}").format(target, step.number)
             text = tr("Looking for {0} at {1} on {2} …")
-            self.text = text.format(what, step.line.short, _name(self._ports[index]))
+            self.text = text.format(target, step.line.short, _name(self._ports[index]))
         self.progressed.emit()
 
     @Slot(int, object)
-    def _on_searched(self, index: int, search: PortScan) -> None:
+    def _on_searched(self, index: int, result: PortScan) -> None:
         port = self._ports[index]
         self._searched = index + 1
-        if search.found:
+        if result.found:
             self.findings += tuple(
-                ScanFinding(port, self._sentence(found), found, search.device)
-                for found in search.found
+                ScanFinding(port, self._sentence(found), found, result.device)
+                for found in result.found
             )
-        elif not search.cancelled and not self._only_recall:
-            command = search.error.command if isinstance(search.error, PortUnavailable) else ""
+        elif not result.cancelled and not self._only_recall:
+            command = result.error.command if isinstance(result.error, PortUnavailable) else ""
             text = tr("No reply on {0}. Other devices share the line: nothing else was tried.")
-            lines = search.lines or [text.format(_name(port))]
+            lines = result.lines or [text.format(_name(port))]
             self.findings += (ScanFinding(port, "\n\n".join(lines), command=command),)
         self.changed.emit()
 

@@ -12,7 +12,7 @@ from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.translation import tr
 from trex_gui.ui.runtime import new_timer, runtime
 
-SIMULATOR_ARGUMENT = "--simulator"  # makes the program run the simulator, not the window
+SIMULATOR_ARGUMENT = "--simulator"  # makes the program run the simulator instead of the window
 
 _POLL_INTERVAL_MS = 125
 _STOP_TIMEOUT_MS = 1000
@@ -25,11 +25,11 @@ def simulator_command() -> tuple[str, list[str]]:
 
 
 class Simulator(QObject):
-    """Process of a simulated device. It runs across connections."""
+    """Process of a simulated device. It keeps running between connections."""
 
     ready = Signal(str)  # address for the connection
     failed = Signal(str)  # reason for a failed start
-    ended = Signal()  # the process has exited; pending replies never come
+    ended = Signal()  # the process has exited; pending replies will not arrive
 
     def __init__(self, plugin: DevicePlugin, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -38,7 +38,7 @@ class Simulator(QObject):
         self.url = ""  # empty if not running; changes whenever the cable is plugged in
         self.plugged = True  # state of the simulated cable
         self._ending = False
-        self._awaited: deque[Callable[[str], None] | None] = deque()
+        self._reply_handlers: deque[Callable[[str], None] | None] = deque()
         self._process = runtime().process(self)
         self._process.setProcessChannelMode(QProcess.ProcessChannelMode.SeparateChannels)
         self._process.readyReadStandardOutput.connect(self._on_output)
@@ -56,10 +56,10 @@ class Simulator(QObject):
     def send(self, line: str, then: Callable[[str], None] | None = None) -> None:
         """Send a control line, such as `channel 1 1500us`.
 
-        `then` receives the reply, `ok ...` or `error ...`. Replies come in the order of the lines.
+        `then` receives the reply, `ok ...` or `error ...`. Replies arrive in line order.
         """
         if self.url:
-            self._awaited.append(then)
+            self._reply_handlers.append(then)
             self._process.write(f"{line}\n".encode())
 
     def stop(self) -> None:
@@ -89,7 +89,7 @@ class Simulator(QObject):
                 self.plugged = False
             case ["ok", "plugged", url]:
                 self.plugged, self.url = True, url
-        if self._awaited and (then := self._awaited.popleft()):
+        if self._reply_handlers and (then := self._reply_handlers.popleft()):
             then(reply)
 
     @Slot(QProcess.ProcessError)
@@ -100,7 +100,7 @@ class Simulator(QObject):
     @Slot()
     def _on_finished(self) -> None:
         was_running, self.url = bool(self.url), ""
-        self._awaited.clear()
+        self._reply_handlers.clear()
         self.ended.emit()
         if not was_running and not self._ending:
             output = bytes(self._process.readAllStandardError().data()).decode(errors="replace")
@@ -110,7 +110,7 @@ class Simulator(QObject):
 
 @dataclass(frozen=True, slots=True)
 class DemoLine:
-    """Simulated line to this computer."""
+    """State of the simulated line to this computer."""
 
     plugged: bool
     mute: bool
@@ -128,11 +128,11 @@ SnapshotT = TypeVar("SnapshotT", bound=DeviceSnapshot)
 
 
 class DemoDevice(QObject, Generic[SnapshotT]):
-    """Operates a simulated device by control lines, and polls its state.
+    """Controls a simulated device and polls its state.
 
     Polls only while watched and while the simulator runs. A slider may move faster than the
-    simulator replies. Therefore only one control line of each key is in flight, and only the newest
-    of the following lines is sent.
+    simulator replies. Therefore only one control line per key is in flight, and only the newest of
+    the waiting lines is sent next.
     """
 
     changed = Signal()  # `snapshot`
@@ -145,10 +145,10 @@ class DemoDevice(QObject, Generic[SnapshotT]):
         super().__init__(parent)
         self._simulator = simulator
         self._read = read
-        self.snapshot: SnapshotT | None = None  # `None` unless the simulator has replied
+        self.snapshot: SnapshotT | None = None  # `None` until the simulator replies
         self._unsent: dict[str, str] = {}
         self._in_flight: set[str] = set()
-        self._sent = 0
+        self._sent = 0  # number of control lines
         self._polling = False
         self._timer = new_timer(self, _POLL_INTERVAL_MS, self._poll)
         simulator.ready.connect(self._poll)  # even if no panel watches
@@ -190,16 +190,16 @@ class DemoDevice(QObject, Generic[SnapshotT]):
     def _send_newest(self, key: str, line: str) -> None:
         """Send a control line after the previous line with this key."""
 
-        def send_following() -> None:
+        def send_waiting() -> None:
             self._in_flight.discard(key)
-            if following := self._unsent.pop(key, ""):
-                self._send_newest(key, following)
+            if waiting := self._unsent.pop(key, ""):
+                self._send_newest(key, waiting)
 
         if key in self._in_flight:
             self._unsent[key] = line
         elif self._simulator.url:
             self._in_flight.add(key)
-            self._send(line, send_following)
+            self._send(line, send_waiting)
 
     @Slot()
     def _poll(self) -> None:

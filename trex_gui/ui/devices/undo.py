@@ -1,4 +1,4 @@
-"""Undo commands for edits. Only these commands change the values that wait for Apply.
+"""Undo commands for edits. Only these commands change pending values.
 
 A change that the device reports is not an edit. A command stores the previous value. Therefore
 undoing an applied edit makes the old value a new edit.
@@ -16,11 +16,11 @@ KeyT = TypeVar("KeyT")
 ValueT = TypeVar("ValueT")
 
 
-_RUN_ID = 1  # Qt may merge commands with one id, but never with the id -1
+_RUN_ID = 1  # Qt may merge commands with equal ids, but never with the id -1
 
 
 def undo_titles(undone: str, redone: str) -> tuple[str, str]:
-    """Return the menu entries of undo and redo. `undone`, `redone`: texts of their commands."""
+    """Return the menu texts of undo and redo. `undone`, `redone`: texts of their commands."""
     return (
         tr("&Undo {0}").format(undone) if undone else tr("&Undo"),
         tr("&Redo {0}").format(redone) if redone else tr("&Redo"),
@@ -28,7 +28,7 @@ def undo_titles(undone: str, redone: str) -> tuple[str, str]:
 
 
 class Edit(QUndoCommand, Generic[KeyT, ValueT]):
-    """Command that sets a value by calling `put` with key and value.
+    """Command that sets a value. `put` receives the key and the value.
 
     Consecutive edits with the same key and `run` are one undo step.
     """
