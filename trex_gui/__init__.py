@@ -66,6 +66,6 @@ if not TYPE_CHECKING:  # hidden, so that type checkers report misspelled names
     def __getattr__(name: str) -> Any:
         """Import the library on first use, so that the window and `trexcmd` start fast."""
         for module in _MODULES if name in __all__ else ():
-            if (found := getattr(import_module(module), name, None)) is not None:
-                return found
+            if (value := getattr(import_module(module), name, None)) is not None:
+                return value
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

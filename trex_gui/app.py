@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 log = logging.getLogger(__name__)
 
-_FIRST_PAINT_MS = 100  # time for the window to appear
+_FIRST_PAINT_MS = 100  # time in which the window appears
 
 
 def _seconds(text: str) -> float:
@@ -96,9 +96,9 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
 def complete(
     program: "Program", collector: "GuiThreadCollector", *, has_crashed: bool = False
 ) -> None:
-    """Load parts that are not visible at first.
+    """Load the parts that are not visible at first.
 
-    This blocks the thread for half a second. It must be done before the user can arm a motor.
+    This blocks the thread for half a second. Call this before the user can arm a motor.
     """
     program.complete()
     program.create_plots()
@@ -107,7 +107,7 @@ def complete(
 
 
 def start(program: "Program", arguments: argparse.Namespace) -> None:
-    """Schedule the actions of the command line for the event loop."""
+    """Schedule the actions that the command line requests."""
     from PySide6.QtCore import QCoreApplication, QTimer  # noqa: PLC0415
 
     if arguments.tour is not None:
@@ -126,7 +126,7 @@ def start(program: "Program", arguments: argparse.Namespace) -> None:
 
 
 def connect(program: "Program", arguments: argparse.Namespace) -> None:
-    """Connect to the port or demo of the command line. Otherwise connect automatically."""
+    """Connect to the port or demo on the command line. Otherwise connect automatically."""
     is_named = arguments.demo or bool(arguments.port)
     program.auto_connect.start(at_once=not is_named)  # also reconnects unplugged adapters
     if arguments.demo:
@@ -137,17 +137,17 @@ def connect(program: "Program", arguments: argparse.Namespace) -> None:
 
 def main(argv: list[str] | None = None) -> int:
     """Run the window until it is closed. Return the exit code."""
-    words = sys.argv[1:] if argv is None else argv
-    if words[:1] == ["--guardian"]:
+    args = sys.argv[1:] if argv is None else argv
+    if args[:1] == ["--guardian"]:
         from trex_gui.core.guardian.process import main as run_guardian  # noqa: PLC0415
 
-        return run_guardian(words[1:])
-    if words[:1] == ["--simulator"]:
+        return run_guardian(args[1:])
+    if args[:1] == ["--simulator"]:
         from trex_gui.cli.simulator import main as run_simulator  # noqa: PLC0415
 
-        run_simulator(args=words[1:], prog_name="trex-sim")
+        run_simulator(args=args[1:], prog_name="trex-sim")
         return 0
-    arguments = _arguments(words)
+    arguments = _arguments(args)
     if any(find_spec(package) is None for package in ("PySide6", "pyqtgraph")):
         sys.exit('The window needs more packages: install "trex-gui[gui]" with pip or pipx.')
 
@@ -188,7 +188,7 @@ def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
     QApplication.setOrganizationName("TReX Studio")
     QApplication.setApplicationVersion(__version__)
     QApplication.setDesktopFileName("trex-studio")
-    # Native dialogs consume Esc, which has to stop the motors in dialogs too.
+    # Native dialogs would consume Esc, which must also stop the motors in dialogs.
     QApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
     app = QApplication(["trex-gui"])
     run_file = RunFile()  # after QApplication, which aborts without a display
@@ -201,8 +201,8 @@ def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
     supervisor = SafetySupervisor(program, app, end_log=program_log.close)
     if sys.platform == "linux":
         skip_exit_handlers()
-    later = partial(complete, program, collector, has_crashed=run_file.found_crash)
-    QTimer.singleShot(_FIRST_PAINT_MS, later)
+    load_rest = partial(complete, program, collector, has_crashed=run_file.found_crash)
+    QTimer.singleShot(_FIRST_PAINT_MS, load_rest)
     start(program, arguments)
     code = app.exec()
     # Closing the line or a recording may take seconds.
@@ -214,7 +214,7 @@ def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
     if not has_ended:
         run_file.close()
         if sys.stderr is not None:
-            sys.stderr.write("A port or a disk does not respond: a file may not be saved.\n")
+            sys.stderr.write("A port or a disk does not respond. A file may not have been saved.\n")
             sys.stderr.flush()
         log.error("a port or a disk does not respond: ended with exit code %d", code)
         program_log.close()

@@ -11,11 +11,11 @@ if TYPE_CHECKING:
     from trex_gui.ui.program import Program
 
 PLUGINS: tuple[DevicePlugin, ...] = (TREX, ARACNA)
-"""Supported kinds of devices. The first is the default of a port."""
+"""Supported kinds of devices. The first is the default for a port."""
 
 
 def build(timeouts: Timeouts | None = None) -> "Program":
-    """Create models and window, without a connection."""
+    """Create the models and the window. Does not connect to a device."""
     from trex_gui.ui.program import Program  # noqa: PLC0415 - trexcmd starts without Qt
 
     return Program(PLUGINS, timeouts)

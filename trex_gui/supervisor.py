@@ -1,4 +1,4 @@
-"""Stops every device on signals, internal errors, suspend and a locked screen."""
+"""Stop of every device on signals, internal errors, suspend and screen lock."""
 
 import atexit
 import logging
@@ -27,10 +27,10 @@ log = logging.getLogger(__name__)
 UNCONFIRMED_STOP = 1  # exit code if motors may still turn
 INTERNAL_ERROR = 1  # exit code if the interpreter ends while the event loop runs
 
-_REPEAT_S = 1.0  # an error that recurs earlier counts as caused by its own report
+_REPEAT_S = 1.0  # seconds in which a recurring error is attributed to its own report
 
 _INTERVAL_MS = 500
-_SHORTEST_SLEEP_S = 1.0  # smaller differences may come from reading two clocks in turn
+_SHORTEST_SLEEP_S = 1.0  # smaller differences may result from reading the clocks one after another
 
 
 class SafetySupervisor(QObject):
@@ -46,7 +46,7 @@ class SafetySupervisor(QObject):
         *,
         end_log: Callable[[], object] = lambda: None,
     ) -> None:
-        """`end_log` writes the rest of the log if the program ends at once."""
+        """`end_log` writes the rest of the log when the program ends at once."""
         super().__init__(parent)
         self._program = program
         self._end_log = end_log
@@ -72,7 +72,7 @@ class SafetySupervisor(QObject):
 
     def _session_events(self) -> QObject | None:
         if sys.platform == "win32":
-            from trex_gui.system.windows_events import WindowsEvents  # noqa: PLC0415 - only there
+            from trex_gui.system.windows_events import WindowsEvents  # noqa: PLC0415 - only Windows
 
             windows = WindowsEvents(self)
             windows.watch_session_of(int(self._program.window.winId()))
@@ -80,12 +80,12 @@ class SafetySupervisor(QObject):
             return windows
         manager, limit = self._program.device_manager, self._program.timeouts.sleep_delay
         if sys.platform == "darwin":
-            from trex_gui.system import mac_events  # noqa: PLC0415 - only there
+            from trex_gui.system import mac_events  # noqa: PLC0415 - only macOS
 
             try:
                 native = mac_events.NativeMac()
-            except (OSError, AttributeError, ValueError) as error:  # unexpected library
-                log.warning("a locked screen and sleep cannot be noticed: %s", error)
+            except (OSError, AttributeError, ValueError) as error:  # a library or symbol is missing
+                log.warning("screen lock and sleep cannot be detected: %s", error)
                 return None
             mac = mac_events.MacEvents(native, lambda: manager.may_move, self, timeout=limit)
             mac.leaving.connect(self._stopper.stop)
@@ -93,7 +93,7 @@ class SafetySupervisor(QObject):
         try:
             from trex_gui.system import login_session  # noqa: PLC0415 - needs D-Bus
         except ImportError as error:  # the D-Bus library is missing
-            log.info("a locked screen cannot be noticed: %s", error)
+            log.info("screen lock cannot be detected: %s", error)
             return None
         events = login_session.SessionEvents(parent=self)
         events.leaving.connect(self._stopper.stop)
@@ -140,7 +140,7 @@ class SafetySupervisor(QObject):
     def _on_error(self, reason: str) -> None:
         """Report an internal error, even if there was nothing to stop.
 
-        An error that its own report causes would recur forever. Therefore a repeated error is
+        An error caused by its own report would recur forever. Therefore a repeated error is
         reported only if motors have been armed since. Its stop has already been sent.
         """
         manager = self._program.device_manager

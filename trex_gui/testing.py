@@ -31,7 +31,7 @@ class SimulatedTrex:
         ready = self._read_reply()
         if not ready.startswith("ready "):
             self.close()
-            raise RuntimeError(f"trex-sim did not start: {ready or 'see its message'}")
+            raise RuntimeError(f"trex-sim did not start: {ready or 'see its error message'}")
         self.url = ready.removeprefix("ready ")
 
     def __enter__(self) -> Self:
@@ -41,7 +41,7 @@ class SimulatedTrex:
         self.close()
 
     def obey(self, line: str) -> str:
-        """Send a control line. Return the reply, even if it reports an error."""
+        """Send a control line. Return the reply, which may report an error."""
         assert self.process.stdin is not None  # noqa: S101 - for the type checker
         self.process.stdin.write(f"{line}\n")
         self.process.stdin.flush()

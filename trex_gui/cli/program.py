@@ -43,8 +43,8 @@ class _Program(click.Group):
         except OSError as error:
             if error.errno == errno.EPIPE:  # click ends the program without a message
                 raise
-            where = f"{error.filename}: " if error.filename else ""
-            failure = click.ClickException(f"{where}{error.strerror or error}.")
+            prefix = f"{error.filename}: " if error.filename else ""
+            failure = click.ClickException(f"{prefix}{error.strerror or error}.")
         except KeyboardInterrupt:
             failure = click.ClickException("Interrupted.")
         except click.ClickException as error:
@@ -84,7 +84,7 @@ class _Program(click.Group):
 def _run_guardian(
     context: click.Context, _option: click.Parameter, arguments: tuple[str, ...] | None
 ) -> None:
-    """Run the guardian process, which a bundled executable starts from itself."""
+    """Run the guardian process. A bundled executable starts it with this option."""
     if arguments:
         from trex_gui.core.guardian.process import main as run  # noqa: PLC0415 - rarely needed
 
@@ -146,5 +146,5 @@ def completion(shell: str) -> None:
     from click.shell_completion import get_completion_class  # noqa: PLC0415 - only for a shell
 
     completion_class = get_completion_class(shell)
-    assert completion_class is not None  # noqa: S101 - click has these three
+    assert completion_class is not None  # noqa: S101 - click supports all three shells
     click.echo(completion_class(main, {}, "trexcmd", "_TREXCMD_COMPLETE").source())

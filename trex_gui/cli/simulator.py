@@ -25,7 +25,7 @@ replies to each with "ok ..." or "error ...".
 
 
 def _read_address(text: str) -> tuple[str, int]:
-    """Parse HOST:PORT. An IPv6 host is in brackets."""
+    """Parse HOST:PORT. IPv6 addresses are in brackets."""
     host, _, port = text.rpartition(":")
     if not (port.isascii() and port.isdigit() and int(port) <= 0xFFFF):
         raise click.BadParameter(f"{text!r} is not HOST:PORT such as 127.0.0.1:0")
@@ -47,7 +47,7 @@ def _device_options() -> list[click.Parameter]:
     params=_device_options(),
 )
 @click.option("--unpaced", is_flag=True, help="Transmit bytes without a delay.")
-@click.option("--seed", type=int, default=0, show_default=True, help="Seed of all noise.")
+@click.option("--seed", type=int, default=0, show_default=True, help="Seed of the random noise.")
 @click.option(
     "--link",
     type=FileName(path_type=Path),
@@ -77,7 +77,7 @@ def main(
     **_options: object,
 ) -> None:
     if sum(option is not None for option in (link, tcp, rfc2217)) > 1:
-        raise click.UsageError("only one of --link, --tcp and --rfc2217")
+        raise click.UsageError("use only one of --link, --tcp and --rfc2217")
     try:
         simulation = simulate(context)
         baud = simulation.line.host_format.baud
@@ -99,9 +99,9 @@ def simulate(context: click.Context) -> Simulation:
             given = context.get_parameter_source(option.name or "")
             if key != device and given is not ParameterSource.DEFAULT:
                 raise click.UsageError(f"{option.opts[0]} does not apply to the device {device}")
-    own = _SIMULATORS[device]
-    values = {option.name: options[option.name] for option in own.options if option.name}
-    return own.build(paced=not options["unpaced"], seed=options["seed"], **values)
+    selected = _SIMULATORS[device]
+    values = {option.name: options[option.name] for option in selected.options if option.name}
+    return selected.build(paced=not options["unpaced"], seed=options["seed"], **values)
 
 
 def _endpoint(
@@ -112,7 +112,7 @@ def _endpoint(
         tcp = ("127.0.0.1", 0)
     if tcp is not None:
         return TcpEndpoint(*tcp)
-    # Imported on demand: RFC 2217 needs pyserial, and PtyEndpoint a system with pseudo-terminals.
+    # Imported on demand. RFC 2217 needs pyserial. PtyEndpoint needs a system with pseudo-terminals.
     if rfc2217 is not None:
         from trex_gui.core.simulator.rfc2217_endpoint import Rfc2217Endpoint  # noqa: PLC0415
 

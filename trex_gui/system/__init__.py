@@ -1,1 +1,1 @@
-"""Operating system events that stop motors: signals, sleep, a locked screen."""
+"""Events of the operating system that stop motors: signals, sleep, screen lock."""

@@ -1,7 +1,7 @@
-"""Lock screen, sleep and shutdown of Linux desktops, over D-Bus.
+"""Screen lock, sleep and shutdown of Linux desktops, over D-Bus.
 
 Ref: org.freedesktop.login1 (systemd), org.freedesktop.ScreenSaver (KDE, Xfce and others),
-org.gnome.ScreenSaver. org.freedesktop.login1.Manager, Inhibit: "delay" holds up sleep until the
+org.gnome.ScreenSaver. org.freedesktop.login1.Manager, Inhibit: "delay" delays sleep until the
 returned descriptor is closed, but not longer than InhibitDelayMaxSec (by default 5 s).
 """
 
@@ -30,7 +30,7 @@ unnecessary stop does no harm."""
 
 
 class SessionEvents(QObject):
-    leaving = Signal(str)  # the user cannot see the window; reason, a clause without a period
+    leaving = Signal(str)  # reason why the user cannot see the window, a clause without a period
     sleeping = Signal(bool)  # True before sleep (after `leaving`), False after sleep
 
     def __init__(
@@ -79,8 +79,8 @@ class SessionEvents(QObject):
 class SleepDelay(QObject):
     """Delays sleep until the stop of the motors is confirmed.
 
-    `may_move`: returns whether motors were driven without a confirmed stop afterwards. `timeout`:
-    longest delay in seconds. Does nothing without logind.
+    `may_move`: returns whether motors were driven and no stop has been confirmed since. `timeout`:
+    maximum delay in seconds. Without logind, sleep is not delayed.
     """
 
     def __init__(
@@ -104,7 +104,7 @@ class SleepDelay(QObject):
         return self._descriptor is not None
 
     def request(self) -> None:
-        """Request a delay of the next sleep. Does not wait for the reply."""
+        """Request a delay of the next sleep without waiting for the reply."""
         if self.holds or self._request is not None or not self._bus.isConnected():
             return
         call = QDBusMessage.createMethodCall(_LOGIN, _PATH, f"{_LOGIN}.Manager", "Inhibit")
@@ -138,5 +138,5 @@ class SleepDelay(QObject):
         if not values or not isinstance(values[0], QDBusUnixFileDescriptor):
             log.info("sleep cannot be delayed: %s", reply.errorMessage())
             return
-        # Qt closes its own descriptor with the message.
+        # A copy, because Qt closes the descriptor of the message.
         self._descriptor = os.dup(values[0].fileDescriptor())

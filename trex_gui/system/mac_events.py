@@ -1,4 +1,4 @@
-"""Lock screen, screen saver and sleep of macOS. Not tested on macOS yet.
+"""Screen lock, screen saver and sleep on macOS. Not tested on macOS yet.
 
 Ref: Apple's documentation of CFNotificationCenter, and of IORegisterForSystemPower (IOKit,
 IOPMLib.h, IOMessage.h): the system waits up to 30 s for `IOAllowPowerChange`. Apple does not
@@ -14,7 +14,7 @@ from PySide6.QtCore import QObject, Signal
 from trex_gui.core.translation import tr
 from trex_gui.system.stop_wait import StopWait
 
-CAN_SLEEP = 0xE0000270  # kIOMessageCanSystemSleep, from an idle computer
+CAN_SLEEP = 0xE0000270  # kIOMessageCanSystemSleep, sent when the computer is idle
 WILL_SLEEP = 0xE0000280  # kIOMessageSystemWillSleep
 LOCKED = ("com.apple.screenIsLocked", "com.apple.screensaver.didstart")
 
@@ -47,7 +47,7 @@ class NativeMac:
     ) -> None:
         core, power = (load(_FRAMEWORKS.format(name)) for name in ("CoreFoundation", "IOKit"))
         pointer, number, port = ctypes.c_void_p, ctypes.c_long, ctypes.c_uint32
-        self._make_text = _typed(
+        self._create_string = _typed(
             core.CFStringCreateWithCString, pointer, pointer, ctypes.c_char_p, ctypes.c_uint32
         )
         self._center = _typed(core.CFNotificationCenterGetDistributedCenter, pointer)
@@ -67,7 +67,7 @@ class NativeMac:
         self._source_of = _typed(power.IONotificationPortGetRunLoopSource, pointer, pointer)
         self._allow = _typed(power.IOAllowPowerChange, ctypes.c_int, port, number)
         self._connection = 0
-        self._referenced: tuple[object, ...] = ()  # macOS uses these without a reference
+        self._referenced: tuple[object, ...] = ()  # macOS does not keep these objects alive
 
     def listen(
         self, on_locked: Callable[[], object], on_power: Callable[[int, int], object]
@@ -81,7 +81,7 @@ class NativeMac:
         self._referenced = (notified, powered, notification_port, notifier)
         center = self._center()
         for observer, name in enumerate(LOCKED, start=1):  # 0 is no observer
-            text = self._make_text(None, name.encode("ascii"), _UTF8)
+            text = self._create_string(None, name.encode("ascii"), _UTF8)
             self._observe(center, observer, notified, text, None, _AT_ONCE)
         self._connection = self._register(
             None, ctypes.byref(notification_port), powered, ctypes.byref(notifier)
@@ -104,7 +104,7 @@ def _typed(function: Any, result: Any, *arguments: Any) -> Any:
 class MacEvents(QObject):
     """Reports when to stop. Allows sleep once the stop is confirmed."""
 
-    leaving = Signal(str)  # the user cannot see the window; reason, a clause without a period
+    leaving = Signal(str)  # reason why the user cannot see the window, a clause without a period
 
     def __init__(
         self,
@@ -114,10 +114,10 @@ class MacEvents(QObject):
         *,
         timeout: float,
     ) -> None:
-        """`may_move` delays sleep, but not longer than `timeout` seconds."""
+        """`may_move` delays sleep while it returns True, but at most for `timeout` seconds."""
         super().__init__(parent)
         self._native = native
-        self._awaited = 0  # argument of the message that announces sleep
+        self._sleep_argument = 0  # argument of the message that announces sleep
         self._wait = StopWait(may_move, self._allow, self, timeout=timeout)
         native.listen(lambda: self.leaving.emit(tr("The screen was locked")), self._on_power)
 
@@ -125,9 +125,9 @@ class MacEvents(QObject):
         if message == CAN_SLEEP:
             self._native.allow_power_change(argument)
         elif message == WILL_SLEEP:
-            self._awaited = argument
+            self._sleep_argument = argument
             self._wait.start()
             self.leaving.emit(tr("The computer goes to sleep"))
 
     def _allow(self) -> None:
-        self._native.allow_power_change(self._awaited)
+        self._native.allow_power_change(self._sleep_argument)

@@ -7,9 +7,9 @@ def skip_exit_handlers() -> None:
     """Make C's `exit` end the process at once. Call this after Qt is loaded.
 
     When Xlib calls `exit` at the end of a session, Qt's exit handlers would wait for a thread that
-    waits for the calling thread. The process would hold the port forever. Python calls
+    waits for the calling thread. The process would keep the port open forever. Python calls
     `exit` only after its own shutdown. Without glibc, this function does nothing.
     """
     libc = ctypes.CDLL(None)
     if (on_exit := getattr(libc, "on_exit", None)) is not None:
-        on_exit(libc._exit, None)  # noqa: SLF001 - the function of C
+        on_exit(libc._exit, None)  # noqa: SLF001 - a C function

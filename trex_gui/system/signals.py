@@ -23,16 +23,16 @@ from trex_gui.core.signals import ENDING, FROM_TERMINAL, SUSPENDING, handled_sig
 log = logging.getLogger(__name__)
 
 _GRACE_S = 7.0
-"""Time for the window to end by itself. Closing a line during a write may take three seconds, and
-saving a recording three more. A system that shuts down waits longer before SIGKILL."""
+"""Seconds for the window to end by itself. Closing a line during a write may take three seconds,
+and saving a recording three more. A system that shuts down waits longer before SIGKILL."""
 
-_HURRYING = {"SIGINT", "SIGQUIT", "SIGBREAK"}  # from keys; a second signal ends the wait
+_HURRYING = {"SIGINT", "SIGQUIT", "SIGBREAK"}  # sent by keys; a second signal ends the wait
 
 _DEBOUNCE_S = 0.3
-"""Interval in which a second signal counts as the first. A terminal and a program started in it may
-both forward one Ctrl-C."""
+"""Seconds in which a second signal is a duplicate of the first. A terminal and a program started in
+it may both forward one Ctrl-C."""
 
-_LAST_STOP_S = 0.3  # time to send a last stop; a transaction at 1200 baud takes 0.25 s
+_LAST_STOP_S = 0.3  # seconds to send a last stop; a transaction at 1200 baud takes 0.25 s
 
 
 def _suspend_process() -> None:
@@ -72,9 +72,9 @@ class SignalWatch(QObject):
         self._closed = threading.Event()
         self._numbers = handled_signals((*ENDING, SUSPENDING))
         self._hurrying = {int(number) for number in self._numbers if number.name in _HURRYING}
-        self._ours, self._signals = socket.socketpair()
-        self._signals.setblocking(False)
-        self._fd_before = signal.set_wakeup_fd(self._signals.fileno(), warn_on_full_buffer=False)
+        self._reader, self._writer = socket.socketpair()
+        self._writer.setblocking(False)
+        self._fd_before = signal.set_wakeup_fd(self._writer.fileno(), warn_on_full_buffer=False)
         # These handlers only prevent the end of the process. The thread handles the signals.
         self._before = {number: signal.signal(number, lambda *_: None) for number in self._numbers}
         for number in handled_signals(FROM_TERMINAL):
@@ -87,14 +87,14 @@ class SignalWatch(QObject):
         signal.set_wakeup_fd(self._fd_before)
         for number, handler in self._before.items():
             signal.signal(number, handler)
-        self._signals.close()  # ends the reading thread
+        self._writer.close()  # ends the reading thread
         if threading.current_thread() is not self._thread:
             self._thread.join(1)
-        self._ours.close()
+        self._reader.close()
 
     def _watch(self) -> None:
         with contextlib.suppress(OSError):
-            while data := self._ours.recv(16):
+            while data := self._reader.recv(16):
                 for number in data:
                     if number == getattr(signal, SUSPENDING, None):
                         self._suspend()
@@ -119,20 +119,20 @@ class SignalWatch(QObject):
     def _run(self, step: Callable[[], object]) -> None:
         try:
             step()
-        except Exception:  # this thread must continue to end the process
+        except Exception:  # this thread must survive in order to end the process
             log.exception("on a signal")
 
     def _wait_for_hurry(self) -> int | None:
-        """Wait for the end of the window or of `grace`. Return a signal to end at once, if any."""
+        """Wait until the window ends or `grace` expires. Return a signal to end at once, if any."""
         start = time.monotonic()
-        while (left := start + self._grace - time.monotonic()) > 0:
-            self._ours.settimeout(left)
+        while (remaining := start + self._grace - time.monotonic()) > 0:
+            self._reader.settimeout(remaining)
             try:
-                data = self._ours.recv(16)
+                data = self._reader.recv(16)
             except TimeoutError:
                 break
             finally:
-                self._ours.settimeout(None)
+                self._reader.settimeout(None)
             if not data:
                 break  # closed, because the window has ended
             repeated = set(data) & self._hurrying

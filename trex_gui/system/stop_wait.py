@@ -12,7 +12,7 @@ _POLL_MS = 20
 class StopWait(QObject):
     """Calls `then` once a stop is confirmed, or after `timeout` seconds.
 
-    `may_move` returns whether motors were driven without a confirmed stop afterwards.
+    `may_move` returns whether motors were driven and no stop has been confirmed since.
     """
 
     def __init__(

@@ -1,4 +1,4 @@
-"""Lock screen, sleep and end of a session on Windows. Not tested on Windows yet.
+"""Screen lock, sleep and end of a session on Windows. Not tested on Windows yet.
 
 Ref: Microsoft's documentation of WM_POWERBROADCAST, WM_WTSSESSION_CHANGE, WM_QUERYENDSESSION.
 """
@@ -14,14 +14,14 @@ from trex_gui.core.translation import tr
 WM_QUERYENDSESSION, WM_POWERBROADCAST, WM_WTSSESSION_CHANGE = 0x0011, 0x0218, 0x02B1
 PBT_APMSUSPEND = 0x0004
 WTS_CONSOLE_DISCONNECT, WTS_REMOTE_DISCONNECT, WTS_SESSION_LOGOFF, WTS_SESSION_LOCK = 2, 4, 6, 7
-_LEAVES = {WTS_CONSOLE_DISCONNECT, WTS_REMOTE_DISCONNECT, WTS_SESSION_LOGOFF, WTS_SESSION_LOCK}
+_LOCKED = {WTS_CONSOLE_DISCONNECT, WTS_REMOTE_DISCONNECT, WTS_SESSION_LOGOFF, WTS_SESSION_LOCK}
 
 
 def stop_reason(message: int, parameter: int) -> str | None:
-    """Return the reason for a window message to stop the motors, if it has to."""
+    """Return the reason to stop the motors on a window message. `None` to continue."""
     if message == WM_POWERBROADCAST and parameter == PBT_APMSUSPEND:
         return tr("The computer goes to sleep")
-    if message == WM_WTSSESSION_CHANGE and parameter in _LEAVES:
+    if message == WM_WTSSESSION_CHANGE and parameter in _LOCKED:
         return tr("The screen was locked")
     if message == WM_QUERYENDSESSION:
         return tr("The session ends")
@@ -36,14 +36,14 @@ class _Filter(QAbstractNativeEventFilter):
     def nativeEventFilter(  # noqa: N802 - Qt's name
         self, kind: QByteArray | bytes | bytearray | memoryview, message: int
     ) -> object:
-        if bytes(kind) == b"windows_generic_MSG":  # type: ignore[arg-type] # a QByteArray is bytes too
+        if bytes(kind) == b"windows_generic_MSG":  # type: ignore[arg-type] # `bytes` accepts a QByteArray
             received = ctypes.wintypes.MSG.from_address(int(message))
             self._owner.handle(received.message, received.wParam)
         return False, 0
 
 
 class WindowsEvents(QObject):
-    leaving = Signal(str)  # the user cannot see the window; reason, a clause without a period
+    leaving = Signal(str)  # reason why the user cannot see the window, a clause without a period
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
