@@ -128,7 +128,7 @@ def start(program: "Program", arguments: argparse.Namespace) -> None:
 def connect(program: "Program", arguments: argparse.Namespace) -> None:
     """Connect to the port or demo on the command line. Otherwise connect automatically."""
     is_named = arguments.demo or bool(arguments.port)
-    program.auto_connect.start(at_once=not is_named)  # also reconnects unplugged adapters
+    program.auto_connect.start(at_once=not is_named)  # also reconnects adapters that return
     if arguments.demo:
         program.connect_to_demo(arguments.device or program.plugins[0].key)
     elif arguments.port:

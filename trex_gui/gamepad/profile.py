@@ -162,7 +162,7 @@ class Pilot:
     """Computes the setpoints of a gamepad from its state and its profile.
 
     Some gamepads report random values until a stick is touched. Therefore both axes must be at rest
-    once before they count. The hold button must be pressed after `reset`.
+    once before they count. The hold button must be pressed again after `reset`.
     """
 
     def __init__(self, profile: GamepadProfile) -> None:

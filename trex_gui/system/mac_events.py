@@ -22,10 +22,10 @@ _FRAMEWORKS = "/System/Library/Frameworks/{0}.framework/{0}"
 _UTF8 = 0x08000100
 _AT_ONCE = 4  # CFNotificationSuspensionBehaviorDeliverImmediately
 
-# Center, observer, name, object, user info.
+# Arguments: center, observer, name, object, user info.
 _ON_NOTIFICATION = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * 5)
 
-# Reference of the caller, service, message, argument of the message.
+# Arguments: reference of the caller, service, message, argument of the message.
 _ON_POWER = ctypes.CFUNCTYPE(
     None, ctypes.c_void_p, ctypes.c_uint32, ctypes.c_uint32, ctypes.c_void_p
 )
@@ -102,7 +102,7 @@ def _typed(function: Any, result: Any, *arguments: Any) -> Any:
 
 
 class MacEvents(QObject):
-    """Reports when to stop. Allows sleep once the stop is confirmed."""
+    """Reports events that require a stop. Allows sleep once the stop is confirmed."""
 
     leaving = Signal(str)  # reason why the user cannot see the window, a clause without a period
 

@@ -18,7 +18,7 @@ _LOCKED = {WTS_CONSOLE_DISCONNECT, WTS_REMOTE_DISCONNECT, WTS_SESSION_LOGOFF, WT
 
 
 def stop_reason(message: int, parameter: int) -> str | None:
-    """Return the reason to stop the motors on a window message. `None` to continue."""
+    """Return the reason to stop the motors on a window message. `None` for other messages."""
     if message == WM_POWERBROADCAST and parameter == PBT_APMSUSPEND:
         return tr("The computer goes to sleep")
     if message == WM_WTSSESSION_CHANGE and parameter in _LOCKED:

@@ -32,7 +32,7 @@ def set_automatic(enabled: bool) -> None:
 
 
 class AutoConnect(QObject):
-    """Connects automatically, unless the user has disabled it.
+    """Connects automatically, unless the user has disabled this.
 
     - At the start and when adapters are plugged in: connects if a device was found there before
       and only one device replies. The last used port is probed first. Each port is probed once,
@@ -112,11 +112,11 @@ class AutoConnect(QObject):
             found = self._ports.find(missing.url)
         else:
             found = self._ports.now(missing)
-        # A typed address is always listed.
+        # Never a typed address, because it is always listed.
         return found if found is not None and found.kind is PortKind.SERIAL else None
 
     def _reconnect(self) -> bool:
-        """Connect to the missing port if it has returned. Return whether this connects."""
+        """Connect to the missing port if it has returned. Return True if a connection starts."""
         found, missing = self._find_missing(), self._missing
         if found is None or missing is None or self._may_be_stale:
             return False

@@ -221,10 +221,10 @@ class DemoDock(QDockWidget):
         self._make = make
         self._use = use
         self._store = Preferences()
-        self._width = self._width_before = 0  # of the window when it was widened, and before
+        self._width = self._width_before = 0  # window widths after and before it was widened
         # True if the user wants to see the dock while the device is in use.
         self.wanted = self._store.flag(key, default=True)
-        # Queued: Qt sets its own icons after the signal.
+        # Queued, because Qt sets its own icons after the signal.
         self.visibilityChanged.connect(self._show_icons, Qt.ConnectionType.QueuedConnection)
         use.changed.connect(self.show_if_wanted)
         self.hide()

@@ -71,7 +71,7 @@ class DeviceManager(QObject):
         self._switch_to(controller, lambda: controller.connect_with(port, settings))
 
     def switch_to(self, device: str, then: Callable[[], object]) -> bool:
-        """Make another kind of device current without connecting it. Then call `then`.
+        """Make another kind of device current without connecting to it. Then call `then`.
 
         A disconnecting device delays the call. Return False if a connected device prevents the
         switch.

@@ -40,7 +40,7 @@ class Port:
     settings: str = field(default="", compare=False)  # packed settings of the device found there
 
     def is_same(self, other: "Port") -> bool:
-        """Return whether both are the same port. Its name or device may have changed."""
+        """Return whether both are the same port. The name or the device may differ."""
         if self.adapter is not None and other.adapter is not None:
             return self.adapter.is_same(other.adapter)
         if PortKind.DEMO in {self.kind, other.kind}:

@@ -56,7 +56,7 @@ class Simulator(QObject):
     def send(self, line: str, then: Callable[[str], None] | None = None) -> None:
         """Send a control line, such as `channel 1 1500us`.
 
-        `then` receives the reply, `ok ...` or `error ...`. Replies arrive in line order.
+        `then` receives the reply: `ok ...` or `error ...`. Replies arrive in the same order.
         """
         if self.url:
             self._reply_handlers.append(then)

@@ -30,7 +30,7 @@ def undo_titles(undone: str, redone: str) -> tuple[str, str]:
 class Edit(QUndoCommand, Generic[KeyT, ValueT]):
     """Command that sets a value. `put` receives the key and the value.
 
-    Consecutive edits with the same key and `run` are one undo step.
+    Consecutive edits with the same key and `run` form one undo step.
     """
 
     def __init__(

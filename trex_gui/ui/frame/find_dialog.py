@@ -139,7 +139,7 @@ class FindDialog(ReusedDialog):
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
-        if not event.spontaneous():  # minimizing is not closing
+        if not event.spontaneous():  # minimizing does not close the dialog
             self._scanner.cancel()
 
     @property

@@ -350,7 +350,7 @@ class MainWindow(QMainWindow):
         self.seen_changed.emit(any(window.visibility() not in unseen for window in windows))
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if self._manager.is_armed:  # before any question to the user
+        if self._manager.is_armed:  # before the user is asked anything
             self._manager.stop_because(tr("The window was to be closed"))
         if not self._warning.is_shown and not all(
             workspace.may_close(self.close) for workspace in self._workspaces

@@ -65,7 +65,7 @@ class PlaceBar(QTabBar):
         return self.tabSizeHint(index)
 
     def minimumSizeHint(self) -> QSize:
-        """Return the size without names. It allows a narrow window."""
+        """Return the size without names, which allows a narrow window."""
         height = sum(self.tabSizeHint(index).height() for index in range(self.count()))
         return QSize(_ICON + 3 * _AROUND, height)
 

@@ -37,7 +37,7 @@ class StartTexts:
     ways: Sequence[StartWay]
     none: str  # heading of the card about the demo
     demo: str  # button text with a free mnemonic
-    files: Sequence[tuple[str, str]]  # action that opens a file, button text
+    files: Sequence[tuple[str, str]]  # key of an action that opens a file, text of its button
     prefix: str = ""  # prefix of object names
 
 

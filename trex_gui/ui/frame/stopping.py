@@ -11,7 +11,7 @@ from trex_gui.ui.runtime import now
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.messages import InlinePrompt
 
-_LOG_OUT_S = 60.0  # closing this soon after a log-out starts is part of the log-out
+_LOG_OUT_S = 60.0  # seconds in which closing the window is attributed to a log-out
 
 
 def stop_or_close_dialog(device_manager: DeviceManager) -> None:
@@ -28,7 +28,8 @@ class EscapeWatch(QObject):
     """Event filter that stops the motors on Esc.
 
     Modal dialogs would block a shortcut, and table editors would consume the key. The filter sees
-    the key before any widget. It is on native windows, so that few events pass through Python.
+    the key before any widget. It watches only native windows, so that few events pass through
+    Python.
 
     If Esc closes a dialog, a question, a menu, a list or a table editor, it stops the motors only
     while they may be moving.

@@ -67,9 +67,9 @@ class FileKind:
 
 @dataclass(frozen=True, slots=True)
 class PageInfo:
-    key: str  # its action has the key `workspace_key`
+    key: str  # the action of the page has the key `{workspace}_{key}`
     title: str  # with the mnemonic of the menu entry
-    make: Callable[[QWidget], QWidget]  # creates the page in a parent, on first use or after start
+    make: Callable[[QWidget], QWidget]  # creates the page in a parent when shown or after start-up
     icon: str = "info"
     place: Place | None = None  # place shared with adjacent pages
 
@@ -77,7 +77,7 @@ class PageInfo:
 class Workspace(QWidget):
     """Pages, bottom bar and menu entries of a device."""
 
-    actions_changed = Signal()  # result of `enabled_actions`
+    actions_changed = Signal()  # the result of `enabled_actions` has changed
     page_changed = Signal(str)  # key of the visible page
 
     bar: QWidget  # bottom bar with the stop button
@@ -244,7 +244,7 @@ class Workspace(QWidget):
         return False
 
     def enabled_actions(self) -> Mapping[str, bool]:
-        """Return action key → True if enabled. Missing actions are enabled."""
+        """Return the enabled state of each action. Missing actions are enabled."""
         return {}
 
     def may_close(self, leave: Callable[[], object]) -> bool:
@@ -313,7 +313,7 @@ def fill_menu_bar(
 def _add_icons(actions: Mapping[str, QAction], entries: Entries) -> None:
     """Add the icons of a menu that opens.
 
-    They would take a tenth of the time in which the window is created.
+    Together with the window, they would take a tenth of its creation time.
     """
     for entry in entries:
         if isinstance(entry, Entry) and entry.icon:

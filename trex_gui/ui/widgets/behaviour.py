@@ -179,14 +179,14 @@ class ConfirmButton(QPushButton):
 
     def __init__(self, text: str = "", parent: QWidget | None = None) -> None:
         super().__init__(text, parent)
-        self._appeared = -inf  # time in seconds; reset when its function changes
+        self._appeared = -inf  # seconds; time at which the button appeared or changed its function
 
     @property
     def accepts_clicks(self) -> bool:
         return now() - self._appeared > QApplication.doubleClickInterval() / 1000
 
     def hold_off(self) -> None:
-        """Ignore clicks again because the button's function has changed."""
+        """Ignore clicks again. Call this when the button's function changes."""
         self._appeared = now()
 
     def showEvent(self, event: QShowEvent) -> None:

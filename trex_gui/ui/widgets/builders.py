@@ -67,7 +67,7 @@ class Card(QGroupBox):
 
 
 class SpinBox(QSpinBox):
-    """Spin box that uses the wheel only with the focus. Otherwise the page scrolls."""
+    """Spin box that reacts to the wheel only while focused. Otherwise the page scrolls."""
 
     wheelEvent = focused_wheel(QSpinBox.wheelEvent)
 
@@ -76,7 +76,7 @@ _BESIDE_TEXT = QMargins(0, 0, 4, 0)
 
 
 class ComboBox(QComboBox):
-    """Combo box that uses the wheel only with the focus, like `SpinBox`."""
+    """Combo box that reacts to the wheel only while focused, like `SpinBox`."""
 
     wheelEvent = focused_wheel(QComboBox.wheelEvent)
 
@@ -110,7 +110,7 @@ WidgetT = TypeVar("WidgetT", bound=QWidget)
 def plain(text: str) -> str:
     """Return a text that Qt shows literally.
 
-    Tool tips and message boxes guess the format of a text. They open files named by markup.
+    Tool tips and message boxes guess the format of a text, and open files that its markup names.
     """
     return Qt.convertFromPlainText(text) if Qt.mightBeRichText(text) else text
 
@@ -210,7 +210,7 @@ def label(
 ) -> QLabel:
     """Create a label.
 
-    `expand`: take the remaining width. `rich`: the text is markup. Escape foreign text.
+    `expand`: take the remaining width. `rich`: the text is markup. Escape text from other sources.
     `size`: "title", "heading", "caption", or empty for ordinary text.
     """
     widget = QLabel(parent)

@@ -113,7 +113,7 @@ def write(
 
 
 def write_lines(painter: QPainter, rect: QRectF, lines: Sequence[str], *, alarm: str = "") -> None:
-    """Write wrapped lines, vertically centred. `alarm`: theme colour of a last line in bold."""
+    """Write wrapped lines, vertically centred. `alarm`: theme colour of a bold last line."""
     wrap = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignTop
     rows = []
     for number, text in enumerate(lines):

@@ -87,7 +87,7 @@ class DocumentSaver(QObject):
             written = content.text.encode("utf-8")
             for queued in self._running[path]:
                 queued.expected = None if queued.expected is None else written
-            if number > self._last_recorded:  # else a later save finished first
+            if number > self._last_recorded:  # otherwise a later save finished first
                 self._last_recorded = number
                 content.record_saved(path)
             self.saved.emit(path)

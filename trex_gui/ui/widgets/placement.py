@@ -10,7 +10,8 @@ from trex_gui.ui.theme.theme import theme
 _FRAME = QMargins(8, 40, 8, 8)
 """Pixels for the title bar and the borders, which are unknown until a window is shown.
 
-Windows 11 has 31 at the top and 8 at the sides. GNOME has 37 at the top, KDE 30, macOS 28.
+Windows 11 uses 31 pixels at the top and 8 at the sides. At the top, GNOME uses 37, KDE 30 and
+macOS 28.
 """
 
 
@@ -63,7 +64,7 @@ class _Placement(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         window = self._window
-        # Checked before any call of the window, which receives events even while it is destroyed.
+        # Checked before any call of the window, which receives events even during its destruction.
         if watched is not window or event.spontaneous():
             return False
         if not window.isMaximized() and not window.isFullScreen():
