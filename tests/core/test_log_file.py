@@ -145,7 +145,7 @@ def test_hanging_disk_delays_neither_the_program_nor_its_end(
 ) -> None:
     answers = threading.Event()
     monkeypatch.setattr(module, "check_ordinary", lambda _: answers.wait())
-    monkeypatch.setattr(module, "_MOST_WAITING", 50)
+    monkeypatch.setattr(module, "_MAX_QUEUED", 50)
     program_log = ProgramLog(tmp_path / "log.txt")
     for number in range(1000):
         log.info("entry %d", number)

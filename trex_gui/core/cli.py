@@ -61,11 +61,11 @@ def refusals() -> Iterator[None]:
 
 
 class ProgressLine:
-    """Progress on one line of a terminal. Prints nothing elsewhere."""
+    """Progress on one terminal line. Prints nothing if stderr is no terminal."""
 
     def __init__(self, title: str) -> None:
         self._title = title
-        self._shown = 0
+        self._shown_width = 0
         self._stream = getattr(sys.stderr, "below", sys.stderr)
 
     def __call__(self, done: int, total: int, step: str) -> None:
@@ -75,13 +75,13 @@ class ProgressLine:
         filled = width * done // max(total, 1)
         text = f"{self._title} [{'#' * filled}{'.' * (width - filled)}] {done}/{total} {step}"
         text = text[:100]
-        click.echo("\r" + text.ljust(self._shown), file=self._stream, nl=False)
-        self._shown = len(text)
+        click.echo("\r" + text.ljust(self._shown_width), file=self._stream, nl=False)
+        self._shown_width = len(text)
 
     def clear(self) -> None:
-        if self._shown:
-            click.echo("\r" + " " * self._shown + "\r", file=self._stream, nl=False)
-            self._shown = 0
+        if self._shown_width:
+            click.echo("\r" + " " * self._shown_width + "\r", file=self._stream, nl=False)
+            self._shown_width = 0
 
     def __enter__(self) -> Self:
         return self
@@ -93,10 +93,10 @@ class ProgressLine:
 class Interruption:
     """Records requests to end the program (Ctrl-C, SIGTERM, a closed terminal).
 
-    The command reads the request between two transactions. A second request ends the program at
-    once, except during `precious` work. Such work is never suspended: Ctrl-Z ends it, and it
-    continues after terminal access from the background. Signals that were ignored at the
-    start (`nohup`) stay ignored.
+    The command checks for a request between two transactions. A second request ends the program
+    at once, except during `precious` work. Such work is never suspended. Ctrl-Z is a request to
+    end it, and terminal access from the background does not suspend it. Signals that were ignored
+    at the start (`nohup`) stay ignored.
     """
 
     def __init__(self, *, precious: bool = False) -> None:
@@ -134,21 +134,21 @@ def hexadecimal(text: str) -> int:
 
 
 class FiniteRange(click.FloatRange):
-    """Number range in the format of `decimal`, without "nan" and "inf"."""
+    """Range of finite numbers, parsed by `decimal`."""
 
     def convert(
         self, value: Any, param: click.Parameter | None, ctx: click.Context | None
     ) -> float:
         try:
-            given = decimal(value) if isinstance(value, str) else value
+            parsed = decimal(value) if isinstance(value, str) else value
         except BadRequest as error:
             self.fail(f"{error}.", param, ctx)
-        number: float = super().convert(given, param, ctx)
+        number: float = super().convert(parsed, param, ctx)
         return number
 
 
 def required_port(port: str | None) -> str:
-    """Return the URL of `--port`. UsageError if it is missing."""
+    """Return the URL of `--port`. Raises UsageError if it is missing."""
     if not port:
         raise click.UsageError(
             "Which port? Give --port, or set TREX_PORT; `trexcmd list` shows them."
@@ -215,24 +215,24 @@ def traffic_option(
     def start(context: click.Context, _option: click.Parameter, file: str | None) -> None:
         if file is None or context.resilient_parsing:
             return
-        present = host()
-        epoch = time.time() - present.clock()
+        current = host()
+        epoch = time.time() - current.clock()
         writer = TranscriptWriter(Path(file), decoder.load()(), epoch, is_search=is_search)
 
         def open_logged(open_transport: OpenTransport) -> OpenTransport:
-            def opened(settings: PortSettings) -> Transport:
+            def open_and_log(settings: PortSettings) -> Transport:
                 writer.open()
-                return logged(writer.record, open_transport, present.clock)(settings)
+                return logged(writer.record, open_transport, current.clock)(settings)
 
-            return opened
+            return open_and_log
 
         def finish() -> None:
             writer.close()
             if writer.error is not None:
                 say(f"{file} is not complete: {writer.error.strerror or writer.error}.")
 
-        open_transport = open_logged(present.open_transport)
-        context.obj = replace(present, open_transport=open_transport, logged=open_logged)
+        open_transport = open_logged(current.open_transport)
+        context.obj = replace(current, open_transport=open_transport, logged=open_logged)
         context.call_on_close(finish)
 
     return click.option(

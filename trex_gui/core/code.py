@@ -49,8 +49,8 @@ def _template(name: str) -> "Template":
 def plain(text: str) -> str:
     """Return printable ASCII that is safe in C++ and Python.
 
-    The text, for one line of a comment or a string, has no `/*`, `*/`, double quote, backslash or
-    trigraph (`??/`). Other characters become the nearest letter or `?`.
+    The result fits into one line of a comment or string. It has no `/*`, `*/`, double quote,
+    backslash or trigraph (`??/`). Non-ASCII characters become the nearest letter or `?`.
     """
     letters = unicodedata.normalize("NFKD", text.translate(_ASCII))
     kept = (c for c in letters if not unicodedata.combining(c))

@@ -11,7 +11,7 @@ from typing import Any
 
 import click
 
-TROUBLE = "exit code"  # key in `click.Context.meta`: exit code of a failure, default 1
+TROUBLE = "exit code"  # key in `click.Context.meta`; exit code after a failure, by default 1
 
 _CONTROLS = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f]|\r(?!\n)")
 
@@ -19,7 +19,7 @@ _STAND_INS = str.maketrans({"→": "->", "−": "-", "…": "...", "“": '"', "
 
 
 class FileName(click.Path):
-    """File parameter. Rejects an empty name, often an unset variable."""
+    """File parameter. Rejects an empty name, such as an unset variable."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         if not str(value):
@@ -30,15 +30,15 @@ class FileName(click.Path):
 class _Output:
     r"""Stream that shows control characters as escapes such as `\u001b`.
 
-    The encoding is UTF-8 unless the stream is a terminal. If data cannot be written, the command
-    ends. Messages that cannot be written are lost. `below` is the original stream.
+    The encoding is UTF-8 unless the stream is a terminal. The command fails if data cannot be
+    written. Messages that cannot be written are lost. `below` is the original stream.
     """
 
     encoding = "utf-8"  # click would replace an ASCII stream
 
     def __init__(self, below: Any, *, is_data: bool) -> None:
         self._is_data = is_data
-        self.below = below or io.TextIOWrapper(io.BufferedReader(io.BytesIO()))  # acts as closed
+        self.below = below or io.TextIOWrapper(io.BufferedReader(io.BytesIO()))  # acts closed
         if self.isatty():
             self.below.reconfigure(errors="replace")
         else:
@@ -49,24 +49,24 @@ class _Output:
         return getattr(self.below, name)
 
     def fileno(self) -> int:
-        raise OSError(errno.ENOTSUP, "click writes past a stream with a number on Windows")
+        raise OSError(errno.ENOTSUP, "click bypasses a stream with a file number on Windows")
 
     def write(self, text: str) -> int:
-        shown = _CONTROLS.sub(lambda found: f"\\u{ord(found[0]):04x}", text)
-        if shown:  # click tests a stream with an empty text
-            self._use(self.below.write, shown.translate(self._stand_ins))
+        escaped = _CONTROLS.sub(lambda match: f"\\u{ord(match[0]):04x}", text)
+        if escaped:  # click tests a stream by writing an empty text
+            self._call(self.below.write, escaped.translate(self._stand_ins))
         return len(text)
 
     def flush(self) -> None:
-        self._use(self.below.flush)
+        self._call(self.below.flush)
 
-    def _use(self, function: Any, *arguments: str) -> None:
+    def _call(self, function: Any, *arguments: str) -> None:
         try:
             function(*arguments)
         except OSError as error:
             if error.errno == errno.EPIPE:
                 raise
-            with contextlib.suppress(OSError):  # else each later flush fails
+            with contextlib.suppress(OSError):  # otherwise each later flush fails
                 os.dup2(os.open(os.devnull, os.O_WRONLY), self.below.fileno())
             if self._is_data:
                 reason = error.strerror or "it is closed"
@@ -76,14 +76,14 @@ class _Output:
 
 @contextlib.contextmanager
 def standard_streams() -> Iterator[None]:
-    """Replace the standard streams by `_Output`, even if closed."""
-    before = sys.stdin, sys.stdout, sys.stderr
-    for _ in range(before.count(None)):
-        os.open(os.devnull, os.O_RDWR)  # else a port gets the file number, then the messages
+    """Replace the standard output streams by `_Output`, even if closed."""
+    original = sys.stdin, sys.stdout, sys.stderr
+    for _ in range(original.count(None)):
+        os.open(os.devnull, os.O_RDWR)  # otherwise a port could get this file number
     sys.stdin = sys.stdin or io.TextIOWrapper(io.BytesIO())
     sys.stdout = _Output(sys.stdout, is_data=True)
     sys.stderr = _Output(sys.stderr, is_data=False)
     try:
         yield
     finally:
-        sys.stdin, sys.stdout, sys.stderr = before
+        sys.stdin, sys.stdout, sys.stderr = original

@@ -20,7 +20,7 @@ def crash_file() -> Path:
 
 
 class RunFile:
-    """File of this run, which receives thread stacks at a crash.
+    """File of this run, which receives the thread stacks after a crash.
 
     `found_crash`: an earlier run crashed, and its file is now `crash_file`. Without a writable
     folder, no crash is detected.
@@ -48,7 +48,7 @@ class RunFile:
 
 
 def _handle_abandoned() -> bool:
-    """Rename files of dead processes to `crash_file`. Return True if any existed."""
+    """Rename files of dead processes to `crash_file`. Return whether any existed."""
     found = False
     for path in log_folder().glob("run-*.txt"):
         with suppress(OSError):  # on Windows an open file cannot be renamed
@@ -59,7 +59,7 @@ def _handle_abandoned() -> bool:
 
 
 def is_locked(path: Path) -> bool:
-    """Return whether the process that locked a file still runs."""
+    """Return whether the process that locked a file is still running."""
     try:
         if sys.platform == "win32":
             path.replace(path)  # fails while the file is open

@@ -6,7 +6,7 @@ import re
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr, with_decimal_point
 
-DECIMAL = r"[-+]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)"  # pattern of a number for `decimal`
+DECIMAL = r"[-+]?(?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)"  # numbers that `decimal` accepts
 
 _QUANTITY = re.compile(rf"\s*({DECIMAL})\s*(.*?)\s*")
 _PREFIXES = {"µ": 1e-6, "μ": 1e-6, "u": 1e-6, "m": 1e-3, "k": 1e3, "": 1.0}
@@ -32,25 +32,25 @@ def decimal(text: str, *, thousands: bool = True) -> float:
         raise BadRequest(tr("{0} is not a number").format(number or tr("empty")))
     if thousands and (parts := _GROUPED.fullmatch(number)):
         whole, rest = parts.groups()
-        broken = with_decimal_point(f"{float(f'{whole}.{rest}'):g}")
+        fraction = with_decimal_point(f"{float(f'{whole}.{rest}'):g}")
         text = tr("{0} may be {1} or {2}: write the one that you mean")
-        raise AmbiguousNumber(text.format(number, broken, whole + rest))
+        raise AmbiguousNumber(text.format(number, fraction, whole + rest))
     return value
 
 
 def quantity(text: str, unit: str, *, thousands: bool = True) -> float | None:
     """Return the number in `text`, converted to `unit`.
 
-    `text` may have another prefix or no unit. `None`: no number, or another unit. `thousands`
-    applies to `unit` itself.
+    The text may have another prefix or no unit. Return None if it has no number or another unit.
+    `thousands` is ignored if the text has another prefix.
     """
-    if (found := _QUANTITY.fullmatch(text)) is None:
+    if (match := _QUANTITY.fullmatch(text)) is None:
         return None
-    own = unit[0] if len(unit) > 1 and unit[0] in _PREFIXES else ""
-    base = unit.removeprefix(own).casefold()
-    given = found[2].casefold() or unit.casefold()
+    own_prefix = unit[0] if len(unit) > 1 and unit[0] in _PREFIXES else ""
+    base = unit.removeprefix(own_prefix).casefold()
+    given = match[2].casefold() or unit.casefold()
     for prefix, factor in _PREFIXES.items() if base else [("", 1.0)]:
         if given == prefix + base:
-            number = decimal(found[1], thousands=thousands or prefix != own)
-            return number * (factor / _PREFIXES[own])
+            number = decimal(match[1], thousands=thousands or prefix != own_prefix)
+            return number * (factor / _PREFIXES[own_prefix])
     return None

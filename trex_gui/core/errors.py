@@ -1,4 +1,4 @@
-"""Errors for users, each a sentence. Threads pass them as values."""
+"""Errors for users, which threads pass as values. Each text is a sentence."""
 
 from collections.abc import Callable
 from enum import Enum
@@ -18,7 +18,7 @@ class BadRequest(StudioError, ValueError):  # noqa: N818
 
 
 class PortUnavailable(StudioError):  # noqa: N818
-    """Port that is in use, missing or forbidden.
+    """The port is in use, missing or forbidden.
 
     The text explains the remedy. `command`: shell command that grants permission, or empty.
     `is_missing`: the user must plug in an adapter.
@@ -79,9 +79,9 @@ class InternalError(StudioError):
 
 
 class CodedError(StudioError):
-    """Error whose code has the text, with placeholders for fields.
+    """Error whose code is a text with placeholders for the fields.
 
-    A field may be a coded error or a tuple of coded errors. `str` returns English.
+    A field may be a coded error or a tuple of coded errors. `str` returns the English text.
     """
 
     def __init__(self, code: Enum, *fields: object) -> None:
@@ -96,7 +96,7 @@ class CodedError(StudioError):
 def describe(
     code: Enum, fields: tuple[object, ...] = (), translate: Callable[[str], str] = str
 ) -> str:
-    """Return the text of a `CodedError`. `translate` gets each code's value."""
+    """Return the text of a `CodedError`. `translate` is called with each code's value."""
 
     def text(field: object) -> object:
         match field:

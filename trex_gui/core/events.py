@@ -18,7 +18,7 @@ class EventKind(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """Event of a device. `time`: session clock in s, as in telemetry."""
+    """Event of a device. `time`: on the session clock (s), as in telemetry."""
 
     time: float
     kind: EventKind

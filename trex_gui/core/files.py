@@ -1,6 +1,6 @@
-"""Files of the user, read within limits and written atomically.
+"""User files, read with a size limit and written atomically.
 
-Only ordinary files are used. Errors in text files are findings by line.
+Only ordinary files are used. Errors in text files are findings with line numbers.
 """
 
 import codecs
@@ -26,12 +26,12 @@ from trex_gui.core.translation import tr
 
 def data_folder() -> Path:
     """Return `$TREX_STUDIO_DATA`, by default the system's data folder."""
-    given = os.environ.get("TREX_STUDIO_DATA")
-    return Path(given or platformdirs.user_data_dir("TReX Studio", appauthor=False)).absolute()
+    override = os.environ.get("TREX_STUDIO_DATA")
+    return Path(override or platformdirs.user_data_dir("TReX Studio", appauthor=False)).absolute()
 
 
 def file_exists(path: Path) -> bool:
-    """Return whether a file exists. False for a name that is too long."""
+    """Return whether a file exists. A name that is too long does not exist."""
     with contextlib.suppress(OSError):
         return path.exists()
     return False
@@ -52,7 +52,7 @@ class Severity(StrEnum):
 class Finding:
     line: int | None  # from 1; `None`: the file as a whole
     key: str | None  # spelt as in the file
-    message: str  # expected and found value
+    message: str  # with the expected and the actual value
     severity: Severity = Severity.ERROR
     code: str = ""  # kind of the finding, for programs; empty for file system errors
 
@@ -69,7 +69,7 @@ class Finding:
 class SettingsError(StudioError):
     """Settings file that is invalid, or cannot be read or written.
 
-    `findings` are in the order of lines.
+    `findings` are sorted by line.
     """
 
     def __init__(self, name: str, findings: Iterable[Finding]) -> None:
@@ -82,12 +82,12 @@ class SettingsError(StudioError):
         return cls(str(name), [Finding(line, None, message)])
 
     def __str__(self) -> str:
-        between = " " if len(self.findings) == 1 else "\n"
-        return f"{self.name}:{between}" + "\n".join(map(str, self.findings))
+        separator = " " if len(self.findings) == 1 else "\n"
+        return f"{self.name}:{separator}" + "\n".join(map(str, self.findings))
 
 
 def reason_of(error: StudioError) -> str:
-    """Return the reason of a file error, without name and full stop."""
+    """Return the reason for a file error, without file name and full stop."""
     text = "; ".join(map(str, error.findings)) if isinstance(error, SettingsError) else str(error)
     return text.rstrip(". ")
 
@@ -111,9 +111,9 @@ def check_ordinary(path: Path) -> None:
 def open_ordinary(path: Path) -> BinaryIO:
     """Open an ordinary file for reading. Raises OSError without blocking."""
     check_ordinary(path)  # first: opening a serial port changes its control lines
-    at_once = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0)
+    extra_flags = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0)
     file = open(  # noqa: SIM115 - the caller closes it
-        path, "rb", opener=lambda name, flags: os.open(name, flags | at_once)
+        path, "rb", opener=lambda name, flags: os.open(name, flags | extra_flags)
     )
     try:
         _check_mode(path, os.fstat(file.fileno()).st_mode)  # the file may have been replaced
@@ -130,7 +130,7 @@ def _check_mode(path: Path, mode: int) -> None:
 
 _DRAFT = re.compile(r"\..*\.[0-9a-f]{8}\.trexdraft", re.DOTALL)
 
-_ABANDONED_S = 600.0  # seconds; an older draft was left by a killed program
+_ABANDONED_S = 600.0  # seconds; an older draft is from a killed program
 
 
 @cache
@@ -150,13 +150,13 @@ def atomic_file(path: Path, *, overwrite: bool = True) -> Iterator[BinaryIO]:
     """Open a file that replaces `path` once it is complete.
 
     The file is synced to disk first. After an exception the old file is unchanged and the new file
-    is removed. A killed program leaves the old or the new file, and perhaps a hidden draft. The
-    first write of a later run to this folder removes such drafts. Links and permissions are
-    preserved. The caller may close the file.
+    is removed. If the program is killed, the old or the new file exists, and perhaps a hidden
+    draft. The first write to the folder in a later run removes such drafts. Links and permissions
+    are preserved. The caller may close the file.
 
     Raises:
         NotOrdinaryFileError: `path` is a folder, a pipe or a device.
-        FileExistsError: `overwrite` is off and `path` exists.
+        FileExistsError: `overwrite` is false and `path` exists.
     """
     target = Path(os.path.realpath(path))
     if overwrite:
@@ -183,9 +183,9 @@ def atomic_file(path: Path, *, overwrite: bool = True) -> Iterator[BinaryIO]:
 
 
 def _reserve_name(draft: Path, target: Path) -> None:
-    """Rename a file atomically. FileExistsError if the name exists."""
+    """Rename a file atomically. Raises FileExistsError if the name exists."""
     if os.name == "nt":
-        draft.rename(target)  # replaces a file on other systems only
+        draft.rename(target)  # never replaces a file on Windows
         return
     try:
         target.hardlink_to(draft)
@@ -248,7 +248,7 @@ def decode(data: bytes, name: str) -> str:
 
 
 def save(path: Path, content: str | bytes) -> None:
-    """Write a file, text as UTF-8. After a SettingsError the old file is unchanged."""
+    """Write a file. Text is UTF-8. After a SettingsError the old file is unchanged."""
     with explained(path, tr("it cannot be written")):
         target = Path(os.path.realpath(path))
         if target.is_file() and not os.access(target, os.W_OK):
@@ -287,7 +287,7 @@ def save_new(path: Path, text: str) -> bool:
 
 @contextlib.contextmanager
 def explained(path: Path, failure: str) -> Iterator[None]:
-    """Convert system errors to `SettingsError`. `failure`: a clause."""
+    """Convert system errors to `SettingsError`. `failure`: clause before the reason."""
     try:
         yield
     except FileNotFoundError:

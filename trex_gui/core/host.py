@@ -23,7 +23,7 @@ OpenTransport = Callable[[PortSettings], Transport]
 
 @dataclass(frozen=True, slots=True)
 class Host:
-    """Ports, threads and clock. A caller can replace it as click's `obj`.
+    """Ports, threads and clock. Click's `obj` replaces the default.
 
     Attributes:
         start_thread: runs a function in a thread; returns a function that waits for its end.

@@ -14,10 +14,10 @@ from queue import SimpleQueue
 
 from trex_gui.core.files import check_ordinary, log_folder
 
-_LARGEST = 512 * 1024  # bytes of one file
-_OLDER = 3  # older files beside the newest
-_LONGEST = 20_000  # characters of one entry, with its traceback
-_MOST_WAITING = 10_000  # entries queued for a slow disk
+_MAX_SIZE = 512 * 1024  # bytes per file
+_OLDER_FILES = 3  # older files in addition to the newest
+_MAX_LENGTH = 20_000  # characters per entry, including the traceback
+_MAX_QUEUED = 10_000  # entries queued for a slow disk
 _REPEATED_S = 60.0
 """Period in seconds in which a repeated entry is only counted.
 
@@ -31,7 +31,7 @@ def log_file() -> Path:
 def log_files() -> list[Path]:
     """Return the paths of all log files, newest last. Some may not exist."""
     path = log_file()
-    return [*(path.with_name(f"{path.name}.{age}") for age in range(_OLDER, 0, -1)), path]
+    return [*(path.with_name(f"{path.name}.{age}") for age in range(_OLDER_FILES, 0, -1)), path]
 
 
 class ProgramLog:
@@ -41,7 +41,7 @@ class ProgramLog:
     """
 
     def __init__(self, path: Path, *, is_verbose: bool = False) -> None:
-        """`is_verbose`: log from DEBUG up, and print everything."""
+        """`is_verbose`: log DEBUG entries, and print all entries."""
         self._level = logging.getLogger("trex_gui").level
         logging.getLogger("trex_gui").setLevel(logging.DEBUG if is_verbose else logging.INFO)
         self._file = _LogFile(path)
@@ -58,7 +58,7 @@ class ProgramLog:
     def close(self, timeout: float = 2.0) -> bool:
         """Write the remaining entries. Return False after a timeout (s).
 
-        Python would then wait for the disk at exit: only `os._exit` ends the process.
+        After a timeout, Python would wait for the disk at exit. Only `os._exit` ends the process.
         """
         logging.getLogger().removeHandler(self._handler)
         logging.getLogger("trex_gui").setLevel(self._level)
@@ -84,12 +84,12 @@ def terminal_handler(*, is_verbose: bool) -> logging.Handler:
 
 
 class _QueueHandler(QueueHandler):
-    """Never blocks. Its queue is reentrant: a log call may interrupt another."""
+    """Never blocks. Its queue is reentrant, since a log call may interrupt another."""
 
     queue: SimpleQueue[logging.LogRecord]
 
     def enqueue(self, record: logging.LogRecord) -> None:
-        if self.queue.qsize() < _MOST_WAITING:
+        if self.queue.qsize() < _MAX_QUEUED:
             self.queue.put(record)
 
     def handleError(self, record: logging.LogRecord) -> None:  # noqa: N802 - Python's name
@@ -99,15 +99,15 @@ class _QueueHandler(QueueHandler):
 class _Formatter(logging.Formatter):
     def format(self, record: logging.LogRecord) -> str:
         text = super().format(record)
-        return text if len(text) <= _LONGEST else f"{text[:_LONGEST]} …"
+        return text if len(text) <= _MAX_LENGTH else f"{text[:_MAX_LENGTH]} …"
 
 
 class _LogFile(RotatingFileHandler):
     def __init__(self, path: Path) -> None:
         super().__init__(
             path,
-            maxBytes=_LARGEST,
-            backupCount=_OLDER,
+            maxBytes=_MAX_SIZE,
+            backupCount=_OLDER_FILES,
             encoding="utf-8",
             errors="backslashreplace",
             delay=True,  # opened by the writing thread

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
-if TYPE_CHECKING:  # for a quick trexcmd --help
+if TYPE_CHECKING:  # so that `trexcmd --help` starts fast
     import click
 
     from trex_gui.core.discovery.prober import ProberInfo
@@ -45,10 +45,11 @@ class PortReports:
     """Functions of a device for `trexcmd list` and `trexcmd find`.
 
     Attributes:
-        identify: probes a port (URL, options of the command) without moving anything. The answer
-            has an empty text without a device. Raises PortUnavailable.
+        identify: probes a port (URL, options of the command) without moving anything. The text of
+            the answer is empty if no device replied. Raises PortUnavailable.
         describe: returns sentences about a found device.
-        row: returns the fields of a found device that `find --json` adds to its connection.
+        row: returns the fields of a found device that `find --json` adds to its connection
+            settings.
     """
 
     identify: Callable[[str, Mapping[str, Any]], PortAnswer]
@@ -61,8 +62,8 @@ class DevicePlugin:
     """Kind of device. `key` identifies it in settings and commands.
 
     Attributes:
-        prober: searches a port for a device; its probes move no device of any kind.
-        commands: commands of trexcmd by name.
+        prober: searches a port for a device; its probes never move a device of any kind.
+        commands: name → command of trexcmd.
         simulator_arguments: arguments of trex-sim that simulate a device for the port list.
         controller: creates a `DeviceController`, called as
             (plugin, notifier, ports, scanner, timeouts).

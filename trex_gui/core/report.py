@@ -115,17 +115,17 @@ class Mask:
 def create_report(
     parts: Mapping[str, Callable[[], str]], mask: Mask | None = None
 ) -> tuple[ReportFile, ...]:
-    """Return the non-empty files of a report: `parts` and the program's own files.
+    """Return the non-empty files of a report: the program's own files and `parts`.
 
-    May take seconds. The file of a failed part contains the error.
+    May take several seconds. The file of a failed part contains the error.
     """
     mask = mask or Mask.of_this_computer()
     own: dict[str, Callable[[], str]] = {
         "versions.txt": _versions,
         "ports.txt": _ports,
-        "guardian.txt": lambda: _end_of(_LARGEST_GUARDIAN_LOG, guardian.log_file()),
-        "program.txt": lambda: _end_of(_LARGEST_LOG, *log_files()),
-        "crash.txt": lambda: _end_of(_LARGEST_LOG, crash_file()),
+        "guardian.txt": lambda: _last_bytes(_LARGEST_GUARDIAN_LOG, guardian.log_file()),
+        "program.txt": lambda: _last_bytes(_LARGEST_LOG, *log_files()),
+        "crash.txt": lambda: _last_bytes(_LARGEST_LOG, crash_file()),
     }
     files = (ReportFile(name, mask.clean(_text(part))) for name, part in {**own, **parts}.items())
     return tuple(file for file in files if file.text)
@@ -178,12 +178,12 @@ def _ports() -> str:
     return "".join(f"{port.device}: {port.description} [{port.hwid}]\n" for port in ports)
 
 
-def _end_of(most: int, *paths: Path) -> str:
-    """Return the last `most` bytes of files, oldest first."""
+def _last_bytes(limit: int, *paths: Path) -> str:
+    """Return the last `limit` bytes of files, which are sorted from old to new."""
     data = b""
     for path in reversed(paths):
         with suppress(FileNotFoundError), open_ordinary(path) as file:
-            left = most - len(data)
-            file.seek(max(0, file.seek(0, os.SEEK_END) - left))
-            data = file.read(left) + data
+            remaining = limit - len(data)
+            file.seek(max(0, file.seek(0, os.SEEK_END) - remaining))
+            data = file.read(remaining) + data
     return data.decode(errors="replace")

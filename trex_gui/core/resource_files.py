@@ -7,9 +7,9 @@ from pathlib import Path
 
 @cache
 def _root() -> Path:
-    here = Path(__file__).resolve().parents[1]
+    package = Path(__file__).resolve().parents[1]
     bundle = getattr(sys, "_MEIPASS", None)  # set by PyInstaller's loader
-    candidates = [here / "_resources", here.parent / "resources"]
+    candidates = [package / "_resources", package.parent / "resources"]
     if bundle is not None:
         candidates.insert(0, Path(bundle) / "resources")
     for candidate in candidates:

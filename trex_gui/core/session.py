@@ -57,8 +57,8 @@ class RequestQueue:
     """Queue of requests from any thread.
 
     Does not use `queue.SimpleQueue`: in Python 3.11 its `get` never returns if the timeout expires
-    before its first check of an empty queue ends. Sessions often wait for microseconds; one such
-    wait in a thousand hung.
+    before its first check of an empty queue ends. Sessions often wait for microseconds; one in a
+    thousand such waits hung.
     """
 
     def __init__(self, condition: Condition | None = None) -> None:

@@ -9,7 +9,7 @@ ENDING = (
     "SIGHUP",
     "SIGQUIT",
     "SIGBREAK",
-    # The program does not use the following signals.
+    # The program itself never uses the following signals.
     "SIGUSR1",
     "SIGUSR2",
     "SIGALRM",
@@ -21,8 +21,8 @@ ENDING = (
 )
 """Signals that end a program by default and can be handled.
 
-Fault signals (SIGSEGV) are left out, because their handlers must not run Python. SIGPIPE is left
-out, because Python ignores it."""
+Fault signals (SIGSEGV) are excluded, because their handlers must not run Python. SIGPIPE is
+excluded, because Python ignores it."""
 
 SUSPENDING = "SIGTSTP"  # Ctrl-Z: a suspended program cannot stop motors
 
@@ -37,7 +37,8 @@ Python repeats the interrupted call."""
 def handled_signals(names: Iterable[str]) -> list[signal.Signals]:
     """Return the signals that the program may handle.
 
-    A signal may not exist here, be ignored (`nohup`) or have a foreign handler.
+    Excludes signals that the system lacks, that are ignored (`nohup`) or that have a foreign
+    handler.
     """
     numbers = (getattr(signal, name, None) for name in names)
     # A handler that was not installed in Python is reported as `None`.

@@ -29,7 +29,7 @@ def pressed_keys() -> Iterator[Callable[[], str]]:
     import tty  # noqa: PLC0415
 
     terminal = sys.stdin.fileno()
-    before = termios.tcgetattr(terminal)
+    settings = termios.tcgetattr(terminal)
 
     def read() -> str:
         text = b""
@@ -41,4 +41,4 @@ def pressed_keys() -> Iterator[Callable[[], str]]:
         tty.setcbreak(terminal)
         yield read
     finally:
-        termios.tcsetattr(terminal, termios.TCSADRAIN, before)
+        termios.tcsetattr(terminal, termios.TCSADRAIN, settings)

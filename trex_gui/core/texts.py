@@ -1,4 +1,4 @@
-"""Text fragments without translation."""
+"""Text formatting without translation."""
 
 
 def counted(count: int, noun: str) -> str:

@@ -12,21 +12,21 @@ UNWATCHED_INTERVAL = 0.25  # seconds between batches of samples that nothing sho
 TEXT_INTERVAL = 0.2
 """Seconds between updates of a measured value as text.
 
-Users read no faster, and a changed text may lay out the whole page again."""
+Users cannot read faster, and a changed text may lay out the whole page again."""
 
 
-_LEAST_STEPS = 3
-_ROUND = 5  # seconds
+_MIN_STEPS = 3
+_ROUNDING = 5  # seconds
 
 
 def seconds_left(elapsed: float, done: int, total: int) -> int | None:
-    """Estimate the remaining seconds, rounded up to 5 s.
+    """Estimate the remaining seconds, rounded up to a multiple of 5.
 
     `elapsed`: duration of the completed steps in s. `None`: too few steps for an estimate.
     """
-    if not _LEAST_STEPS <= done < total:
+    if not _MIN_STEPS <= done < total:
         return None
-    return _ROUND * math.ceil(elapsed / done * (total - done) / _ROUND)
+    return _ROUNDING * math.ceil(elapsed / done * (total - done) / _ROUNDING)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,18 +35,18 @@ class Timeouts:
 
     Attributes:
         extra: added to the deadline of every reply, for slow adapters, hosts and networks.
-        heartbeat: without a heartbeat of the window, armed motors are stopped after this time. A
-            slow window is late by tenths of a second. At full speed, a robot moves a metre in this
-            time.
-        guardian: without a heartbeat of the session, the guardian process stops the motors after
+        heartbeat: armed motors are stopped after this time without a heartbeat from the window. A
+            slow window may be late by tenths of a second. At full speed, a robot moves a metre in
             this time.
+        guardian: the guardian process stops the motors after this time without a heartbeat from
+            the session.
         stop_confirmation: time until an unconfirmed stop is reported. At 19200 baud and above, a
             line that corrupts bytes becomes quiet 1.6 s after the last error.
         retry: pause between two attempts to reach a silent board.
         current_gap: a bench test is aborted after this time without a current reading.
-        standstill: longest time that a motor may draw current after a confirmed stop. Braking takes
-            up to 1.3 s, and a reading on a slow line 0.4 s.
-        sleep_delay: longest delay of the computer's sleep until a stop is confirmed.
+        standstill: maximum time that a motor may draw current after a confirmed stop. Braking
+            takes up to 1.3 s, and a reading on a slow line takes 0.4 s.
+        sleep_delay: maximum delay of the computer's sleep until a stop is confirmed.
     """
 
     extra: float = 0.0

@@ -1,4 +1,4 @@
-"""Translation of texts. English without a window."""
+"""Translation of texts. Without a window, the language is English."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -71,12 +71,12 @@ def with_decimal_point(number: str) -> str:
 
 @contextmanager
 def in_english() -> Iterator[None]:
-    """Use English, for files, in any language of the window."""
-    before = _is_english.set(True)
+    """Use English in any language of the window, as in files."""
+    token = _is_english.set(True)
     try:
         yield
     finally:
-        _is_english.reset(before)
+        _is_english.reset(token)
 
 
 def use_translations(translate: Callable[[str, str, int], str], decimal_point: str = ".") -> None:

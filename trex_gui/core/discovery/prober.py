@@ -11,11 +11,11 @@ from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 @dataclass(frozen=True, slots=True)
 class ScanProgress:
-    """Progress of a scan: `done` of `total` probes. `line`: next settings."""
+    """Progress of a scan: `done` of `total` probes are complete."""
 
     done: int
     total: int
-    line: SerialFormat
+    line: SerialFormat  # settings of the next probe
     number: int | None = None  # probed device number, after a response
     kind: str = ""  # name of the probed device kind
 
@@ -31,7 +31,7 @@ class Evidence(IntEnum):
 
 @dataclass(frozen=True, slots=True)
 class Diagnosis:
-    """Report on a failed search: attempts, received bytes, checks."""
+    """Report on a failed search: attempts, received bytes and suggestions."""
 
     evidence: Evidence
     text: str
@@ -59,7 +59,7 @@ class FoundDevice(Protocol):
 
 
 class Prober(Protocol):
-    """Searches a line for one kind of device, without motion.
+    """Searches a line for one kind of device. Never moves a motor.
 
     Each probe must first terminate an incomplete packet that a board may have received.
 
@@ -84,13 +84,12 @@ class Prober(Protocol):
         progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
-        """Send a part's probes. Raises PortUnavailable.
+        """Send the probes of one part. Raises PortUnavailable.
 
         `cancelled` is called before each probe.
         """
 
-    def diagnosis(self) -> Diagnosis:
-        """Report attempts and received bytes, if nothing was found."""
+    def diagnosis(self) -> Diagnosis: ...
 
 
 class CreateProber(Protocol):
@@ -102,7 +101,7 @@ class CreateProber(Protocol):
 
 
 Recall = Callable[[Transport, PortSettings, str], FoundDevice | None]
-"""Probes only the packed settings of a device. Raises PortUnavailable."""
+"""Probes a device only at its packed settings. Raises PortUnavailable."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,10 +122,10 @@ def never_cancelled() -> bool:
 
 FLUSH_BYTE = b"\xff"
 FLUSH_LINE = SerialFormat(1200)
-"""Separator of two probes, since any device may be listening.
+"""Separator between two probes, because any device may be listening.
 
 A device at another baud rate may read a probe as the start of a packet. A later probe, harmless
-by itself, could complete that packet into a motor command. FF at 1200 baud terminates an
+by itself, could turn that packet into a motor command. FF at 1200 baud terminates an
 incomplete packet. A TReX at that rate ignores FF, and a TReX at another rate receives a byte that
 no packet may contain.
 """

@@ -1,17 +1,17 @@
 """Scan of one port for devices of any kind.
 
 The port is opened once, because some adapters reset their board each time. The settings of a
-device found earlier are probed first. Each step follows only if the previous steps found nothing:
+device found earlier are probed first. Each step runs only if the previous steps found nothing:
 
 1. Listen for 0.3 s at the baud rate at which boards announce their start. This is harmless, and a
-   scan would wait as long anyway.
+   scan would wait that long anyway.
 2. Send the likely probes of each kind in the given order, the most common kind first. Most boards
    respond within two seconds, and no kind waits for the long scan of another kind.
 3. Send the other probes of each kind. They take half a minute, and few boards need them.
 4. Repeat the likely probes of a kind whose only reply may have been lost.
 
-The known kind of the port goes first in steps 2 to 4. The probes of one kind move no device of
-another kind, in any order: tests/devices/aracna/session/test_discovery.py checks all.
+The known kind of the port is probed first in steps 2 to 4. The probes of one kind never move a
+device of another kind. tests/devices/aracna/session/test_discovery.py checks this in any order.
 """
 
 import contextlib
@@ -38,8 +38,8 @@ from trex_gui.core.transport.settings import SHARED, PortSettings, SerialFormat
 
 log = logging.getLogger(__name__)
 
-_LISTEN = 0.3  # seconds
-_SAVED = 48  # unsolicited bytes saved for the diagnosis
+_LISTEN_S = 0.3  # seconds
+_SAVED_BYTES = 48  # unsolicited bytes saved for the diagnosis
 
 
 @dataclass(slots=True)
@@ -72,17 +72,20 @@ def scan_port(
 
     Never raises: a failure on one port must not stop the scan of the next port.
 
-    The line settings of `settings` are ignored. `probers` are in order, the most common kind first.
-    `first` is the known kind of the port, found earlier at the `packed` settings. `only_recall`
-    probes only these. `progress` and `cancelled` are called before each probe.
+    The line settings of `settings` are ignored. `probers` are ordered, the most common kind first.
+    `first` is the known kind of the port, found earlier at the `packed` settings. With
+    `only_recall`, only these settings are probed. `progress` and `cancelled` are called before
+    each probe.
     """
     result = PortScan()
-    opened = next((info.announces_at for info in probers.values() if info.announces_at), FLUSH_LINE)
+    initial = next(
+        (info.announces_at for info in probers.values() if info.announces_at), FLUSH_LINE
+    )
     running: dict[str, Prober] = {}
     probed = list(probers)
     is_shared = SHARED in packed
     try:
-        wire = open_wire(settings.at(opened))
+        wire = open_wire(settings.at(initial))
         try:
             known = probers.get(first or "") if packed and (is_shared or not full) else None
             found = known.recall(wire, settings, packed) if known and known.recall else None
@@ -92,9 +95,9 @@ def scan_port(
                 return result
             for key, info in probers.items():
                 running[key] = info.create(settings, full=full, known=key == first)
-            if heard := wire.read(_SAVED, _LISTEN):
+            if unsolicited := wire.read(_SAVED_BYTES, _LISTEN_S):
                 for prober in running.values():
-                    prober.record_unsolicited(opened, heard)
+                    prober.record_unsolicited(initial, unsolicited)
             probed = _probe_in_order(
                 wire, running, probers, first=first, progress=progress, cancelled=cancelled
             )
@@ -116,7 +119,7 @@ def scan_port(
         text = tr("Internal error while searching {0} ({1}).").format(settings.label, cause)
         return PortScan(error=StudioError(text))
     if result.error is not None:  # silence during an incomplete search is no evidence
-        diagnoses = [each for each in diagnoses if each.evidence > Evidence.SILENCE]
+        diagnoses = [item for item in diagnoses if item.evidence > Evidence.SILENCE]
     result.diagnoses = sorted(diagnoses, key=lambda diagnosis: -diagnosis.evidence)
     return result
 
@@ -153,8 +156,8 @@ def _probe_in_order(
 
 def order(parts: Mapping[str, Sequence[int]], first: str | None) -> list[tuple[str, int]]:
     keys = sorted(parts, key=lambda key: key != first)
-    most = max((len(each) for each in parts.values()), default=0)
-    return [(key, number) for number in range(most) for key in keys if number < len(parts[key])]
+    count = max(map(len, parts.values()), default=0)
+    return [(key, number) for number in range(count) for key in keys if number < len(parts[key])]
 
 
 def _release(wire: Transport, extra: float, *, answered: bool) -> None:

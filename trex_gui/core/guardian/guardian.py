@@ -21,15 +21,16 @@ log = logging.getLogger(__name__)
 
 HEARTBEAT_INTERVAL = 0.1  # seconds between heartbeats while motors may be moving
 
-_ENDING_S, _BREAKING_OFF_S = 2.0, 6.0  # seconds to end, and to end during a stop of up to 5 s
-_MOST_UNREAD, _UNREAD_S = 3, 0.25  # unread messages, and their age in s, of a suspended process
-
+_END_TIMEOUT_S = 2.0
+_ABORT_TIMEOUT_S = 6.0  # timeout during a stop, which takes up to 5 s
+_SUSPENDED_UNREAD = 3  # unread messages of a suspended process
+_SUSPENDED_S = 0.25  # age in seconds of the oldest unread message of a suspended process
 
 _watching_since: list[str] = []
 
 
 def watching_since() -> str:
-    """Return the log time from which motors could move, or `9999`."""
+    """Return the log time since when motors could move. `9999`: never."""
     return _watching_since[0] if _watching_since else "9999"
 
 
@@ -39,11 +40,11 @@ class StopSequence:
 
     packets: bytes  # packets that stop every motor
     queries: tuple[bytes, ...]  # requests for the status of each board
-    reply_size: int  # bytes of a reply
+    reply_size: int  # bytes per reply
     error_mask: int  # error bits in the first byte of a reply
     has_echo: bool  # True if all sent bytes come back before the reply
-    seconds: float  # longest duration of packets, a query and its reply
-    note: str = ""  # lines about the board, for the file of `maintain_file`
+    seconds: float  # maximum duration of the packets, a query and its reply
+    note: str = ""  # lines about the board for the file that `maintain_file` writes
 
 
 def joined_stops(stops: Sequence[StopSequence]) -> StopSequence:
@@ -60,11 +61,11 @@ def joined_stops(stops: Sequence[StopSequence]) -> StopSequence:
 @dataclass(frozen=True, slots=True)
 class SharedPort:
     kind: str  # `serial`, `socket` or `telnet`
-    number: int  # its file descriptor; on Windows a handle
+    number: int  # file descriptor, or handle on Windows
 
 
 class Guardian(Protocol):
-    """Guardian, as a session uses it.
+    """Interface between a session and its guardian.
 
     Attributes:
         is_ready: the process is running, responds and has not acted.
@@ -94,7 +95,7 @@ class GuardianProcess:
     def __init__(self, port: SharedPort | None, silence: float, file: Path | None = None) -> None:
         """Start a process that acts after `silence` seconds.
 
-        `port`: `None` if it has no descriptor. `file`: present while motors may be moving.
+        `port`: `None` if it has no descriptor. `file`: exists while motors may be moving.
         """
         self._sent: StopSequence | None = None
         self._is_confirmed = False
@@ -115,7 +116,7 @@ class GuardianProcess:
         threading.Thread(target=self._listen, args=(self._process,), daemon=True).start()
 
     def _listen(self, process: "subprocess.Popen[bytes]") -> None:
-        # Closed descriptors end this loop, although the process may still run.
+        # Closed descriptors end this loop, even if the process is still running.
         with contextlib.suppress(OSError, ValueError):
             for line in process.stdout or ():
                 if line != b"read\n":
@@ -134,7 +135,7 @@ class GuardianProcess:
                     case b"unconfirmed":
                         self._ended.set()  # the port is closed; a disk may block the process
         process.wait()
-        # Locked: nothing may be written to a new file with the descriptor of a closed pipe.
+        # Locked, because a new file could reuse the descriptor of the closed pipe.
         with self._writing, contextlib.suppress(OSError), process:
             self._ended.set()
 
@@ -145,10 +146,10 @@ class GuardianProcess:
 
     @property
     def _is_suspended(self) -> bool:
-        if self._unread < _MOST_UNREAD or not self._started.is_set() or self.has_acted:
+        if self._unread < _SUSPENDED_UNREAD or not self._started.is_set() or self.has_acted:
             return False
-        is_late = time.monotonic() - self._unread_since > _UNREAD_S
-        return is_late and self._unread >= _MOST_UNREAD  # the count may have changed meanwhile
+        is_late = time.monotonic() - self._unread_since > _SUSPENDED_S
+        return is_late and self._unread >= _SUSPENDED_UNREAD  # `_listen` may have reset the count
 
     @property
     def has_ended(self) -> bool:
@@ -166,7 +167,7 @@ class GuardianProcess:
             _watching_since.append(time.strftime("%Y-%m-%d %H:%M:%S"))
         self._marked.clear()
         self._send("idle" if sequence is None else _message(sequence))
-        if is_first and self._has_file and self.is_ready:  # a starting process must delay no stop
+        if is_first and self._has_file and self.is_ready:  # a slow start must not delay a stop
             self._marked.wait(0.1)
 
     def stop(self, seconds: float) -> bool:
@@ -178,20 +179,20 @@ class GuardianProcess:
         is_suspended = self._is_suspended
         # Without the message, the process would assume that the program died.
         is_notified = self._send("end")
-        seconds = _BREAKING_OFF_S if self.has_acted else 0.0 if is_suspended else _ENDING_S
+        seconds = _ABORT_TIMEOUT_S if self.has_acted else 0.0 if is_suspended else _END_TIMEOUT_S
         if self._process is not None and not self._ended.wait(seconds) and is_notified:
             log.warning("the guardian process does not respond")
             self._process.kill()
-            self._ended.wait(_ENDING_S)
+            self._ended.wait(_END_TIMEOUT_S)
         return self._is_confirmed
 
     def _send(self, message: str) -> bool:
-        """Send a message. Return False if that is impossible."""
+        """Send a message. Return whether it was sent."""
         process = self._process
         with self._writing:
             if process is None or process.stdin is None or self._ended.is_set():
                 return False
-            # Before the write: the message may be read before the next statement.
+            # Counted before the write, because the process may read the message at once.
             self._unread_since = self._unread_since if self._unread else time.monotonic()
             self._unread += 1
             try:
@@ -222,12 +223,12 @@ def _start(port: SharedPort, silence: float, file: Path | None) -> "subprocess.P
         options = {"startupinfo": startup, "creationflags": flags}
         os.set_handle_inheritable(number, True)
     else:
-        # Numbers 0 to 2, which may be free, become pipes. The new session gets no terminal signals.
+        # At least 3, because 0 to 2 become pipes. The new session gets no terminal signals.
         number = fcntl.fcntl(number, fcntl.F_DUPFD_CLOEXEC, 3)
         options = {"pass_fds": [number], "start_new_session": True}
     command = [sys.executable, "--guardian"]
     if not getattr(sys, "frozen", False):
-        # -I, -S: without the user's Python set-up.
+        # -I and -S ignore the user's Python set-up.
         command[1:] = ["-I", "-S", str(Path(__file__).with_name("process.py"))]
         if sys.platform == "win32":
             # In a virtual environment `executable` is a launcher that would continue to run.
@@ -238,12 +239,12 @@ def _start(port: SharedPort, silence: float, file: Path | None) -> "subprocess.P
             bufsize=0,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
-            # A window without a console may have a standard error that is not inheritable.
+            # Without a console, standard error may not be inheritable.
             stderr=subprocess.DEVNULL if sys.stderr is None else None,
             **options,
         )
     finally:
         if sys.platform == "win32":
-            os.set_handle_inheritable(number, False)  # Qt's processes inherit every handle
+            os.set_handle_inheritable(number, False)  # Qt's child processes inherit all
         else:
             os.close(number)

@@ -6,12 +6,12 @@ milliseconds, stays small and does not fail with the program.
 It reads one message per line from its standard input:
 
     watch STOP QUERY,… REPLY_SIZE ERROR_MASK HAS_ECHO SECONDS NOTE   motors may move; a heartbeat
-    idle   no motor may be moving
+    idle   no motor can be moving
     stop   stop the motors now
     end    the program needs the line again, or has closed it
 
 Bytes are hexadecimal. `StopSequence` in `guardian.py` explains the fields. The process sends
-`ready` at its start, `read` for each message, and `marked` once `maintain_file` has written its
+`ready` when it starts, `read` for each message, and `marked` once `maintain_file` has written its
 file. When it stops the motors, it sends `stopping`, then `confirmed` or `unconfirmed`, and logs
 the result.
 """
@@ -32,18 +32,18 @@ if sys.platform != "win32":
     import fcntl
     import termios
 
-_GIVE_UP_S = 5.0  # longest duration of a stop in seconds
-_GRACE_S = 0.02  # allowance in seconds for a heartbeat on its way
-_LATE_S = 0.05  # excess of a wait in s that indicates a suspension of this process
-_LATE_GRACE_S = 0.1  # allowance in seconds for messages after a suspension
+_GIVE_UP_S = 5.0  # maximum duration of a stop in seconds
+_GRACE_S = 0.02  # extra wait in seconds for a heartbeat in transit
+_LATE_S = 0.05  # if a wait is this much too long (s), this process was suspended
+_LATE_GRACE_S = 0.1  # extra wait in seconds for messages after a suspension
 _CLEAN_ROUNDS = 2  # consecutive rounds of clean replies that confirm a stop
 _QUIET_S = 0.03
 """Silence in seconds that ends a reply.
 
-Three bytes at 1200 baud take less, and usual adapters delay less. An echoed request continues
-after its first byte, so that it does not count as a reply."""
+It is longer than three bytes at 1200 baud and the delay of common adapters. If it were shorter,
+the first byte of an echoed request could count as a reply."""
 
-_MOST = 4096  # bytes of one read
+_MAX_READ = 4096  # bytes per read
 
 
 class FilePort:
@@ -58,7 +58,7 @@ class FilePort:
         self._settings = self._read_settings()
 
     def restore_settings(self) -> None:
-        """Undo changes by a search for a silent board."""
+        """Undo changes made by a search for a silent board."""
         if self._settings is not None and self._settings != self._read_settings():
             with suppress(termios.error):
                 termios.tcsetattr(self._descriptor, termios.TCSANOW, self._settings)
@@ -81,7 +81,7 @@ class FilePort:
         ready, _, _ = select.select([self._descriptor], [], [], max(0.0, seconds))
         data = b""
         with suppress(BlockingIOError):
-            data = os.read(self._descriptor, _MOST) if ready else b""
+            data = os.read(self._descriptor, _MAX_READ) if ready else b""
         if ready and not data:  # another reader was faster, or the line is gone
             time.sleep(_GRACE_S)
         return data
@@ -101,7 +101,7 @@ class SocketPort:
     def receive(self, seconds: float) -> bytes:
         self._socket.settimeout(max(0.0, seconds))
         try:
-            data = self._socket.recv(_MOST)
+            data = self._socket.recv(_MAX_READ)
         except (BlockingIOError, TimeoutError):
             return b""
         if not data:
@@ -119,7 +119,7 @@ class SocketPort:
 
 
 class TelnetPort(SocketPort):
-    """RFC 2217 port: data in Telnet, with commands after 255 (RFC 854)."""
+    """RFC 2217 port. In Telnet, 255 starts a command (RFC 854)."""
 
     _IAC, _SE, _SB, _WILL, _DONT = 255, 240, 250, 251, 254
 
@@ -161,8 +161,8 @@ if sys.platform == "win32":
     class WindowsPort:
         """Serial port of Windows, opened for overlapped I/O.
 
-        The timeouts of the port are unreliable: when the program closes the port, pyserial removes
-        them. A transfer that takes too long is cancelled.
+        The port's timeouts are unreliable, because pyserial removes them when the program closes
+        the port. A transfer that takes too long is therefore cancelled.
         """
 
         _STATE_SIZE = 28  # bytes of a DCB; the first word is the size
@@ -200,7 +200,7 @@ if sys.platform == "win32":
                 count = self._finish(overlapped, end - time.monotonic())
                 if count or time.monotonic() >= end:
                     return bytes(overlapped.getbuffer() or b"")
-                time.sleep(0.001)  # the timeouts may end a read at once
+                time.sleep(0.001)  # the port's timeouts may end a read at once
 
         @staticmethod
         def _finish(overlapped: "_winapi.Overlapped", seconds: float) -> int:
@@ -243,8 +243,8 @@ def maintain_file(
 ) -> None:
     """Write each note to a locked file.
 
-    An empty note removes the file, `None` ends the loop. Runs in its own thread: a slow disk delays
-    no stop. The next note repeats a failed write.
+    An empty note removes the file. `None` ends the loop. The loop runs in its own thread, so that a
+    slow disk never delays a stop. A failed write is repeated with the next note.
     """
     file: FileIO | None = None
     last = b""
@@ -258,9 +258,9 @@ def maintain_file(
                     fcntl.flock(opened, fcntl.LOCK_EX)
                 file, since = opened, time.strftime("since: %Y-%m-%d %H:%M:%S\n")
             if file is not None and note != last:
-                end = f"{'' if b'since: ' in note else since}guardian: {os.getpid()}\n".encode()
+                tail = f"{'' if b'since: ' in note else since}guardian: {os.getpid()}\n".encode()
                 file.seek(0)
-                file.truncate(file.write(note and note + end))
+                file.truncate(file.write(note and note + tail))
                 last = note
                 if note:
                     written()
@@ -277,7 +277,7 @@ class Watchdog:
     def __init__(
         self, port: Port, silence: float, files: Sequence[str], messages: FileIO, replies: FileIO
     ) -> None:
-        """`files`: log file, and file of `maintain_file`."""
+        """`files`: log file, and file that `maintain_file` writes."""
         self._port = port
         self._silence = silence
         self._log_file, path = files
@@ -286,7 +286,7 @@ class Watchdog:
         arguments = (path, self._notes, lambda: self._reply("marked"))
         self._writer = threading.Thread(target=maintain_file, args=arguments, daemon=True)
         self._writer.start()
-        self._is_called_off = False
+        self._is_cancelled = False
         self._messages: queue.Queue[str] = queue.Queue()
         threading.Thread(target=self._listen, args=(messages,), daemon=True).start()
 
@@ -312,13 +312,13 @@ class Watchdog:
             result = "The stop was sent and is confirmed."
             if not confirmed:
                 result = "The stop was sent, but the board did not confirm it."
-            if self._is_called_off:
+            if self._is_cancelled:
                 result = "A stop was sent; the program responds again and repeats it."
         outcome = "confirmed" if confirmed else "unconfirmed"
         with suppress(OSError):
             self._port.close()  # before the log, which may block
         self._reply(outcome)
-        if self._is_called_off:
+        if self._is_cancelled:
             outcome = "repeated"
         if confirmed:
             self._notes.put(b"")
@@ -351,27 +351,27 @@ class Watchdog:
 
     def _next(self, seconds: float | None) -> str | None:
         """Return the next message. `None`: timeout. Empty: end of the input."""
-        begun = time.monotonic()
+        started = time.monotonic()
         with suppress(queue.Empty):
             return self._messages.get(timeout=seconds)
-        is_late = time.monotonic() - begun > (seconds or 0) + _LATE_S
+        is_late = time.monotonic() - started > (seconds or 0) + _LATE_S
         with suppress(queue.Empty):
             return self._messages.get(timeout=_LATE_GRACE_S if is_late else _GRACE_S)
         return None
 
     def _stop(self, stop: StopMessage) -> bool:
-        """Repeat the stop. Return whether every board confirmed it."""
+        """Send the stop repeatedly. Return whether every board confirmed it."""
         self._port.restore_settings()
         self._port.write(stop.packets)
         end = time.monotonic() + _GIVE_UP_S
         self._read_until_quiet(stop.seconds)  # a board that is replying does not listen
         first, *others = stop.queries
         clean = 0
-        while clean < _CLEAN_ROUNDS and time.monotonic() < end and not self._is_called_off:
+        while clean < _CLEAN_ROUNDS and time.monotonic() < end and not self._is_cancelled:
             answers = [self._is_clean(stop, sent) for sent in (stop.packets + first, *others)]
             clean = clean + 1 if all(answers) else 0
             with suppress(queue.Empty):
-                self._is_called_off = self._messages.get_nowait() == "end"
+                self._is_cancelled = self._messages.get_nowait() == "end"
         return clean == _CLEAN_ROUNDS
 
     def _is_clean(self, stop: StopMessage, sent: bytes) -> bool:
@@ -385,14 +385,14 @@ class Watchdog:
         """Return `size` bytes, fewer after a timeout, more from a busy line."""
         received = b""
         end = time.monotonic() + seconds
-        while len(received) < size and (left := end - time.monotonic()) > 0:
-            received += self._port.receive(left)
+        while len(received) < size and (remaining := end - time.monotonic()) > 0:
+            received += self._port.receive(remaining)
         return received + self._read_until_quiet(seconds)
 
     def _read_until_quiet(self, seconds: float) -> bytes:
         received = b""
-        latest = time.monotonic() + seconds
-        while (data := self._port.receive(_QUIET_S)) and time.monotonic() < latest:
+        end = time.monotonic() + seconds
+        while (data := self._port.receive(_QUIET_S)) and time.monotonic() < end:
             received += data
         return received + data
 
@@ -416,14 +416,15 @@ class Watchdog:
 def main(arguments: list[str]) -> int:
     """Run the guardian of a port. Signals that end the program are ignored.
 
-    The arguments are the port's kind, its descriptor or handle, the silence in s, and `files`.
+    The arguments are the port's kind, its descriptor or handle, the silence in s, and the `files`
+    of `Watchdog`.
     """
     for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK"):
         if (number := getattr(signal, name, None)) is not None:
             signal.signal(number, signal.SIG_IGN)
     kind, number, silence, *files = arguments
     port = open_port(kind, int(number))
-    # Unbuffered: with a buffer, a reading thread would prevent the exit.
+    # Unbuffered, because a thread that reads a buffer would prevent the exit.
     Watchdog(port, float(silence), files, FileIO(0), FileIO(1, "w")).run()
     return 0
 

@@ -9,7 +9,7 @@ from trex_gui.core.files import data_folder
 from trex_gui.core.recording.store import SUFFIX, remove_recording, reported
 from trex_gui.core.translation import tr_noop
 
-MOST_FILES = 50  # some 10 MB
+MOST_FILES = 50  # about 10 MB
 MOST_BYTES = 100 * 1024 * 1024
 
 _NOT_USED = tr_noop("It cannot be used: {0}.")
@@ -41,10 +41,10 @@ def free_space(most_files: int = MOST_FILES, most_bytes: int = MOST_BYTES) -> No
     """
     folder = create_automatic_folder()
     with reported(folder, _NOT_USED):
-        found = sorted(path for path in folder.iterdir() if _NAME.fullmatch(path.name))
+        recordings = sorted(path for path in folder.iterdir() if _NAME.fullmatch(path.name))
     used = 0
-    for number, path in enumerate(reversed(found), start=1):
-        with contextlib.suppress(OSError):  # gone, or open in another program
+    for number, path in enumerate(reversed(recordings), start=1):
+        with contextlib.suppress(OSError):  # missing, or open in another program
             used += path.stat().st_size
             if number > 1 and (number >= most_files or used > most_bytes):
                 remove_recording(path)

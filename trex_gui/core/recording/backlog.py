@@ -9,13 +9,13 @@ from trex_gui.core.recording.kinds import Marker, RecordT
 from trex_gui.core.session import Condition
 from trex_gui.core.translation import tr
 
-CAPACITY = 100_000  # records: nine minutes at full rate, some 15 MB
+CAPACITY = 100_000  # records: nine minutes at full rate, about 15 MB
 
 
 class Backlog(Generic[RecordT]):
     """Passes records to another thread without blocking the sender.
 
-    A full queue drops new records. A marker replaces them later.
+    A full queue drops new records. A later marker reports their number.
     """
 
     def __init__(self, condition: Condition | None = None, capacity: int = CAPACITY) -> None:
@@ -39,14 +39,14 @@ class Backlog(Generic[RecordT]):
             self._ready.notify()
 
     def close(self, time: float) -> None:
-        """Accept no more records. `time`: session clock, for a last marker."""
+        """Accept no more records. `time`: time of a final marker (session clock in s)."""
         with self._ready:
             self._mark_lost(time)
             self._closed = True
             self._ready.notify()
 
     def get(self, seconds: float) -> list[RecordT | Marker] | None:
-        """Return pending records after at most `seconds`. `None` at the end."""
+        """Return the pending records after at most `seconds`. `None`: closed."""
         with self._ready:
             if not self._pending and not self._closed:
                 self._ready.wait(seconds)

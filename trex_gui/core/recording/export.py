@@ -29,13 +29,13 @@ def export_span(
     path: Path,
     span: tuple[float, float],
     header: Mapping[str, Value],
-    progress: ProgressCallback = lambda _share: None,
+    progress: ProgressCallback = lambda _fraction: None,
 ) -> None:
     """Write the samples of a span as MCAP or CSV, by suffix.
 
-    `span`: session clock in s. `progress` gets the completed share, 0 to 1. An exception from
-    `progress` ends the export. Only a complete file replaces an existing file. Raises
-    RecordingError.
+    `span`: session clock in s. `progress` is called with the completed fraction, 0 to 1. An
+    exception from `progress` ends the export. Only a complete file replaces an existing file.
+    Raises RecordingError.
     """
     write = _write_mcap if path.suffix.lower() == MCAP_SUFFIX else _write_csv
     with reported(path, NOT_WRITTEN), atomic_file(path) as file:
@@ -69,29 +69,29 @@ def _write_csv(
     other. The first row has the kind `header` and the header as JSON in `text`.
     """
     names = list(dict.fromkeys(name for kind in recording.kinds for name in kind.exported))
-    places = {name: place for place, name in enumerate(names)}
-    columns = {kind.name: [places[name] for name in kind.exported] for kind in recording.kinds}
-    held_of: dict[Value, list[Value]] = defaultdict(lambda: [None] * len(names))  # by source
+    indices = {name: index for index, name in enumerate(names)}
+    columns = {kind.name: [indices[name] for name in kind.exported] for kind in recording.kinds}
+    held_by_source: dict[Value, list[Value]] = defaultdict(lambda: [None] * len(names))
     text = io.TextIOWrapper(file, encoding="utf-8", errors="surrogatepass", newline="")
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(["time_s", "sample", *names])
     cells: list[Value] = [None] * len(names)
-    cells[places["text"]] = json.dumps(header)
+    cells[indices["text"]] = json.dumps(header)
     writer.writerow(["0.000000", "header", *cells])
     for rows in _rows(recording, span, progress):
         lines = []
-        for time, index, values in rows:
-            kind = recording.kinds[index]
+        for time, kind_index, values in rows:
+            kind = recording.kinds[kind_index]
             exported = kind.exported
             source = values[exported.index(SOURCE)] if SOURCE in exported else None
-            held = held_of[source]
+            held = held_by_source[source]
             for cleared in kind.clears & columns.keys():
-                for place in columns[cleared]:
-                    held[place] = None
+                for index in columns[cleared]:
+                    held[index] = None
             cells = held if kind.held else held.copy()
-            for place, value in zip(columns[kind.name], values, strict=True):
+            for index, value in zip(columns[kind.name], values, strict=True):
                 if value is not None or not kind.partial:
-                    cells[place] = csv_cell(value)
+                    cells[index] = csv_cell(value)
             lines.append((f"{time:.6f}", kind.name, *cells))
         writer.writerows(lines)
     text.flush()
@@ -118,21 +118,21 @@ def _write_mcap(
         channels.append(writer.register_channel(f"/{device}/{kind.name}", "json", schema))
     started = round(recording.header.started.timestamp() * 1e9)
     # A damaged file may contain any time.
-    earliest, latest = (end - recording.header.started.timestamp() for end in _MCAP_TIMES)
+    earliest, latest = (limit - recording.header.started.timestamp() for limit in _MCAP_TIMES)
     for rows in _rows(recording, span, progress):
         for time, index, values in rows:
             names = recording.kinds[index].exported
             data = json.dumps(dict(zip(names, values, strict=True))).encode()
-            at = started + round(min(max(time, earliest), latest) * 1e9)
-            writer.add_message(channels[index], at, data, at)
+            timestamp = started + round(min(max(time, earliest), latest) * 1e9)
+            writer.add_message(channels[index], timestamp, data, timestamp)
     writer.finish()  # type: ignore[no-untyped-call] # no annotation in the library
 
 
 def _schema(kind: SampleKind) -> dict[str, Any]:
     properties: dict[str, Any] = {}
     for column in kind.columns:
-        about = {"description": column.description}
-        properties[column.name] = {"type": [_JSON_TYPES[column.type], "null"], **about}
+        described = {"description": column.description}
+        properties[column.name] = {"type": [_JSON_TYPES[column.type], "null"], **described}
         if column.physical is not None:
-            properties[column.physical.name] = {"type": ["number", "null"], **about}
+            properties[column.physical.name] = {"type": ["number", "null"], **described}
     return {"type": "object", "title": kind.name, "properties": properties}

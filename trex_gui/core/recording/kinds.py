@@ -15,7 +15,7 @@ Value = int | float | str | None
 
 SOURCE = "board"  # column that identifies the board, if there are several
 
-LONGEST_TEXT = 60_000  # characters of a text; the settings of a board take 4,000
+LONGEST_TEXT = 60_000  # characters per text; the settings of a board need 4,000
 
 
 class Timestamped(Protocol):
@@ -28,8 +28,8 @@ class Timestamped(Protocol):
 class RecordingHeader(Protocol):
     """Header of a recording. `clock`: session clock (s) at its start.
 
-    `values`: rows of the header table, which are `device_name`, `started_utc`, `clock_s` and
-    values of the device.
+    `values`: rows of the header table, which are `device_name`, `started_utc`, `clock_s` and the
+    device's own values.
     """
 
     @property
@@ -45,7 +45,10 @@ RecordT = TypeVar("RecordT", bound=Timestamped)
 
 @dataclass(frozen=True, slots=True)
 class Marker:
-    """Event. `kind`: a word such as `stop`. `text`: a sentence for the user."""
+    """Event in a recording.
+
+    `kind`: a word such as `stop`. `text`: a sentence for the user.
+    """
 
     time: float
     kind: str
@@ -53,7 +56,7 @@ class Marker:
 
 
 def marker(time: float, kind: str, text: str) -> Marker:
-    """Create a marker. Its text is cut to `LONGEST_TEXT`."""
+    """Create a marker. Its text is truncated to `LONGEST_TEXT`."""
     return Marker(time, kind, text[:LONGEST_TEXT])
 
 
@@ -61,7 +64,7 @@ def marker(time: float, kind: str, text: str) -> Marker:
 class Physical:
     """Computed column: stored value times `scale`, rounded to `digits`.
 
-    `scales`: other scales by `SOURCE`. The source in the header has `scale`.
+    `scales`: value of `SOURCE` → its scale, if it differs from `scale`.
     """
 
     name: str
@@ -128,7 +131,7 @@ MARKERS = SampleKind(
         Column("marker_kind", "TEXT", "stop, fault, apply, link, note and so on"),
         Column("text", "TEXT", "what happened"),
     ),
-    # The name of a port may contain invalid text.
+    # The name of a port may contain invalid Unicode.
     lambda marker: (marker.kind, marker.text.encode("utf-8", "backslashreplace").decode()),
     Marker,
 )
@@ -136,7 +139,7 @@ MARKERS = SampleKind(
 
 @dataclass(frozen=True, slots=True)
 class RecordingFormat(Generic[HeaderT]):
-    """Format of a device's recordings. `device`: key in the header table.
+    """Format of a device's recordings. `device`: its name in the header table.
 
     `read_header` creates the header from the table's rows. It raises ValueError if they are
     damaged. `type_of` returns the `SampleKind.type` of a record.

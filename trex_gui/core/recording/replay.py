@@ -1,4 +1,4 @@
-"""State of a device at any time of a recording."""
+"""State of a device at any time in a recording."""
 
 import math
 from bisect import bisect_right
@@ -21,13 +21,13 @@ ResultT = TypeVar("ResultT")
 
 
 class Replay(Generic[HeaderT, RecordT, StateT]):
-    """Saves the state at each chunk's start. One thread at a time."""
+    """Saves the state at the start of each chunk. Not thread-safe."""
 
     def __init__(self, recording: Recording[HeaderT, RecordT], initial: StateT) -> None:
         self.recording = recording
         self._states = [initial]
         self._starts: list[float] = []  # latest time before each chunk, ascending
-        self.latest = -math.inf  # latest time of the records read
+        self.latest = -math.inf  # latest time of the records read so far
         self._cached: tuple[int, Sequence[RecordT]] = (-1, ())
 
     @property

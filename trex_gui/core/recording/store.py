@@ -42,13 +42,13 @@ SCHEMA_VERSION = 1
 CHUNK = 1000  # records read at a time
 _TYPES = {"INTEGER": int, "REAL": float, "TEXT": str}
 _MAGIC = b"SQLite format 3\0"
-_HEAD = struct.Struct(">16xH10xI")  # page size and page count of a database
-_LONGEST_VALUE = 4 * LONGEST_TEXT  # bytes; SQLite rejects longer values
-_MOST_HEADER_ROWS = 100
-_MOST_PROBLEMS = 20
-_LATEST_CLOCK = 1e10  # seconds: three hundred years
-_EARLIEST_S = -3600.0  # earliest time of a record from the start
-_LATEST_S = 200 * 86400.0  # latest time of a record from the start
+_SQLITE_HEADER = struct.Struct(">16xH10xI")  # page size and page count
+_MAX_VALUE = 4 * LONGEST_TEXT  # bytes; SQLite rejects longer values
+_MAX_HEADER_ROWS = 100
+_MAX_PROBLEMS = 20
+_LATEST_CLOCK = 1e10  # seconds: about three hundred years
+_EARLIEST_S = -3600.0  # earliest time of a record, in seconds from the start
+_LATEST_S = 200 * 86400.0  # latest time of a record, in seconds from the start
 _NOT_A_RECORDING = tr_noop("This is not a TReX Studio recording.")
 NOT_WRITTEN = tr_noop("It cannot be written: {0}.")
 _NOT_OPENED = tr_noop("It cannot be opened: {0}.")
@@ -70,7 +70,7 @@ def reason_of(error: Exception) -> str:
 
 @contextlib.contextmanager
 def reported(path: Path, message: str) -> Iterator[None]:
-    """Convert disk errors to RecordingError. `message` has a placeholder."""
+    """Convert disk errors to RecordingError. `message` has a placeholder for the reason."""
     try:
         yield
     except (OSError, ValueError, sqlite3.Error) as error:
@@ -188,12 +188,12 @@ def _companions(path: Path) -> Iterator[Path]:
 
 def copy_recording(source: Path, path: Path) -> None:
     """Copy a recording. Overwrites `path`. Raises RecordingError."""
-    with reported(path, NOT_WRITTEN), open_ordinary(source) as whole, atomic_file(path) as copy:
-        shutil.copyfileobj(whole, copy)
+    with reported(path, NOT_WRITTEN), open_ordinary(source) as original, atomic_file(path) as copy:
+        shutil.copyfileobj(original, copy)
 
 
 def remove_recording(path: Path) -> None:
-    """Remove a recording and SQLite's files beside it. Raises OSError."""
+    """Remove a recording and its SQLite companion files. Raises OSError."""
     path.unlink()
     for companion in _companions(path):
         companion.unlink(missing_ok=True)
@@ -245,16 +245,16 @@ class Recording(Generic[HeaderT, RecordT]):
                 ).format(SUFFIX)
             )
         with reported(path, _NOT_OPENED), open_ordinary(path) as file:
-            head = file.read(_HEAD.size)
+            sqlite_header = file.read(_SQLITE_HEADER.size)
             size = file.seek(0, os.SEEK_END)
-        if len(head) < _HEAD.size or not head.startswith(_MAGIC):
+        if len(sqlite_header) < _SQLITE_HEADER.size or not sqlite_header.startswith(_MAGIC):
             raise self._error(tr(_NOT_A_RECORDING))
-        page_size, pages = _HEAD.unpack(head)
+        page_size, pages = _SQLITE_HEADER.unpack(sqlite_header)
         with reported(path, _NOT_OPENED):
             for companion in _companions(path):
                 with contextlib.suppress(FileNotFoundError):
                     check_ordinary(companion)
-        log = path.with_name(f"{path.name}-wal")  # committed, not yet synced
+        log = path.with_name(f"{path.name}-wal")  # records that are committed but not yet synced
         if size < page_size * pages and not log.exists():
             self.problems.append(tr("The end of the file is missing."))
         self._open = contextlib.ExitStack()
@@ -263,7 +263,7 @@ class Recording(Generic[HeaderT, RecordT]):
             with reported(path, _DAMAGED):
                 self.header = self._read_header()
                 self.kinds = self._checked_tables(fmt.kinds(self.header))
-                self.count = self._last_record()  # number of the last record; the first has 1
+                self.count = self._last_record()  # number of the last record; the first is 1
                 self._valid_types = defaultdict[tuple[str, ...], set[tuple[type, ...]]](set)
         except BaseException:
             self.close()
@@ -296,7 +296,7 @@ class Recording(Generic[HeaderT, RecordT]):
                 database.execute("PRAGMA trusted_schema = OFF")
                 database.execute("PRAGMA cell_size_check = ON")
                 database.execute("PRAGMA writable_schema = ON")  # to read a truncated file
-                database.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, _LONGEST_VALUE)
+                database.setlimit(sqlite3.SQLITE_LIMIT_LENGTH, _MAX_VALUE)
                 database.execute("SELECT count(*) FROM sqlite_master").fetchone()
             except sqlite3.Error as error:
                 database.close()
@@ -329,7 +329,7 @@ class Recording(Generic[HeaderT, RecordT]):
             execute(
                 "SELECT key, value FROM header"
                 " WHERE length(key || coalesce(value, '')) <= ? LIMIT ?",
-                (LONGEST_TEXT, _MOST_HEADER_ROWS),
+                (LONGEST_TEXT, _MAX_HEADER_ROWS),
             ).fetchall()
         )
         if values.get("device") != self.format.device:
@@ -353,23 +353,25 @@ class Recording(Generic[HeaderT, RecordT]):
     def _checked_tables(self, kinds: Iterable[SampleKind]) -> tuple[SampleKind, ...]:
         """Return the kinds that the file contains. Report missing kinds.
 
-        A missing kind may be of a later version. Raises RecordingError for missing markers, which
-        every version has, and for a table with another structure.
+        A kind may be missing because it is newer than the file. Raises RecordingError for missing
+        markers, which every version has, and for a table with an unexpected structure.
         """
-        found = []
-        plain = "SELECT name FROM sqlite_master WHERE type = 'table' AND sql LIKE 'CREATE TABLE%'"
-        tables = {name for (name,) in self._database.execute(plain)}
+        available = []
+        query = "SELECT name FROM sqlite_master WHERE type = 'table' AND sql LIKE 'CREATE TABLE%'"
+        tables = {name for (name,) in self._database.execute(query)}
         for kind in kinds:
-            lost = "" if kind.name in tables else tr("The table {0} is missing.").format(kind.name)
+            problem = (
+                "" if kind.name in tables else tr("The table {0} is missing.").format(kind.name)
+            )
             info = self._database.execute(f"PRAGMA table_xinfo({kind.name})").fetchall()
             missing = {"record", "clock_s", "time_s", *kind.exported} - {row[1] for row in info}
-            if missing and not lost:
+            if missing and not problem:
                 column = f"{kind.name}.{min(missing)}"
-                lost = tr("The column {0} is missing.").format(column)
-            if lost and kind is MARKERS:
-                raise self._error(lost)
-            if lost:
-                self.problems.append(lost)
+                problem = tr("The column {0} is missing.").format(column)
+            if problem and kind is MARKERS:
+                raise self._error(problem)
+            if problem:
+                self.problems.append(problem)
                 continue
             stored = {"record", "clock_s", *(column.name for column in kind.columns)}
             for _, name, *_, hidden in info:
@@ -380,8 +382,8 @@ class Recording(Generic[HeaderT, RecordT]):
             if [row[1:3] for row in info if row[5]] != [("record", "INTEGER")]:
                 message = tr("The column {0} is not the key of its table.")
                 raise self._error(message.format(f"{kind.name}.record"))
-            found.append(kind)
-        return tuple(found)
+            available.append(kind)
+        return tuple(available)
 
     def _last_record(self) -> int:
         last = 0
@@ -390,13 +392,13 @@ class Recording(Generic[HeaderT, RecordT]):
             # A damaged table is reported when it is read.
             with contextlib.suppress(sqlite3.DatabaseError, TypeError):
                 last = max(last, self._database.execute(query).fetchone()[0] or 0)
-        return min(last, _size(self._database))  # a record takes several bytes
+        return min(last, _size(self._database))  # each record has several bytes
 
     def close(self) -> None:
         self._open.close()
 
     def read(self, first: int, last: int) -> list[RecordT]:
-        """Return records by number, in order. Report damaged records."""
+        """Return the records from `first` to `last` in order. Report damaged records."""
         found: list[tuple[int, Timestamped]] = []
         for kind in self.kinds:
             stored = {column.name: (column.type, column.optional) for column in kind.columns}
@@ -460,7 +462,7 @@ class Recording(Generic[HeaderT, RecordT]):
         self._report(tr("Record {0} cannot be read: {1}.").format(number, reason))
 
     def _report(self, problem: str) -> None:
-        if problem not in self.problems and len(self.problems) < _MOST_PROBLEMS:
+        if problem not in self.problems and len(self.problems) < _MAX_PROBLEMS:
             self.problems.append(problem)
 
 

@@ -9,7 +9,7 @@ from trex_gui.core.errors import StudioError
 from trex_gui.core.simulator.line import SimulatedLine
 from trex_gui.core.texts import counted
 
-GOODBYE = "ok bye"  # last reply of the server, to `quit`
+GOODBYE = "ok bye"  # reply to `quit`, after which the server ends
 _MAX_COUNT = 999_999_999
 _MAX_GARBAGE = 10_000
 _LONGEST_DELAY = 60.0  # seconds

@@ -44,7 +44,7 @@ class Endpoint(Protocol):
     def waiting_for(self) -> list[int]: ...
 
     def receive(self, ready: Collection[int]) -> Iterable[Arrival]:
-        """Serve readable descriptors. Return received bytes."""
+        """Read the `ready` descriptors. Return the received bytes."""
 
     def write(self, data: bytes) -> None:
         """Send bytes, which are lost if the host does not read."""
@@ -73,8 +73,8 @@ class TcpEndpoint:
         return f"{self.scheme}://{host}:{self._port}"
 
     def waiting_for(self) -> list[int]:
-        end = self._client or self._listener
-        return [end.fileno()] if end is not None else []
+        current = self._client or self._listener
+        return [current.fileno()] if current is not None else []
 
     def receive(self, ready: Collection[int]) -> Iterable[Arrival]:
         if self._client is None:
@@ -128,7 +128,7 @@ class TcpEndpoint:
             self.hosts_left += 1
 
     def _accept(self, listener: socket.socket) -> None:
-        with contextlib.suppress(OSError):  # the client may have left
+        with contextlib.suppress(OSError):  # the client may have disconnected
             self._client, _ = listener.accept()
             self._client.setblocking(False)
             self._client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)

@@ -1,7 +1,7 @@
 """Serial line between a host and simulated devices, with faults.
 
-Time is virtual. Bytes take as long as on a real wire. Nothing here waits: `advance` moves the wire
-and the devices forward, event by event.
+Time is virtual. Bytes take as long as on a real wire. Nothing here waits. `advance` processes the
+events of the wire and the devices.
 """
 
 import math
@@ -33,8 +33,8 @@ class WireFaults:
         self.plugged = True
         self.noise = 0.0  # probability that a byte is corrupted
         self.delay = 0.0  # seconds, for bytes to the host
-        self.to_drop = self.to_drop_sent = 0  # next bytes to lose, to and from the host
-        self.to_corrupt = self.to_double = 0  # next bytes to the host to corrupt, or double
+        self.to_drop = self.to_drop_sent = 0  # number of next bytes to lose, to and from the host
+        self.to_corrupt = self.to_double = 0  # number of next bytes to the host to corrupt, double
         self.to_cut: int | None = None  # bytes to the host before a text line is cut
         self.errors: deque[ReceiveError] = deque()  # for the next bytes from the host
         self.counters: Counter[str] = Counter(
@@ -125,7 +125,7 @@ class Station(Protocol):
     def receive(
         self, byte: int, host: SerialFormat | None, error: ReceiveError | None, begun: float
     ) -> None:
-        """Receive a byte sent at the station's rate from `begun` (s)."""
+        """Receive a byte sent at the station's rate. `begun`: its start (s)."""
 
     def sample(self, byte: int, host: SerialFormat) -> None:
         """Sample a byte that starts now at another rate."""
@@ -133,7 +133,7 @@ class Station(Protocol):
 
 @dataclass(slots=True, eq=False)
 class _Frame:
-    """Byte on its way to the host from `start` to `end` (s).
+    """Byte in transit to the host from `start` to `end` (s).
 
     `baud`: real bit rate. If `is_alive` is false at the end, because the sender has lost power, the
     byte is lost and `then` is not called.
@@ -148,7 +148,7 @@ class _Frame:
     then: Callable[[], object] = lambda: None
     collided: bool = False
 
-    def is_in_step_with(self, other: "_Frame") -> bool:
+    def coincides_with(self, other: "_Frame") -> bool:
         return (
             abs(self.start - other.start) < EPSILON
             and abs(self.end - other.end) < EPSILON
@@ -168,7 +168,7 @@ class SimulatedLine:
     start together arrive as their AND. For other overlaps the host samples the wire's level.
 
     Attributes:
-        host: settings of the host's port; `None`: as the first station.
+        host: settings of the host's port; `None`: those of the first station.
     """
 
     stations: Sequence[Station]
@@ -315,7 +315,7 @@ class SimulatedLine:
             self._received += arriving
 
     def inject(self, data: bytes) -> None:
-        """Send bytes to the host that come from no station."""
+        """Send garbage to the host."""
         byte_time = self.byte_time
         for byte in data:
             start = max(self.now, self._injecting_until)
@@ -345,18 +345,18 @@ class SimulatedLine:
             other
             for other in self._frames
             if other.is_alive()
-            and (other.end > frame.start + EPSILON or frame.is_in_step_with(other))
+            and (other.end > frame.start + EPSILON or frame.coincides_with(other))
         ]
         if others:
             self.faults.counters["collisions"] += 1
-            if len(others) == 1 and not others[0].collided and frame.is_in_step_with(others[0]):
+            if len(others) == 1 and not others[0].collided and frame.coincides_with(others[0]):
                 others[0].value &= frame.value
                 self.timeline.at(frame.end, frame.then, frame.is_alive)
                 return
-            for each in (*others, frame):
-                if not each.collided:
-                    each.collided = True
-                    self._collided.append(each)
+            for overlapping in (*others, frame):
+                if not overlapping.collided:
+                    overlapping.collided = True
+                    self._collided.append(overlapping)
         self._frames.append(frame)
         self.timeline.at(frame.end, partial(self._end, frame))
 
@@ -368,7 +368,7 @@ class SimulatedLine:
                 self.arrive(frame.value, frame.start)
         elif not any(other.collided for other in self._frames):
             collided, self._collided = self._collided, []
-            self._resolve([each for each in collided if each.is_alive()])
+            self._resolve([other for other in collided if other.is_alive()])
         if is_alive:
             frame.then()
 
@@ -389,5 +389,5 @@ class SimulatedLine:
             middle = (before + after) / 2
             sampled += receiver.sample(min(frame.level(middle) for frame in frames), after)
         sampled += receiver.idle(edges[-1] + 20 / receiver.baud)
-        for each in sampled:
-            self.arrive(each.value, start)
+        for sampled_byte in sampled:
+            self.arrive(sampled_byte.value, start)

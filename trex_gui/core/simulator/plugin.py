@@ -10,7 +10,7 @@ from trex_gui.core.simulator.line import SimulatedLine
 
 @dataclass(frozen=True, slots=True)
 class Simulation:
-    """Line in virtual time, and function that replies to control lines."""
+    """Line in virtual time, with a function that replies to control lines."""
 
     line: SimulatedLine
     control: Callable[[str], str]
@@ -23,7 +23,7 @@ class SimulatorPlugin:
     Attributes:
         help: text of the option that selects the device, or of the command for the default device.
         options: options of this device only.
-        build: creates the simulation from the values of `options`, `paced` and `seed`. Raises a
+        build: creates the simulation from the values of `options`, `paced` and `seed`. Raises
             StudioError if a file cannot be read.
     """
 

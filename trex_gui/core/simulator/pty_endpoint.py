@@ -89,10 +89,10 @@ class PtyEndpoint:
             return
         if self._link.exists() and not self._link.is_symlink():
             raise FileExistsError(errno.EEXIST, "a file of this name exists")
-        fresh = self._link.with_name(f".{self._link.name}.{os.getpid()}")
-        fresh.unlink(missing_ok=True)
-        fresh.symlink_to(self._path)
-        fresh.replace(self._link)  # atomic
+        new_link = self._link.with_name(f".{self._link.name}.{os.getpid()}")
+        new_link.unlink(missing_ok=True)
+        new_link.symlink_to(self._path)
+        new_link.replace(self._link)  # atomic
 
 
 def _set_speed(terminal: int, baud: int) -> None:

@@ -58,8 +58,8 @@ class Rfc2217Endpoint(TcpEndpoint):
     def welcome(self) -> None:
         self._port_settings = _Port(self._baud)
         self._manager = PortManager(
-            self._port_settings,  # type: ignore[arg-type] # the stubs want a real port here
-            SimpleNamespace(write=super().write),  # type: ignore[arg-type] # and here
+            self._port_settings,  # type: ignore[arg-type] # the stubs require a real port
+            SimpleNamespace(write=super().write),  # type: ignore[arg-type] # likewise
         )
 
     def arrivals(self, data: bytes) -> Iterable[Arrival]:

@@ -101,7 +101,7 @@ class Receiver:
         yield from self.sample(_HIGH, until)
 
     def sample(self, level: int, until: float) -> Iterator[SampledByte]:
-        """Hold the wire at a level. Yield the completed bytes."""
+        """Set the wire to a level until a time (s). Yield the completed bytes."""
         if until <= self.known_until:
             return
         falls = level < self._level
@@ -142,7 +142,7 @@ class RateConverter:
         baud: float,
         deliver: Callable[[int, ReceiveError | None, float], None],
     ) -> None:
-        """Pass each complete byte to `deliver`, with its error and start time."""
+        """`deliver`: called with each complete byte, its error and its start time (s)."""
         self.line = line
         self._timeline = timeline
         self._deliver = deliver
@@ -152,14 +152,15 @@ class RateConverter:
         """Sample a byte that starts now. If not `paced`, silence follows it."""
         receiver, timeline = self._receiver, self._timeline
         if not paced:
-            for each in receiver.receive_isolated(byte, sender, baud):
-                self._deliver(each.value, each.error, timeline.now)
+            for sampled in receiver.receive_isolated(byte, sender, baud):
+                self._deliver(sampled.value, sampled.error, timeline.now)
             return
-        for each in receiver.receive(timeline.now, byte, sender, baud):
-            timeline.at(each.at, partial(self._deliver, each.value, each.error, each.begun))
+        for sampled in receiver.receive(timeline.now, byte, sender, baud):
+            deliver = partial(self._deliver, sampled.value, sampled.error, sampled.begun)
+            timeline.at(sampled.at, deliver)
         if (due := receiver.due) is not None:
             timeline.at(due, partial(self._end, due))
 
     def _end(self, due: float) -> None:
-        for each in self._receiver.idle(nextafter(due, inf)):
-            self._deliver(each.value, each.error, each.begun)
+        for sampled in self._receiver.idle(nextafter(due, inf)):
+            self._deliver(sampled.value, sampled.error, sampled.begun)

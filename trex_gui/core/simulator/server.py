@@ -23,14 +23,14 @@ from trex_gui.core.simulator.plugin import Simulation
 from trex_gui.core.transport.settings import SerialFormat
 
 _IDLE = 0.1  # seconds between updates of an idle line
-_SUSPENDED = 2.0  # seconds; a longer gap, after a suspension of the process, is skipped
+_SUSPENDED = 2.0  # seconds; a longer gap is skipped, since the process was suspended
 _MAX_AHEAD = 0.02
-"""Longest queue on the line in seconds.
+"""Maximum length of the line's queue in seconds.
 
-The server holds later bytes, and discards them when the host disconnects or reconfigures its
+The server buffers further bytes. It discards them when the host disconnects or reconfigures its
 port."""
 
-_MAX_UNSENT = 65_536  # bytes from the host that the server holds; more are lost
+_MAX_UNSENT = 65_536  # buffered bytes from the host; further bytes are lost
 _CHUNK = 16  # bytes queued on the line at a time
 _BATCH = 0.001
 """Interval in seconds between wake-ups during a stream from the host.
@@ -160,7 +160,7 @@ class Server:
             self._ended = True  # standard output is closed
 
     def _read_control_lines(self) -> None:
-        """Read standard input in a thread: `select` cannot wait for it on every system."""
+        """Read standard input in a thread, since not every `select` can wait for it."""
         try:
             kind = os.fstat(0).st_mode
         except OSError:
@@ -192,7 +192,7 @@ class Server:
 
     def _wake_up(self) -> None:
         """Wake the loop, from a thread or a signal handler."""
-        with contextlib.suppress(OSError):  # a full pipe wakes the loop; a closed pipe has no loop
+        with contextlib.suppress(OSError):  # a full pipe wakes the loop anyway
             self._wake.send(b"!")
 
     def _catch_signals(self) -> dict[int, "signal._HANDLER"]:

@@ -8,9 +8,10 @@ from serial.tools import list_ports
 from serial.tools.list_ports_common import ListPortInfo
 
 _SHARED = 4
-"""Longest serial number, in characters, that several adapters may share. CP2102 are sold with 0001.
+"""Maximum length of a serial number that several adapters may share.
 
-The socket identifies such adapters, and adapters without a number."""
+CP2102 adapters are sold with 0001. Such adapters, and adapters without a number, are identified by
+their socket."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,10 +19,10 @@ class Adapter:
     """USB adapter, as the system reports it.
 
     Attributes:
-        product: numbers of vendor and product: `0403:6001`.
+        product: IDs of vendor and product, such as `0403:6001`.
         number: serial number, or empty.
-        location: socket, with the interface if the adapter has several ports: `1-2.3`, `1-2:1.1`.
-            Empty if the system does not report it.
+        location: socket, with the interface if the adapter has several ports, such as `1-2.3` or
+            `1-2:1.1`. Empty if the system does not report it.
     """
 
     product: str
@@ -38,12 +39,12 @@ class Adapter:
 
     @property
     def key(self) -> str:
-        """Key of saved data, as one word. Equal if `is_same`."""
-        place = self.location if len(self.number) <= _SHARED else _interface(self)
-        return re.sub(r"[/\s]+", "-", "-".join(filter(None, (self.product, self.number, place))))
+        """Key of saved data, in one word. The same adapter has an equal key."""
+        location = self.location if len(self.number) <= _SHARED else _interface(self)
+        return re.sub(r"[/\s]+", "-", "-".join(filter(None, (self.product, self.number, location))))
 
     def is_same(self, other: "Adapter") -> bool:
-        """Return whether both are one adapter, perhaps in another socket."""
+        """Return whether both are the same adapter, perhaps in another socket."""
         if (self.product, self.number) != (other.product, other.number):
             return False
         if len(self.number) <= _SHARED:
@@ -56,9 +57,9 @@ def _interface(adapter: Adapter) -> str:
 
 
 def adapter_key(url: str) -> str:
-    """Return the key of a port's present adapter. Empty if unknown."""
+    """Return the key of the adapter at a port. Empty if unknown."""
     if "://" in url:
         return ""
-    place = os.path.realpath(url.replace("\0", ""))  # no file name contains NUL
-    ports = (port for port in list_ports.comports() if os.path.realpath(port.device) == place)
+    path = os.path.realpath(url.replace("\0", ""))  # no file name contains NUL
+    ports = (port for port in list_ports.comports() if os.path.realpath(port.device) == path)
     return next((adapter.key for port in ports if (adapter := Adapter.of(port)) is not None), "")

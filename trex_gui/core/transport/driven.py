@@ -1,6 +1,6 @@
-"""Boards left running: program and guardian died before a confirmed stop.
+"""Boards left running, because program and guardian died before a confirmed stop.
 
-The guardian writes and locks a file while motors may move (`guardian.process`). An unlocked
+The guardian writes and locks a file while motors may move (see `guardian.process`). An unlocked
 file belongs to a board without a confirmed stop.
 """
 
@@ -47,9 +47,9 @@ class DrivenBoard(NamedTuple):
 
 
 DrivenBoards = dict[Path, DrivenBoard | None]
-"""Boards by file. `None`: the file is damaged."""
+"""File → board. `None`: the file is damaged."""
 
-_woken: dict[Path, DrivenBoard] = {}  # boards whose suspended guardian was resumed
+_resumed: dict[Path, DrivenBoard] = {}  # boards whose suspended guardian was resumed
 _SUSPENDED = (("status", "(stopped)"), ("cmdline", "guardian"))  # /proc of a suspended guardian
 _warn_once = cache(logging.getLogger(__name__).warning)
 
@@ -62,11 +62,11 @@ def driven_note(board: str, settings: PortSettings) -> str:
 
 def driven_boards() -> DrivenBoards:
     """Return the boards left running. Log each board once."""
-    found: DrivenBoards = {}
-    thread = threading.Thread(target=_read_files, args=(found,), daemon=True)
+    boards_read: DrivenBoards = {}
+    thread = threading.Thread(target=_read_files, args=(boards_read,), daemon=True)
     thread.start()
     thread.join(0.5)  # a disk that does not respond counts as empty
-    boards = dict(found)
+    boards = dict(boards_read)
     for file, board in boards.items():
         _warn_once("%s", left_text(file, board))
     return boards
@@ -77,29 +77,29 @@ def left_text(file: Path, board: DrivenBoard | None) -> str:
 
 
 def driven_at(url: str) -> tuple[Path, DrivenBoard | None]:
-    """Return the file of a port and its board, which the caller stops."""
+    """Return the file of a port, and its board. The caller must stop the board."""
     boards = driven_boards()
-    found = (file for file, board in boards.items() if board and _is_at(file, board, url))
-    file = next(found, driven_file(url))
-    _woken.pop(file, None)
+    files = (file for file, board in boards.items() if board and _is_at(file, board, url))
+    file = next(files, driven_file(url))
+    _resumed.pop(file, None)
     return file, boards.get(file)
 
 
 def driven_file(url: str) -> Path:
     """Return the file of a port.
 
-    It belongs to an adapter at any port, or to a network address under any name.
+    An adapter has the same file at any port, and a network address under any host name.
     """
     key = adapter_key(url) or (url if "://" in url else os.path.realpath(url.replace("\0", "")))
     with suppress(OSError, ValueError):
-        place = urlsplit(url)
-        if place.hostname and place.port:
-            key = f"{socket.gethostbyname(place.hostname)}:{place.port}"
+        parts = urlsplit(url)
+        if parts.hostname and parts.port:
+            key = f"{socket.gethostbyname(parts.hostname)}:{parts.port}"
     return data_folder() / "driven" / f"{re.sub(r'[^A-Za-z0-9.]+', '-', key)[-100:]}.txt"
 
 
 def port_of(file: Path, board: DrivenBoard) -> PortSettings:
-    """Return the present port of a board. Raises PortUnavailable."""
+    """Return the current port of a board. Raises PortUnavailable."""
     for url in (board.settings.url, *(port.device for port in list_ports.comports())):
         if _is_at(file, board, url):
             return PortSettings(url, board.settings.line)
@@ -107,40 +107,38 @@ def port_of(file: Path, board: DrivenBoard) -> PortSettings:
 
 
 def _is_at(file: Path, board: DrivenBoard, url: str) -> bool:
-    """Return whether a file belongs to a port, perhaps at a changed link."""
+    """Return whether a file belongs to a port, even if a link to it has changed."""
     is_path = file.name.startswith("-")
     return file == driven_file(url) or (is_path and url == board.settings.url)
 
 
-def _read_files(found: DrivenBoards) -> None:
+def _read_files(boards: DrivenBoards) -> None:
     paths: list[Path] = []
     with suppress(OSError):  # the name of the data folder may be too long
         paths += (data_folder() / "driven").glob("*.txt")
     for path in paths:
         with suppress(OSError):
             try:
-                board, number = _read(path)
+                board, pid = _read(path)
             except (ValueError, TypeError):
                 if not is_locked(path):
-                    found[path] = None
+                    boards[path] = None
                 continue
             if not is_locked(path):
-                found[path] = board
-            elif all(
-                words in Path("/proc", number, file).read_text() for file, words in _SUSPENDED
-            ):
-                _woken[path] = board
-                os.kill(int(number), signal.SIGCONT)  # the guardian now stops the motors
-    found.update(_woken)
+                boards[path] = board
+            elif all(words in Path("/proc", pid, file).read_text() for file, words in _SUSPENDED):
+                _resumed[path] = board
+                os.kill(int(pid), signal.SIGCONT)  # the guardian now stops the motors
+    boards.update(_resumed)
 
 
 def _read(path: Path) -> tuple[DrivenBoard, str]:
     """Return a file's board, and the process ID of its guardian."""
     with open_ordinary(path) as file:
         lines = file.read(4096).decode(errors="replace").splitlines()
-    name, number, line, url, since, stop = (text.partition(": ")[2] for text in sorted(lines))
+    name, pid, line, url, since, stop = (text.partition(": ")[2] for text in sorted(lines))
     baud, parity, stop_bits = line.split()
     settings = PortSettings(url, SerialFormat(int(baud), Parity(parity), int(stop_bits)))
     note = f"{driven_note(name, settings)}since: {since}\n"
     sequence = vars(StopMessage([*stop.split(), ""])) | {"note": note}
-    return DrivenBoard(name, settings, StopSequence(**sequence), since), number
+    return DrivenBoard(name, settings, StopSequence(**sequence), since), pid

@@ -11,7 +11,7 @@ from trex_gui.core.transport.settings import SerialFormat
 
 _READY_S = 1.0  # timeout in seconds for the start of a guardian
 
-_REPLACED_S = 0.4  # seconds to replace a lost guardian before the motors are stopped
+_REPLACE_S = 0.4  # seconds to replace a lost guardian before the motors are stopped
 
 _SHORT_TIMEOUT_S = 0.2
 """Seconds to wait for a reply even if a stop is due.
@@ -26,15 +26,16 @@ class GuardedTransport:
 
     After `silence` seconds without a heartbeat, the guardian may have stopped the motors and may
     still use the line. Before the session uses the line again, the guardian is replaced, and
-    `taken_over` gets whether the stop was confirmed. Until the session has sent a stop, any other
-    write raises `NoReply`, since it may be an old setpoint. If a lost guardian is not replaced in
-    time while motors may move, `taken_over` gets `None`, and the session must send a stop as well.
-    While motors may move, a read ends early when `stop_is_due`.
+    `taken_over` is called with True if the stop was confirmed, otherwise with False. Until the
+    session has sent a stop, any other write raises `NoReply`, since it may be an old setpoint. If a
+    lost guardian is not replaced in time while motors may move, `taken_over` is called with
+    `None`, and the session must also send a stop. While motors may move, a read ends early when
+    `stop_is_due`.
 
     Args:
         below: the line.
         silence: see `Timeouts.guardian`.
-        stop_sequence: returns the present stop, or `None` if no motor may be moving.
+        stop_sequence: returns the current stop, or `None` if no motor can be moving.
         taken_over: called in the thread of the session; must not use the line.
         stop_is_due: returns whether the session must stop the motors.
     """
@@ -59,7 +60,8 @@ class GuardedTransport:
         self._ready_by: float | None = None  # deadline of a replacement guardian
         self._was_ready = self._guardian_stops = False
         self._stop_to_send = b""  # must be written before anything else
-        # Gets the duration of a read (s), returns the seconds until its next call. May write.
+        # Called with the duration of the read (s). Returns the seconds until the next call. May
+        # write.
         self.while_waiting: Callable[[float], float] = lambda _seconds: HEARTBEAT_INTERVAL
         self.rates = below.rates
         self.clock = below.clock
@@ -101,7 +103,7 @@ class GuardedTransport:
         if self._guardian.is_ready:
             self._was_ready, self._ready_by = True, None
         elif self._was_ready and self._ready_by is None:
-            self._restart(_REPLACED_S)
+            self._restart(_REPLACE_S)
         elif self._was_ready and self.clock() >= (self._ready_by or 0.0):
             self._was_ready = False
             if sequence is not None:
@@ -135,14 +137,14 @@ class GuardedTransport:
         self._below.write(data)
 
     def read(self, size: int, seconds: float) -> bytes:
-        begun = self.clock()
-        deadline = begun + seconds
+        started = self.clock()
+        deadline = started + seconds
         received = b""
         while True:
             self.beat()
-            left = min(deadline - self.clock(), self.while_waiting(self.clock() - begun))
+            remaining = min(deadline - self.clock(), self.while_waiting(self.clock() - started))
             try:
-                received += self._below.read(size - len(received), left)
+                received += self._below.read(size - len(received), remaining)
             except PortUnavailable:
                 if not self._has_taken_over:  # the guardian may have read these bytes
                     raise
@@ -151,7 +153,7 @@ class GuardedTransport:
                 return received
             if (
                 self._sequence is not None
-                and now - begun >= _SHORT_TIMEOUT_S
+                and now - started >= _SHORT_TIMEOUT_S
                 and self._stop_is_due()
             ):
                 return received
@@ -162,9 +164,9 @@ class GuardedTransport:
 
     def wait(self, seconds: float) -> None:
         end = self.clock() + seconds
-        while (left := end - self.clock()) > 0:
+        while (remaining := end - self.clock()) > 0:
             self.beat()
-            self._below.wait(min(left, HEARTBEAT_INTERVAL))
+            self._below.wait(min(remaining, HEARTBEAT_INTERVAL))
 
     def stop_by_guardian(self) -> bool:
         """Request a stop from the guardian. Return whether it was confirmed."""

@@ -1,4 +1,4 @@
-"""Users and baud rates of a port, as Linux reports them."""
+"""Processes that use a port, and its baud rates, as Linux reports them."""
 
 import array
 import contextlib
@@ -21,24 +21,24 @@ _PROCESSES = Path("/proc")
 def holder_of(url: str) -> str | None:
     """Return the program that has a port open. `None`: unknown.
 
-    Prefers a program with a lock on the port, then other programs to this program. Reads
+    Prefers a program that has locked the port, then any program but this one. Reads
     `/proc/locks`, then `/proc/PID/fd` (proc(5)).
     """
     path = Path(url)
     with contextlib.suppress(OSError):
         others = (pid for pid in _having_open(Path(os.path.realpath(path))) if pid != os.getpid())
-        number = _locking(path) or next(others, None)
-        if number == os.getpid():
+        pid = _locking(path) or next(others, None)
+        if pid == os.getpid():
             return tr("another line of this program")
-        if number is not None:
-            return _name_of(number)
+        if pid is not None:
+            return _name_of(pid)
     return None
 
 
 def other_user_of(url: str) -> str | None:
     """Return another program that has a port open. `None`: none or unknown.
 
-    Ignores guardians, and programs behind a pseudo-terminal. Takes a tenth of a second on a
+    Ignores guardians, and programs that serve pseudo-terminals. Takes a tenth of a second on a
     computer with many processes.
     """
     if sys.platform != "linux":
@@ -46,11 +46,11 @@ def other_user_of(url: str) -> str | None:
     path = Path(url)
     with contextlib.suppress(OSError):
         path.stat()
-        for number in _having_open(Path(os.path.realpath(path))):
-            process = _PROCESSES / str(number)
+        for pid in _having_open(Path(os.path.realpath(path))):
+            process = _PROCESSES / str(pid)
             is_guardian = b"guardian" in (process / "cmdline").read_bytes()
-            if number != os.getpid() and not is_guardian and not _has_terminals(process):
-                return _name_of(number)
+            if pid != os.getpid() and not is_guardian and not _has_terminals(process):
+                return _name_of(pid)
     return None
 
 
@@ -58,9 +58,9 @@ def _has_terminals(process: Path) -> bool:
     return any(link.readlink().name == "ptmx" for link in (process / "fd").iterdir())
 
 
-def _name_of(number: int) -> str:
-    name = (_PROCESSES / str(number) / "comm").read_text(encoding="utf-8").strip()
-    return tr("{0} (process {1})").format(name, number)
+def _name_of(pid: int) -> str:
+    name = (_PROCESSES / str(pid) / "comm").read_text(encoding="utf-8").strip()
+    return tr("{0} (process {1})").format(name, pid)
 
 
 def is_locked_elsewhere(url: str) -> bool:
@@ -69,9 +69,9 @@ def is_locked_elsewhere(url: str) -> bool:
     Ignores the lock of a dead program.
     """
     with contextlib.suppress(OSError):
-        number = _locking(Path(url))
-        is_ours = number in {None, os.getpid()}
-        return not is_ours and (_PROCESSES / str(number)).exists()
+        pid = _locking(Path(url))
+        is_ours = pid in {None, os.getpid()}
+        return not is_ours and (_PROCESSES / str(pid)).exists()
     return True
 
 
@@ -82,21 +82,21 @@ def is_left_to_guardian(url: str) -> bool:
     """
     path = Path(url)
     with contextlib.suppress(OSError):
-        numbers = set(_having_open(Path(os.path.realpath(path))))
-        commands = [(_PROCESSES / str(number) / "cmdline").read_bytes() for number in numbers]
+        pids = set(_having_open(Path(os.path.realpath(path))))
+        commands = [(_PROCESSES / str(pid) / "cmdline").read_bytes() for pid in pids]
         is_watched = any(b"guardian" in command for command in commands)
-        return is_watched and _locking(path) not in numbers
+        return is_watched and _locking(path) not in pids
     return False
 
 
 def _locking(path: Path) -> int | None:
     status = path.stat()
     major, minor = os.major(status.st_dev), os.minor(status.st_dev)
-    wanted = f"{major:02x}:{minor:02x}:{status.st_ino}"
+    file_id = f"{major:02x}:{minor:02x}:{status.st_ino}"
     for line in (_PROCESSES / "locks").read_text(encoding="ascii").splitlines():
         match line.split():
-            case [_, "FLOCK", _, _, number, where, *_] if where == wanted and number.isdecimal():
-                return int(number)
+            case [_, "FLOCK", _, _, pid, locked_id, *_] if locked_id == file_id and pid.isdecimal():
+                return int(pid)
     return None
 
 
@@ -114,9 +114,9 @@ _CBAUD, _BOTHER = 0o010017, 0o010000
 CFLAG, _ISPEED, OSPEED, _WORDS = 2, 9, 10, 11
 _PROCESSORS = ("x86", "i386", "i486", "i586", "i686", "amd64", "arm", "aarch64", "riscv", "loong")
 
-_FARTHEST_OFF = 0.03  # largest relative error of a rate, besides the error of the board's clock
+_RATE_TOLERANCE = 0.03  # relative error of a rate, without that of the board's clock
 
-_LONGEST = 0.1  # seconds after which `rates_of` gives up, since it delays opening a port
+_TIMEOUT = 0.1  # seconds after which `rates_of` gives up, since it delays opening a port
 
 
 class _Port(Protocol):
@@ -129,32 +129,32 @@ def rates_of(
     """Return the wanted rates that an open port supports. `None`: unknown.
 
     A driver that cannot divide its clock to a rate uses and reports the nearest rate. Each rate is
-    set and read back, then the old settings are restored. Sends nothing, but no byte may be on its
-    way. Never raises.
+    set and read back, then the old settings are restored. Sends nothing. No byte may be in transit.
+    Never raises.
     """
     if sys.platform != "linux" or not platform.machine().lower().startswith(_PROCESSORS):
         return None
-    possible = set()
-    deadline = clock() + _LONGEST
+    supported = set()
+    deadline = clock() + _TIMEOUT
     try:
         handle = port.fileno()
-        before = termios2(handle)
+        original = termios2(handle)
         try:
             for rate in wanted:
                 if clock() > deadline:
                     return None
-                if abs(_real_rate(handle, before, rate) - rate) <= _FARTHEST_OFF * rate:
-                    possible.add(rate)
+                if abs(_real_rate(handle, original, rate) - rate) <= _RATE_TOLERANCE * rate:
+                    supported.add(rate)
         finally:
-            fcntl.ioctl(handle, _TCSETS2, before)
+            fcntl.ioctl(handle, _TCSETS2, original)
     except (AttributeError, OSError, ValueError):
         return None
-    return frozenset(possible)
+    return frozenset(supported)
 
 
-def _real_rate(handle: int, before: "array.array[int]", rate: int) -> int:
-    """Set a rate. Return the driver's real rate, or 0 after a refusal."""
-    words = before[:]
+def _real_rate(handle: int, original: "array.array[int]", rate: int) -> int:
+    """Set a rate. Return the driver's real rate, or 0 if it refuses the rate."""
+    words = original[:]
     words[CFLAG] = words[CFLAG] & ~_CBAUD | _BOTHER
     words[_ISPEED] = words[OSPEED] = rate
     try:
@@ -165,7 +165,7 @@ def _real_rate(handle: int, before: "array.array[int]", rate: int) -> int:
 
 
 def termios2(handle: int) -> "array.array[int]":
-    """Return terminal settings. OSError if the request number differs."""
+    """Return the terminal settings. Raises OSError if the request number differs."""
     words = array.array("I", [0] * _WORDS)
     fcntl.ioctl(handle, _TCGETS2, words)
     return words

@@ -64,14 +64,14 @@ def test_reply_that_cannot_be_printed_stops_the_motors(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
 ) -> None:
 
-    real = _Output._use
+    real = _Output._call
 
     def full(self: _Output, function: object, *text: str) -> None:
         if self._is_data and text:
             raise ClickException("Standard output cannot be written: it is full.")
         real(self, function, *text)
 
-    monkeypatch.setattr(_Output, "_use", full)
+    monkeypatch.setattr(_Output, "_call", full)
     result = trexcmd("raw", "--motors", "C2 20", "81", exits=1)
     assert "Error: Standard output cannot be written: it is full." in result.stderr
     assert "Internal error" not in result.stderr
