@@ -178,10 +178,10 @@ class MotorOutput:
                 if self.arming in {Arming.INITIAL, Arming.ARMED}:
                     self.setpoints.put(request)
 
-    def _record_heartbeat(self, at: float) -> None:
+    def _record_heartbeat(self, time: float) -> None:
         # After the computer was suspended, a late heartbeat must not hide the timeout.
-        if at - self._heartbeat_at <= self._timeouts.heartbeat:
-            self._heartbeat_at = max(self._heartbeat_at, at)
+        if time - self._heartbeat_at <= self._timeouts.heartbeat:
+            self._heartbeat_at = max(self._heartbeat_at, time)
 
     # --- Next actions -------------------------------------------------------------------
 

@@ -30,7 +30,7 @@ class ParameterTable(QWidget):
         draft: SettingsDraft,
         linter: SettingsLinter,
         parent: QWidget | None = None,
-        head: QWidget | None = None,
+        header: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
         self._model = draft.parameters
@@ -51,7 +51,7 @@ class ParameterTable(QWidget):
         self._linter = linter
         self._card = ParameterCard(draft, linter, self._view, self)
         filters = row((self._search, 1), self._choice)
-        above = row(*([(head, 2)] if head else []), (filters, 3), spacing=16)
+        above = row(*([(header, 2)] if header else []), (filters, 3), spacing=16)
         column(above, (row((self._view, 5), (self._card, 2), spacing=16), 1), into=self, margins=0)
 
         self._view.selectionModel().currentChanged.connect(self._on_current_changed)

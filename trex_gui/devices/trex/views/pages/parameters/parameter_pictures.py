@@ -44,7 +44,7 @@ class Picture:
     caption: str
     lines: tuple[Stroke, ...]
     area: tuple[float, float, float] | None = None  # left, right and height of a filled area
-    place: tuple[float, float] = (0.5, 0.85)  # bottom centre of the caption
+    caption_position: tuple[float, float] = (0.5, 0.85)  # bottom centre of the caption
 
 
 def picture_of(key: str, values: ParameterValues) -> Picture | None:
@@ -97,7 +97,7 @@ def _limit(spec: ParameterSpec, wire: int, _values: ParameterValues) -> Picture:
     if not wire:
         return Picture(text, value, lines[1:])
     edge = Stroke(((0, limit), (1, limit)), "limit")
-    return Picture(text, value, (edge, *lines), place=(0.08, limit + 0.03))
+    return Picture(text, value, (edge, *lines), caption_position=(0.08, limit + 0.03))
 
 
 def _stop(
@@ -180,7 +180,7 @@ class ParameterPicture(Painted):
                 painter.setPen(QPen(theme().color(line.color or self._color), 2, line.style))
                 painter.drawPolyline([point(x, y) for x, y in line.points])
             painter.setPen(theme().color("muted"))
-            metrics, anchor = painter.fontMetrics(), point(*picture.place)
+            metrics, anchor = painter.fontMetrics(), point(*picture.caption_position)
             width, height = metrics.horizontalAdvance(picture.caption), metrics.height()
             left = max(anchor.x() - width / 2, inside.left())
             box = QRectF(left, anchor.y() - height, width + 2, height)
