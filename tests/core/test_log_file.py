@@ -62,8 +62,8 @@ def test_traceback_is_in_the_log_and_printed_only_once(capsys: pytest.CaptureFix
 
 
 def test_log_rotates_and_is_bounded(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(module, "_LARGEST", 2000)
-    monkeypatch.setattr(module, "_LONGEST", 300)
+    monkeypatch.setattr(module, "_MAX_SIZE", 2000)
+    monkeypatch.setattr(module, "_MAX_LENGTH", 300)
 
     def say_much() -> None:
         for number in range(200):

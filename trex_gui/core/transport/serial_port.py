@@ -40,8 +40,8 @@ from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 log = logging.getLogger(__name__)
 
-# pyserial raises more than OSError: for a bad address, a closed port, an unsupported function and
-# an invalid pattern (hwgrep://).
+# Besides OSError, pyserial raises these errors for a bad address, a closed port, an unsupported
+# function or an invalid pattern (hwgrep://).
 PORT_ERRORS: tuple[type[Exception], ...] = (
     OSError,
     ValueError,
@@ -53,7 +53,7 @@ PORT_ERRORS: tuple[type[Exception], ...] = (
 if sys.platform != "win32":
     PORT_ERRORS += (termios.error,)
 
-_SLICE = 0.02  # timeout in seconds of one blocking read
+_SLICE = 0.02  # timeout in seconds of a blocking read
 _DISCARD_TIMEOUT = 0.05  # seconds before `discard` fails on a line that keeps sending
 
 _MANY_READS = 10
@@ -61,9 +61,9 @@ _MANY_READS = 10
 
 _WRITE_TIMEOUT = 1.0  # seconds after which a port that accepts no byte counts as gone
 _LOCAL_LATENCY = 0.06
-"""Seconds: two latency timers of a common adapter (16 ms each), and delays of the system."""
+"""Seconds: two latency timers of a common adapter (16 ms each), plus delays of the system."""
 
-_REMOTE_LATENCY = 0.5  # seconds, for a network
+_REMOTE_LATENCY = 0.5  # seconds on a network
 _BUSY = frozenset({errno.EBUSY, errno.EAGAIN})
 
 _CLOSING_S = 1.5
@@ -73,7 +73,7 @@ Attempts to stop the motors take no longer."""
 
 
 def latency_of(url: str) -> float:
-    """Return the longest delay of a byte in s, without its wire time."""
+    """Return the maximum delay of a byte in seconds, without its wire time."""
     return _REMOTE_LATENCY if "://" in url else _LOCAL_LATENCY
 
 
@@ -81,8 +81,8 @@ class Transport(Protocol):
     """Open line. Its methods raise PortUnavailable if the line is gone.
 
     Attributes:
-        latency: longest delay of a byte in s, without its wire time.
-        is_configurable: whether `reconfigure` has an effect.
+        latency: maximum delay of a byte in seconds, without its wire time.
+        is_configurable: True if `reconfigure` has an effect.
     """
 
     @property
@@ -100,7 +100,7 @@ class Transport(Protocol):
         """Change the line settings. No byte may be on the wire. Raises BadRequest."""
 
     def clock(self) -> float:
-        """Return the monotonic time in s."""
+        """Return the monotonic time in seconds."""
 
     def write(self, data: bytes) -> None: ...
 
@@ -171,30 +171,30 @@ class SerialTransport:
         self.latency = latency_of(settings.url)
         # The other end of a plain network port sets the rate.
         self.is_configurable = not settings.url.startswith("socket://")
-        file, left = driven_at(settings.url)  # before opening: resumes a suspended guardian
-        self._file = file if self._name == self._url else None  # no file for the demo
+        file, board = driven_at(settings.url)  # before opening: resumes a suspended guardian
+        self._file = file if self._name == self._url else None  # the demo has no file
         try:
             self._port = _open(settings, clock)
             log.debug("opened %s", settings.text())
-            if left is not None:
-                self._stop(left)
+            if board is not None:
+                self._stop(board)
                 self.reconfigure(settings.line)
         except PortUnavailable as error:
             with contextlib.suppress(AttributeError):  # the port was not opened
                 self.close()
-            if left is not None:  # the danger comes first in the message
-                error.args = (f"{left.text()} {error}",)
+            if board is not None:  # the message starts with the danger
+                error.args = (f"{board.text()} {error}",)
             raise
 
-    def _stop(self, left: DrivenBoard) -> None:
+    def _stop(self, board: DrivenBoard) -> None:
         """Stop the motors of a board left running. A guardian confirms the stop."""
         with contextlib.suppress(BadRequest):
-            self.reconfigure(left.settings.line)
-        self.write(left.stop.packets)
+            self.reconfigure(board.settings.line)
+        self.write(board.stop.packets)
         guardian = self.start_guardian(60.0)
-        guardian.watch(left.stop)
-        guardian.stop(2.5)  # seconds, even for a silent board
-        log.warning("%s", left.text(stopped=guardian.end()))
+        guardian.watch(board.stop)
+        guardian.stop(2.5)  # waits up to 2.5 s for a silent board
+        log.warning("%s", board.text(stopped=guardian.end()))
 
     def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
         return None if "://" in self._url else rates_of(self._port, wanted)
@@ -247,8 +247,8 @@ class SerialTransport:
         reads = 0
         deadline = self.clock() + _DISCARD_TIMEOUT
         try:
-            while waiting := self._port.in_waiting:
-                stale += self._port.read(waiting)
+            while available := self._port.in_waiting:
+                stale += self._port.read(available)
                 reads += 1
                 if reads > _MANY_READS and self.clock() > deadline:
                     raise BadReply(
@@ -282,9 +282,9 @@ class SerialTransport:
         log.debug("closed %s", self._url)
 
     def _read_error(self, error: Exception) -> PortUnavailable:
-        """Return the error of a read: a lost port, or another reader.
+        """Return the error for a failed read: a lost port, or another reader.
 
-        In both cases the port reports bytes, then returns none.
+        In both cases the port reports available bytes, but returns none.
         """
         is_empty = isinstance(error, serial.SerialException) and _errno(error) is None
         if is_empty and sys.platform != "win32":
@@ -333,7 +333,7 @@ def _open(settings: PortSettings, clock: Callable[[], float]) -> serial.Serial:
         _open_when_free(port, settings.url, clock)
     except PORT_ERRORS as error:
         raise open_error(settings.url, settings.line, error) from error
-    # FTDI adapters delay bytes by up to 16 ms; the Linux driver can turn that off.
+    # FTDI adapters delay bytes by up to 16 ms; the Linux driver can disable this delay.
     with contextlib.suppress(AttributeError, ValueError, OSError, NotImplementedError):
         port.set_low_latency_mode(True)
     return port
@@ -345,7 +345,7 @@ def _unopened(url: str, **options: Any) -> serial.Serial:
         remote.port = url
         return cast("serial.Serial", remote)
     port = serial.serial_for_url(url, do_not_open=True, **options)
-    # 0: `_write_all` has a timeout of its own.
+    # 0, because `_write_all` has its own timeout.
     port.write_timeout = 0 if url.startswith("socket://") or _is_file(url) else _WRITE_TIMEOUT
     return port
 
@@ -375,8 +375,8 @@ def open_error(url: str, line: SerialFormat, error: Exception) -> PortUnavailabl
     number = _errno(error)
     is_forbidden = number in {errno.EACCES, errno.EPERM} and "://" not in url
     if is_forbidden and sys.platform != "win32":
-        command, cure = _permission_cure(url)
-        return PortUnavailable(tr(PortFault.FORBIDDEN.value).format(url, cure), command=command)
+        command, remedy = _permission_remedy(url)
+        return PortUnavailable(tr(PortFault.FORBIDDEN.value).format(url, remedy), command=command)
     if "://" not in url and (number == errno.ENOENT or "FileNotFoundError" in str(error)):
         present = ", ".join(port.device for port in list_ports.comports())
         text = tr(PortFault.MISSING.value).format(url, present or tr("none"))
@@ -400,14 +400,14 @@ def _open_error_text(url: str, line: SerialFormat, error: Exception, number: int
 
 def _errno(error: Exception) -> int | None:
     """Return the system's error number, which pyserial wraps."""
-    seen: BaseException | None = error
-    while seen is not None:
-        number = getattr(seen, "errno", None)
+    cause: BaseException | None = error
+    while cause is not None:
+        number = getattr(cause, "errno", None)
         if isinstance(number, int):
             return number
-        if seen.args and isinstance(seen.args[0], int):
-            return seen.args[0]
-        seen = seen.__cause__ or seen.__context__
+        if cause.args and isinstance(cause.args[0], int):
+            return cause.args[0]
+        cause = cause.__cause__ or cause.__context__
     return None
 
 
@@ -422,7 +422,7 @@ def _plain(error: Exception) -> str:
     return text or type(error).__name__
 
 
-def _permission_cure(url: str) -> tuple[str, str]:
+def _permission_remedy(url: str) -> tuple[str, str]:
     """Return a command that grants access to a port, and a sentence for the user."""
     try:
         import grp  # noqa: PLC0415 - only on POSIX

@@ -32,7 +32,7 @@ class SerialFormat:
 
     @property
     def bits_per_byte(self) -> int:
-        """Bits of a byte on the wire: start, eight data, parity, stop."""
+        """Bits per byte on the wire: start, eight data, parity, stop."""
         return 9 + (self.parity is not Parity.NONE) + self.stop_bits
 
     def seconds(self, size: int) -> float:
@@ -40,7 +40,7 @@ class SerialFormat:
 
     @property
     def short(self) -> str:
-        """Baud rate and non-default settings: `57600 baud, even parity`."""
+        """Baud rate and non-default settings, such as `57600 baud, even parity`."""
         stop_bits = tr("2 stop bits") if self.stop_bits == 2 else ""
         return ", ".join(
             filter(None, (tr("{0} baud").format(self.baud), self.detection_text, stop_bits))
@@ -48,7 +48,7 @@ class SerialFormat:
 
     @property
     def detection_text(self) -> str:
-        """Error detection as text: `even parity`. Empty without parity."""
+        """Error detection, such as `even parity`. Empty without parity."""
         return tr(_PARITIES[self.parity])
 
     def text(self) -> str:

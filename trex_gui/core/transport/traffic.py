@@ -14,9 +14,9 @@ from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
-SEARCH = "search: "  # prefix of the meaning of a device search's bytes
+SEARCH = "search: "  # prefix for the meaning of bytes that a device search sent
 
-_MOST_EVENTS = 50_000  # queued for a late reader: nearly a minute at 1,000 events/s
+_MAX_EVENTS = 50_000  # events queued for a slow reader: nearly a minute at 1,000 events/s
 
 
 class TrafficDirection(Enum):
@@ -47,7 +47,7 @@ class TrafficLog:
     _events: deque[TrafficEvent] = field(default_factory=deque)
 
     def record(self, event: TrafficEvent) -> None:
-        if len(self._events) >= _MOST_EVENTS:
+        if len(self._events) >= _MAX_EVENTS:
             self.lost += 1
             return
         self._events.append(event)
@@ -80,7 +80,7 @@ class LoggingTransport:
             self._record_line(f"Set to {line.text()}.", self._settings.at(line))
 
     def write(self, data: bytes) -> None:
-        # Before the write: the reply comes later, and a failed write is also recorded.
+        # Recorded before the write, so that the reply follows and a failed write is included.
         self._record(TrafficEvent(self.clock(), TrafficDirection.SENT, data))
         with self._logged_errors():
             self._below.write(data)
@@ -120,12 +120,12 @@ def logged(
     open_transport: Callable[[PortSettings], Transport] = SerialTransport,
     clock: Callable[[], float] = time.monotonic,
 ) -> Callable[[PortSettings], Transport]:
-    """Wrap `open_transport` so that `record` gets the traffic.
+    """Wrap `open_transport` so that `record` receives the traffic.
 
     `clock`: clock of the line, for events before the line is open.
     """
 
-    def opened(settings: PortSettings) -> Transport:
+    def open_logged(settings: PortSettings) -> Transport:
         try:
             below = open_transport(settings)
         except StudioError as error:
@@ -135,12 +135,12 @@ def logged(
         record(TrafficEvent(clock(), TrafficDirection.LINE, text=text, settings=settings))
         return LoggingTransport(below, settings, record)
 
-    return opened
+    return open_logged
 
 
 @dataclass(frozen=True, slots=True)
 class Decoded:
-    """Meaning of a transaction. `is_fault`: it has failed."""
+    """Meaning of a transaction. `is_fault`: True if it has failed."""
 
     text: str
     is_fault: bool = False
@@ -194,7 +194,7 @@ class Decoder(ABC):
         """Return whether the reply is complete. Later bytes are unsolicited."""
 
     def goes_with(self, transaction: Transaction, sent: bytes) -> bool:
-        """Return whether new bytes belong to the pending row.
+        """Return whether bytes sent later belong to the pending row.
 
         Received bytes may then be the reply to either request.
         """
@@ -233,20 +233,20 @@ class TransactionAssembler:
         self._decoder = decoder
         self._numbers = itertools.count(1) if numbers is None else numbers
         self._is_search = is_search
-        # A session sets the following facts, which are missing from the log.
+        # A session sets these attributes, because the log does not include them.
         self.settings: PortSettings | None = None
         self.echo: bool | None = None
         self._pending: Transaction | None = None
 
     def feed(self, events: Iterable[TrafficEvent]) -> list[Transaction]:
         """Process events. Return new and changed rows in order."""
-        touched: dict[int, Transaction] = {}
+        changed: dict[int, Transaction] = {}
         for event in events:
             row = self._pending
             if row is None or not self._continues(row, event):
                 if row is not None:
                     row.is_over = True
-                    touched[row.number] = row
+                    changed[row.number] = row
                 self.settings = event.settings or self.settings
                 row = self._row(event)
                 self._pending = None if row.is_over else row
@@ -255,8 +255,8 @@ class TransactionAssembler:
             if event.direction is TrafficDirection.RECEIVED:
                 row.received += event.data
                 row.ended = event.time
-            touched[row.number] = row
-        return list(touched.values())
+            changed[row.number] = row
+        return list(changed.values())
 
     def _continues(self, row: Transaction, event: TrafficEvent) -> bool:
         match event.direction:

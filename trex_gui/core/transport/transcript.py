@@ -22,7 +22,7 @@ from trex_gui.core.transport.traffic import (
 from trex_gui.version import __version__
 
 COLUMNS = ("time", "fault", "sent", "received", "took_ms", "meaning")
-LARGEST = 16 * 1024 * 1024  # bytes; a hundred thousand transactions
+LARGEST = 16 * 1024 * 1024  # bytes; about a hundred thousand transactions
 
 
 def head() -> str:
@@ -49,8 +49,8 @@ def line_of(row: Transaction, decoder: Decoder, epoch: float) -> str:
 class TranscriptWriter:
     """Writes the traffic of a line to a file.
 
-    The file is opened with the first line, and keeps its old content until the first byte. A later
-    disk error does not affect the line. `error` is the reason for an incomplete file.
+    The file is opened before the line, and keeps its old content until the first byte. A later disk
+    error does not affect the line. `error` is the reason for an incomplete file.
     """
 
     def __init__(
@@ -63,7 +63,7 @@ class TranscriptWriter:
         self._assembler = TransactionAssembler(decoder, is_search=is_search)
         self._pending: Transaction | None = None
         self._file: TextIO | None = None
-        self.text = head()  # not yet in the file
+        self.text = head()  # text that is not yet in the file
         self._has_content = False
 
     def open(self) -> None:
@@ -114,7 +114,7 @@ class TranscriptWriter:
 
 @dataclass(frozen=True, slots=True)
 class TranscriptRow:
-    """Transaction of a file. `line`: from 1. `time`: Unix time in s."""
+    """Transaction in a file. `line`: from 1. `time`: Unix time in s."""
 
     line: int
     time: float
@@ -124,12 +124,12 @@ class TranscriptRow:
 
     @property
     def is_search(self) -> bool:
-        """True for bytes of a device search, perhaps at unused settings."""
+        """True for bytes of a device search, perhaps at other line settings."""
         return self.meaning.startswith(SEARCH)
 
 
 def read_transcript(text: str, name: str, decoder: Decoder) -> Iterator[TranscriptRow]:
-    """Yield the rows that have bytes. SettingsError for an invalid file."""
+    """Yield the rows that have bytes. Raises SettingsError for an invalid file."""
     lines = text.removesuffix("\n").replace("\r\n", "\n").split("\n")
     first = next((index for index, line in enumerate(lines) if not line.startswith("#")), 0)
     if tuple(lines[first].split("\t"))[: len(COLUMNS)] != COLUMNS:

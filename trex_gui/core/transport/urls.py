@@ -1,4 +1,4 @@
-"""URLs of ports and served boards, and secrets of users."""
+"""URLs of ports and served boards, and user secrets."""
 
 import os
 import stat
@@ -14,8 +14,8 @@ from trex_gui.core.translation import tr
 
 SCHEME = "trex"
 PORT = 7477
-LOCAL_USER = "local"  # name of all clients of a computer without users
-_LONGEST_NAME = 40
+LOCAL_USER = "local"  # name of every client if the serving computer has no users
+_LONGEST_NAME = 40  # characters
 _SECRETS = "secrets"  # file in the data folder, with lines `USER@HOST SECRET`
 
 
@@ -23,7 +23,7 @@ _SECRETS = "secrets"  # file in the data folder, with lines `USER@HOST SECRET`
 class Address:
     """Address `trex://USER@HOST:PORT/NAME` of a served board.
 
-    Only HOST and NAME are required. Without NAME it is the address of a serving computer.
+    USER and PORT are optional. Without NAME, it is the address of a serving computer.
     """
 
     host: str
@@ -34,18 +34,18 @@ class Address:
     @classmethod
     def of(cls, url: str) -> "Address":
         """Parse the URL of a board. Raises BadRequest."""
-        if (found := cls._read(url)) is None or not is_name(found.name):
+        if (address := cls._read(url)) is None or not is_name(address.name):
             text = tr("{0} is not trex://host/name, such as trex://robot.local/arm.")
             raise BadRequest(text.format(url))
-        return found
+        return address
 
     @classmethod
     def of_host(cls, text: str) -> "Address":
         """Parse `USER@HOST:PORT` or a URL. Raises BadRequest."""
-        found = cls._read(text if "://" in text else f"{SCHEME}://{text}")
-        if found is None:
+        address = cls._read(text if "://" in text else f"{SCHEME}://{text}")
+        if address is None:
             raise BadRequest(tr("{0} is not a host, such as robot.local.").format(text))
-        return found
+        return address
 
     @classmethod
     def _read(cls, url: str) -> "Address | None":
@@ -108,7 +108,7 @@ def is_name(text: str) -> bool:
 
 
 def url_problem(url: str) -> str:
-    """Return the problem of a port's URL as a sentence, or empty."""
+    """Return the problem with a port's URL as a sentence, or an empty text."""
     scheme, is_url, _ = url.partition("://")
     if not is_url:
         return ""

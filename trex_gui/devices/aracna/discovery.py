@@ -1,14 +1,15 @@
-r"""Search for an Aracna, without motion of any device.
+r"""Search for an Aracna that never moves a device.
 
 The probe is `\n.q\n` at 38400 8N1. An Aracna reads an empty line and its only query without side
-effects. A TReX at 38400 baud reads no command, but at another rate it may read the start of one. As
-in the TReX's own probe, FF at 1200 baud, before and after, terminates an incomplete packet. The
-tests check this for every TReX. At a fixed rate, as behind a plain network port, FF has no effect,
-and some boards would read the probe as a command. There the probe is sent only if the user has
-selected an Aracna for the port.
+effects. A TReX at 38400 baud ignores the probe, but at another rate it may read the start of a
+command. Therefore, FF at 1200 baud terminates an incomplete packet before and after the probe, as
+in the search for a TReX. The tests check this for every TReX.
 
-Opening a port may reset the board, which reports `.h` and does not listen for a second. So the
-probe is repeated.
+At a fixed rate, as behind a plain network port, FF has no effect, and some boards would read the
+probe as a command. There, the probe is sent only if the user has selected an Aracna for the port.
+
+Opening a port may reset the board, which reports `.h` and does not listen for a second. Therefore,
+the probe is repeated.
 """
 
 import contextlib
@@ -37,9 +38,9 @@ from trex_gui.devices.aracna.session.errors import ErrorCode, diagnose
 PROBE = commands.EMPTY + commands.QUERY
 
 PROBES = 5  # attempts; with listening they take 3.2 s on a local port
-_PROBE_INTERVAL = 0.45
-_SLICE = 0.02
-_SAVED = 48  # received bytes for the diagnosis
+_PROBE_INTERVAL = 0.45  # seconds
+_SLICE = 0.02  # timeout in seconds of a read
+_SAVED_BYTES = 48  # received bytes saved for the diagnosis
 
 _HELLO = b"h\r\n"
 _EVIDENCE: dict[Enum, Evidence] = {
@@ -72,7 +73,7 @@ class AracnaProber:
     parts = (PROBES,)
 
     def __init__(self, settings: PortSettings, *, full: bool = False, known: bool = False) -> None:
-        """`full` has no effect: there is a single line setting."""
+        """`full` has no effect, because there is only one line setting."""
         del full
         self.found: list[FoundRobot] = []
         self._settings = settings.at(LINE)
@@ -86,7 +87,7 @@ class AracnaProber:
         return bool(self.found)
 
     def record_unsolicited(self, line: SerialFormat, data: bytes) -> None:
-        """Handle bytes before a probe, such as `.h` after a reset."""
+        """Handle bytes received before a probe, such as `.h` after a reset."""
         if line == LINE:
             self._handle(data)
 
@@ -135,16 +136,16 @@ class AracnaProber:
 
     def _listen(self, wire: Transport, seconds: float) -> None:
         end = wire.clock() + seconds
-        while not self.found and (left := end - wire.clock()) > 0:
-            data = wire.read(1, min(left, _SLICE))
+        while not self.found and (remaining := end - wire.clock()) > 0:
+            data = wire.read(1, min(remaining, _SLICE))
             try:
                 data += wire.discard()
-            except BadReply:  # endless data
-                data += wire.read(_SAVED, 0.0)
+            except BadReply:  # bytes keep arriving
+                data += wire.read(_SAVED_BYTES, 0.0)
             self._handle(data)
 
     def _handle(self, data: bytes) -> None:
-        self._received = (self._received + data)[:_SAVED]
+        self._received = (self._received + data)[:_SAVED_BYTES]
         for reply in self._reader.feed(data):
             if isinstance(reply, Version):
                 note = tr(_RESETS) if _HELLO in self._received else ""

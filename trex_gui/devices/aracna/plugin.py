@@ -2,21 +2,21 @@
 
 from trex_gui.core.plugin import CommandInfo, DevicePlugin, Lazy
 
-_HERE = "trex_gui.devices.aracna"
+_PACKAGE = "trex_gui.devices.aracna"
 
 ARACNA = DevicePlugin(
     key="aracna",
     name="Aracna",
-    prober=Lazy(f"{_HERE}.discovery:ARACNA_PROBER"),
-    port_reports=Lazy(f"{_HERE}.cli.session:PORT_REPORTS"),
+    prober=Lazy(f"{_PACKAGE}.discovery:ARACNA_PROBER"),
+    port_reports=Lazy(f"{_PACKAGE}.cli.session:PORT_REPORTS"),
     simulator_arguments=("--aracna",),
-    controller=Lazy(f"{_HERE}.model.controller:AracnaController"),
-    workspace=Lazy(f"{_HERE}.views.workspace:AracnaWorkspace"),
-    tour=Lazy(f"{_HERE}.views.tour:tour_steps"),
+    controller=Lazy(f"{_PACKAGE}.model.controller:AracnaController"),
+    workspace=Lazy(f"{_PACKAGE}.views.workspace:AracnaWorkspace"),
+    tour=Lazy(f"{_PACKAGE}.views.tour:tour_steps"),
     commands={
         "aracna": CommandInfo(
-            Lazy(f"{_HERE}.cli.commands:aracna"), "Query an Aracna, move it, play its poses."
+            Lazy(f"{_PACKAGE}.cli.commands:aracna"), "Query an Aracna, move it, play its poses."
         )
     },
-    simulator=Lazy(f"{_HERE}.simulator.control:SIMULATOR"),
+    simulator=Lazy(f"{_PACKAGE}.simulator.control:SIMULATOR"),
 )

@@ -93,12 +93,12 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
 
     clears = frozenset({"progress", "speeds"})
 
-    def passed(time: float, replied: int, *places: int | None) -> Passed:
-        return Passed(time, _positions(places[:replied]))
+    def passed(time: float, replied: int, *cells: int | None) -> Passed:
+        return Passed(time, _positions(cells[:replied]))
 
-    def moved(time: float, seconds: float, *places: int | None) -> Moved:
-        reached = tuple(place for place in places[:motors] if place is not None)
-        return Moved(time, reached, _positions(places[motors:]), seconds)
+    def moved(time: float, seconds: float, *cells: int | None) -> Moved:
+        moved_goals = tuple(cell for cell in cells[:motors] if cell is not None)
+        return Moved(time, moved_goals, _positions(cells[motors:]), seconds)
 
     return (
         SampleKind(
@@ -110,9 +110,7 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
                 *columns("start", "position at the start; NULL if unknown", optional=True),
             ),
             lambda r: (r.expected, *r.goals, *r.starts),
-            lambda time, expected, *places: Moving(
-                time, places[:motors], places[motors:], expected
-            ),
+            lambda time, expected, *cells: Moving(time, cells[:motors], cells[motors:], expected),
             held=True,
         ),
         SampleKind(

@@ -47,7 +47,7 @@ def aracna() -> None:
     """Query and move an Aracna, the robot with eight motors.
 
     Its line is always set to 38400 baud. Nothing on this link stops a running motion or
-    switches motors off: only servo power does.
+    switches motors off: only cutting the servo power does.
     """
 
 
@@ -55,7 +55,7 @@ def aracna() -> None:
 @_line_options
 @json_option
 def query(port: str | None, extra_timeout: float, *, as_json: bool) -> None:
-    """Show the firmware version and the number of motors. Moves nothing."""
+    """Show the firmware version and the number of motors. Never moves a motor."""
     with CommandSession(port_settings(port, extra_timeout)) as session:
         robot = session.robot
     if as_json:
@@ -69,7 +69,7 @@ def query(port: str | None, extra_timeout: float, *, as_json: bool) -> None:
 @_line_options
 @click.argument("state", type=click.Choice(["on", "off"]))
 def led(state: str, port: str | None, extra_timeout: float) -> None:
-    """Switch the debug LED of the board, to identify the robot. Moves nothing.
+    """Switch the debug LED of the board, to identify the robot. Never moves a motor.
 
     The LED is off after each start of the board. Prints the reported state.
     """
@@ -83,8 +83,8 @@ def led(state: str, port: str | None, extra_timeout: float) -> None:
 def speeds(values: tuple[int, ...], port: str | None, extra_timeout: float) -> None:
     """Set the speed of every motor: one value for all, or one for each.
 
-    A unit is 0.67 degrees per second. 0 is unlimited. Prints the speeds that the servos report, and
-    that they hold until they lose power.
+    A unit is 0.67 degrees per second. 0 is unlimited. Prints the speeds that the servos report.
+    They keep these speeds until they lose power.
     """
     with CommandSession(port_settings(port, extra_timeout)) as session:
         motors = session.robot.motors
@@ -186,9 +186,10 @@ def play(
         with refusals():
             steps = steps_of(sequence, project.poses, limits)
             first = blend_in(sequence, project.poses, limits)
-        for used in project.poses:
-            if used.name in {step.pose_name for step in sequence.steps}:
-                _report_crops(used, limits)
+        used_names = {step.pose_name for step in sequence.steps}
+        for pose in project.poses:
+            if pose.name in used_names:
+                _report_crops(pose, limits)
         session.play(Play(0, steps, 0 if loop else rounds or 1, first, time_scale=scale))
     say("Stopped." if session.halted else "Played.")
     if session.moved is not None:
@@ -208,21 +209,21 @@ def _check_count(values: tuple[int, ...], motors: int, quantity: str) -> None:
 
 
 def _check_limits(goals: tuple[int, ...]) -> None:
-    wrong = [
+    violations = [
         f"motor {motor} goes from {limit.low} to {limit.high}, not to {goal}"
         for motor, (goal, limit) in enumerate(zip(goals, factory_limits(len(goals)), strict=True))
         if not limit.allow(goal)
     ]
-    if wrong:
-        raise click.UsageError(f"Joint limits: {'; '.join(wrong)}. --no-limits lifts them.")
+    if violations:
+        raise click.UsageError(f"Joint limits: {'; '.join(violations)}. --no-limits lifts them.")
 
 
 def _read_project(file: str) -> Project:
     with refusals():
-        read = read_file(Path(file))
-    for finding in read.findings:
+        pose_file = read_file(Path(file))
+    for finding in pose_file.findings:
         say(f"{file}: {finding}")
-    return read.project
+    return pose_file.project
 
 
 def _pose_named(name: str, file: str | None) -> Pose:
@@ -242,9 +243,9 @@ def _sequence_named(project: Project, name: str | None) -> Sequence:
         if len(project.sequences) > 1:
             raise click.UsageError(f"Which sequence? Give --sequence. The file has: {names}.")
         return project.sequences[0]
-    if (found := project.sequence(name)) is None:
+    if (sequence := project.sequence(name)) is None:
         raise click.UsageError(f"There is no sequence {name!r}. The file has: {names}.")
-    return found
+    return sequence
 
 
 def _limits(motors: int, *, lifted: bool) -> tuple[Limits, ...]:

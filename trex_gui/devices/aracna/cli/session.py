@@ -53,7 +53,7 @@ def port_settings(port: str | None, extra_time: float) -> PortSettings:
 
 
 class CommandSession:
-    """Session with a connected robot. Prints the running motion.
+    """Session with a connected robot. Prints the progress of motions.
 
     Its methods raise CommandFailed if the line is lost, or if the robot waits for a motor or
     rejects the request.
@@ -68,7 +68,7 @@ class CommandSession:
         *,
         motors: bool = True,
     ) -> None:
-        """`motors`: report each arrival instead of each step."""
+        """`motors`: print the arrival of each motor instead of each step."""
         self._host = host()
         self._inbox = RequestQueue(self._host.condition())
         self._reports = RequestQueue(self._host.condition())
@@ -87,7 +87,7 @@ class CommandSession:
         self.faults: list[str] = []  # problems, as sentences
 
     def __enter__(self) -> Self:
-        """Connect. CommandFailed after a failure or an interruption."""
+        """Connect. Raises CommandFailed after a failure or an interruption."""
         self._join = self._host.start_thread(self._session.run)
         try:
             for report in self._received():
@@ -127,7 +127,7 @@ class CommandSession:
         self._inbox.put(request)
         for report in self._received():
             match report:
-                case Outcome(id=of, value=value, error=error) if of == request.id:
+                case Outcome(id=number, value=value, error=error) if number == request.id:
                     if error is not None:
                         raise CommandFailed(error) from error
                     return value
@@ -154,7 +154,7 @@ class CommandSession:
         return moved.present
 
     def play(self, play: Play) -> None:
-        """Play to the end, or after an interruption until the robot stops."""
+        """Play to the end. After an interruption, wait until the robot stops."""
         self._result(play)
         for report in self._received() if self._is_moving else ():
             _raise_fault(report)
@@ -186,8 +186,8 @@ class CommandSession:
                 if self._motors:
                     self._report_motors(present)
             case StepBegun(part=part, index=index, round=number, late=late) if not self._motors:
-                where = "blend in" if part == "in" else f"round {number + 1}, step {index + 1}"
-                say(f"{where}{f', {late:.2f} s late' if late >= 0.05 else ''}")
+                title = "blend in" if part == "in" else f"round {number + 1}, step {index + 1}"
+                say(f"{title}{f', {late:.2f} s late' if late >= 0.05 else ''}")
 
     def _report_motors(self, present: Sequence[int]) -> None:
         for motor in range(self._reported, len(present)):
@@ -221,8 +221,8 @@ def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
         assert isinstance(found, FoundRobot)  # noqa: S101 - for the type checker
         text = f"{found.name}, {counted(found.motors, 'motor')}"
         return PortAnswer(text, "Aracna", str(found.version.version))
-    strange = [each.text for each in scan.diagnoses if each.evidence > Evidence.ECHO]
-    return PortAnswer("".join(strange))
+    texts = [report.text for report in scan.diagnoses if report.evidence > Evidence.ECHO]
+    return PortAnswer("".join(texts))
 
 
 def _describe(found: FoundRobot) -> str:

@@ -1,4 +1,4 @@
-"""Simulated robot for its panel."""
+"""Simulated robot of the demo panel."""
 
 import json
 from dataclasses import dataclass
@@ -69,15 +69,15 @@ class RobotSnapshot:
 
 
 def read_snapshot(text: str) -> RobotSnapshot:
-    shown: dict[str, Any] = json.loads(text)
-    servos = enumerate(shown["servos"])
+    fields: dict[str, Any] = json.loads(text)
+    servos = enumerate(fields["servos"])
     return RobotSnapshot(
-        state=FirmwareState(shown["state"]),
-        boots=shown["boots"],
-        led=shown["led"],
-        servo_power=shown["servo_power"],
-        servos=tuple(DemoServo(**row, dead=number in shown["dead"]) for number, row in servos),
-        line=DemoLine(**shown["line"]),
+        state=FirmwareState(fields["state"]),
+        boots=fields["boots"],
+        led=fields["led"],
+        servo_power=fields["servo_power"],
+        servos=tuple(DemoServo(**row, dead=motor in fields["dead"]) for motor, row in servos),
+        line=DemoLine(**fields["line"]),
     )
 
 
@@ -99,7 +99,7 @@ class DemoRobot(DemoDevice[RobotSnapshot]):
         self._send(f"servo {motor} {'block' if blocked else 'free'}")
 
     def lose(self, fault: str) -> None:
-        """Lose a part of the next transfer. `fault`: end of the control line."""
+        """Lose a part of the next transfer. `fault`: control line without `line`."""
         self._send(f"line {fault}")
 
     def repair(self) -> None:

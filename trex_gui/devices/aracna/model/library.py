@@ -87,7 +87,7 @@ class Library(QObject):
         text, project, opened = write_ppr(self.project), self.project, self._opened
 
         def record_saved(path: Path) -> None:
-            if opened is self._opened:  # else another file is open
+            if opened is self._opened:  # otherwise another file is open
                 self.path, self._saved = path, project
                 self.on_disk = text.encode("utf-8")
                 self.changed.emit()
@@ -108,7 +108,8 @@ class Library(QObject):
         new_name = checked_name(new_name, [item.name for item in items if item.name != name])
         after = self._with(kind, index, [replace(items[index], name=new_name)])
         if kind is ItemKind.POSE:
-            sequences = tuple(_with_poses(each, {name: new_name}) for each in after.sequences)
+            names = {name: new_name}
+            sequences = tuple(_with_poses(sequence, names) for sequence in after.sequences)
             after = replace(after, sequences=sequences)
         self._edit(tr("Rename {0}").format(name), after)
 
@@ -159,14 +160,14 @@ class Library(QObject):
         A pose with an existing name but other positions gets a new name.
         """
         poses, names = list(self.project.poses), {}
-        for own in gait.poses:
-            pose = own
+        for gait_pose in gait.poses:
+            pose = gait_pose
             if pose not in self.project.poses:
                 pose = replace(pose, name=f"{gait.name} {pose.name}")
             if pose not in poses:
-                pose = replace(pose, name=free_name(pose.name, [each.name for each in poses]))
+                pose = replace(pose, name=free_name(pose.name, [item.name for item in poses]))
                 poses.append(pose)
-            names[own.name] = pose.name
+            names[gait_pose.name] = pose.name
         name = free_name(gait.name, [sequence.name for sequence in self.project.sequences])
         sequence = _with_poses(Sequence(name, gait.steps), names)
         self._add_sequence(replace(self.project, poses=tuple(poses)), sequence)

@@ -28,17 +28,17 @@ COLORS = ("motor1", "motor2", "good", "dirty", "danger", "muted", "warning", "pl
 """Theme colours of the curves by motor. Each curve also shows its number."""
 
 MAX_ROWS = 2_000_000  # drawn rows: two hours at the robot's highest rate, 144 MB
-_NO_GAP = math.inf  # a position that is not reported does not change
+_NO_GAP = math.inf  # an unreported position has not changed
 
 
-_Row = tuple[float, ...]  # a time (s) and a position for each motor (degrees; NaN if unknown)
+_Row = tuple[float, ...]  # time (s), then the position of each motor (degrees; NaN if unknown)
 
 
 class AracnaRecorder(RecordThread[Record]):
     """Records the session of a robot into one file at a time.
 
-    A recording ends with the connection, or when the number of motors and so of columns changes.
-    It continues while the robot does not respond.
+    A recording ends with the connection, or when the number of motors changes, because its columns
+    depend on that number. It continues while the robot does not respond.
     """
 
     def __init__(self, robot: Robot) -> None:
@@ -60,29 +60,29 @@ class AracnaRecorder(RecordThread[Record]):
             return False
         self._motors = self._robot.state.motors
         header = RobotHeader(datetime.now(UTC), now(), self._robot.state.version or 0, self._motors)
-        self.start_recording(path, FORMAT, header, self._known_at(header.clock))
+        self.start_recording(path, FORMAT, header, self._initial_records(header.clock))
         return True
 
     @Slot()
     def stop(self) -> None:
-        """End the recording with a marker, which gives it its full length."""
+        """End the recording with a marker, so that it has its full length."""
         self.put(marker(now(), EventKind.NOTE.value, tr("The recording ends here.")))
         super().stop()
 
-    def _known_at(self, time: float) -> Sequence[Record]:
-        known, records = self._robot.state, list[Record]()
-        if known.moved is not None:
-            records.append(replace(known.moved, time=time))
-        elif any(place is not None for place in known.present):
-            places = tuple(-1 if place is None else place for place in known.present)
-            records.append(Passed(time, places))
-        if known.speeds is not None:
-            records.append(SpeedsHeld(time, known.speeds.requested, known.speeds.held))
-        if known.moving is not None and known.ends_at is not None:
-            left = max(known.ends_at - time, 0.0)
-            records.append(replace(known.moving, time=time, expected=left))
-        if known.stuck is not None:
-            records.append(replace(known.stuck, time=time))
+    def _initial_records(self, time: float) -> Sequence[Record]:
+        state, records = self._robot.state, list[Record]()
+        if state.moved is not None:
+            records.append(replace(state.moved, time=time))
+        elif any(position is not None for position in state.present):
+            positions = tuple(-1 if position is None else position for position in state.present)
+            records.append(Passed(time, positions))
+        if state.speeds is not None:
+            records.append(SpeedsHeld(time, state.speeds.requested, state.speeds.held))
+        if state.moving is not None and state.ends_at is not None:
+            remaining = max(state.ends_at - time, 0.0)
+            records.append(replace(state.moving, time=time, expected=remaining))
+        if state.stuck is not None:
+            records.append(replace(state.stuck, time=time))
         return records
 
     @Slot(object)
@@ -123,14 +123,14 @@ def _trace(motor: int) -> TraceInfo:
 
 
 def _rows(state: RobotState, records: Iterable[Record]) -> list[_Row]:
-    """Return rows for start and end of motions, and for events between them.
+    """Return a row for each start of a motion, and for each record outside motions.
 
-    During a motion a curve is straight, since the real path is unknown.
+    During a motion, a curve is straight, because the real path is unknown.
     """
     rows = list[_Row]()
     for record in records:
         state.update(record)
         if state.moving is None or isinstance(record, Moving):
-            positions = (math.nan if each is None else degrees(each) for each in state.present)
-            rows.append((record.time, *positions))
+            angles = (math.nan if unit is None else degrees(unit) for unit in state.present)
+            rows.append((record.time, *angles))
     return rows

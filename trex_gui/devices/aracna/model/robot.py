@@ -52,13 +52,13 @@ Positions are unknown before the first motion, and a servo is unlimited after po
 
 
 class Robot(DeviceConnection[PortSettings]):
-    """A robot, or none. Only the session sends anything unprompted.
+    """Robot, connected or not. Without a request, only the session sends queries.
 
     Positions and speeds are tuples with one value for each motor, motor 0 first, in the servo's
     units. `reported` is emitted after `state` includes the report.
     """
 
-    link_changed = Signal()  # after `changed`
+    link_changed = Signal()  # emitted after `changed`
     halted = Signal()
     rejected = Signal(str)  # reason why a command was rejected; also sent to the notifier
 
@@ -70,11 +70,11 @@ class Robot(DeviceConnection[PortSettings]):
         self.limits = JointLimits(self)
         self.targets = Targets(self.limits, self)
         self.speeds = (FIRST_SPEED,) * MOTORS  # for the next motion
-        self.speeds_chosen = False  # by the user
+        self.speeds_chosen = False  # True if the user has set `speeds`
         self.events = EventLog(self)
         self._pending_moves = 0
         self._pending_speeds = 0
-        self._is_holding = False  # targets follow the present positions after a halt
+        self._is_holding = False  # True if targets follow the present positions after a halt
 
         self.line_closed.connect(self._on_line_closed)
         self.failed.connect(self._on_failed)
@@ -230,13 +230,15 @@ class Robot(DeviceConnection[PortSettings]):
             return False
         steps, rounds = len(play.steps), play.rounds
         self.state.play = play
-        often = tr("%n time(s)", "", rounds) if rounds else tr("repeating")
-        self.events.add(EventKind.NOTE, tr("Playing %n step(s), {0}.", "", steps).format(often))
+        repetition = tr("%n time(s)", "", rounds) if rounds else tr("repeating")
+        self.events.add(
+            EventKind.NOTE, tr("Playing %n step(s), {0}.", "", steps).format(repetition)
+        )
         self.changed.emit()
         return True
 
     def _with_slow_start(self, play: Play) -> Play:
-        """Prepend a slow step to the start, with time for the whole travel."""
+        """Prepend a slow step to the start position, long enough for the full travel."""
         first = (*play.blend_in, *play.steps)[0]
         seconds = travel_seconds(HIGHEST, FIRST_SPEED) / play.time_scale
         slow = Step(first.goals, seconds, tr("slowly to the start"))
@@ -258,7 +260,7 @@ class Robot(DeviceConnection[PortSettings]):
         self.submit(Halt())
         self._is_holding = is_active or self.dragging or self._pending_moves > 0
         self.dragging = False
-        ending = ending_text(left) if (left := self.remaining()) > 0 else ""
+        ending = ending_text(remaining) if (remaining := self.remaining()) > 0 else ""
         self.events.add(EventKind.STOP, f"{tr('Nothing more is sent.')} {ending}".rstrip())
         self.halted.emit()
         if self._is_holding:
@@ -273,11 +275,11 @@ class Robot(DeviceConnection[PortSettings]):
         self.submit_now(*((Halt(), Close()) if ending else (Halt(),)))
 
     def stop_because(self, reason: str) -> str:
-        """Halt for a `reason`, a clause without full stop. Return the effect.
+        """Halt for a `reason`, a clause without full stop. Return reason and effect.
 
-        The effect is empty without a connected robot and a motion of an earlier connection.
+        Return an empty text if no robot is connected and no earlier motion may be running.
         """
-        ending = ending_text(left) if (left := self.remaining()) > 0 else ""
+        ending = ending_text(remaining) if (remaining := self.remaining()) > 0 else ""
         if self.link is ConnectionState.DISCONNECTED:
             return f"{reason}. {tr('No robot is connected.')} {ending}" if ending else ""
         if not ending and not self.is_at_rest:
@@ -291,8 +293,8 @@ class Robot(DeviceConnection[PortSettings]):
         """True if a connected robot is at rest, with no motion pending."""
         state = self.state
         is_busy = state.moving is not None or state.play is not None or state.may_be_moving
-        is_about_to = self.dragging or self._pending_moves > 0
-        return self.link is ConnectionState.CONNECTED and not is_busy and not is_about_to
+        is_pending = self.dragging or self._pending_moves > 0
+        return self.link is ConnectionState.CONNECTED and not is_busy and not is_pending
 
     def aim_at_present(self) -> None:
         pairs = zip(self.state.present, self.targets.goals, strict=False)
@@ -323,7 +325,7 @@ class Robot(DeviceConnection[PortSettings]):
 
     def _on_speeds_done(self, outcome: Outcome) -> None:
         self._pending_speeds = max(self._pending_speeds - 1, 0)
-        if outcome.error is not None and not self._pending_speeds:  # newer speeds replace it
+        if outcome.error is not None and not self._pending_speeds:  # otherwise newer speeds follow
             self._reject_because(tr("Speeds not set: {0}"), outcome.error)
 
     def _on_led_done(self, outcome: Outcome) -> None:
@@ -337,7 +339,7 @@ class Robot(DeviceConnection[PortSettings]):
         self._pending_moves -= 1
         is_newest = not self._pending_moves
         if outcome.error is not None and is_newest and not self._is_holding:
-            self.dragging = False  # reports a single error
+            self.dragging = False  # so that only one error is reported
             self._reject_because(tr("Not moved: {0}"), outcome.error)
         self.changed.emit()
 

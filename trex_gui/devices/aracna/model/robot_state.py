@@ -22,7 +22,7 @@ from trex_gui.devices.aracna.session.messages import (
 
 @dataclass(slots=True)
 class RobotState:
-    """Newest reported values, without Qt or a clock. Times: session clock."""
+    """Last reported values. Times are on the session clock."""
 
     motors: int
     version: int | None = None
@@ -92,7 +92,8 @@ class RobotState:
             self.uncertain, self.unobserved_until = False, None
 
     def _set_present(self, present: tuple[int, ...]) -> None:
-        known = tuple(None if each == UNREADABLE else each for each in present[: self.motors])
+        positions = present[: self.motors]
+        known = tuple(None if value == UNREADABLE else value for value in positions)
         self.present = known + self.present[len(known) :]
 
     @property
@@ -126,8 +127,9 @@ class RobotState:
 
     @property
     def may_be_moving(self) -> bool:
-        """True if a motion may run unobserved.
+        """True if a motion may be running unobserved.
 
-        That includes the time before the first reply: another host may have moved the robot.
+        This includes the time before the first reply, because another host may have moved the
+        robot.
         """
         return self.moving is None and (self.moved is None or self.reply_lost)

@@ -1,4 +1,4 @@
-"""Joint limits and goals of the user."""
+"""The user's joint limits and goals."""
 
 from collections.abc import Sequence
 
@@ -11,7 +11,7 @@ _KEY = "aracna/limits"
 
 
 class JointLimits(QObject):
-    """Limits of each joint, saved in the preferences. The firmware has none."""
+    """Limits of each joint, saved in the preferences. The firmware has no limits."""
 
     changed = Signal()
 

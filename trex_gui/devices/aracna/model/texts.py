@@ -72,32 +72,32 @@ def difference_text(state: RobotState, motor: int, *, is_observed: bool = True) 
     return difference, False
 
 
-def activity_text(state: RobotState, left: float) -> tuple[str, bool]:
+def activity_text(state: RobotState, remaining: float) -> tuple[str, bool]:
     """Return the activity of a robot, and True if it calls for caution.
 
-    `left`: seconds until a motion should end.
+    `remaining`: seconds until a motion should end.
     """
     if state.stuck is not None:
         return waiting_text(state.stuck.motor), True
     texts = [_playing_text(state)]
-    if state.moving is not None and left > 0:
-        texts.append(ending_text(left))
+    if state.moving is not None and remaining > 0:
+        texts.append(ending_text(remaining))
     elif state.moving is not None:
         texts.append(tr("Waiting for motor {0} to arrive …").format(state.awaited_motor))
     if any(texts):
         return " ".join(filter(None, texts)), True
     if not state.may_be_moving:
         return tr("At rest: nothing is sent."), False
-    if left > 0:
+    if remaining > 0:
         text = tr("Unknown: a motion may continue for about {0:.0f} s.")
-        return text.format(max(left, 1)), True
+        return text.format(max(remaining, 1)), True
     if state.uncertain:
         return tr("Unknown: the last motion may still be running."), True
     return tr("Nothing is sent. Whether it is moving is not known before its first move."), False
 
 
-def ending_text(left: float) -> str:
-    return tr("The motion ends by itself in about {0:.1f} s.").format(Number(left))
+def ending_text(remaining: float) -> str:
+    return tr("The motion ends by itself in about {0:.1f} s.").format(Number(remaining))
 
 
 def _playing_text(state: RobotState) -> str:

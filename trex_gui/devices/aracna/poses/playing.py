@@ -1,4 +1,4 @@
-"""Goals and durations of a sequence's or gait's steps."""
+"""Goals and durations of the steps of a sequence or gait."""
 
 from collections.abc import Iterable
 from collections.abc import Sequence as Many
@@ -19,7 +19,7 @@ def steps_of(
 ) -> tuple[Step, ...]:
     """Return the steps of a sequence or gait, cropped to each motor's limits.
 
-    BadRequest: steps or poses are missing.
+    Raises BadRequest if steps or poses are missing.
     """
     return tuple(
         Step(cropped(pose, limits), seconds * time_scale, pose.name)
@@ -28,7 +28,7 @@ def steps_of(
 
 
 def mismatch(poses: Iterable[Pose], motors: int) -> str:
-    """Return a sentence if poses have another number of motors."""
+    """Return a sentence if poses are for another number of motors, or an empty text."""
     counts = {len(pose.positions) for pose in poses} - {motors}
     if not counts:
         return ""
@@ -47,14 +47,15 @@ def blend_in(
 ) -> tuple[Step, ...]:
     """Return the slow step to the start. Empty if it is not necessary.
 
-    A cyclic gait starts in its last pose, a sequence in its first. Raises as `steps_of` does.
+    A cyclic gait starts in its last pose, a sequence in its first. Raises BadRequest if steps or
+    poses are missing.
     """
-    place = 0
+    index = 0
     if isinstance(played, Gait):
         if not played.cyclic:
             return ()
-        place = -1
-    start, _ = stages_of(played, poses)[place]
+        index = -1
+    start, _ = stages_of(played, poses)[index]
     goals = cropped(start, limits)
     return () if tuple(present) == goals else (Step(goals, SLOW_SECONDS, start.name),)
 
@@ -68,9 +69,9 @@ def blend_out(limits: Many[Limits], poses: Iterable[Pose] = ()) -> tuple[Step, .
 def late_motors(
     steps: Many[Step], start: Present = (), *, again: bool = False
 ) -> dict[int, dict[int, float]]:
-    """Return the seconds that slow motors need, by step and motor.
+    """Return the seconds that slow motors need: step → motor → seconds.
 
-    A motor at an unknown position is not slow. `again`: the first step follows the last step.
+    A motor at an unknown position does not count as slow. `again`: the steps repeat.
     """
     late = [_late_in(step, before) for before, step in _with_starts(steps, start)]
     if again:

@@ -7,9 +7,9 @@
 
 Ref: CreativeMachinesLab/aracna `RaspberryPypose/project.py`. There the last of two items with the
 same name wins, missing positions are 512, wrong resolutions are 1024, and a line without prefix is
-a pose of an older version. `Nuke` belongs to code for legged robots that PyPose generated, and is
-retained. Blanks around a name are ignored: PyPose strips the names in steps, and so does not find a
-pose with blanks around its name.
+a pose of an older version. `Nuke` lines belong to code that PyPose generated for legged robots.
+They are retained. Blanks around a name are ignored, because PyPose strips the names in steps and
+therefore does not find a pose with blanks around its name.
 
 Unreadable lines are written back unchanged.
 """
@@ -52,9 +52,9 @@ class PoseFile:
 
 
 def read_file(path: Path) -> PoseFile:
-    """Read a pose file. SettingsError: unreadable, too large, or not text."""
+    """Read a pose file. Raises SettingsError if it is unreadable, too large or binary."""
     data = load(path, tr("poses"))
-    found: list[Finding] = []
+    encoding_findings: list[Finding] = []
     content = data.removeprefix(BOM_UTF8)
     try:
         text = content.decode("utf-8")
@@ -64,19 +64,19 @@ def read_file(path: Path) -> PoseFile:
         message = tr(
             "this is not UTF-8 text; it is read as Western European, and Save writes UTF-8"
         )
-        found.append(Finding(line, None, message, Severity.WARNING))
+        encoding_findings.append(Finding(line, None, message, Severity.WARNING))
     for number, line_text in enumerate(text.split("\n"), 1):
         if any(sign < " " and sign not in "\n\t\r" for sign in line_text):
             message = tr("this is a binary file; poses are text")
             raise SettingsError(str(path), [Finding(number, None, message)])
     project, findings = read_ppr(text)
-    return PoseFile(project, (*found, *findings), data)
+    return PoseFile(project, (*encoding_findings, *findings), data)
 
 
 def read_ppr(text: str) -> tuple[Project, tuple[Finding, ...]]:
-    """Return the project in a text, with findings. Rejects no text.
+    """Return the project in a text, with findings. Never rejects a text.
 
-    An error marks an unused line, a warning marks an assumption.
+    An error marks an unused line. A warning marks an assumption.
     """
     separator = "\r" if "\r" in text and "\n" not in text else "\n"  # "\r": from an old Macintosh
     lines = text.split(separator)
@@ -177,21 +177,22 @@ class _Reader:
         self.poses.append((number, pose))
 
     def with_unique_names(self, items: list[tuple[int, ItemT]], kind: str) -> tuple[ItemT, ...]:
-        """Return the items with unique names. The last of several retains its name.
+        """Return the items with unique names. The last of equal names is retained.
 
-        An item without blanks around its name has priority, because steps can name only this item.
+        An item without blanks around its name has priority, because steps cannot name other items.
         """
         taken = {item.name for _, item in items}
-        by_priority = sorted(items, key=lambda placed: (placed[0] not in self._padded, placed[0]))
+        by_priority = sorted(items, key=lambda item: (item[0] not in self._padded, item[0]))
         last = {item.name: number for number, item in by_priority}
-        tried: dict[str, int] = {}
-        for place, (number, item) in enumerate(items):
+        next_numbers: dict[str, int] = {}
+        for index, (number, item) in enumerate(items):
             if last[item.name] != number:
-                name, tried[item.name] = free_number(item.name, taken, tried.get(item.name, 2))
+                first = next_numbers.get(item.name, 2)
+                name, next_numbers[item.name] = free_number(item.name, taken, first)
                 taken.add(name)
                 text = tr("line {0} has this {1} again, and counts; this one is called {2} now")
                 self.warn(number, text.format(last[item.name], tr(kind), name))
-                items[place] = (number, replace(item, name=name))
+                items[index] = (number, replace(item, name=name))
         return tuple(item for _, item in items)
 
 
@@ -242,5 +243,5 @@ def _fields(values: str) -> list[str]:
 
 
 def _number(field: str) -> int | None:
-    found = field.strip(" \t")
-    return int(found) if _NUMBER.fullmatch(found) else None
+    digits = field.strip(" \t")
+    return int(digits) if _NUMBER.fullmatch(digits) else None

@@ -25,11 +25,11 @@ class Pose:
     positions: tuple[int, ...]
 
     def __post_init__(self) -> None:
-        if not _is_name(self.name) or not all(0 <= each <= HIGHEST for each in self.positions):
+        if not _is_name(self.name) or not all(0 <= value <= HIGHEST for value in self.positions):
             raise BadRequest(f"no pose: {self!r}")
 
     def first(self, motors: int) -> tuple[int, ...]:
-        """Return positions of `motors`. Missing positions are in the centre."""
+        """Return the positions of the first motors. Missing positions become the centre."""
         missing = max(motors - len(self.positions), 0)
         return self.positions[:motors] + (CENTRE,) * missing
 
@@ -49,7 +49,7 @@ class SequenceStep:
 
 @dataclass(frozen=True, slots=True)
 class Sequence:
-    """Named steps. BadRequest for a colon or line end in the name."""
+    """Named steps. Raises BadRequest for a colon or line end in the name."""
 
     name: str
     steps: tuple[SequenceStep, ...] = ()
@@ -102,8 +102,8 @@ def _is_name(name: str) -> bool:
 
 
 def free_name(name: str, taken: Iterable[str]) -> str:
-    others = set(taken)
-    return free_number(name, others)[0] if name in others else name
+    names = set(taken)
+    return free_number(name, names)[0] if name in names else name
 
 
 def free_number(name: str, taken: AbstractSet[str], first: int = 2) -> tuple[str, int]:
@@ -115,12 +115,12 @@ def free_number(name: str, taken: AbstractSet[str], first: int = 2) -> tuple[str
 
 
 def checked_name(name: str, taken: Iterable[str]) -> str:
-    """Strip a name. BadRequest if it is taken or invalid."""
-    found = name.strip()
-    is_possible = found.isprintable() and not any(sign in _SEPARATORS for sign in found)
-    if not is_possible or not 0 < len(found) <= _LONGEST_NAME:
+    """Strip a name. Raises BadRequest if it is taken or invalid."""
+    stripped = name.strip()
+    is_valid = stripped.isprintable() and not any(sign in _SEPARATORS for sign in stripped)
+    if not is_valid or not 0 < len(stripped) <= _LONGEST_NAME:
         text = tr("a name has 1 to {0} printable characters, and no colon, comma or bar")
         raise BadRequest(text.format(_LONGEST_NAME))
-    if found in set(taken):
-        raise BadRequest(tr("the name {0} is taken").format(found))
-    return found
+    if stripped in set(taken):
+        raise BadRequest(tr("the name {0} is taken").format(stripped))
+    return stripped

@@ -11,7 +11,7 @@ from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.aracna.protocol.joints import HIGHEST
 
 BAUD = 38_400  # 38400 8N1, without flow control
-QUERY = b".q\n"  # three bytes fit into the chip while the firmware is busy
+QUERY = b".q\n"  # the chip stores its three bytes while the firmware is busy
 EMPTY = b"\n"  # ends an incomplete line in the firmware's buffer, without other effect
 
 

@@ -1,7 +1,7 @@
-"""Eight joints: their places on the robot, limits, and units of their servos.
+"""Eight joints: their positions on the robot, limits and servo units.
 
 Ref: CreativeMachinesLab/aracna `RobotPi/RobotPi.py` (even motors are inner joints),
-`RobotPi/PiConstants.py` (limits tuned on the robot), `RobotPi/SineModel.py` (places of the legs,
+`RobotPi/PiConstants.py` (limits tuned on the robot), `RobotPi/SineModel.py` (positions of the legs,
 given for the nine-motor ancestor QuadraTot and assumed for Aracna); Robotis AX-12 and AX-18
 documentation (units).
 """
@@ -34,7 +34,7 @@ Assumed: motors 0-3 are in front and 4-7 at the back, 2-5 right and 6, 7, 0, 1 l
 
 @dataclass(frozen=True, slots=True)
 class Limits:
-    """Lowest and highest position of a joint, 0-1023. BadRequest if out of order."""
+    """Lowest and highest position of a joint, 0-1023. Raises BadRequest if out of order."""
 
     low: int = 0
     high: int = HIGHEST
@@ -63,10 +63,10 @@ def factory_limits(motors: int = MOTORS) -> tuple[Limits, ...]:
 
 
 def crop(goals: Iterable[float], limits: Sequence[Limits]) -> tuple[int, ...]:
-    """Return the nearest allowed goals. Limits may be missing."""
-    known = len(limits)
+    """Return the nearest allowed goals. Motors without limits are not cropped."""
+    count = len(limits)
     return tuple(
-        limits[motor].crop(goal) if motor < known else round(goal)
+        limits[motor].crop(goal) if motor < count else round(goal)
         for motor, goal in enumerate(goals)
     )
 

@@ -25,7 +25,7 @@ class Version:
 
     @property
     def motor_count(self) -> int:
-        """Reported number of motors, else the number of the version."""
+        """Reported number of motors, or the default of the version."""
         return self.motors or _MOTORS_BY_VERSION.get(self.version, MOTORS)
 
 
@@ -50,15 +50,20 @@ class Led:
 
 @dataclass(frozen=True, slots=True)
 class Unrecognized:
-    """Line that is no reply: truncated, corrupted, or of another device."""
+    """Line that is not a reply: truncated, corrupted or from another device."""
 
     line: bytes
 
 
 Reply = Hello | Version | Speeds | Positions | Led | Unrecognized
-ANSWERS: dict[str, type[Reply]] = {"q": Version, "v": Speeds, "c": Positions, "l": Led}  # by letter
+ANSWERS: dict[str, type[Reply]] = {
+    "q": Version,
+    "v": Speeds,
+    "c": Positions,
+    "l": Led,
+}
 
-_LONGEST = 200  # bytes without a line end; the longest reply of eight motors has 43
+_LONGEST = 200  # bytes without a line end; the longest reply for eight motors has 43
 _NUMBER = rb"-1|0|[1-9]\d{0,4}"  # printed by `%d`: no padding, no sign except in -1
 _QUERY = re.compile(rb"\.q(0|[1-9]\d{0,4})(?:,([1-9]\d{0,2}))?")
 _VALUES = re.compile(rb"\.([vc])((?:%b)(?:,(?:%b))*)" % (_NUMBER, _NUMBER))
@@ -85,7 +90,7 @@ def read_line(line: bytes) -> Reply:
 
 
 def read_lines(line: bytes) -> list[Reply]:
-    """Parse a line, empty or with the `.h` of a restart at its end."""
+    """Parse a line, which may be empty or end with the `.h` of a restart."""
     if not line:
         return []
     reply = read_line(line)

@@ -1,6 +1,6 @@
 """Client with one command in flight.
 
-The reply to `.c` arrives motor by motor, so no call waits for all of it. The session sends a
+The reply to `.c` arrives motor by motor, so no call waits for the whole reply. The session sends a
 command, listens in short slices, and receives events.
 
 Only a single `.q` may follow a command without reply: the chip stores its three bytes while the
@@ -40,10 +40,10 @@ LINE = SerialFormat(commands.BAUD)
 
 REPLY_TIMEOUT = 1.0  # seconds for `.q` and `.v`; the slowest reply takes 0.06 s on a wire
 QUERY_RETRY = 5.0
-"""Seconds until `.q` is repeated after an incomplete reply. The chip stores a single `.q`, so that
-a repetition is harmless."""
+"""Seconds until `.q` is repeated after an incomplete reply. A repetition is harmless, because the
+chip stores a single `.q`."""
 
-_SAVED = 48  # received bytes saved for error messages
+_SAVED_BYTES = 48  # received bytes saved for error messages
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,7 +67,7 @@ class Answered:
 
 @dataclass(frozen=True, slots=True)
 class ReplyLost:
-    """Event: no reply will come. `robot_free`: a later `.q` was answered."""
+    """Event: no reply will arrive. `robot_free`: a later `.q` was answered."""
 
     command: SentCommand
     error: RobotError
@@ -98,11 +98,11 @@ class AracnaClient:
         self._reader = Reader()
         self._arrived: tuple[int, ...] | None = None
         self._is_late = False
-        self._query_deadline: float | None = None  # of a `.q` sent after the pending command
+        self._query_deadline: float | None = None  # for a `.q` after the pending command
 
     @property
     def extra_time(self) -> float:
-        """Longest delay of a reply by the line, in seconds."""
+        """Maximum delay of a reply on the line, in seconds."""
         return self.transport.latency + self.settings.timeouts.extra
 
     @property
@@ -112,7 +112,8 @@ class AracnaClient:
         return None if arrived is None else len(arrived)
 
     # --- Commands -----------------------------------------------------------------------
-    # All raise PortUnavailable if the line is gone, and BadRequest while a command is pending.
+    # All commands raise PortUnavailable if the line is gone, and BadRequest while another command
+    # is pending.
 
     def query(self, timeout: float = REPLY_TIMEOUT) -> None:
         self._send("q", (), commands.QUERY, timeout)
@@ -147,13 +148,13 @@ class AracnaClient:
     def listen(self, seconds: float = 0.0) -> list[CommandEvent]:
         """Return new events. Wait up to `seconds` for the first byte."""
         data = self.transport.read(1, seconds) if seconds > 0 else b""
-        checked = self.transport.clock()  # later data is late
+        checked = self.transport.clock()  # bytes received later are late
         try:
             data += self.transport.discard()
-        except BadReply:  # endless data identifies its sender
-            data += self.transport.read(_SAVED, 0.0)
+        except BadReply:  # bytes that keep arriving may identify their sender
+            data += self.transport.read(_SAVED_BYTES, 0.0)
         now = self.transport.clock()
-        self.received = (self.received + data)[:_SAVED]
+        self.received = (self.received + data)[:_SAVED_BYTES]
         events: list[CommandEvent] = []
         for reply in self._reader.feed(data):
             events += self._handle(reply, now)
@@ -169,7 +170,7 @@ class AracnaClient:
             if self._matches(command, reply):
                 self._count_reply(command, now)
                 self.pending = None
-                if self._query_deadline is not None:  # the reply to the `.q` comes next
+                if self._query_deadline is not None:  # the reply to the `.q` is next
                     self._query_deadline = None
                     self.pending = SentCommand("q", (), now, REPLY_TIMEOUT + self.extra_time)
                 return [Answered(command, reply, now)]
@@ -207,7 +208,7 @@ class AracnaClient:
         if self._query_deadline is not None and now >= self._query_deadline:
             if self.awaited_motor is None:
                 return [self._lose(now, robot_free=False)]
-            # With the end of the line, the reply to the `.q` may be lost.
+            # The reply to the `.q` may be lost, together with the end of the line.
             self._query_deadline = None
             self._send_query(now + QUERY_RETRY)
         if self._is_late or now < command.sent + command.timeout:

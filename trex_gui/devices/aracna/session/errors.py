@@ -10,9 +10,9 @@ from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol import commands
 
 TOLERANCE = 12
-"""Largest difference in units between a goal and a reached position: 3.5 degrees.
+"""Maximum difference in units between a goal and a reached position: 3.5 degrees.
 
-A free servo stops on its goal, unless its compliance margin is not 0. A greater difference means a
+A free servo stops at its goal if its compliance margin is 0. A greater difference means a
 load on the servo, or a loss of power during the motion."""
 
 FAR = 50
@@ -75,7 +75,7 @@ class RobotError(CodedError):
 
 
 class RobotBusyError(RobotError, BadRequest):
-    """Rejected in the present state. Nothing was sent."""
+    """The request is rejected in the current state. Nothing was sent."""
 
 
 class RobotNoReplyError(RobotError, NoReply):
@@ -83,7 +83,7 @@ class RobotNoReplyError(RobotError, NoReply):
 
 
 class RobotBadReplyError(RobotError, BadReply):
-    """The received bytes are no reply to the command."""
+    """The received bytes are not a reply to the command."""
 
 
 class RobotInternalError(RobotError, InternalError):
@@ -112,29 +112,29 @@ def suggests_scan(error: BaseException) -> bool:
 def missed_goals(
     goals: Sequence[int], present: Sequence[int], tolerance: int = TOLERANCE
 ) -> dict[int, RobotError]:
-    """Return an error for each motor off its goal or unreadable."""
-    found = {}
+    """Return an error for each motor that is off its goal or unreadable."""
+    errors = {}
     for motor, (goal, position) in enumerate(zip(goals, present, strict=False)):
         if position < 0:
-            found[motor] = RobotError(ErrorCode.POSITION_UNREADABLE, motor)
+            errors[motor] = RobotError(ErrorCode.POSITION_UNREADABLE, motor)
         elif abs(position - goal) > tolerance:
-            away = signed_text(position - goal)
-            found[motor] = RobotError(ErrorCode.GOAL_MISSED, motor, position, away, goal)
-    return found
+            difference = signed_text(position - goal)
+            errors[motor] = RobotError(ErrorCode.GOAL_MISSED, motor, position, difference, goal)
+    return errors
 
 
 def rejected_speeds(requested: tuple[int, ...], held: tuple[int, ...]) -> RobotError | None:
     """Return the error for rejected speeds. `None`: all were accepted."""
     if held != requested and all(speed < 0 for speed in held):
         return RobotNoReplyError(ErrorCode.NO_SERVO_POWER)
-    wrong = tuple(
+    errors = tuple(
         RobotError(ErrorCode.SPEED_UNREADABLE, motor, goal)
         if speed < 0
         else RobotError(ErrorCode.SPEED_REJECTED, motor, goal, speed)
         for motor, (goal, speed) in enumerate(zip(requested, held, strict=True))
         if speed != goal
     )
-    return RobotNoReplyError(ErrorCode.SPEEDS_REJECTED, wrong) if wrong else None
+    return RobotNoReplyError(ErrorCode.SPEEDS_REJECTED, errors) if errors else None
 
 
 def printable(data: bytes) -> str:

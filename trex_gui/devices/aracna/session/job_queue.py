@@ -1,4 +1,4 @@
-"""Requests of a session without an outcome."""
+"""Queue of requests that have no outcome yet."""
 
 from collections import deque
 from collections.abc import Callable
@@ -33,13 +33,13 @@ class JobQueue:
         return bool(self._queued)
 
     def add(self, job: Job) -> None:
-        """Queue a job in place of older speeds or goals. Speeds precede motions."""
-        older = [each for each in self._queued if type(each) is type(job)]
-        for each in older if isinstance(job, Move | SetSpeeds) else ():
-            self._queued.remove(each)
-            self._supersede(each)
+        """Queue a job. It replaces queued speeds or goals. Speeds precede motions."""
+        superseded = [queued for queued in self._queued if type(queued) is type(job)]
+        for queued in superseded if isinstance(job, Move | SetSpeeds) else ():
+            self._queued.remove(queued)
+            self._supersede(queued)
         if isinstance(job, SetSpeeds):
-            self._queued = deque(_with_speeds(each, job.speeds) for each in self._queued)
+            self._queued = deque(_with_speeds(queued, job.speeds) for queued in self._queued)
             if self.is_setting_speeds and self._in_flight is not None:
                 self._in_flight = _with_speeds(self._in_flight, job.speeds)
             self._queued.appendleft(job)
@@ -50,9 +50,9 @@ class JobQueue:
         self._report(Outcome(job.id, error=RobotError(ErrorCode.SUPERSEDED)))
 
     def send_next(self, send: Callable[[Job], bool]) -> None:
-        """Send the first job. A BadRequest of `send` is its outcome.
+        """Send the first job. A BadRequest from `send` is its outcome.
 
-        `send` returns True if it sent only speeds. The motion is then sent again.
+        `send` returns True if it sent only speeds. The motion then follows.
         """
         self._in_flight = job = self._queued.popleft()
         try:
@@ -61,16 +61,16 @@ class JobQueue:
             self.finish(error=error)
 
     def on_speeds_set(self) -> None:
-        """Send the motion in flight next, unless it was replaced."""
+        """Queue the motion in flight as the next job, unless it was replaced."""
         job, self._in_flight = self._in_flight, None
         self.is_setting_speeds = False
-        if job is not None and any(isinstance(each, Move) for each in self._queued):
+        if job is not None and any(isinstance(queued, Move) for queued in self._queued):
             self._supersede(job)
         elif job is not None:
             self._queued.appendleft(job)
 
     def finish(self, value: object = None, error: StudioError | None = None) -> bool:
-        """End the job in flight. Return False without such a job."""
+        """End the job in flight. Return whether a job was in flight."""
         job, self._in_flight = self._in_flight, None
         self.is_setting_speeds = False
         if job is not None:

@@ -6,7 +6,7 @@ KEEPALIVE_INTERVAL = 2.0  # seconds between a reply and the query of an idle rob
 QUERY_INTERVAL = 0.5  # seconds between queries while a reply is awaited
 RECONNECT_INTERVAL = 1.0  # seconds between queries of a robot that does not respond
 BOOT_TIME = 1.1  # seconds after `.h`: the firmware blinks for 1 s and reads nothing
-BOOT_TIMEOUT = 6.0  # timeout in seconds of a restart, with a boot loader
+BOOT_TIMEOUT = 6.0  # timeout in seconds of a restart, including a boot loader
 CONNECT_TIMEOUT = 15.0  # timeout in seconds of a connection to a robot that keeps restarting
 
 

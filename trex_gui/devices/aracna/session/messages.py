@@ -17,7 +17,7 @@ from trex_gui.devices.aracna.protocol.joints import Limits
 
 @dataclass(frozen=True, slots=True)
 class SetSpeeds:
-    """Set the servos' speeds. The outcome is the `SpeedsHeld`.
+    """Set the servos' speeds. The outcome is a `SpeedsHeld`.
 
     Replaces a queued `SetSpeeds`. Queued motions with speeds use the new speeds.
     """
@@ -36,11 +36,11 @@ class SetLed:
 
 @dataclass(frozen=True, slots=True)
 class Move:
-    """Move every motor to a goal. The outcome is the `Moved`.
+    """Move every motor to a goal. The outcome is a `Moved`.
 
     Replaces a queued `Move`. With `speeds`, the motion runs at these speeds or not at all. They are
-    sent first, unless the servos already have them. A rejected speed is an error. `dragged`: one of
-    many moves in a row, without speeds that are still trusted.
+    sent first, unless the servos already have them. A rejected speed is an error. `dragged`: True
+    for one of many moves in a row, during which reported speeds are trusted longer.
     """
 
     id: int
@@ -113,7 +113,7 @@ class LineStats:
     replies: int = 0
     timeouts: int = 0
     corrupted: int = 0  # commands with a lost or unusable reply
-    unrecognized: int = 0  # lines that are no replies of an Aracna
+    unrecognized: int = 0  # lines that are not replies of an Aracna
     restarts: int = 0
     slowest: float = 0.0  # longest round trip in seconds, without motions
 
@@ -178,7 +178,7 @@ class SpeedsHeld:
 
 @dataclass(frozen=True, slots=True)
 class Stuck:
-    """The reply to a `.c` is late: the robot waits for `motor`.
+    """The reply to a `.c` is late, because the robot waits for `motor`.
 
     The firmware waits for ever for a servo that is blocked or does not respond. Reported once per
     command. `Moved` may still follow. Queued requests are dropped. Requests that need an idle robot

@@ -1,8 +1,8 @@
 """Player of a sequence of steps.
 
-Steps run on a clock that does not drift. A step is due when the previous steps should have ended.
-The time for `.v`, `.c` and their replies counts towards a step's seconds. If the robot is too slow,
-the next step starts late and is shortened, by half its seconds at most.
+Steps are timed by a clock that does not drift. A step is due when the previous steps should have
+ended. The time for `.v`, `.c` and their replies counts towards a step's seconds. If the robot is
+too slow, the next step starts late and is shortened by at most half its seconds.
 """
 
 import itertools
@@ -24,7 +24,7 @@ from trex_gui.devices.aracna.session.messages import (
 from trex_gui.devices.aracna.session.servo_estimates import ServoEstimates
 
 REPLY_TIME = 0.04  # duration in seconds of a `.c` without motion: 33 to 37 ms on a wire
-_SHORTEST = 0.5  # minimum share of a late step's time for its motion
+_SHORTEST = 0.5  # minimum fraction of a late step's time for its motion
 _SCALES = (0.05, 20.0)
 
 
@@ -66,7 +66,7 @@ class SequencePlayer:
         self._report = report
         self.servos = servos
         self._play: Play | None = None
-        self._goals: tuple[int, ...] | None = None  # of the running step, if not sent yet
+        self._goals: tuple[int, ...] | None = None  # goals of the running step, if unsent
         self._is_moving = False
 
     @property
@@ -78,9 +78,9 @@ class SequencePlayer:
         self._play, self._time_scale = play, play.time_scale
         self._steps = _schedule(play)
         self._due = now  # start of the next step
-        self._part = ""  # of the running step
+        self._part = ""  # part of the running step
         self._is_ending = False
-        self._speeds_before: tuple[int, ...] | None = None  # to restore at the end
+        self._speeds_before: tuple[int, ...] | None = None  # restored at the end
         self._goals, self._is_moving = None, False
 
     def end(self) -> None:
@@ -103,7 +103,7 @@ class SequencePlayer:
             self._report(Outcome(play.id, None if error else ending, error))
 
     def seconds_to_next(self, now: float) -> float:
-        """Return the seconds until the next command, infinite without one."""
+        """Return the seconds until the next command, infinite without a command."""
         if self._play is None or self._is_moving:
             return math.inf
         return 0.0 if self._goals is not None else max(0.0, self._due - now)
@@ -112,7 +112,7 @@ class SequencePlayer:
         """Start the due step. Return its speeds if they must be set.
 
         After the last step, return the speeds from before the sequence. Otherwise the next move
-        could take minutes, because a motor hardly had to move in the last step.
+        could take minutes, because the last step may have set very low speeds.
         """
         if self._play is None or self._goals is not None:
             return None
@@ -122,7 +122,7 @@ class SequencePlayer:
                 return before
             self.stop(now, Ending.ENDED if self._is_ending else Ending.DONE)
             return None
-        if not self._part:  # earlier requests have been sent
+        if not self._part:  # first step: earlier requests have been sent
             speeds = tuple(speed for speed in self.servos.speeds if speed is not None)
             self._speeds_before = speeds if len(speeds) == len(self.servos.speeds) else None
             self._due = now
@@ -134,8 +134,8 @@ class SequencePlayer:
         self._goals = self.servos.crop(step.goals)
         self._report(StepBegun(now, self._part, index, number, late))
         # Leaves time for the `.c`. `speeds_to` leaves time for the `.v`.
-        left = max(self._due - now - REPLY_TIME, seconds * _SHORTEST)
-        return self.servos.speeds_to(self._goals, left)
+        remaining = max(self._due - now - REPLY_TIME, seconds * _SHORTEST)
+        return self.servos.speeds_to(self._goals, remaining)
 
     def next_goals(self) -> tuple[int, ...] | None:
         """Return the goals of the step after its speeds. `None`: nothing to send."""

@@ -9,19 +9,19 @@ from trex_gui.devices.aracna.protocol.joints import HIGHEST, Limits, crop, speed
 from trex_gui.devices.aracna.session.errors import missed_goals
 
 ASSUMED_SPEED = 100  # for a servo of unknown speed; low, so that no timeout expires early
-SET_SPEEDS_TIME = 0.055  # longest time of a `.v` in s, with a pause of 25 ms and the read-back
+SET_SPEEDS_TIME = 0.055  # maximum duration of a `.v` in s, with a pause of 25 ms and the read-back
 
 TRUST = 2.0
 """Validity of reported speeds during a drag or a sequence, in seconds.
 
-A servo is unlimited after a loss of power, and only the reply to a `.v` shows it. Speeds are
+A servo is unlimited after a loss of power, and only the reply to a `.v` shows that. Speeds are
 repeated this often, which takes `SET_SPEEDS_TIME`."""
 
-TRUST_BEFORE_MOVE = 0.5  # seconds, before a single `Move`
+TRUST_BEFORE_MOVE = 0.5  # validity in seconds before a single `Move`
 
-_TOO_FAST = 1.05  # accepted ratio of a speed to the needed speed
+_MAX_RATIO = 1.05  # accepted ratio of a speed to the needed speed
 _ARRIVED = 5  # units; a motor this close to its goal needs no motion
-MARGIN, ALLOWANCE = 1.25, 1.0  # factor and seconds added to the time without load
+MARGIN, ALLOWANCE = 1.25, 1.0  # factor on the time without load, and extra seconds
 
 
 class ServoEstimates:
@@ -74,7 +74,7 @@ class ServoEstimates:
         """Return the time of the slowest motor, without load.
 
         An unknown position counts as the farthest. An unknown speed counts as the slowest known
-        speed, `ASSUMED_SPEED` at most.
+        speed, but at most `ASSUMED_SPEED`.
         """
         slowest = min([ASSUMED_SPEED, *(speed for speed in self.speeds if speed)])
         return max(
@@ -83,10 +83,10 @@ class ServoEstimates:
         )
 
     def speeds_to(self, goals: Sequence[int], seconds: float) -> tuple[int, ...] | None:
-        """Return speeds for a motion in `seconds`. `None`: the present speeds suffice.
+        """Return speeds for a motion in `seconds`. `None`: the current speeds suffice.
 
-        The time includes setting the speeds. A motor on its goal keeps its speed. A motor at an
-        unknown position gets `ASSUMED_SPEED` at most.
+        The time includes setting the speeds. A motor at its goal keeps its speed. A motor at an
+        unknown position gets at most `ASSUMED_SPEED`.
         """
         remaining = max(seconds - SET_SPEEDS_TIME, seconds / 2)
         speeds: list[int] = []
@@ -100,7 +100,7 @@ class ServoEstimates:
             best = min(speed_for(distance, remaining), highest)
             speeds.append(best)
             lowest = min(speed_for(distance, seconds), highest)
-            fits &= bool(speed) and lowest <= (speed or 0) <= best * _TOO_FAST + 2
+            fits &= bool(speed) and lowest <= (speed or 0) <= best * _MAX_RATIO + 2
         return None if fits else tuple(speeds)
 
 

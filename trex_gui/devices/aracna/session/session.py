@@ -2,8 +2,8 @@
 
 It uses neither threads nor Qt. Without a request it sends only `.q`, because a TReX may be on the
 port, and no other line is harmless to a TReX at any settings. (With a newline before `.q`, a TReX
-at 38400 baud with odd parity may take both for a command.) The robot has no stop command: after
-`Halt`, the loop only sends nothing more.
+at 38400 baud with odd parity may read both as a command.) The robot has no stop command. After
+`Halt`, the loop merely sends no more commands.
 """
 
 from collections.abc import Callable
@@ -68,7 +68,7 @@ from trex_gui.devices.aracna.session.servo_estimates import (
 
 STATS_INTERVAL = 1.0  # seconds between reports of the line's statistics
 _SLICE = 0.02  # timeout in seconds of a read
-_IDLE = 0.05  # timeout in seconds of a wait for requests, before a check for `.h`
+_IDLE = 0.05  # maximum wait in seconds for requests, between checks for `.h`
 
 
 class AracnaSession:
@@ -203,16 +203,16 @@ class AracnaSession:
     # --- Sending ------------------------------------------------------------------------
 
     def _send(self, job: Job) -> bool:
-        """Send a job, or only the speeds of a motion. Return True for only speeds.
+        """Send a job. Return True if only the speeds of a motion were sent.
 
-        BadRequest: invalid values, or a wrong number of values.
+        Raises BadRequest for invalid values, or a wrong number of values.
         """
         match job:
             case Move(goals=goals, speeds=speeds, dragged=dragged):
                 trust = TRUST if dragged else TRUST_BEFORE_MOVE
                 self._servos.expire_speeds(self._now(), trust)
                 if speeds is not None and speeds != self._servos.speeds:
-                    commands.positions(self._servos.crop(goals), self._client.motors)  # checks
+                    commands.positions(self._servos.crop(goals), self._client.motors)  # only check
                     self._client.set_speeds(speeds)
                     return True
                 self._move(goals)
@@ -270,9 +270,9 @@ class AracnaSession:
                 self._servos.on_positions(command.values, present, now)
                 self._report(moved := Moved(now, command.values, present, now - command.sent))
                 self._player.on_arrival()
-                wrong = missed_goals(command.values, present, FAR).values()
-                if off := tuple(each for each in wrong if each.code is ErrorCode.GOAL_MISSED):
-                    error = RobotNoReplyError(ErrorCode.GOALS_MISSED, off)
+                errors = missed_goals(command.values, present, FAR).values()
+                if missed := tuple(e for e in errors if e.code is ErrorCode.GOAL_MISSED):
+                    error = RobotNoReplyError(ErrorCode.GOALS_MISSED, missed)
                     self._player.stop(now, Ending.MISSED, error)
                 self._jobs.finish(moved)
             case Led(on=on):
@@ -342,13 +342,14 @@ class AracnaSession:
             return
         voided = self._player.is_playing or bool(self._jobs)
         voided |= command is not None and command.letter != "q"
-        # Servos keep position and speed over a reset, but not over a power cut. `.h` follows both.
+        # Servos keep position and speed after a reset, but not after a power cut. `.h` follows
+        # both.
         self._servos.clear()
         self._report(Restarted(now, voided))
         self._drop(now, Ending.RESTARTED, RobotError(ErrorCode.RESTARTED))
 
     def _set_not_responding(self, error: StudioError) -> None:
-        """Report a robot that does not respond. Before a connection, raise the diagnosis."""
+        """Report a robot that does not respond. While connecting, raise the diagnosis."""
         if self._liveness.reason is QueryReason.CONNECTING:
             raise diagnose(self._settings, self._client.received)
         now = self._now()

@@ -25,7 +25,7 @@ _COMMANDS = {
 
 class AracnaDecoder(Decoder):
     def shown(self, data: bytes) -> str:
-        r"""Return text with line ends as `\r` and `\n`, other bytes as `\x00`."""
+        r"""Return text with escapes such as `\n` and `\x00`."""
         return data.decode("latin-1").encode("unicode_escape").decode("ascii")
 
     def bytes_of(self, shown: str) -> bytes:
@@ -35,7 +35,7 @@ class AracnaDecoder(Decoder):
         return sent == b".q\n"
 
     def may_move(self, sent: bytes) -> bool:
-        """Return whether a line sets positions. The first character is ignored."""
+        """Return whether a line sets positions. The robot ignores its first character."""
         return any(line[1:2] == b"c" for line in sent.split(b"\n"))
 
     def is_whole(self, transaction: Transaction) -> bool:

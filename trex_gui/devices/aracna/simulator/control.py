@@ -60,11 +60,11 @@ def _servo(line: AracnaLine, *words: str) -> str:
             return f"servo power {state}"
         case [name, *rest] if name != "power" and rest:
             servo = line.servos[number_of(name, range(len(line.servos)), "a servo")]
-            return f"servo {name} {_one_servo(servo, rest)}"
+            return f"servo {name} {_set_servo(servo, rest)}"
     raise WrongUsage
 
 
-def _one_servo(servo: Servo, words: list[str]) -> str:
+def _set_servo(servo: Servo, words: list[str]) -> str:
     match words:
         case [("dead" | "alive") as state]:
             servo.alive = state == "alive"
@@ -72,8 +72,8 @@ def _one_servo(servo: Servo, words: list[str]) -> str:
         case [("block" | "free") as state]:
             servo.blocked = state == "block"
             return "blocked" if servo.blocked else "free"
-        case ["load", part]:
-            servo.load = real(part, "a load", 1)
+        case ["load", fraction]:
+            servo.load = real(fraction, "a load", 1)
             return f"loses {servo.load:g} of its speed"
         case ["lose", ("moving" | "position" | "speed") as name, *times] if len(times) < 2:
             count = amount(times[0], "a number of reads") if times else 1

@@ -42,14 +42,14 @@ class State(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Pause:
-    """Wait of a busy program, which reads nothing."""
+    """Wait of the busy program, which reads nothing."""
 
     seconds: float
 
 
 @dataclass(frozen=True, slots=True)
 class Transmit:
-    """Wait for the transmitter's buffer, then write of a byte."""
+    """Wait for a free transmit buffer. The byte is then written."""
 
     byte: int
 
@@ -64,17 +64,17 @@ Program = Generator[Request, int, None]
 
 
 class Restart(Exception):  # noqa: N818 - an event, not an error
-    """Destruction of the stack, which restarts the firmware."""
+    """The stack was overwritten, which restarts the firmware."""
 
 
 class Firmware:
     """Firmware and its state. `boots` counts its starts."""
 
     def __init__(self, servos: Sequence[Servo], version: int, boot_loader: float) -> None:
-        """`boot_loader`: seconds before `.h`. The board has no power."""
+        """`boot_loader`: seconds before `.h`."""
         self.servos = tuple(servos)
         self.version = version
-        self.reports_motors = True  # false before 22 Sep 2012
+        self.reports_motors = True  # False in builds before 22 Sep 2012
         self.state = State.OFF
         self.led = False
         self.boots = 0
@@ -183,13 +183,13 @@ class Firmware:
 def _values(line: bytes, motors: int) -> list[int]:
     """Return the value of each motor, 0-65535.
 
-    The firmware does not check for the end of the line. It reads until it has met a comma or
-    newline for each motor, and collects characters in an array of four bytes without a bound.
-    Characters after the last value are ignored. The servos ignore invalid values.
+    The firmware does not check for the end of the line. It reads until it has found a comma or
+    newline for each motor, and collects characters in an array of four bytes without a bounds
+    check. Characters after the last value are ignored. The servos ignore invalid values.
 
     Raises:
         Restart: a value is missing, or a field has eleven or more characters. With ten,
-            the original firmware replies half of the time, the simulator always.
+            the original firmware replies half of the time, and the simulator always replies.
     """
     fields: list[bytes] = []
     start = 2
@@ -205,9 +205,10 @@ def _values(line: bytes, motors: int) -> list[int]:
 def _number(field: bytes) -> int:
     """Convert a field as the firmware does.
 
-    Inferred from known values (an empty field is 10, `abc` 49, `0x1F` 721, `1e3` 633, signs and
-    points give more than 1023): the array starts as four tens. Each character stores its distance
-    from "0" in eight bits. Trailing non-digits count as unused. The result has sixteen bits.
+    Inferred from known values: an empty field is 10, `abc` is 49, `0x1F` is 721 and `1e3` is 633.
+    Signs and points result in more than 1023. The array starts as four tens. Each character stores
+    its distance from "0" in eight bits. Trailing non-digits count as unused. The result has sixteen
+    bits.
     """
     digits = [(byte - ord("0")) & 0xFF for byte in field[:_ARRAY]]
     digits += [_UNUSED] * (_ARRAY - len(digits))

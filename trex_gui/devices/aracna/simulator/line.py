@@ -20,7 +20,7 @@ from trex_gui.devices.aracna.simulator.servos import Servo
 
 OWN = SerialFormat(38_400)  # settings of a matching host: 38400 8N1
 REAL_BAUD = 16_000_000 / 16 / 26  # 38461.5 bit/s, from a clock of 16 MHz
-HOLDS = 3  # bytes in the UART of a busy program: a buffer of two, and a shift register
+HOLDS = 3  # bytes that the UART stores for a busy program: two buffers and a shift register
 
 _OLD_MOTORS = 2  # number of motors of version 0, of 22 Sep 2012
 
@@ -28,14 +28,15 @@ _OLD_MOTORS = 2  # number of motors of version 0, of 22 Sep 2012
 class RobotStation:
     """Board with its firmware.
 
-    The UART is polled, without interrupt: bytes are read only while the program waits for them.
-    The transmitter is double-buffered, and the program waits only until its buffer is free. So it
-    reads while the last two bytes of a reply are still being sent.
+    The UART is polled, not interrupt-driven: bytes are read only while the program waits for them.
+    The transmitter is double-buffered, and the program waits only until its buffer is free.
+    Therefore, it reads while the last two bytes of a reply are still being sent.
 
     Attributes:
-        keeps_last: True if the last of more than three bytes is retained, else the third. The data
-            sheet says the last: a new byte replaces the byte in the shift register. Observed: only
-            with the last byte, a `.v` in reply to `.h` restarts the firmware repeatedly.
+        keeps_last: True if the last of more than three bytes is retained, otherwise the third.
+            According to the data sheet, a new byte replaces the byte in the shift register.
+            Observed: only if the last byte is retained, a `.v` in reply to `.h` restarts the
+            firmware repeatedly.
     """
 
     line_format = OWN
@@ -140,7 +141,7 @@ class RobotStation:
                 self._is_waiting = True
 
     def _is_still_running(self) -> Callable[[], bool]:
-        """Return a check for a reset of the board since this call."""
+        """Return a function that returns False after a reset of the board."""
         program = self._program
         return lambda: self._program is program
 
@@ -158,7 +159,7 @@ class AracnaLine(SimulatedLine):
         positions: Sequence[int] | None = None,
         boot_loader: float = 0.0,
     ) -> None:
-        """Switch a robot on.
+        """Create a robot that is switched on.
 
         `version`: by default 0 with two motors, else 1. `positions`: by default the centre.
         `boot_loader`: seconds before each `.h`.

@@ -9,8 +9,8 @@ from enum import Enum
 
 from trex_gui.devices.aracna.protocol.joints import CEILING, HIGHEST, UNITS_PER_SECOND
 
-FAILED = -1  # library's value for a servo without reply
-_EPSILON = 1e-9  # seconds; rounding of summed times
+FAILED = -1  # value of a servo without reply in the firmware's library
+_EPSILON = 1e-9  # seconds; absorbs the rounding of summed times
 
 
 class Register(Enum):
@@ -20,18 +20,18 @@ class Register(Enum):
 
 
 class Servo:
-    """Servo. If `alive` is false it stops, and later continues its motion (assumed)."""
+    """AX servo. It stops while `alive` is false, then continues its motion (assumed)."""
 
     def __init__(self, position: float = 512) -> None:
-        self.position = float(position)  # in units; a fraction while it moves
+        self.position = float(position)  # in units, with a fraction while it moves
         self.goal = round(position)  # last accepted goal, 0-1023
         self.speed = 0  # speed register, 0-1023; 0 is the highest speed
         self.torque = False  # off from power-up to the first goal
         self.powered = True
         self.alive = True
         self.blocked = False  # a blocked servo stays "moving"
-        self.load = 0.0  # share by which the load reduces the speed, 0-1
-        self.to_fail: Counter[Register] = Counter()  # next reads that fail, by register
+        self.load = 0.0  # fraction by which the load reduces the speed, 0-1
+        self.to_fail: Counter[Register] = Counter()  # register → number of next reads that fail
 
     def write_goal(self, value: int) -> None:
         """Write a goal, unless it is above 1023."""
@@ -63,9 +63,9 @@ class Servo:
 
     @property
     def moving(self) -> bool:
-        """True if the goal is not reached, even by a blocked or dead servo.
+        """True if the goal is not reached, even if the servo is blocked or dead.
 
-        The compliance margin is 0. Ref: AX-12 control table; the firmware never writes it.
+        The compliance margin is 0, because the firmware never writes it. Ref: AX-12 control table.
         """
         return self.torque and self.goal != self.position
 
@@ -93,7 +93,7 @@ class Servo:
             self.position += math.copysign(self.rate * seconds, self.goal - self.position)
 
     def set_power(self, *, on: bool) -> None:
-        """Switch servo power. Off, it loses all but the position."""
+        """Switch servo power. Without power, the servo loses everything but its position."""
         if self.powered and not on:
             self.speed = 0
             self.torque = False

@@ -21,12 +21,12 @@ class DemoRobotView(DemoPanelBody[RobotSnapshot]):
     def __init__(self, controller: AracnaController, parent: QWidget | None = None) -> None:
         robot = controller.demo_robot
         super().__init__(robot, controller, "aracnaDemoState", state_text, parent)
-        head = QWidget(self)
+        header = QWidget(self)
         tip = tr("The debug LED; it blinks while the firmware boots")
-        self._lamp = named(Lamp("led_green", head), "aracnaDemoLed", tip=tip)
-        self._lit = label(head, "aracnaDemoLedText", tip=tip)
-        self._boots = label(head, "aracnaDemoBoots", tip=tr("How often the firmware has started"))
-        row(self._lamp, (self._lit, 1), self._boots, into=head, margins=0)
+        self._lamp = named(Lamp("led_green", header), "aracnaDemoLed", tip=tip)
+        self._led_text = label(header, "aracnaDemoLedText", tip=tip)
+        self._boots = label(header, "aracnaDemoBoots", tip=tr("How often the firmware has started"))
+        row(self._lamp, (self._led_text, 1), self._boots, into=header, margins=0)
         repair = button(
             self,
             "aracnaDemoRepair",
@@ -41,7 +41,7 @@ class DemoRobotView(DemoPanelBody[RobotSnapshot]):
             _servo_rows(robot, self),
             _cable_rows(robot, columns, self),
         )
-        self.arrange(groups, repair, head)
+        self.arrange(groups, repair, header)
 
     def show_head(self, snapshot: RobotSnapshot | None) -> None:
         is_lit = snapshot is not None and snapshot.led
@@ -49,8 +49,8 @@ class DemoRobotView(DemoPanelBody[RobotSnapshot]):
         if snapshot is not None and snapshot.state is FirmwareState.BOOTING:
             text = tr("LED: blinks")
         self._lamp.set_lit(is_lit)
-        self._lit.setText(text)
-        for widget in (self._lamp, self._lit):
+        self._led_text.setText(text)
+        for widget in (self._lamp, self._led_text):
             widget.setAccessibleName(text)
         boots = "" if snapshot is None else tr("Starts: {0}").format(snapshot.boots)
         self._boots.setText(boots)
@@ -111,7 +111,7 @@ def _add_servo_row(motor: int, robot: DemoRobot, rows: RobotRows) -> None:
     gauge = progress_bar(rows, f"aracnaDemoGauge{motor}", spoken)
     gauge.setRange(0, HIGHEST)
     gauge.setMinimumWidth(_MIN_GAUGE_WIDTH)
-    where = LiveLabel(f"aracnaDemoWhere{motor}", spoken, rows)
+    value = LiveLabel(f"aracnaDemoWhere{motor}", spoken, rows)
     dead = rows.check_box(
         f"aracnaDemoDead{motor}",
         "",
@@ -131,16 +131,16 @@ def _add_servo_row(motor: int, robot: DemoRobot, rows: RobotRows) -> None:
         lambda snapshot: snapshot.servos[motor].blocked,
         accessible=tr("{0}: blocked").format(joint),
     )
-    name = rows.add_row(f"<b>{motor}</b>", gauge, where, (dead, blocked))
+    name = rows.add_row(f"<b>{motor}</b>", gauge, value, (dead, blocked))
     name.setToolTip(plain(joint))
     name.setBuddy(dead)
 
     def update(snapshot: RobotSnapshot) -> None:
         servo = snapshot.servos[motor]
         gauge.setValue(servo.position)
-        where.setText(str(servo.position))
+        value.setText(str(servo.position))
         text = servo_text(servo, snapshot.servo_power)
-        for widget in (gauge, where):
+        for widget in (gauge, value):
             widget.setToolTip(plain(text))
 
     rows.on_snapshot(update)
@@ -207,17 +207,16 @@ def power_text(snapshot: RobotSnapshot) -> tuple[str, bool]:
 
 
 def servo_text(servo: DemoServo, powered: bool) -> str:
-    where = position_text(servo.position)
     if not powered:
-        doing = tr("no power")
+        activity = tr("no power")
     elif servo.dead:
-        doing = tr("dead")
+        activity = tr("dead")
     elif not servo.torque:
-        doing = tr("limp until its first goal")
+        activity = tr("limp until its first goal")
     elif not servo.moving:
-        doing = tr("holds")
+        activity = tr("holds")
     elif servo.cannot_move:
-        doing = tr("cannot reach {0}").format(servo.goal)
+        activity = tr("cannot reach {0}").format(servo.goal)
     else:
-        doing = tr("moving to {0}").format(servo.goal)
-    return f"{where}, {doing}"
+        activity = tr("moving to {0}").format(servo.goal)
+    return f"{position_text(servo.position)}, {activity}"

@@ -4,7 +4,7 @@ from trex_gui.core.errors import PortFault
 from trex_gui.devices.aracna.session.errors import ErrorCode
 from trex_gui.ui.help.messages import MessageHelp, texts_of
 
-TOPICS = {  # by object name
+TOPICS = {  # object name → help topic
     "aracna_startPanel": "aracna.md",
     "aracnaRobotPage": "aracna.md#robot",
     "aracnaPosesPage": "aracna.md#poses",

@@ -18,7 +18,7 @@ _REFRESH_MS = 100
 
 
 class StopSequenceButton(RedButton):
-    """Halts the robot, as Esc does. Also in windows that may cover the pages."""
+    """Halts the robot, as Esc does. Also used in windows that may cover the pages."""
 
     def __init__(self, robot: Robot, name: str, parent: QWidget | None = None) -> None:
         super().__init__(name, title_of(tr("&Stop sequence")), robot.halt, parent)
@@ -69,15 +69,15 @@ class MotionBar(ActionBar):
         robot = self._robot
         is_connected = robot.link is ConnectionState.CONNECTED
         self._end.setEnabled(robot.state.play is not None and is_connected)
-        left = robot.remaining()
-        text, alarming = self._activity_text(left)
+        remaining = robot.remaining()
+        text, alarming = self._activity_text(remaining)
         self._activity.show_note(text, alarming=alarming)
-        is_counting = robot.state.moving is not None or left > 0
+        is_counting = robot.state.moving is not None or remaining > 0
         if is_counting != self._timer.isActive():
             self._timer.start() if is_counting else self._timer.stop()
 
-    def _activity_text(self, left: float) -> tuple[str, bool]:
+    def _activity_text(self, remaining: float) -> tuple[str, bool]:
         if self._robot.link not in {ConnectionState.CONNECTED, ConnectionState.NOT_RESPONDING}:
-            ending = ending_text(left) if left > 0 else ""
-            return f"{tr('No robot is connected.')} {ending}".rstrip(), left > 0
-        return activity_text(self._robot.state, left)
+            ending = ending_text(remaining) if remaining > 0 else ""
+            return f"{tr('No robot is connected.')} {ending}".rstrip(), remaining > 0
+        return activity_text(self._robot.state, remaining)

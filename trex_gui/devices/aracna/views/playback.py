@@ -46,8 +46,8 @@ class RobotPlaybackWindow(RecordingWindow):
         caption.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         caption.setMinimumHeight(caption.heightForWidth(self._drawing.minimumSizeHint().width()))
         self._joints = JointValues(state.motors, self)
-        beside = QWidget(self)
-        ui.column(self._activity, (self._drawing, 1), caption, into=beside, margins=0)
+        side = QWidget(self)
+        ui.column(self._activity, (self._drawing, 1), caption, into=side, margins=0)
 
         playback.moved.connect(self._show_moment)
         playback.loaded.connect(self._show_moment)
@@ -57,7 +57,7 @@ class RobotPlaybackWindow(RecordingWindow):
         self.arrange(
             StopSequenceButton(robot, "aracnaPlaybackStopButton", self),
             below_plot=self._joints,
-            above_events=beside,
+            above_events=side,
         )
         self._show_moment()
 
@@ -77,11 +77,11 @@ class RobotPlaybackWindow(RecordingWindow):
         state = self.playback.state()
         goals = state.goals  # `None` before the first goals
         if goals is None:
-            goals = tuple(CENTRE if place is None else place for place in state.present)
+            goals = tuple(CENTRE if value is None else value for value in state.present)
         self._drawing.show_robot(state, goals)
         self._joints.show_state(state)
-        left = max((state.moving_until or 0.0) - self.playback.position, 0.0)
-        text, alarming = activity_text(state, left)
+        remaining = max((state.moving_until or 0.0) - self.playback.position, 0.0)
+        text, alarming = activity_text(state, remaining)
         self._activity.show_note(text, alarming=alarming)
 
     @Slot(int, bool)
@@ -123,12 +123,12 @@ class JointValues(QTableWidget):
     def mark(self, motor: int) -> None:
         self.setCurrentCell(motor, 0)
 
-    def show_state(self, known: RobotState) -> None:
+    def show_state(self, state: RobotState) -> None:
         for motor in range(self.rowCount()):
-            goal = known.goals[motor] if known.goals is not None else None
-            difference, alarming = difference_text(known, motor)
-            held = known.held_speed(motor)
-            self._show(motor, 1, position_text(known.present[motor]))
+            goal = state.goals[motor] if state.goals is not None else None
+            difference, alarming = difference_text(state, motor)
+            held = state.held_speed(motor)
+            self._show(motor, 1, position_text(state.present[motor]))
             self._show(motor, 2, position_text(goal))
             self._show(motor, 3, difference or _NONE, bold=alarming)
             self._show(motor, 4, _speed_text(held), bold=held == UNREADABLE)

@@ -17,7 +17,7 @@ from trex_gui.ui.log import Log, LogEntry
 
 
 class RobotProblemsPage(ProblemsPage):
-    """Problems in the log, each text once. The robot has no error bits."""
+    """Problems in the log, merged by text. The robot has no error bits."""
 
     def __init__(self, robot: Robot, log: Log, message_help: MessageHelp, parent: QWidget) -> None:
         super().__init__("aracnaErrors", robot.traffic, parent)
@@ -36,11 +36,11 @@ class RobotProblemsPage(ProblemsPage):
             self.refresh()
 
     def _entries(self) -> dict[str, list[LogEntry]]:
-        found = dict[str, list[LogEntry]]()
+        entries = dict[str, list[LogEntry]]()
         for entry in self._log.entries:
             if entry.is_problem:
-                found.setdefault(entry.text, []).append(entry)
-        return found
+                entries.setdefault(entry.text, []).append(entry)
+        return entries
 
     def problems(self) -> Sequence[Problem]:
         ordered = sorted(self._entries().items(), key=lambda item: item[1][-1].time, reverse=True)

@@ -56,7 +56,7 @@ class AracnaRecordings(RecordingManager["RobotPlaybackWindow"]):
         self._robot = robot
 
     def create_window(self, recording: Recording[RobotHeader, Record]) -> "RobotPlaybackWindow":
-        # Imported late: the plotting library loads as slowly as all of Qt.
+        # Imported late, because the plotting library takes as long to load as all of Qt.
         from trex_gui.devices.aracna.views.playback import RobotPlaybackWindow  # noqa: PLC0415
 
         return RobotPlaybackWindow(RobotPlayback(recording), self._robot)
@@ -89,7 +89,7 @@ class AracnaWorkspace(Workspace):
                 *diagnostics.pages(lambda _parent: problems, lambda _parent: traffic),
             )
         )
-        self.create_pages()  # else existing pages would cover the first page
+        self.create_pages()  # otherwise existing pages would cover the first page
         self.recordings = AracnaRecordings(robot, self)
         self.recordings.accept_drops(frame, self)
         self.bar = MotionBar(robot, self.recordings.indicator, self)
@@ -97,7 +97,7 @@ class AracnaWorkspace(Workspace):
         create_demo, key = partial(DemoRobotView, controller), "aracna/demo_panel"
         self._demo = DemoDock("aracnaDemoPanel", key, controller, create_demo, frame)
         self._demo.setWindowTitle(tr("Demo Aracna"))
-        self.stop_text = tr("&Stop sequence")  # this robot has no stop
+        self.stop_text = tr("&Stop sequence")  # this robot has no stop command
         self.docks = (self._demo,)
         self.moving = {"aracna_move", "aracna_play", "aracna_led"}
         pose_files = self._poses.files
@@ -268,7 +268,7 @@ class AracnaWorkspace(Workspace):
         return self._poses.files.may_close(leave)
 
     def prepare_to_close(self) -> None:
-        QObject.disconnect(self._undo_watch)  # the undo stack also emits at its end
+        QObject.disconnect(self._undo_watch)  # the undo stack also emits when it is destroyed
         self._demo.hide_dock()
 
     def finish(self) -> None:

@@ -21,7 +21,7 @@ from trex_gui.ui.widgets.document_saver import DocumentSaver
 
 _FOLDER = "aracna/folder"
 
-_MOST_FINDINGS = 8  # in a message, which has to fit into the window
+_MAX_FINDINGS = 8  # findings in a message, which must fit into the window
 
 
 class PoseFiles(QObject):
@@ -60,7 +60,7 @@ class PoseFiles(QObject):
             )
 
     def _on_read(self, path: Path, before: Project, file: PoseFile) -> None:
-        if self._library.project != before:  # edited meanwhile
+        if self._library.project != before:  # edited while the file was read
             retry = partial(self._on_read, path, self._library.project, file)
             if not self.may_close(retry):
                 return
@@ -68,8 +68,8 @@ class PoseFiles(QObject):
         self._record_used(path)
         findings = file.findings
         lines = [tr("{0} was opened.").format(path.name)]
-        lines += [f"{str(finding).rstrip('. ')}." for finding in findings[:_MOST_FINDINGS]]
-        if (more := len(findings) - _MOST_FINDINGS) > 0:
+        lines += [f"{str(finding).rstrip('. ')}." for finding in findings[:_MAX_FINDINGS]]
+        if (more := len(findings) - _MAX_FINDINGS) > 0:
             lines.append(tr("And {0} more.").format(more))
         has_errors = any(finding.severity is Severity.ERROR for finding in findings)
         (self._notifier.error if has_errors else self._notifier.info).emit("\n".join(lines))

@@ -51,7 +51,7 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import commit_typed, paint_placeholder
 
 _Index = QModelIndex | QPersistentModelIndex
-_LINES = 3  # minimum height of the step table
+_LINES = 3  # minimum height of the step table, in rows
 
 
 class StepColumn(IntEnum):
@@ -62,7 +62,7 @@ class StepColumn(IntEnum):
 
 
 class MotionBox(ui.Card):
-    shown = Signal()  # the current item changed, or its steps did
+    shown = Signal()  # the current item or its steps have changed
 
     def __init__(self, library: Library, notifier: Notifier, parent: QWidget | None = None) -> None:
         super().__init__(tr("Sequences and gaits"), parent)
@@ -96,7 +96,7 @@ class MotionBox(ui.Card):
         self.table.selectionModel().currentChanged.connect(self._update_buttons)
         self.table.shown.connect(self._update_buttons)
         self.table.shown.connect(self.shown)
-        self._list.select(ItemKey(GAITS[0].name, built_in=True))  # playable at once
+        self._list.select(ItemKey(GAITS[0].name, built_in=True))  # so that Play is enabled
         self._update_buttons()
 
     @property
@@ -189,7 +189,7 @@ class _Delegate(QStyledItemDelegate):
 
 
 class StepTable(QTableWidget):
-    shown = Signal()  # the item changed, or its steps did
+    shown = Signal()  # the item or its steps have changed
 
     def __init__(self, library: Library, parent: QWidget | None = None) -> None:
         super().__init__(0, len(StepColumn), parent)
@@ -207,11 +207,13 @@ class StepTable(QTableWidget):
             | QAbstractItemView.EditTrigger.SelectedClicked
             | QAbstractItemView.EditTrigger.AnyKeyPressed
         )
-        head = self.horizontalHeader()
-        head.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
-        head.setStretchLastSection(True)
+        header = self.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+        header.setStretchLastSection(True)
         follow_theme(
-            self, "note", lambda: head.setMinimumSectionSize(head.sectionSizeHint(StepColumn.NOTE))
+            self,
+            "note",
+            lambda: header.setMinimumSectionSize(header.sectionSizeHint(StepColumn.NOTE)),
         )
         self.setMinimumHeight(_LINES * self.verticalHeader().defaultSectionSize())
 
@@ -264,11 +266,11 @@ class StepTable(QTableWidget):
         self._up.setEnabled(self.editable and row > 0)
         self._down.setEnabled(self.editable and 0 <= row < last)
 
-    def _shift(self, by: int) -> None:
+    def _shift(self, offset: int) -> None:
         row, steps = self.currentRow(), list(self.steps)
-        steps.insert(row + by, steps.pop(row))
+        steps.insert(row + offset, steps.pop(row))
         self._set_steps(steps)
-        self.select(row + by)
+        self.select(row + offset)
 
     def _on_remove(self) -> None:
         row = self.currentRow()

@@ -17,9 +17,9 @@ _LINES = 3
 
 
 class NameList(QListWidget):
-    """Edits poses, or sequences above the built-in gaits.
+    """Editable list of poses or sequences. Built-in gaits follow the sequences.
 
-    F2 renames an item, Del deletes it, Alt+arrows move it.
+    F2 renames an item, Del deletes it, and Alt+arrows move it.
     """
 
     chosen = Signal()  # the current item has changed
@@ -110,8 +110,8 @@ class NameList(QListWidget):
             self._library.delete(self._kind, key.name)
             self.setCurrentRow(min(row, self.count() - 1))
 
-    def _move(self, by: int) -> None:
-        key, row = self.current, self.currentRow() + by
+    def _move(self, offset: int) -> None:
+        key, row = self.current, self.currentRow() + offset
         if key is not None and not key.built_in and row >= 0:
             self._library.move(self._kind, key.name, row)
 

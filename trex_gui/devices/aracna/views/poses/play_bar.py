@@ -29,7 +29,7 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import commit_typed
 from trex_gui.ui.widgets.labels import Note
 
-_MOST_ROUNDS = 999
+_MAX_ROUNDS = 999
 _SLOWEST, _FASTEST = 10, 400  # percent
 
 
@@ -43,8 +43,8 @@ class PlayBar(QWidget):
         self._library = library
         self._motions = motions
         self._request: Play | None = None  # `None` if nothing can be played
-        self._limits: tuple[Limits, ...] = ()  # of the last preview
-        self._present: Present = ()  # of the last preview
+        self._limits: tuple[Limits, ...] = ()  # limits in the last preview
+        self._present: Present = ()  # positions in the last preview
         self._played: ItemKey | None = None
 
         self._rounds = ui.spin_box(
@@ -52,7 +52,7 @@ class PlayBar(QWidget):
             "aracnaRounds",
             tr("Rounds"),
             0,
-            _MOST_ROUNDS,
+            _MAX_ROUNDS,
             value=1,
             tip=tr("0: repeat until stopped."),
             on_change=self._update_preview,
@@ -138,7 +138,7 @@ class PlayBar(QWidget):
         if has_moved or self._robot.limits.first(state.motors) != self._limits:
             self._update_preview()
         else:
-            self._show_whether_playing()
+            self._show_playing()
 
     @Slot()
     def _update_preview(self) -> None:
@@ -183,13 +183,13 @@ class PlayBar(QWidget):
     def _show_preview(
         self, text: str, *, alarming: bool = False, notes: dict[int, str] | None = None
     ) -> None:
-        """Show a text. `notes`: remarks by step index."""
+        """Show a text. `notes`: step index → remark."""
         self._motions.table.show_notes(notes or {})
         self._summary.show_note(text, alarming=alarming)
         self._summary.setAccessibleName(text)
-        self._show_whether_playing()
+        self._show_playing()
 
-    def _show_whether_playing(self) -> None:
+    def _show_playing(self) -> None:
         blocker, step = self._robot.move_blocker, self._robot.state.step
         is_playable = self._request is not None
         tip = tr("Play the current sequence or gait.") if is_playable else self._summary.text()
@@ -210,9 +210,9 @@ def _notes(late: Mapping[int, dict[int, float]]) -> dict[int, str]:
 
 def _length_text(steps: int, seconds: float, rounds: int) -> str:
     count, text = tr("%n step(s)", "", steps), tr("{0:.1f} s")
-    each, total = text.format(Number(seconds)), text.format(Number(seconds * rounds))
+    one_round, total = text.format(Number(seconds)), text.format(Number(seconds * rounds))
     if rounds == 1:
-        return tr("{0}, {1}.").format(count, each)
+        return tr("{0}, {1}.").format(count, one_round)
     if rounds == 0:
-        return tr("{0}, {1} per round, until stopped.").format(count, each)
-    return tr("{0}, {1} per round, {2} in total.").format(count, each, total)
+        return tr("{0}, {1} per round, until stopped.").format(count, one_round)
+    return tr("{0}, {1} per round, {2} in total.").format(count, one_round, total)

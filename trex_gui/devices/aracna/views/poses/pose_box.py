@@ -15,7 +15,7 @@ from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import commit_typed
 
-_ACROSS = 4
+_COLUMNS = 4
 
 
 class PoseBox(ui.Card):
@@ -45,12 +45,12 @@ class PoseBox(ui.Card):
         self._fields = [self._field(motor) for motor in range(MOTORS)]
         self._capture = ui.button(self, "aracnaCapture", tr("Capt&ure"), on_click=self.capture)
         self._go_to = ui.button(self, "aracnaGoTo", tr("&Go to"), on_click=self._on_go_to_clicked)
-        columns = [(2 * column + 1, 1) for column in range(_ACROSS)]
+        columns = [(2 * column + 1, 1) for column in range(_COLUMNS)]
         fields = ui.grid(margins=0, spacing=(3, 3), stretch=columns)
         for motor, field in enumerate(self._fields):
             name = ui.label(self, "", str(motor), buddy=field)
             name.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-            line, column = divmod(motor, _ACROSS)
+            line, column = divmod(motor, _COLUMNS)
             fields.addWidget(name, line, 2 * column)
             fields.addWidget(field, line, 2 * column + 1)
         ui.column(
@@ -129,7 +129,7 @@ class PoseBox(ui.Card):
     def capture(self) -> None:
         commit_typed()
         present = self._robot.state.present
-        known = tuple(each for each in present if each is not None)
+        known = tuple(value for value in present if value is not None)
         if len(known) < len(present):
             self._robot.notifier.error.emit(_unknown_text())
         else:
@@ -144,7 +144,7 @@ class PoseBox(ui.Card):
     @Slot()
     def _on_set_to_present_clicked(self) -> None:
         if (pose := self._pose) is not None:
-            known = tuple(each for each in self._robot.state.present if each is not None)
+            known = tuple(value for value in self._robot.state.present if value is not None)
             self._library.set_positions(pose.name, known + pose.positions[len(known) :])
 
     def _on_position_edited(self, motor: int, value: int) -> None:

@@ -1,8 +1,8 @@
 """Sketch of the robot from above: reported positions in solid lines, goals dashed.
 
-No publication describes how a servo's angle turns a leg, so there is no kinematics. Every angle is
-drawn flat, reduced so that legs do not overlap, and mirrored so that equal angles look alike on
-both sides.
+No publication describes how a servo's angle turns a leg, so the sketch does not use kinematics.
+Every angle is drawn flat, reduced so that legs do not overlap, and mirrored so that equal angles
+look alike on both sides.
 """
 
 import math
@@ -23,14 +23,14 @@ from trex_gui.ui.widgets.painted import Painted, Painter
 
 _CENTRE = 150.0
 _REDUCTION = 0.35  # drawn angle divided by the servo's angle
-_BODY = 0.24  # half an edge of the body; both axes of the picture span -1 to 1
+_BODY = 0.24  # half the edge length of the body; both axes of the picture span -1 to 1
 _HIP = 0.26
 _UPPER = 0.33
 _LOWER = 0.34
 _LEG = 0.08  # width
 _RADIUS = 0.075
-_REACH = 0.13  # largest distance between the mouse and a joint that it points at
-_WIDEST = 130  # width of the widget beside the drawing, in average characters
+_REACH = 0.13  # maximum distance at which the mouse points at a joint
+_MAX_WIDTH = 130  # maximum width of the widget beside the drawing, in average characters
 Point = tuple[float, float]
 
 
@@ -104,7 +104,7 @@ class RobotDrawing(Painted):
     def joint_place(self, motor: int) -> QPointF:
         """Return a joint's position in pixels."""
         leg = self._solid()[motor // 2]
-        return self._place(leg.outer if motor % 2 else leg.inner)
+        return self._to_pixels(leg.outer if motor % 2 else leg.inner)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         motor = self._joint_at(event.position())
@@ -125,8 +125,8 @@ class RobotDrawing(Painted):
         """Return the motor of the joint at a point, or -1."""
         found, nearest = -1, _REACH * self._scale()
         for motor in range(2 * len(self._solid())):
-            away = point - self.joint_place(motor)
-            distance = math.hypot(away.x(), away.y())
+            offset = point - self.joint_place(motor)
+            distance = math.hypot(offset.x(), offset.y())
             if distance < nearest:
                 found, nearest = motor, distance
         return found
@@ -139,7 +139,7 @@ class RobotDrawing(Painted):
     def _scale(self) -> float:
         return min(self.width(), self.height()) / 2.06
 
-    def _place(self, point: Point) -> QPointF:
+    def _to_pixels(self, point: Point) -> QPointF:
         scale = self._scale()
         x, y = point
         return QPointF(self.width() / 2 + x * scale, self.height() / 2 + y * scale)
@@ -148,7 +148,7 @@ class RobotDrawing(Painted):
         del event
         with Painter(self) as painter:
             solid = self._solid()
-            body = QRectF(self._place((-_BODY, -_BODY)), self._place((_BODY, _BODY)))
+            body = QRectF(self._to_pixels((-_BODY, -_BODY)), self._to_pixels((_BODY, _BODY)))
             paint_chassis(painter, body)
             front = tr("front") + "*"
             write(painter, body, front, "muted", align=Qt.AlignmentFlag.AlignHCenter)
@@ -162,18 +162,18 @@ class RobotDrawing(Painted):
                 self._paint_joint(painter, motor)
 
     def _paint_leg(self, painter: QPainter, leg: DrawnLeg, color: str, *, dashed: bool) -> None:
-        places = [self._place(point) for point in (leg.inner, leg.outer, leg.foot)]
+        points = [self._to_pixels(point) for point in (leg.inner, leg.outer, leg.foot)]
         style = Qt.PenStyle.DashLine if dashed else Qt.PenStyle.SolidLine
         wide, join = _LEG * self._scale(), Qt.PenJoinStyle.RoundJoin
         pens = [(color, 2.0)] if dashed else [(color, wide), ("track", wide - 4)]
-        for name, width in pens:  # filled like a wheel
+        for name, width in pens:  # edge, then fill
             cap = Qt.PenCapStyle.RoundCap
             painter.setPen(QPen(theme().color(name), max(width, 1.0), style, cap, join))
-            painter.drawPolyline(places)
+            painter.drawPolyline(points)
 
     def _paint_joint(self, painter: QPainter, motor: int) -> None:
         state = self._state
-        place, radius = self.joint_place(motor), max(_RADIUS * self._scale(), 10.0)
+        centre, radius = self.joint_place(motor), max(_RADIUS * self._scale(), 10.0)
         marked = motor == self._marked
         is_bad = (
             motor in state.missed_goals
@@ -184,14 +184,14 @@ class RobotDrawing(Painted):
         edge = "danger" if is_bad else "accent" if is_awaited or marked else "outline"
         painter.setPen(QPen(theme().color(edge), 4 if is_bad or is_awaited else 2))
         painter.setBrush(theme().color("selected" if marked else "base"))
-        painter.drawEllipse(place, radius, radius)
+        painter.drawEllipse(centre, radius, radius)
         painter.setPen(theme().color("window_text"))
-        box = QRectF(place.x() - radius, place.y() - radius, 2 * radius, 2 * radius)
+        box = QRectF(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius)
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, f"{motor}!" if is_bad else str(motor))
 
 
 class RobotCard(Card):
-    """Drawing of a robot with a remark, in the space left by `beside`."""
+    """Drawing of a robot with a remark. `beside`: widget next to it."""
 
     def __init__(self, robot: Robot, remark: str, beside: QWidget, parent: QWidget) -> None:
         super().__init__(parent=parent)
@@ -211,14 +211,14 @@ class RobotCard(Card):
         self.drawing.show_robot(self._robot.state, self._robot.targets.goals)
 
     def _limit(self) -> None:
-        widest = _WIDEST * self.fontMetrics().averageCharWidth()
-        self._beside.setMaximumWidth(max(widest, self._beside.minimumSizeHint().width()))
+        limit = _MAX_WIDTH * self.fontMetrics().averageCharWidth()
+        self._beside.setMaximumWidth(max(limit, self._beside.minimumSizeHint().width()))
 
     def show_in(self, width: int) -> None:
         needed = self.drawing.minimumSizeHint().width() + 3 * CARD_PADDING
         self.setVisible(width >= self._beside.minimumSizeHint().width() + needed)
 
 
-def _differ(one: DrawnLeg, other: DrawnLeg) -> bool:
-    pairs = zip((*one.outer, *one.foot), (*other.outer, *other.foot), strict=True)
+def _differ(leg: DrawnLeg, other: DrawnLeg) -> bool:
+    pairs = zip((*leg.outer, *leg.foot), (*other.outer, *other.foot), strict=True)
     return any(abs(a - b) > 0.01 for a, b in pairs)

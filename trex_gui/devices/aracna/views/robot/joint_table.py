@@ -25,13 +25,13 @@ _LEG, _NAME, _SLIDER, _UNITS, _DEGREES, _PRESENT, _STATE, _SPEED, _LOW, _HIGH = 
 _ALTERNATING = (_SPEED, _LOW, _HIGH)
 
 
-_WEDGE = 7
+_WEDGE = 7  # height in pixels
 
 
 class JointSlider(PressSlider):
-    """Slider 0-1023. The handle is the goal, the wedge the present position.
+    """Slider from 0 to 1023. Its handle is the goal.
 
-    Outside the limits the groove is thin and grey.
+    A wedge shows the present position. Outside the limits, the groove is thin and grey.
     """
 
     space_below = _WEDGE
@@ -106,7 +106,7 @@ class SpeedBox(ui.SpinBox):
 
     @Slot()
     def update_suffix(self) -> None:
-        """Show the meaning of the value, also if its signals were blocked."""
+        """Show the speed in degrees per second. Called after blocked signals, too."""
         self.setSuffix(f" = {speed_text(self.value())}")
 
 
@@ -236,10 +236,10 @@ class JointRow(QObject):
 
 
 class JointTable(QWidget):
-    goal_edited = Signal()  # by the user
+    goal_edited = Signal()  # the user has edited a goal
     grabbed = Signal()  # a slider was pressed
     released = Signal()
-    pointed = Signal(int)  # motor with the mouse or the focus, or -1
+    pointed = Signal(int)  # motor below the mouse or with the focus, or -1
 
     def __init__(self, robot: Robot, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -250,8 +250,8 @@ class JointTable(QWidget):
         self._limits_shown = False
 
         self._grid = ui.grid(self, margins=0, spacing=(4, 3), stretch=[(_SLIDER, 1)])
-        self._heads = {
-            column: self._head(column, text, tip)
+        self._headers = {
+            column: self._add_header(column, text, tip)
             for column, text, tip in (
                 (_LEG, tr("Leg*"), tr("Which leg is which is assumed")),
                 (_NAME, tr("Motor"), ""),
@@ -282,8 +282,8 @@ class JointTable(QWidget):
 
     def show_limits(self, *, shown: bool) -> None:
         self._limits_shown = shown
-        for column, head in self._heads.items():
-            head.setVisible(column not in _ALTERNATING or shown is (column != _SPEED))
+        for column, header in self._headers.items():
+            header.setVisible(column not in _ALTERNATING or shown is (column != _SPEED))
         self._show_rows(self._robot.state.motors)
 
     @Slot(int)
@@ -295,7 +295,7 @@ class JointTable(QWidget):
         if motor < len(self._rows):
             self._rows[motor].slider.setFocus(Qt.FocusReason.MouseFocusReason)
 
-    def _head(self, column: int, text: str, tip: str) -> QLabel:
+    def _add_header(self, column: int, text: str, tip: str) -> QLabel:
         label = ui.label(self, "", text, tip=tip)
         label.setForegroundRole(label.palette().ColorRole.PlaceholderText)
         label.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
@@ -316,7 +316,7 @@ class JointTable(QWidget):
 
     def _add_row(self, motor: int) -> None:
         row = JointRow(self._robot, motor, self)
-        line = 1 + motor + motor // 2  # a gap between legs
+        line = 1 + motor + motor // 2  # leaves a gap between legs
         if motor < MOTORS and motor % 2 == 0:
             text = tr(LEGS[motor // 2]).replace(" ", "\n")
             label = ui.label(self, f"aracnaLeg{motor // 2}", text)

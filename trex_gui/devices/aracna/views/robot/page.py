@@ -32,7 +32,7 @@ class RobotPage(QWidget):
     def __init__(
         self, robot: Robot, start: Callable[[QWidget], QWidget], parent: QWidget | None = None
     ) -> None:
-        """`start` creates the panel for the time without a connection."""
+        """`start` creates the panel that is visible without a connection."""
         super().__init__(parent)
         self.setObjectName("aracnaRobotPage")
         self._robot = robot
@@ -128,7 +128,7 @@ class CommonSpeedBox(SpeedBox):
         return self.value() == self._DIFFER
 
     def show_speeds(self, speeds: Sequence[int]) -> None:
-        """Show the speeds without a signal. Equal speeds do not replace typed text."""
+        """Show the speeds without a signal. Unchanged speeds do not replace typed text."""
         value = speeds[0] if len(set(speeds)) == 1 else self._DIFFER
         lowest = min(value, 0)
         if (value, lowest) == (self.value(), self.minimum()):
@@ -276,11 +276,11 @@ class Controls(QWidget):
         tip = tr("Move every motor to its goal, within its limits (Ctrl+M)")
         self._move.setToolTip(ui.plain(blocker or tip))
         is_idle = robot.state.play is None
-        is_known = any(each is not None for each in robot.state.present)
+        is_known = any(value is not None for value in robot.state.present)
         self._present.setEnabled(is_idle and is_known)
         for button in (self._centre, self._stand):
             button.setEnabled(is_idle)
         self._factory.setEnabled(not robot.limits.are_factory)
         if robot.link is ConnectionState.DISCONNECTED:
-            self._live.setChecked(False)  # must be selected for each robot
+            self._live.setChecked(False)  # must be selected again for each robot
         self._speed.show_speeds(robot.speeds)
