@@ -111,9 +111,7 @@ class SearchIndex:
             word: max(_similarity(synonym, word) for synonym in synonyms) * _SYNONYM
             for word in words
         }
-        matches = {
-            word: max(value, _similarity(typed, word)) for word, value in matches.items()
-        }
+        matches = {word: max(value, _similarity(typed, word)) for word, value in matches.items()}
         if not any(matches.values()):
             matches = dict.fromkeys(get_close_matches(typed, words, cutoff=0.75), _MISSPELT)
         scores: dict[int, float] = defaultdict(float)
