@@ -19,7 +19,7 @@ _INTERVAL = 2.0  # seconds between two results, so that the text remains readabl
 
 # A line that damages 1 % of the bytes loses 1.3 % of the transactions (measured with the simulated
 # board), because most damaged replies without CRC look valid. It damages one in 25 motor commands
-# of four bytes, and a single wrong bit can turn one command into another.
+# of four bytes. A single wrong bit can turn one command into another.
 _NOISY = 0.01  # fraction of failures at which a line is noisy
 _GOOD = 0.005  # fraction of failures below which a noisy line is good again
 

@@ -41,8 +41,10 @@ class ConnectionSettings(PortSettings):
     def packed(self) -> str:
         number = -1 if self.device_number is None else self.device_number
         line, shared = self.line, SHARED + self.reserved_text if self.reserved else ""
-        own = f"{line.baud} {line.detection.name} {line.stop_bits} {number} {self.polynomial:02X}"
-        return own + shared
+        unshared = (
+            f"{line.baud} {line.detection.name} {line.stop_bits} {number} {self.polynomial:02X}"
+        )
+        return unshared + shared
 
     def unpacked(self, text: str) -> "ConnectionSettings":
         """Parse a `packed` text. BadRequest if it is invalid.
@@ -50,8 +52,8 @@ class ConnectionSettings(PortSettings):
         If the text has no reserved numbers, `reserved` is unchanged.
         """
         try:
-            own, is_shared, reserved = text.partition(SHARED)
-            baud, detection, stop_bits, number, polynomial = own.split(" ")
+            unshared, is_shared, reserved = text.partition(SHARED)
+            baud, detection, stop_bits, number, polynomial = unshared.split(" ")
             line = LineSettings(int(baud), Detection[detection], int(stop_bits))
             line.to_wire()  # raises if no board has these settings
             settings = replace(

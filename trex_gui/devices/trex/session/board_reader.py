@@ -165,8 +165,8 @@ class BoardReader:
             line.driver.stop_without_reply()
             if not line.liveness.is_scanning(line.client):
                 self._request_mode(line.client)
-            elif (found := line.liveness.probe_next(line.client)) is not None:
-                line.client = line.driver.client = found
+            elif (new_client := line.liveness.probe_next(line.client)) is not None:
+                line.client = line.driver.client = new_client
                 line.status.reset()
             else:
                 return

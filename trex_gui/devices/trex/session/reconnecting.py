@@ -47,7 +47,7 @@ class LivenessMonitor:
             self._untried.clear()
 
     def start(self) -> None:
-        self.silent = False  # True if the board has stopped responding
+        self.silent = False  # True if the board has stopped new_client
         self._failures = 0
         self._failures_of.clear()
         self._has_probed = False
@@ -89,31 +89,31 @@ class LivenessMonitor:
         self._has_probed = True
         if not self._untried:
             self._untried.extend(reconnect_places(client.settings, self.candidates))
-        found = _probe(client, self._untried.popleft())
-        if found is None:
+        new_client = _probe(client, self._untried.popleft())
+        if new_client is None:
             self.retry_at = client.transport.clock() + (0.0 if self._untried else self._retry)
-        elif found is not client:
+        elif new_client is not client:
             self.expect(())
-        return found
+        return new_client
 
 
 def _probe(client: TrexClient, settings: ConnectionSettings) -> TrexClient | None:
     transport = client.transport
     try:
-        found = client_at(transport, settings)
+        new_client = client_at(transport, settings)
     except BadRequest as error:
         log.debug("%s: %s", settings.text(), error)
-        found = None
-    if found is None:
+        new_client = None
+    if new_client is None:
         # A stop must use the settings at which the board last replied.
         transport.reconfigure(client.settings.line)
         return None
     if settings == client.settings:
-        client.echo = found.echo
+        client.echo = new_client.echo
         return client
     log.info("the board responds at %s", settings.text())
-    found.counters = client.counters
-    return found
+    new_client.counters = client.counters
+    return new_client
 
 
 # --- Settings to probe ------------------------------------------------------------------
