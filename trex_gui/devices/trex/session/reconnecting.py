@@ -47,7 +47,7 @@ class LivenessMonitor:
             self._untried.clear()
 
     def start(self) -> None:
-        self.silent = False  # True if the board has stopped new_client
+        self.silent = False  # True if the board has stopped responding
         self._failures = 0
         self._failures_of.clear()
         self._has_probed = False
