@@ -42,7 +42,7 @@ def say(message: object) -> None:
 
 
 def shell_words(*words: str) -> str:
-    """Quote words for the shell. Windows shells know double quotes only."""
+    """Quote words for the shell. Windows shells support only double quotes."""
     quoted = (f'"{word}"' if re.search(r"[^\w.:/\\-]", word) else word for word in words)
     return " ".join(quoted) if sys.platform == "win32" else shlex.join(words)
 
@@ -61,7 +61,7 @@ def refusals() -> Iterator[None]:
 
 
 class ProgressLine:
-    """Progress on one terminal line. Prints nothing if stderr is no terminal."""
+    """Progress on one terminal line. Prints nothing if stderr is not a terminal."""
 
     def __init__(self, title: str) -> None:
         self._title = title

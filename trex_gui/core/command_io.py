@@ -11,7 +11,7 @@ from typing import Any
 
 import click
 
-TROUBLE = "exit code"  # key in `click.Context.meta`; exit code after a failure, by default 1
+TROUBLE = "exit code"  # key in `click.Context.meta`: exit code after a failure (default 1)
 
 _CONTROLS = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f]|\r(?!\n)")
 
@@ -19,7 +19,7 @@ _STAND_INS = str.maketrans({"→": "->", "−": "-", "…": "...", "“": '"', "
 
 
 class FileName(click.Path):
-    """File parameter. Rejects an empty name, such as an unset variable."""
+    """File parameter. Rejects an empty name, as from an unset variable."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         if not str(value):
@@ -76,7 +76,7 @@ class _Output:
 
 @contextlib.contextmanager
 def standard_streams() -> Iterator[None]:
-    """Replace the standard output streams by `_Output`, even if closed."""
+    """Replace the standard streams, even if they are closed."""
     original = sys.stdin, sys.stdout, sys.stderr
     for _ in range(original.count(None)):
         os.open(os.devnull, os.O_RDWR)  # otherwise a port could get this file number

@@ -22,7 +22,7 @@ def crash_file() -> Path:
 class RunFile:
     """File of this run, which receives the thread stacks after a crash.
 
-    `found_crash`: an earlier run crashed, and its file is now `crash_file`. Without a writable
+    `found_crash`: True if an earlier run crashed. Its file is then `crash_file`. Without a writable
     folder, no crash is detected.
     """
 

@@ -20,7 +20,7 @@ class AmbiguousNumber(BadRequest):
 def decimal(text: str, *, thousands: bool = True) -> float:
     """Return the number in `text`.
 
-    `thousands`: True if 1000 or more is plausible. 2.498 V never means 2498 V.
+    `thousands`: True if 1000 or more is plausible. For example, 2.498 V never means 2498 V.
 
     Raises:
         AmbiguousNumber: exactly three digits follow a single separator, as in 1,500.

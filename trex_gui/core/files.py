@@ -1,6 +1,6 @@
 """User files, read with a size limit and written atomically.
 
-Only ordinary files are used. Errors in text files are findings with line numbers.
+Only ordinary files are accepted. Errors in text files are findings with line numbers.
 """
 
 import codecs

@@ -58,7 +58,7 @@ class ProgramLog:
     def close(self, timeout: float = 2.0) -> bool:
         """Write the remaining entries. Return False after a timeout (s).
 
-        After a timeout, Python would wait for the disk at exit. Only `os._exit` ends the process.
+        In that case, Python would wait for the disk at exit. Only `os._exit` ends the process.
         """
         logging.getLogger().removeHandler(self._handler)
         logging.getLogger("trex_gui").setLevel(self._level)

@@ -132,7 +132,7 @@ no packet may contain.
 
 
 def flush(wire: Transport, extra: float = 0.0) -> None:
-    """Terminate a device's incomplete packet. `extra`: additional wait (s)."""
+    """Terminate an incomplete packet in a device. `extra`: additional wait (s)."""
     wire.reconfigure(FLUSH_LINE)
     wire.write(FLUSH_BYTE)
     wire.wait(FLUSH_LINE.seconds(len(FLUSH_BYTE)) + wire.latency + extra)

@@ -30,7 +30,7 @@ _watching_since: list[str] = []
 
 
 def watching_since() -> str:
-    """Return the log time since when motors could move. `9999`: never."""
+    """Return the time of the first heartbeat in the format of the log. `9999`: none."""
     return _watching_since[0] if _watching_since else "9999"
 
 
@@ -133,7 +133,7 @@ class GuardianProcess:
                     case b"confirmed":
                         self._is_confirmed = True
                     case b"unconfirmed":
-                        self._ended.set()  # the port is closed; a disk may block the process
+                        self._ended.set()  # the port is closed; a disk may still block the process
         process.wait()
         # Locked, because a new file could reuse the descriptor of the closed pipe.
         with self._writing, contextlib.suppress(OSError), process:
@@ -245,6 +245,6 @@ def _start(port: SharedPort, silence: float, file: Path | None) -> "subprocess.P
         )
     finally:
         if sys.platform == "win32":
-            os.set_handle_inheritable(number, False)  # Qt's child processes inherit all
+            os.set_handle_inheritable(number, False)  # otherwise Qt's processes inherit it
         else:
             os.close(number)

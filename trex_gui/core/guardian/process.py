@@ -47,7 +47,7 @@ _MAX_READ = 4096  # bytes per read
 
 
 class FilePort:
-    """Serial port of a POSIX system. OSError: the line is gone."""
+    """Serial port of a POSIX system. Raises OSError if the line is gone."""
 
     def __init__(self, descriptor: int) -> None:
         self._descriptor = descriptor
@@ -204,7 +204,7 @@ if sys.platform == "win32":
 
         @staticmethod
         def _finish(overlapped: "_winapi.Overlapped", seconds: float) -> int:
-            """Wait for a transfer, or cancel it. Return its size in bytes."""
+            """Wait for a transfer. Cancel it after a timeout. Return its size in bytes."""
             _winapi.WaitForSingleObject(overlapped.event, max(0, int(seconds * 1000)))
             overlapped.cancel()  # no effect on a complete transfer
             count, _ = overlapped.GetOverlappedResult(True)
@@ -226,7 +226,7 @@ def open_port(kind: str, number: int) -> Port:
 
 
 class StopMessage:
-    """Fields of a `watch` message: a `StopSequence`."""
+    """Fields of a `watch` message, as in `StopSequence`."""
 
     def __init__(self, fields: list[str]) -> None:
         packets, queries, size, mask, echo, seconds, note = fields
@@ -316,7 +316,7 @@ class Watchdog:
                 result = "A stop was sent; the program responds again and repeats it."
         outcome = "confirmed" if confirmed else "unconfirmed"
         with suppress(OSError):
-            self._port.close()  # before the log, which may block
+            self._port.close()  # before logging, which may block
         self._reply(outcome)
         if self._is_cancelled:
             outcome = "repeated"

@@ -33,8 +33,8 @@ class WireFaults:
         self.plugged = True
         self.noise = 0.0  # probability that a byte is corrupted
         self.delay = 0.0  # seconds, for bytes to the host
-        self.to_drop = self.to_drop_sent = 0  # number of next bytes to lose, to and from the host
-        self.to_corrupt = self.to_double = 0  # number of next bytes to the host to corrupt, double
+        self.to_drop = self.to_drop_sent = 0  # next bytes to lose, to and from the host
+        self.to_corrupt = self.to_double = 0  # next bytes to the host to corrupt or double
         self.to_cut: int | None = None  # bytes to the host before a text line is cut
         self.errors: deque[ReceiveError] = deque()  # for the next bytes from the host
         self.counters: Counter[str] = Counter(
@@ -168,7 +168,7 @@ class SimulatedLine:
     start together arrive as their AND. For other overlaps the host samples the wire's level.
 
     Attributes:
-        host: settings of the host's port; `None`: those of the first station.
+        host: settings of the host's port; `None`: settings of the first station.
     """
 
     stations: Sequence[Station]

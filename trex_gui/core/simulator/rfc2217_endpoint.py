@@ -69,7 +69,7 @@ class Rfc2217Endpoint(TcpEndpoint):
             for byte in self._manager.filter(data):
                 yield self._port_settings.settings(), byte
         except (struct.error, KeyError, TypeError):
-            self.drop_client()  # not RFC 2217
+            self.drop_client()  # the host does not use RFC 2217
 
     def write(self, data: bytes) -> None:
         if self._manager is not None:

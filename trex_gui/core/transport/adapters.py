@@ -39,7 +39,7 @@ class Adapter:
 
     @property
     def key(self) -> str:
-        """Key of saved data, in one word. The same adapter has an equal key."""
+        """Key for saved data, without blanks. It is equal if `is_same` is true."""
         location = self.location if len(self.number) <= _SHARED else _interface(self)
         return re.sub(r"[/\s]+", "-", "-".join(filter(None, (self.product, self.number, location))))
 

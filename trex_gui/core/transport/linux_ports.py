@@ -114,7 +114,7 @@ _CBAUD, _BOTHER = 0o010017, 0o010000
 CFLAG, _ISPEED, OSPEED, _WORDS = 2, 9, 10, 11
 _PROCESSORS = ("x86", "i386", "i486", "i586", "i686", "amd64", "arm", "aarch64", "riscv", "loong")
 
-_RATE_TOLERANCE = 0.03  # relative error of a rate, without that of the board's clock
+_RATE_TOLERANCE = 0.03  # relative error of a rate, in addition to the error of the board's clock
 
 _TIMEOUT = 0.1  # seconds after which `rates_of` gives up, since it delays opening a port
 

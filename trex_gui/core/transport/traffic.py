@@ -151,7 +151,7 @@ class Transaction:
     """Row of traffic: a request and its reply, or a line event."""
 
     number: int  # row number from 1
-    time: float  # line's clock (s) when sent, else at the first received byte
+    time: float  # line's clock (s) when sent, otherwise at the first received byte
     sent: bytes = b""
     received: bytes = b""
     note: str = ""  # line event; only in rows without bytes

@@ -1,9 +1,9 @@
-r"""Search for an Aracna that never moves a device.
+r"""Search for an Aracna, without moving any device.
 
 The probe is `\n.q\n` at 38400 8N1. An Aracna reads an empty line and its only query without side
-effects. A TReX at 38400 baud ignores the probe, but at another rate it may read the start of a
-command. Therefore, FF at 1200 baud terminates an incomplete packet before and after the probe, as
-in the search for a TReX. The tests check this for every TReX.
+effects. A TReX at 38400 baud does not read a command in the probe, but at another rate it may read
+the start of a command. Therefore, FF at 1200 baud terminates an incomplete packet before and after
+the probe, as in the search for a TReX. The tests check this for every TReX.
 
 At a fixed rate, as behind a plain network port, FF has no effect, and some boards would read the
 probe as a command. There, the probe is sent only if the user has selected an Aracna for the port.

@@ -48,7 +48,7 @@ class Library(QObject):
     position outside 0-1023. Saving retains the undo steps.
     """
 
-    changed = Signal()  # poses, sequences, file or saved state
+    changed = Signal()  # poses, sequences, file or saved state have changed
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)

@@ -106,7 +106,7 @@ class Robot(DeviceConnection[PortSettings]):
         self.link_changed.emit()
 
     def _reset(self, motors: int) -> None:
-        """Reset to an unknown robot. Retain the end of a running motion."""
+        """Reset to an unknown robot. Retain the end time of a running motion."""
         self.state = RobotState(motors, unobserved_until=self.state.moving_until)
         self.dragging = self._is_holding = False
         self.speeds, self.speeds_chosen = (FIRST_SPEED,) * motors, False

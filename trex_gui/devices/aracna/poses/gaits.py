@@ -19,7 +19,7 @@ SLOW_SECONDS = 3.0  # the authors' robot takes this long to lie flat, and to sta
 
 
 def all_legs(name: str, inner: int, outer: int) -> Pose:
-    """Return a pose with equal legs. Even motors are inner joints."""
+    """Return a pose with equal positions for all legs. Even motors are inner joints."""
     return _within_limits(name, (inner, outer) * (MOTORS // 2))
 
 

@@ -177,9 +177,9 @@ class _Reader:
         self.poses.append((number, pose))
 
     def with_unique_names(self, items: list[tuple[int, ItemT]], kind: str) -> tuple[ItemT, ...]:
-        """Return the items with unique names. The last of equal names is retained.
+        """Return the items with unique names. Of equal names, the last is retained.
 
-        An item without blanks around its name has priority, because steps cannot name other items.
+        An item without blanks around its name has priority, because steps can name only such items.
         """
         taken = {item.name for _, item in items}
         by_priority = sorted(items, key=lambda item: (item[0] not in self._padded, item[0]))

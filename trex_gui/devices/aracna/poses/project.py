@@ -29,7 +29,7 @@ class Pose:
             raise BadRequest(f"no pose: {self!r}")
 
     def first(self, motors: int) -> tuple[int, ...]:
-        """Return the positions of the first motors. Missing positions become the centre."""
+        """Return `motors` positions. Missing positions become the centre."""
         missing = max(motors - len(self.positions), 0)
         return self.positions[:motors] + (CENTRE,) * missing
 

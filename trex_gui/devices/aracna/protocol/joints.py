@@ -76,7 +76,7 @@ def degrees(position: float) -> float:
 
 
 def position(angle: float) -> int:
-    """Convert degrees to a position, not limited to 0-1023."""
+    """Convert degrees to a position, which may be outside 0-1023."""
     return round(angle / DEGREES_PER_UNIT)
 
 
@@ -90,7 +90,7 @@ def travel_seconds(distance: int, speed: int, ceiling: int = CEILING) -> float:
 
 
 def speed_for(distance: int, seconds: float) -> int:
-    """Return the lowest sufficient speed (1-1023), else the highest."""
+    """Return the lowest sufficient speed (1-1023), or the highest speed."""
     if seconds <= 0:
         return HIGHEST if distance else 1
     needed = math.ceil(abs(distance) / (UNITS_PER_SECOND * seconds) - 1e-9)

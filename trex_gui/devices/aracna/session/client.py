@@ -107,7 +107,7 @@ class AracnaClient:
 
     @property
     def awaited_motor(self) -> int | None:
-        """Motor missing from an incomplete `.c` reply. `None` without such a reply."""
+        """First motor missing from an incomplete `.c` reply. `None` without such a reply."""
         arrived = self._reader.arrived
         return None if arrived is None else len(arrived)
 

@@ -1,7 +1,7 @@
 """Session loop on a line to the robot: requests in, reports out.
 
 It uses neither threads nor Qt. Without a request it sends only `.q`, because a TReX may be on the
-port, and no other line is harmless to a TReX at any settings. (With a newline before `.q`, a TReX
+port, and every other line may harm a TReX at some settings. (With a newline before `.q`, a TReX
 at 38400 baud with odd parity may read both as a command.) The robot has no stop command. After
 `Halt`, the loop merely sends no more commands.
 """
@@ -212,7 +212,7 @@ class AracnaSession:
                 trust = TRUST if dragged else TRUST_BEFORE_MOVE
                 self._servos.expire_speeds(self._now(), trust)
                 if speeds is not None and speeds != self._servos.speeds:
-                    commands.positions(self._servos.crop(goals), self._client.motors)  # only check
+                    commands.positions(self._servos.crop(goals), self._client.motors)  # validates
                     self._client.set_speeds(speeds)
                     return True
                 self._move(goals)
@@ -342,8 +342,7 @@ class AracnaSession:
             return
         voided = self._player.is_playing or bool(self._jobs)
         voided |= command is not None and command.letter != "q"
-        # Servos keep position and speed after a reset, but not after a power cut. `.h` follows
-        # both.
+        # Servos keep position and speed after a reset, but not after a power cut. Both cause `.h`.
         self._servos.clear()
         self._report(Restarted(now, voided))
         self._drop(now, Ending.RESTARTED, RobotError(ErrorCode.RESTARTED))

@@ -161,7 +161,7 @@ class AracnaLine(SimulatedLine):
     ) -> None:
         """Create a robot that is switched on.
 
-        `version`: by default 0 with two motors, else 1. `positions`: by default the centre.
+        `version`: by default 0 with two motors, otherwise 1. `positions`: by default the centre.
         `boot_loader`: seconds before each `.h`.
         """
         super().__init__(paced=paced, seed=seed)

@@ -1,6 +1,6 @@
 """AX servos: position, goal, speed, and faults.
 
-Ref: Robotis AX-12 and AX-18 documentation. Servos continue over a restart of the board.
+Ref: Robotis AX-12 and AX-18 documentation. Servos continue during a restart of the board.
 """
 
 import math

@@ -23,7 +23,7 @@ class RobotProblemsPage(ProblemsPage):
         super().__init__("aracnaErrors", robot.traffic, parent)
         self._robot, self._log, self._message_help = robot, log, message_help
         self._cleared = dict[str, datetime]()  # text → time of the newest cleared entry
-        self._stats: LineStats | None = None  # shown statistics
+        self._stats: LineStats | None = None  # displayed statistics
         log.added.connect(self.show_problems)
         robot.link_changed.connect(self.refresh)
         robot.changed.connect(self._on_changed)

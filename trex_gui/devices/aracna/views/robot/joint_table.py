@@ -106,7 +106,7 @@ class SpeedBox(ui.SpinBox):
 
     @Slot()
     def update_suffix(self) -> None:
-        """Show the speed in degrees per second. Called after blocked signals, too."""
+        """Show the speed in degrees per second, even if signals were blocked."""
         self.setSuffix(f" = {speed_text(self.value())}")
 
 

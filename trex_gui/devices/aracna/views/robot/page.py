@@ -41,7 +41,7 @@ class RobotPage(QWidget):
         self._head = PageHead("", self._content)
         self._head.title.setObjectName("aracnaTitle")
         joints = ui.Card(parent=self._content)
-        set_look(joints, "compact")  # fits a low screen
+        set_look(joints, "compact")  # so that it fits a low screen
         table = JointTable(robot, joints)
         self.controls = Controls(robot, table, joints)
         ui.column((table, 1), self.controls, into=joints, spacing=4)
