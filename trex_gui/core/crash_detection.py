@@ -49,13 +49,13 @@ class RunFile:
 
 def _handle_abandoned() -> bool:
     """Rename files of dead processes to `crash_file`. Return whether any existed."""
-    found = False
+    existed = False
     for path in log_folder().glob("run-*.txt"):
         with suppress(OSError):  # on Windows an open file cannot be renamed
             if not is_locked(path):
                 path.replace(crash_file())
-                found = True
-    return found
+                existed = True
+    return existed
 
 
 def is_locked(path: Path) -> bool:

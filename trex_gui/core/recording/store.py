@@ -399,19 +399,19 @@ class Recording(Generic[HeaderT, RecordT]):
 
     def read(self, first: int, last: int) -> list[RecordT]:
         """Return the records from `first` to `last` in order. Report damaged records."""
-        found: list[tuple[int, Timestamped]] = []
+        records: list[tuple[int, Timestamped]] = []
         for kind in self.kinds:
             stored = {column.name: (column.type, column.optional) for column in kind.columns}
             for number, *values in self._valid_rows(kind, stored, first, last):
                 try:
-                    found.append((number, kind.unpack(*values)))
+                    records.append((number, kind.unpack(*values)))
                 except (ValueError, KeyError, TypeError) as error:
                     self._report_damaged(number, error)
-        found.sort(key=itemgetter(0))
-        return cast("list[RecordT]", [record for _, record in found])
+        records.sort(key=itemgetter(0))
+        return cast("list[RecordT]", [record for _, record in records])
 
     def export_rows(self, first: int, last: int, start: float, end: float) -> list[ExportRow]:
-        found: list[tuple[int, ExportRow]] = []
+        rows: list[tuple[int, ExportRow]] = []
         for index, kind in enumerate(self.kinds):
             columns = {"time_s": ("REAL", False)}
             for column in kind.columns:
@@ -420,9 +420,9 @@ class Recording(Generic[HeaderT, RecordT]):
                     columns[column.physical.name] = ("REAL", column.optional)
             for number, clock, time, *values in self._valid_rows(kind, columns, first, last):
                 if start <= clock <= end:
-                    found.append((number, (time, index, tuple(values))))
-        found.sort(key=itemgetter(0))
-        return [row for _, row in found]
+                    rows.append((number, (time, index, tuple(values))))
+        rows.sort(key=itemgetter(0))
+        return [row for _, row in rows]
 
     def _valid_rows(
         self, kind: SampleKind, columns: Mapping[str, _Content], first: int, last: int
@@ -470,8 +470,8 @@ def _wrong_type(columns: Mapping[str, _Content], types: Sequence[type]) -> str:
     _number, clock, *values = types
     if clock is not float:
         return tr("its time is not a number")
-    for (name, (type_name, is_optional)), found in zip(columns.items(), values, strict=True):
-        if found is not _TYPES[type_name] and not (is_optional and found is NoneType):
+    for (name, (type_name, is_optional)), actual in zip(columns.items(), values, strict=True):
+        if actual is not _TYPES[type_name] and not (is_optional and actual is NoneType):
             return tr("{0} is not {1}").format(name, type_name)
     return ""
 

@@ -22,7 +22,7 @@ Slightly after the middle, no sample falls on a bit edge for any two rates of a 
 rounding would decide the value."""
 
 _RATE_TOLERANCE = 0.03
-"""Largest relative rate difference of two UARTs: half a bit in ten, for both together."""
+"""Maximum relative rate difference of two UARTs: half a bit in ten, shared by both."""
 
 _PARITIES = {Parity.EVEN: 0, Parity.ODD: 1}
 

@@ -16,7 +16,7 @@ _REPLACE_S = 0.4  # seconds to replace a lost guardian before the motors are sto
 _SHORT_TIMEOUT_S = 0.2
 """Seconds to wait for a reply even if a stop is due.
 
-The board does not listen while it replies, and a late reply could be mistaken for the next."""
+The board does not listen while it replies, and a late reply could be mistaken for the next one."""
 
 _LAST_STOP_S = 0.4  # timeout in seconds of the guardian's stop on a lost line
 

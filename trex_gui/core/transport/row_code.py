@@ -12,7 +12,7 @@ def rows_as_code(rows: Sequence[Transaction], decoder: Decoder, language: Langua
     """Return source code that sends the requests of these rows.
 
     The code waits for each reply. Line events and unsolicited bytes become comments. A comment
-    warns of motor commands.
+    warns of commands that move motors.
     """
     line = next((row.settings.line.text() for row in rows if row.settings is not None), "")
     return render(

@@ -124,10 +124,10 @@ class Library(QObject):
         _, index = self._find(kind, name)
         self._edit(tr("Delete {0}").format(name), self._with(kind, index, []))
 
-    def move(self, kind: ItemKind, name: str, place: int) -> None:
+    def move(self, kind: ItemKind, name: str, index: int) -> None:
         items, old = self._find(kind, name)
         others = [*items[:old], *items[old + 1 :]]
-        others.insert(min(max(place, 0), len(others)), items[old])
+        others.insert(min(max(index, 0), len(others)), items[old])
         self._edit(tr("Move {0}").format(name), self._with_items(kind, others))
 
     def add_pose(self, positions: Many[int], name: str = "") -> str:

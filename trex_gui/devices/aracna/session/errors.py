@@ -92,14 +92,14 @@ class RobotInternalError(RobotError, InternalError):
 
 def diagnose(settings: PortSettings, received: bytes) -> RobotError:
     """Return the error for a missing Aracna, based on received bytes."""
-    where, query = settings.text(), commands.QUERY.strip()
+    line, query = settings.text(), commands.QUERY.strip()
     if not received.strip(b"\r\n"):
-        return RobotNoReplyError(ErrorCode.NO_ROBOT, where)
+        return RobotNoReplyError(ErrorCode.NO_ROBOT, line)
     if query in received and not received.replace(query, b"").strip(b"\r\n\x00\xff"):
-        return RobotNoReplyError(ErrorCode.ECHO, where)
+        return RobotNoReplyError(ErrorCode.ECHO, line)
     if not received.replace(b".h", b"").strip(b"\r\nh"):  # only reports of a start
-        return RobotNoReplyError(ErrorCode.BOOT_LOOP, where)
-    return RobotBadReplyError(ErrorCode.OTHER_DEVICE, where, printable(received))
+        return RobotNoReplyError(ErrorCode.BOOT_LOOP, line)
+    return RobotBadReplyError(ErrorCode.OTHER_DEVICE, line, printable(received))
 
 
 def suggests_scan(error: BaseException) -> bool:

@@ -123,13 +123,13 @@ class RobotDrawing(Painted):
 
     def _joint_at(self, point: QPointF) -> int:
         """Return the motor of the joint at a point, or -1."""
-        found, nearest = -1, _REACH * self._scale()
+        nearest, limit = -1, _REACH * self._scale()
         for motor in range(2 * len(self._solid())):
             offset = point - self.joint_place(motor)
             distance = math.hypot(offset.x(), offset.y())
-            if distance < nearest:
-                found, nearest = motor, distance
-        return found
+            if distance < limit:
+                nearest, limit = motor, distance
+        return nearest
 
     def _solid(self) -> tuple[DrawnLeg, ...]:
         """Return the legs at reported positions, or at goals if unknown."""
