@@ -174,7 +174,7 @@ def _decode(data: bytes, header_size: int, union: Any) -> tuple[tuple[float, ...
         *header, body = msgpack.decode(data)
         return _check_header(header, header_size), _codec().structure(body, union)
     except Exception as error:
-        raise BadRequest(f"not a message: {error!r:.200}") from error
+        raise BadRequest(f"no message: {error!r:.200}") from error
 
 
 def _check_header(header: list[Any], size: int) -> tuple[float, ...]:
