@@ -1,6 +1,6 @@
 """User files, read with a size limit and written atomically.
 
-Only ordinary files are accepted. Errors in text files are findings with line numbers.
+Only ordinary files are accepted. Errors in text files are reported as findings with line numbers.
 """
 
 import codecs
@@ -31,7 +31,7 @@ def data_folder() -> Path:
 
 
 def file_exists(path: Path) -> bool:
-    """Return whether a file exists. A name that is too long does not exist."""
+    """Return whether a file exists. A file whose name is too long counts as missing."""
     with contextlib.suppress(OSError):
         return path.exists()
     return False
@@ -87,7 +87,7 @@ class SettingsError(StudioError):
 
 
 def reason_of(error: StudioError) -> str:
-    """Return the reason for a file error, without file name and full stop."""
+    """Return the reason for a file error, without the file name or the final full stop."""
     text = "; ".join(map(str, error.findings)) if isinstance(error, SettingsError) else str(error)
     return text.rstrip(". ")
 

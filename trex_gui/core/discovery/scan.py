@@ -11,7 +11,7 @@ device found earlier are probed first. Each step runs only if the previous steps
 4. Repeat the likely probes of a kind whose only reply may have been lost.
 
 The known kind of the port is probed first in steps 2 to 4. The probes of one kind never move a
-device of another kind. tests/devices/aracna/session/test_discovery.py checks this in any order.
+device of another kind. tests/devices/aracna/session/test_discovery.py checks this for every order.
 """
 
 import contextlib
@@ -133,7 +133,7 @@ def _probe_in_order(
     progress: Callable[[ScanProgress], None],
     cancelled: Callable[[], bool],
 ) -> list[str]:
-    """Run the probers until one is over. Return the probed kinds."""
+    """Run the probers until one has identified its device. Return the probed kinds."""
     plan = order({key: prober.parts for key, prober in running.items()}, first)
     totals = [running[key].parts[part] for key, part in plan]
     probed: dict[str, None] = {}

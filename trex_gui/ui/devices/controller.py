@@ -217,7 +217,7 @@ class DeviceController(QObject, Generic[SettingsT]):
 
     @property
     def unconfirmed_stop(self) -> str:
-        """Warning if motors may turn although the line is closed. Otherwise empty."""
+        """Warning if motors may still be turning although the line is closed. Otherwise empty."""
         return ""
 
     @property

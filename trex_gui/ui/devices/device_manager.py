@@ -140,7 +140,7 @@ class DeviceManager(QObject):
 
     @property
     def unconfirmed_stop(self) -> str:
-        """Warning if motors may turn although every line is closed. Otherwise empty."""
+        """Warning if motors may still be turning although every line is closed. Otherwise empty."""
         return "\n".join(
             filter(None, (controller.unconfirmed_stop for controller in self._controllers.values()))
         )

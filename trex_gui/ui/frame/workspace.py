@@ -86,7 +86,7 @@ class Workspace(QWidget):
         super().__init__(parent)
         self.notifier = notifier
         self.key = key
-        self.log = Log(self)  # messages while this workspace is visible, and events
+        self.log = Log(self)  # events, and the messages shown while this workspace is visible
         self.stop_text = tr("&Stop motors")  # text of the menu entry for Esc
         # Object names of pages, docks and dialogs → help topics.
         self.help_topics: Mapping[str, str] = {}
@@ -313,7 +313,7 @@ def fill_menu_bar(
 def _add_icons(actions: Mapping[str, QAction], entries: Entries) -> None:
     """Add the icons of a menu that opens.
 
-    Together with the window, they would take a tenth of its creation time.
+    Creating them with the window would take a tenth of its creation time.
     """
     for entry in entries:
         if isinstance(entry, Entry) and entry.icon:

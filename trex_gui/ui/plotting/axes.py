@@ -16,7 +16,9 @@ _MAX_TIME_LABELS = 7
 
 FULL_COUNTS = 127.0  # largest speed and largest value of a remapped channel
 _SMALLEST_END = 1.0
-_SHRINK_BELOW = 0.8  # an axis shrinks if its values fit into this fraction of the smaller range
+_SHRINK_BELOW = (
+    0.8  # an axis shrinks if its values fit into this fraction of the next smaller range
+)
 MIN_SPAN = 0.05  # seconds; four samples of currents
 MAX_SPAN = 4 * 3600.0  # seconds; longer than a full history
 
@@ -44,7 +46,7 @@ def spread(
     space = high - low - sum(widths) - gap * max(0, len(widths) - 1)
     if space < 0:
         return None
-    # Centres of labels packed from `low`. Their upward shifts must not decrease.
+    # Centres of labels packed from `low`. From label to label, shifts must not decrease.
     packed = [low + sum(widths[:n]) + gap * n + width / 2 for n, width in enumerate(widths)]
     offsets = (centre - lowest for centre, lowest in zip(centres, packed, strict=True))
     shifts = [min(max(offset, 0), space) for offset in offsets]

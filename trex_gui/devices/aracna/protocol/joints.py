@@ -28,7 +28,8 @@ The published CAD of the robot uses AX-18A. An AX-12A reaches 59 rpm, a setting 
 LEGS = tr_noop("Front left"), tr_noop("Front right"), tr_noop("Back right"), tr_noop("Back left")
 """Leg of each pair of motors (inner and outer joint), seen from above with the front up.
 
-Assumed: motors 0-3 are in front and 4-7 at the back, 2-5 right and 6, 7, 0, 1 left.
+Assumed: motors 0-3 are at the front, 4-7 at the back, 2-5 on the right, and 6, 7, 0 and 1 on
+the left.
 """
 
 
@@ -55,7 +56,10 @@ class Limits:
 
 
 FACTORY_LIMITS = (Limits(50, 600), Limits(0, 550))
-"""Limits of inner and outer joint. They protect body and screws, but legs can still collide."""
+"""Limits of the inner and outer joints.
+
+They protect the body and the screws, but legs can still collide.
+"""
 
 
 def factory_limits(motors: int = MOTORS) -> tuple[Limits, ...]:

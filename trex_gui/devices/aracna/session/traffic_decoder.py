@@ -39,7 +39,7 @@ class AracnaDecoder(Decoder):
         return any(line[1:2] == b"c" for line in sent.split(b"\n"))
 
     def is_whole(self, transaction: Transaction) -> bool:
-        """Return whether a reply to the last command or a restart has arrived."""
+        """Return whether a restart, or a reply to the last command, has arrived."""
         lines = transaction.received.split(b"\n")[:-1]
         if not transaction.sent:
             return bool(lines)
@@ -47,7 +47,7 @@ class AracnaDecoder(Decoder):
         return any(line.startswith((last, b".h")) for line in lines)
 
     def goes_with(self, transaction: Transaction, sent: bytes) -> bool:
-        """Return whether a line is a query after a command without reply."""
+        """Return whether a line is a query after an unanswered command."""
         is_late = transaction.sent[:2] in {b".c", b".v", b".l"} and not self.is_whole(transaction)
         return sent == b".q\n" and is_late
 

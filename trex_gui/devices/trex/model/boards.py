@@ -261,7 +261,7 @@ class BoardList(QObject):
         else:
             on_stopped(None)
 
-    # --- Reports of the device ----------------------------------------------------------
+    # --- Reports from the device --------------------------------------------------------
 
     @Slot()
     def _on_link_changed(self) -> None:

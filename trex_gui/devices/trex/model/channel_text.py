@@ -135,7 +135,7 @@ def write_failure(error: StudioError) -> str:
 
 
 def wrong_order(calibration: Calibration, source: InputSource) -> str:
-    """Return the reason why the board rejects it, or empty."""
+    """Return why the board would reject the calibration, or an empty string."""
     problem = calibration.problem(source.text)
     return tr("The board would reject this: {0}.").format(problem) if problem else ""
 

@@ -214,12 +214,12 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     @Slot()
     def _on_stop_wanted(self) -> None:
-        """Reconnect if motors may turn. A new session first sends a stop."""
+        """Reconnect if motors may still be turning. A new session first sends a stop."""
         device = self.device
         if not self.may_move or self._last is None:
             # `loss_text` may use the serial timeout of another board.
             text = device.driving.lost_board or device.loss_text
-            device.notifier.warn(text, lasts=lambda: device.may_stop_matter)
+            device.notifier.warn(text, lasts=lambda: device.stop_may_matter)
             return
         device.warn(tr("Trying to reach the board to stop it …"))
         self.connect_to(self.ports.now(self._last) or self._last)

@@ -66,7 +66,9 @@ class Device(QObject):
     lease_changed = Signal()  # driver or queue of a served board
     applied = Signal(object)  # a `WriteResult` for each value
     sampled = Signal(object)  # a `Batch`, after the models are updated
-    stop_wanted = Signal()  # stop was pressed without a connection, while motors may turn
+    stop_wanted = (
+        Signal()
+    )  # stop was pressed without a connection, while motors may still be turning
 
     def __init__(
         self,
@@ -199,7 +201,7 @@ class Device(QObject):
     def warn(self, cause: str, remedies: Remedies = ()) -> None:
         """Show `loss_text` and its cause until a stop is confirmed."""
         text = self.named(f"{self.loss_text} {cause}")
-        self.notifier.warn(text, remedies, lambda: self.may_stop_matter)
+        self.notifier.warn(text, remedies, lambda: self.stop_may_matter)
 
     @property
     def serial_timeout_s(self) -> float | None:
@@ -227,11 +229,11 @@ class Device(QObject):
     def press_stop(self) -> None:
         if self.link is not ConnectionState.DISCONNECTED:
             self.motors.press_stop()
-        elif self.may_stop_matter:
+        elif self.stop_may_matter:
             self.stop_wanted.emit()
 
     @property
-    def may_stop_matter(self) -> bool:
+    def stop_may_matter(self) -> bool:
         """True if a motor may turn because of this program."""
         return self.may_move or bool(self.main.driving.lost_board)
 
@@ -320,7 +322,7 @@ class Device(QObject):
         if read.is_changed:
             self.writer.give_up(tr("Nothing was written: other settings were read from the board."))
         if read.is_new:
-            self.calibrations.clear_seen()
+            self.calibrations.clear_last_known()
         is_same_kind = self.parameters.model_key == state.signature.model.key
         if pending and before is not None and not is_same_kind:
             text = tr(

@@ -74,7 +74,7 @@ class DriveController(QObject):
         self._motors = motors
         self._mirror = board
         self._connection = connection
-        self._lost_settings: ConnectionSettings | None = None  # line on which motors may turn
+        self._lost_settings: ConnectionSettings | None = None  # line on which motors may be turning
         self._lost_place = ""  # `place` of that line
         self._board: Connected | None = None  # newest report of the board
         # Set by a group. `lacking` returns the number of a board that cannot be driven.

@@ -53,7 +53,7 @@ class LossWhileDriven(QObject):
     @Slot()
     def _on_confirmed(self) -> None:
         device, lost_at = self._device, self._lost_at
-        if lost_at is None or device.may_stop_matter or not device.is_connected:
+        if lost_at is None or device.stop_may_matter or not device.is_connected:
             return
         self._lost_at, settings = None, device.settings
         if settings is None or device.driving.place != self._lost_place:

@@ -31,7 +31,7 @@ _STRICT = frozenset({Control, ModeSample})
 
 
 class LivenessMonitor:
-    """Detector of a silent board, which also probes for it."""
+    """Detects a silent board and probes for it."""
 
     def __init__(self, timeouts: Timeouts) -> None:
         self.retry_at = 0.0  # time of the next probe, on the line's clock
@@ -172,7 +172,7 @@ def reconnect_places(
 ) -> tuple[ConnectionSettings, ...]:
     """Return the settings to probe for a silent board, present settings first.
 
-    The factory default is last. A board has it after a power cut while UART settings are stored.
+    The factory default is last. A board has it after a power cut while UART settings are being stored.
     The number of stop bits does not prevent a reply, so a candidate that differs only in stop bits
     replaces the present settings. Settings are omitted if a board at other settings could read
     their probe as a motor command. On a line with other devices, only the present settings are

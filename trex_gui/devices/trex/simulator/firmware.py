@@ -100,7 +100,7 @@ class Board:
 
     def power_on(self) -> None:
         """Switch on: read jumpers, activate stored parameters, clear latched bits."""
-        self.is_starved = self.machine.is_too_low
+        self.is_starved = self.machine.is_browned_out
         if self.powered or self.is_starved:
             return
         self.powered = True
@@ -195,11 +195,11 @@ class Board:
                     physics.measure()
 
     def _check_supply(self) -> None:
-        if self.powered and self.machine.is_too_low:
+        if self.powered and self.machine.is_browned_out:
             self.counters["brown_outs"] += 1
             self._lose_power()
             self.is_starved = True
-        elif self.is_starved and not self.machine.is_too_low:
+        elif self.is_starved and not self.machine.is_browned_out:
             self.power_on()
 
     def _update(self) -> None:

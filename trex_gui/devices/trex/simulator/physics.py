@@ -148,7 +148,7 @@ class Machine:
             motor.factory_reset()
 
     @property
-    def is_too_low(self) -> bool:
+    def is_browned_out(self) -> bool:
         return self.volts < self.constants.brown_out
 
     def advance(self, seconds: float, drives: Sequence[DriverOutput]) -> None:

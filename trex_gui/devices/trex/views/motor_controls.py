@@ -160,7 +160,7 @@ class LostPanel(QFrame):
     def show_loss(self, text: str) -> bool:
         """Show `text` if motors are out of reach. Return true if they are."""
         device = self._device
-        is_lost = device.may_stop_matter and not device.is_connected
+        is_lost = device.stop_may_matter and not device.is_connected
         if is_lost:
             self._text.setText(text)
         can_reconnect = is_lost and device.link is ConnectionState.DISCONNECTED
@@ -192,7 +192,7 @@ class StopButton(RedButton):
     @Slot()
     def _on_link_changed(self) -> None:
         inactive = {ConnectionState.DISCONNECTED, ConnectionState.DISCONNECTING}
-        self.setEnabled(self._device.link not in inactive or self._device.may_stop_matter)
+        self.setEnabled(self._device.link not in inactive or self._device.stop_may_matter)
 
 
 def focus_stop(widget: QWidget) -> None:
@@ -310,7 +310,7 @@ class ControlBar(MotorBar):
         motors, pending = self._device.motors, self._device.draft.pending
         statuses = drive_statuses(drive_inputs(self._device))
         fault = fault_text(statuses)
-        may_matter = self._device.may_stop_matter
+        may_matter = self._device.stop_may_matter
         alarming = bool(fault) or motors.armed or may_matter or self._stop_has_no_effect
         self._state.show_note(
             " ".join(filter(None, (fault, self._state_text(statuses)))),
@@ -329,7 +329,7 @@ class ControlBar(MotorBar):
     def _is_out_of_reach(self) -> bool:
         """True if motors may be turning and cannot be stopped."""
         reached = {ConnectionState.CONNECTED, ConnectionState.DISCONNECTING}
-        return self._device.may_stop_matter and self._device.link not in reached
+        return self._device.stop_may_matter and self._device.link not in reached
 
     @property
     def _stop_has_no_effect(self) -> bool:

@@ -117,7 +117,7 @@ class ParameterModel(QAbstractTableModel):
             ParameterRole.RESET: self._reset_text,
         }
 
-    # --- Reports of the device ----------------------------------------------------------
+    # --- Reports from the device --------------------------------------------------------
 
     def load(
         self,

@@ -52,7 +52,7 @@ class ParameterText:
         self._pairs = {key: pair for key, pair in pairs if self._values.specs.keys() >= set(pair)}
 
     def keys_of(self, key: str) -> tuple[str, ...]:
-        """Return the keys of a cell. A PWM has two: prescaler and maximum."""
+        """Return the keys of a cell. A PWM frequency has two: prescaler and maximum."""
         return self._pairs.get(key, (key,))
 
     # --- Values -------------------------------------------------------------------------

@@ -76,7 +76,7 @@ class Calibrations(QObject):
             return channel
         return CalibrationKey.of(self.source, channel)
 
-    # --- Reports of the device ----------------------------------------------------------
+    # --- Reports from the device --------------------------------------------------------
 
     def load(
         self,
@@ -105,7 +105,7 @@ class Calibrations(QObject):
         self.removed &= self._stored.keys()
         self.changed.emit()
 
-    def clear_seen(self) -> None:
+    def clear_last_known(self) -> None:
         """Clear the last known calibrations, except for edited channels."""
         known = self._last_known.items()
         self._last_known = {key: value for key, value in known if key in self.edited}
