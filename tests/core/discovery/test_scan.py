@@ -61,7 +61,7 @@ class RecordingProber:
 
 def nobody(noted: list[str], name: str, evidence: Evidence = Evidence.SILENCE) -> ProberInfo:
     diagnosis = Diagnosis(evidence, f"No {name}.")
-    announces_at = SerialFormat(38400) if name == "TextDevice" else None
+    announces_at = SerialFormat(38400) if name == "Talker" else None
     return ProberInfo(
         name,
         lambda _settings, *, full, known: RecordingProber(noted, name, diagnosis),
@@ -129,7 +129,7 @@ def test_trex_at_unlikely_rate_is_found_after_other_probes() -> None:
 
 def test_unsolicited_data_is_received_at_rate_of_kind() -> None:
     noted: list[str] = []
-    probers = {"trex": TREX_PROBER, "talker": nobody(noted, "TextDevice")}
+    probers = {"trex": TREX_PROBER, "talker": nobody(noted, "Talker")}
     board = a_board()
     board.power_off()
     wire = wire_of(board)

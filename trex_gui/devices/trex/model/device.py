@@ -66,9 +66,7 @@ class Device(QObject):
     lease_changed = Signal()  # driver or queue of a served board
     applied = Signal(object)  # a `WriteResult` for each value
     sampled = Signal(object)  # a `Batch`, after the models are updated
-    stop_wanted = (
-        Signal()
-    )  # stop was pressed without a connection, while motors may still be turning
+    stop_wanted = Signal()  # stop was pressed without a connection, while a motor may turn
 
     def __init__(
         self,

@@ -172,11 +172,11 @@ def reconnect_places(
 ) -> tuple[ConnectionSettings, ...]:
     """Return the settings to probe for a silent board, present settings first.
 
-    The factory default is last. A board has it after a power cut while UART settings are being stored.
-    The number of stop bits does not prevent a reply, so a candidate that differs only in stop bits
-    replaces the present settings. Settings are omitted if a board at other settings could read
-    their probe as a motor command. On a line with other devices, only the present settings are
-    probed.
+    The factory default is last. A board has it after a power cut while UART settings are being
+    stored. The number of stop bits does not prevent a reply, so a candidate that differs only
+    in stop bits replaces the present settings. Settings are omitted if a board at other
+    settings could read their probe as a motor command. On a line with other devices, only the
+    present settings are probed.
     """
     if used.reserved:
         return (used,)
