@@ -212,7 +212,7 @@ class OtherSource(QWidget):
         self._cycle.clicked.connect(self.power_cycle_requested)
 
     def show_source(self, source: InputSource, mode: Mode, known: Known | None) -> None:
-        """Describe the inactive input source. `known`: when its values were last read or applied."""
+        """Describe the inactive input source. `known`: the last reading of its values."""
         parameters = self._device.parameters
         self._source = source
         name, wire = tr(channel_text.SOURCE_NAMES[source]), int(source is InputSource.ANALOG)
