@@ -220,7 +220,7 @@ def test_inner_block_does_not_close_the_line(
     def run() -> None:
         with board:
             board.drive(60)
-            with pytest.raises(PortUnavailable, match="open already"), board:
+            with pytest.raises(PortUnavailable, match="already open"), board:
                 pass
             board.wait(0.2)
             assert motor(quick_simulator) == ("forward", 60)
