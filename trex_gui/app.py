@@ -158,7 +158,7 @@ def main(argv: list[str] | None = None) -> int:
     try:
         code = _run(arguments, program_log)
     except Exception:
-        log.critical("the program could not go on", exc_info=True, extra={"printed": True})
+        log.critical("the program cannot continue", exc_info=True, extra={"printed": True})
         raise
     finally:
         log.info("ended with exit code %d", code)

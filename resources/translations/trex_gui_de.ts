@@ -123,7 +123,7 @@
         <translation>Treten Sie seiner Gruppe bei, dann melden Sie sich ab und wieder an: {0} (oder, bis zum Ausstecken: {1}).</translation></message>
     <message><source>the server refuses the settings of the line</source>
         <translation>der Server lehnt die Leitungseinstellungen ab</translation></message>
-    <message><source>It belongs to root; this opens it until it is unplugged: {0}</source>
+    <message><source>It belongs to root; this command grants access until the port is unplugged: {0}</source>
         <translation>Er gehört root; dieser Befehl öffnet ihn bis zum Ausstecken: {0}</translation></message>
     <message><source>none</source>
         <translation>keine</translation></message>
@@ -135,7 +135,7 @@
         <translation>der Port nimmt nichts an</translation></message>
     <message><source>the port cannot be set to {0}</source>
         <translation>der Port lässt sich nicht auf {0} einstellen</translation></message>
-    <message><source>It sends without a request ({0} …).</source>
+    <message><source>The device sends without a request ({0} …).</source>
         <translation>Das Gerät sendet ohne Anfrage ({0} …).</translation></message>
     <message><source>even parity</source>
         <translation>gerade Parität</translation></message>
@@ -239,7 +239,7 @@
         <translation><numerusform>%n Schritt wird abgespielt, {0}.</numerusform><numerusform>%n Schritte werden abgespielt, {0}.</numerusform></translation></message>
     <message><source>Nothing more is sent.</source>
         <translation>Es wird nichts mehr gesendet.</translation></message>
-    <message><source>Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.</source>
+    <message><source>Solid lines: last reported; dashed: goal. A sketch: angles are drawn flat.</source>
         <translation>Durchgezogene Linien: zuletzt gemeldet; gestrichelt: Ziel. Eine Skizze: Winkel sind flach gezeichnet.</translation></message>
     <message><source>Which leg is which is assumed; even motors are inner joints, odd ones outer.</source>
         <translation>Welches Bein welches ist, ist angenommen; Motoren mit gerader Nummer sind innere Gelenke, solche mit ungerader äußere.</translation></message>
@@ -253,7 +253,7 @@
         <translation>Die Antwort ging verloren (oder kein Motor reagiert): Die Positionen sind nicht bekannt.</translation></message>
     <message><source>Unknown: a motion may continue for about {0:.0f} s.</source>
         <translation>Unbekannt: Eine Bewegung kann noch etwa {0:.0f} s weiterlaufen.</translation></message>
-    <message><source>Nothing is sent. Whether it is moving is not known before its first move.</source>
+    <message><source>Nothing is sent. It may be moving: its state is unknown until the first move.</source>
         <translation>Es wird nichts gesendet. Ob er sich bewegt, ist bis zu seiner ersten Bewegung unbekannt.</translation></message>
     <message><source>The robot does not respond.</source>
         <translation>Der Roboter antwortet nicht.</translation></message>
@@ -565,12 +565,12 @@
         <translation>{0} reagiert nicht, wie ausgesteckt: Geschwindigkeiten werden als −1 gelesen, und eine Bewegung wartet endlos darauf</translation></message>
     <message><source>Something blocks {0}: it stays “moving”, and the firmware waits</source>
         <translation>Etwas blockiert {0}: Es bleibt „in Bewegung“, und die Firmware wartet</translation></message>
-    <message><source>What is lost once</source>
-        <translation>Was einmal verloren geht</translation></message>
+    <message><source>Loss to simulate</source>
+        <translation>Zu simulierender Verlust</translation></message>
     <message><source>Lose it</source>
         <translation>Verlieren</translation></message>
-    <message><source>It is lost in the next transfer</source>
-        <translation>Geht bei der nächsten Übertragung verloren</translation></message>
+    <message><source>Takes effect in the next transfer</source>
+        <translation>Wirkt bei der nächsten Übertragung</translation></message>
     <message><source>limp until its first goal</source>
         <translation>kraftlos bis zum ersten Ziel</translation></message>
     <message><source>Starts: {0}</source>
@@ -641,8 +641,8 @@
         <translation>Wählen Sie eine Sequenz; eingebaute Gangarten lassen sich nicht ändern</translation></message>
     <message><source>There are no poses</source>
         <translation>Es gibt keine Posen</translation></message>
-    <message><source>A step cannot use “{0}”: remove comma and bar from the pose's name</source>
-        <translation>Ein Schritt kann „{0}“ nicht verwenden: Entfernen Sie Komma und senkrechten Strich aus dem Namen der Pose</translation></message>
+    <message><source>A step cannot use “{0}”: remove commas and vertical bars from the pose's name</source>
+        <translation>Ein Schritt kann „{0}“ nicht verwenden: Entfernen Sie Kommas und senkrechte Striche aus dem Namen der Pose</translation></message>
     <message><source>Steps</source>
         <translation>Schritte</translation></message>
     <message><source>Delete</source>
@@ -1061,7 +1061,7 @@
         <translation>TReX 1.2, da keine Signatur gelesen wurde</translation></message>
     <message><source>1 stored value</source>
         <translation>1 gespeicherter Wert</translation></message>
-    <message><source>{0}, {1} from the file, others as from the factory</source>
+    <message><source>{0}, {1} from the file, others at their defaults</source>
         <translation>{0}, {1} aus der Datei, die übrigen wie ab Werk</translation></message>
     <message><source>traffic logs</source>
         <translation>Datenverkehrsprotokolle</translation></message>
@@ -1083,7 +1083,7 @@
         <translation>Gerätenummer {0}</translation></message>
     <message><source> It also echoes what is sent.</source>
         <translation> Es sendet außerdem ein Echo des Gesendeten.</translation></message>
-    <message><source>Switched off and on, it will run at {0}.</source>
+    <message><source>After a power cycle, it will run at {0}.</source>
         <translation>Nach dem Aus- und Einschalten läuft es mit {0}.</translation></message>
     <message><source>Something is connected to {0}, but it does not respond like a TReX: it sent {1} at {2}{3}. It is another device, or the line is noisy.</source>
         <translation>An {0} ist etwas angeschlossen, das aber nicht wie ein TReX antwortet: Es hat {1} mit {2} gesendet{3}. Es ist ein anderes Gerät, oder die Leitung ist gestört.</translation></message>
@@ -1095,9 +1095,9 @@
         <translation> Der Port lässt sich nicht auf {0} Baud einstellen, daher wurde damit nicht gesucht.</translation></message>
     <message><source>No TReX responds on {0} at any baud rate, with any parity or with CRC. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), and that ground is connected. A board with a custom CRC polynomial is only found by the full scan.</source>
         <translation>An {0} antwortet kein TReX, bei keiner Baudrate, mit keiner Parität und nicht mit CRC. Prüfen Sie, ob das Board Strom hat (eine LED leuchtet), ob TX des Adapters mit SI und RX mit SO verbunden ist (oder beide mit den RS-232-Pins, nie gemischt) und ob die Masse verbunden ist. Ein Board mit eigenem CRC-Polynom findet nur die vollständige Suche.</translation></message>
-    <message><source>, and something at {0} more</source>
+    <message><source>, and data at {0} other settings</source>
         <translation>, und bei {0} weiteren ebenfalls etwas</translation></message>
-    <message><source>Its UART settings hold {0:#04x}, which is not a known setting.</source>
+    <message><source>Its UART settings have the unknown value {0:#04x}.</source>
         <translation>Seine UART-Einstellungen enthalten {0:#04x}; das ist keine bekannte Einstellung.</translation></message>
     <message><source>No TReX responds on {0}: everything sent comes back, and nothing else, at every rate. Either this is the RS-232 side of a board that is off, or the adapter's TX and RX are joined.</source>
         <translation>An {0} antwortet kein TReX: Alles Gesendete kommt zurück, und sonst nichts, bei jeder Baudrate. Entweder ist das die RS-232-Seite eines ausgeschalteten Boards, oder TX und RX des Adapters sind verbunden.</translation></message>
@@ -1179,13 +1179,13 @@
         <translation>Wählen Sie eines der Boards an dieser Leitung aus.</translation></message>
     <message><source>Board {0}, which is driven with this one, does not follow.</source>
         <translation>Board {0}, das mit diesem gefahren wird, folgt nicht.</translation></message>
-    <message><source>Its drawing says why. Drive alone uses the other one without it.</source>
+    <message><source>Its diagram shows why. Drive alone drives the other board without it.</source>
         <translation>Seine Zeichnung sagt, warum. „Allein fahren“ verwendet das andere ohne dieses.</translation></message>
     <message><source>The motors cannot be armed at this moment.</source>
         <translation>Die Motoren können im Moment nicht freigegeben werden.</translation></message>
     <message><source>Stopped. {0}</source>
         <translation>Gestoppt. {0}</translation></message>
-    <message><source>Arm the motors again to go on.</source>
+    <message><source>Arm the motors again to continue.</source>
         <translation>Geben Sie sie wieder frei, um fortzufahren.</translation></message>
     <message><source>Not armed: no motor is driven.</source>
         <translation>Nicht freigegeben: Kein Motor wird angesteuert.</translation></message>
@@ -1291,7 +1291,7 @@
         <translation>steuert Motor 2; mit gestecktem Mix-Jumper steuert er vor und zurück</translation></message>
     <message><source>drives the auxiliary motor, which turns one way only</source>
         <translation>steuert den Hilfsmotor, der nur in eine Richtung dreht</translation></message>
-    <message><source>is the flip switch: motors 1 and 2 change places and directions</source>
+    <message><source>is the flip switch: motors 1 and 2 are swapped and reversed</source>
         <translation>ist der Umdrehschalter: Motor 1 und 2 tauschen Platz und Drehrichtung</translation></message>
     <message><source>is the override switch: serial commands control the motors</source>
         <translation>ist der Vorrangschalter: Serielle Befehle steuern die Motoren</translation></message>
@@ -1445,7 +1445,7 @@
         <translation>{0} ({1} fehlgeschlagen)</translation></message>
     <message><source>The connection is not responding, so the stop could not be sent.</source>
         <translation>Die Verbindung reagiert nicht, daher konnte der Stopp nicht gesendet werden.</translation></message>
-    <message><source>No stop is known to have reached the {0} that was driven at {1}: another board responded. If its motor still turns, cut its power.</source>
+    <message><source>The stop may not have reached the {0} that was driven at {1}: another board responded. If its motor still turns, cut its power.</source>
         <translation>Ob ein Stopp das an {1} angesteuerte Board ({0}) erreicht hat, ist nicht bekannt: Ein anderes Board hat geantwortet. Falls sich am angesteuerten Board noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>Another board responds now: {0}, at {1}.</source>
         <translation>Jetzt antwortet ein anderes Board: {0}, an {1}.</translation></message>
@@ -1459,11 +1459,11 @@
         <translation>Der Wächterprozess hat die Motoren gestoppt, und das Board hat das bestätigt.</translation></message>
     <message><source>The board that disconnected while driving is back.</source>
         <translation>Das Board, dessen Verbindung beim Fahren abbrach, ist wieder da.</translation></message>
-    <message><source>This may be another board: {0}, at {1}, does not store the settings of the one that was driven.</source>
+    <message><source>This may be another board: {0}, at {1}, has other settings than the board that was driven.</source>
         <translation>Das ist vielleicht ein anderes Board: {0}, an {1}, speichert nicht die Einstellungen des Boards, das angesteuert wurde.</translation></message>
     <message><source>{0}, device {1}</source>
         <translation>{0}, Gerät {1}</translation></message>
-    <message><source>{0} The motors were stopped. Arm the motors again to go on.</source>
+    <message><source>{0} The motors were stopped. Arm the motors again to continue.</source>
         <translation>{0} Die Motoren wurden gestoppt. Geben Sie sie wieder frei, um fortzufahren.</translation></message>
     <message><source>A setting of the board changed, so the motors were stopped.</source>
         <translation>Eine Einstellung des Boards hat sich geändert, daher wurden die Motoren gestoppt.</translation></message>
@@ -1533,13 +1533,13 @@
         <translation>linker Knüppel gedrückt</translation></message>
     <message><source>right stick pressed</source>
         <translation>rechter Knüppel gedrückt</translation></message>
-    <message><source>cross up</source>
+    <message><source>D-pad up</source>
         <translation>Steuerkreuz oben</translation></message>
-    <message><source>cross down</source>
+    <message><source>D-pad down</source>
         <translation>Steuerkreuz unten</translation></message>
-    <message><source>cross left</source>
+    <message><source>D-pad left</source>
         <translation>Steuerkreuz links</translation></message>
-    <message><source>cross right</source>
+    <message><source>D-pad right</source>
         <translation>Steuerkreuz rechts</translation></message>
     <message><source>A, the lowest of four</source>
         <translation>A, die unterste von vier</translation></message>
@@ -1601,7 +1601,7 @@
         <translation>Das Eingelernte ist gespeichert.</translation></message>
     <message><source>The board is in {0} mode: the sticks drive the motors, and it rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
         <translation>Das Board ist im Modus {0}: Die Knüppel steuern die Motoren, und es lehnt Einstellungen ab. Schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es ein.</translation></message>
-    <message><source>The board is in {0} mode. Channel 5 has given the motors to the serial line, but with the next move of its switch the sticks drive the motors again; and the board rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
+    <message><source>The board is in {0} mode. Channel 5 has switched the motors to serial control. The next move of its switch returns them to the sticks. The board also rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
         <translation>Das Board ist im Modus {0}. Kanal 5 hat die Motoren der seriellen Leitung übergeben, aber mit der nächsten Bewegung seines Schalters steuern die Knüppel wieder die Motoren; außerdem lehnt das Board Einstellungen ab. Schalten Sie es aus, ziehen Sie den Modus-Jumper ab und schalten Sie es ein.</translation></message>
     <message><source>The board was started in another mode.</source>
         <translation>Das Board wurde in einem anderen Modus gestartet.</translation></message>
@@ -1619,7 +1619,7 @@
         <translation>Bringen Sie den Sender näher heran oder prüfen Sie Antenne und Kabel.</translation></message>
     <message><source>At rest its noise is {0}: a deadband wide enough to hide it would take a quarter of the travel. Repair the cable, the supply or the stick first.</source>
         <translation>In Ruhe beträgt sein Rauschen {0}: Ein Totbereich, der es verdeckt, nähme ein Viertel des Wegs ein. Reparieren Sie zuerst das Kabel, die Versorgung oder den Knüppel.</translation></message>
-    <message><source>An input to which nothing is connected does that, too.</source>
+    <message><source>An unconnected input behaves in the same way.</source>
         <translation>Auch ein Eingang, an dem nichts angeschlossen ist, verhält sich so.</translation></message>
     <message><source>Either nothing is connected to it (its voltage then means nothing), or what is connected was not moved.</source>
         <translation>Entweder ist nichts daran angeschlossen (dann bedeutet seine Spannung nichts), oder das Angeschlossene wurde nicht bewegt.</translation></message>
@@ -1755,8 +1755,8 @@
         <translation>{0}: {1}</translation></message>
     <message numerus="yes"><source>and %n more packet(s)</source>
         <translation><numerusform>und %n weiteres Paket</numerusform><numerusform>und %n weitere Pakete</numerusform></translation></message>
-    <message><source>Every board on this line would store it: address {0}.</source>
-        <translation>Jedes Board an dieser Leitung würde es speichern: Adressieren Sie {0}.</translation></message>
+    <message><source>Every board on this line would store it: address device {0}.</source>
+        <translation>Jedes Board an dieser Leitung würde es speichern: Adressieren Sie Gerät {0}.</translation></message>
     <message><source>Every board on this line would store it: select one of them.</source>
         <translation>Jedes Board an dieser Leitung würde es speichern: Wählen Sie eines davon aus.</translation></message>
     <message><source>Sent {0}; the reply is {1}.</source>
@@ -1789,7 +1789,7 @@
         <translation>{0} ({1} geändert)</translation></message>
     <message><source>Motors 1 and 2 {0}</source>
         <translation>{0} Motor 1 und 2</translation></message>
-    <message><source>How often in a second the PWM of the motor switches. Low frequencies whine and heat the motor, frequencies above the driver's rating heat the driver. Type a number or use the arrow keys. The board stores the nearest frequency that it can switch at.</source>
+    <message><source>Switching frequency of the motor's PWM. Low frequencies whine and heat the motor, frequencies above the driver's rating heat the driver. Type a number or use the arrow keys. The board stores the nearest frequency that it can switch at.</source>
         <translation>Wie oft pro Sekunde die PWM des Motors schaltet. Niedrige Frequenzen pfeifen und erwärmen den Motor, Frequenzen über dem Nennwert des Treibers erwärmen den Treiber. Geben Sie eine Zahl ein oder benutzen Sie die Pfeiltasten. Das Board speichert die nächste Frequenz, mit der es schalten kann.</translation></message>
     <message><source>This firmware has stored beyond that: wire value {0}.</source>
         <translation>Diese Firmware hat darüber hinaus gespeichert: Bytewert {0}.</translation></message>
@@ -2287,7 +2287,7 @@
         <translation>Kanal {0}</translation></message>
     <message><source>channels {0}</source>
         <translation>Kanäle {0}</translation></message>
-    <message><source>none or some of the channels 1 to 5, such as 1, 3</source>
+    <message><source>none, or any of channels 1 to 5, such as 1, 3</source>
         <translation>keiner oder einige der Kanäle 1 bis 5, zum Beispiel 1, 3</translation></message>
     <message><source>{0} is {1}, not {2}</source>
         <translation>{0} ist {1}, nicht {2}</translation></message>
@@ -2305,8 +2305,8 @@
         <translation>die Tabelle enthält keinen Parameter {0!r}</translation></message>
     <message><source> or </source>
         <translation> oder </translation></message>
-    <message><source>written as {0}, with a baud rate that the board has</source>
-        <translation>geschrieben wie {0}, mit einer Baudrate, die das Board hat</translation></message>
+    <message><source>written as {0}, with a baud rate that the board supports</source>
+        <translation>geschrieben wie {0}, mit einer Baudrate, die das Board unterstützt</translation></message>
     <message><source>; did you mean {0}?</source>
         <translation>; meinten Sie {0}?</translation></message>
     <message><source>{0} to {1} s to full speed, or {2}</source>
@@ -2317,7 +2317,7 @@
         <translation>{0} (Bytewert {1} bis {2})</translation></message>
     <message><source>{0} s to full speed</source>
         <translation>{0} s bis zur vollen Geschwindigkeit</translation></message>
-    <message><source>Which bytes? Give them in hexadecimal, such as 86 1F.</source>
+    <message><source>Enter bytes in hexadecimal, such as 86 1F.</source>
         <translation>Welche Bytes? Geben Sie sie hexadezimal an, zum Beispiel 86 1F.</translation></message>
     <message><source>device {0}: {1}</source>
         <translation>Gerät {0}: {1}</translation></message>
@@ -2325,7 +2325,7 @@
         <translation>kein TReX-Paket: {0}</translation></message>
     <message><source>{0} bytes are too many: at most {1} are sent at once.</source>
         <translation>{0} Bytes sind zu viele: Höchstens {1} werden auf einmal gesendet.</translation></message>
-    <message><source>“{0}” is not a row of hexadecimal bytes such as 86 1F.</source>
+    <message><source>“{0}” is not a sequence of hexadecimal bytes such as 86 1F.</source>
         <translation>„{0}“ ist keine Folge hexadezimaler Bytes wie 86 1F.</translation></message>
     <message><source>No board is served at {0}:{1}, or not to this user. Check that trexcmd serve runs there, the user in the address (trex://USER@…), and its secret (TREX_SECRET).</source>
         <translation>Bei {0}:{1} wird kein Board bereitgestellt, oder nicht für diesen Benutzer. Prüfen Sie, ob dort trexcmd serve läuft, den Benutzer in der Adresse (trex://USER@…) und sein Geheimnis (TREX_SECRET).</translation></message>
@@ -2389,9 +2389,9 @@
         <translation>dies sind Einstellungen eines {0}</translation></message>
     <message><source>this file is written in a way that cannot be changed in place; save the settings as a new file</source>
         <translation>diese Datei ist so geschrieben, dass sie sich nicht an Ort und Stelle ändern lässt; speichern Sie die Einstellungen als neue Datei</translation></message>
-    <message><source>{0} {1}: how many snapshots to keep is not known, so none is removed.</source>
+    <message><source>{0} {1}: the number of snapshots to keep is unknown, so none is removed.</source>
         <translation>{0} {1}: Wie viele Sicherungskopien behalten werden sollen, ist nicht bekannt, daher wird keine entfernt.</translation></message>
-    <message><source>It does not say of which board it is.</source>
+    <message><source>It does not name its board.</source>
         <translation>Sie nennt nicht, von welchem Board sie stammt.</translation></message>
     <message><source>It is empty.</source>
         <translation>Sie ist leer.</translation></message>
@@ -2407,7 +2407,7 @@
         <translation>fehlt</translation></message>
     <message><source>a history keeps at least one snapshot, not {0}</source>
         <translation>ein Verlauf behält mindestens eine Sicherungskopie, nicht {0}</translation></message>
-    <message><source>It may have {0} characters.</source>
+    <message><source>At most {0} characters are allowed.</source>
         <translation>Höchstens {0} Zeichen sind möglich.</translation></message>
     <message><source>cannot be read ({0})</source>
         <translation>kann nicht gelesen werden ({0})</translation></message>
@@ -2547,8 +2547,8 @@
         <translation>der Text ist hier unvollständig oder beschädigt ({0}); {1}</translation></message>
     <message><source>type an ordinary space after the colon</source>
         <translation>geben Sie nach dem Doppelpunkt ein gewöhnliches Leerzeichen ein</translation></message>
-    <message><source>a second document begins here; settings are one</source>
-        <translation>hier beginnt ein zweites Dokument; Einstellungen sind eines</translation></message>
+    <message><source>a second document begins here; a settings file has only one</source>
+        <translation>hier beginnt ein zweites Dokument; eine Einstellungsdatei hat nur eines</translation></message>
     <message><source>anchors (&amp; and *) are not allowed; {0}</source>
         <translation>Anker (&amp; und *) sind nicht erlaubt; {0}</translation></message>
     <message><source>tags (!) are not allowed; {0}</source>
@@ -2637,7 +2637,7 @@
         <translation>Gespeichert als {0}.</translation></message>
     <message><source>Settled within {0:.0f} % after</source>
         <translation>Auf {0:.0f} % eingeschwungen nach</translation></message>
-    <message><source>Accelerate uses the board's acceleration, brake duration and current limit; Set at once bypasses the first two and, for a moment, the limit, too.</source>
+    <message><source>Accelerate uses the board's acceleration, brake duration and current limit; Set at once bypasses the first two and, briefly, the limit.</source>
         <translation>„Beschleunigen“ nutzt Beschleunigung, Bremsdauer und Stromgrenze des Boards; „Sofort setzen“ umgeht die ersten beiden und kurzzeitig auch die Grenze.</translation></message>
     <message><source>One reading above it stops and disarms all motors. A motor draws most when it starts.</source>
         <translation>Schon ein Messwert darüber stoppt und sperrt alle Motoren. Beim Anlaufen zieht ein Motor den höchsten Strom.</translation></message>
@@ -2909,7 +2909,7 @@
         <translation>Jedes angekreuzte Board erhält diese Einstellungen, ein Board nach dem anderen, jeweils nach einer Sicherungskopie. Jedes behält seine Gerätenummer und seine seriellen Einstellungen. Der erste Fehler beim Schreiben beendet die Arbeit.</translation></message>
     <message><source>Close</source>
         <translation>Schließen</translation></message>
-    <message><source>Stop was pressed, which has ended the work.</source>
+    <message><source>Ended because Stop was pressed.</source>
         <translation>„Motoren stoppen“ wurde gedrückt; das hat die Arbeit beendet.</translation></message>
     <message numerus="yes"><source>Written to %n board(s).</source>
         <translation><numerusform>Auf %n Board geschrieben.</numerusform><numerusform>Auf %n Boards geschrieben.</numerusform></translation></message>
@@ -2917,8 +2917,8 @@
         <translation>{0} auf mehrere Boards anwenden</translation></message>
     <message><source>File</source>
         <translation>Datei</translation></message>
-    <message numerus="yes"><source>%n board(s) left out; the reason is beside each.</source>
-        <translation><numerusform>%n Board ausgelassen; der Grund steht daneben.</numerusform><numerusform>%n Boards ausgelassen; der Grund steht jeweils daneben.</numerusform></translation></message>
+    <message numerus="yes"><source>%n board(s) left out; see the Result column.</source>
+        <translation><numerusform>%n Board ausgelassen; siehe Spalte „Ergebnis“.</numerusform><numerusform>%n Boards ausgelassen; siehe Spalte „Ergebnis“.</numerusform></translation></message>
     <message><source>Board {0}</source>
         <translation>Board {0}</translation></message>
     <message><source>{0}: beyond a limit that no document confirms (inferred). The board decides: it may reject the value, or store another one.</source>
@@ -2929,7 +2929,7 @@
         <translation>{0}, Firmware {1}</translation></message>
     <message><source>For a {0}; the board is a {1}. Checked changes become edits.</source>
         <translation>Für einen {0}; das Board ist ein {1}. Werte mit Häkchen werden als Änderungen übernommen.</translation></message>
-    <message numerus="yes"><source>{0}: %n change(s) pending: review them to write them.</source>
+    <message numerus="yes"><source>{0}: %n change(s) pending. Review them, then write.</source>
         <translation><numerusform>{0}: %n Änderung steht an; prüfen Sie sie, um sie zu schreiben.</numerusform><numerusform>{0}: %n Änderungen stehen an; prüfen Sie sie, um sie zu schreiben.</numerusform></translation></message>
     <message><source>&amp;Edit the file instead</source>
         <translation>Stattdessen die Datei &amp;bearbeiten</translation></message>
@@ -2969,7 +2969,7 @@
         <translation>Setzt alle Parameter durch den Befehl des Boards zurück, bei seinem nächsten Start</translation></message>
     <message><source>&amp;Let the board reset itself…</source>
         <translation>Das Board sich selbst &amp;zurücksetzen lassen…</translation></message>
-    <message><source>At its next start the board will reset every parameter, including those cleared here. Its present settings are saved first (File, History). Unapplied changes are discarded; Undo restores them.</source>
+    <message><source>At its next start the board will reset every parameter, including those cleared here. Its current settings are saved first (File, History). Unapplied changes are discarded; Undo restores them.</source>
         <translation>Bei seinem nächsten Start setzt das Board alle Parameter zurück, auch die hier abgewählten. Seine jetzigen Einstellungen werden zuvor gesichert (Datei, Verlauf). Nicht angewendete Änderungen werden verworfen; „Rückgängig“ stellt sie wieder her.</translation></message>
     <message><source>It gets device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
         <translation>Es erhält die Gerätenummer {0}, die ein anderes Board an dieser Leitung hat: Beide würden gleichzeitig antworten, und keine der Antworten wäre lesbar. Geben Sie jenem Board zuerst eine andere Nummer.</translation></message>
@@ -3011,7 +3011,7 @@
         <translation>Serielle Standardwerte wieder&amp;herstellen…</translation></message>
     <message numerus="yes"><source>&amp;Write %n setting(s)</source>
         <translation><numerusform>%n Einstellung &amp;schreiben</numerusform><numerusform>%n Einstellungen &amp;schreiben</numerusform></translation></message>
-    <message><source>The channel calibrations stay.</source>
+    <message><source>Channel calibrations are not changed.</source>
         <translation>Die Kalibrierungen der Kanäle bleiben.</translation></message>
     <message><source>The connection was lost.</source>
         <translation>Die Verbindung ist abgebrochen.</translation></message>
@@ -3035,7 +3035,7 @@
         <translation>Grün an oder schnell blinkend</translation></message>
     <message><source>Running, the channels control the motors</source>
         <translation>In Betrieb, die Kanäle steuern die Motoren</translation></message>
-    <message><source>As above: the board responds in RC and analog mode, too. Red lights while it receives a command. Fast flashes are safe-start; five at the start say which channels are learned.</source>
+    <message><source>As above: the board also responds in RC and analog mode. Red lights while it receives a command. Fast flashes are safe-start; five at the start say which channels are learned.</source>
         <translation>Wie oben: Das Board antwortet auch im RC- und im Analogmodus. Rot leuchtet, während es einen Befehl empfängt. Schnelles Blinken ist der Safe-Start; fünfmaliges Aufleuchten beim Einschalten zeigt, welche Kanäle eingelernt sind.</translation></message>
     <message><source>Both blink together, or both on</source>
         <translation>Beide blinken gemeinsam oder leuchten</translation></message>
@@ -3077,7 +3077,7 @@
         <translation>Rot und Grün abwechselnd, viermal so schnell.</translation></message>
     <message><source>Remove the SO–G jumper. Leave the power on.</source>
         <translation>Ziehen Sie den SO–G-Jumper ab. Lassen Sie das Board eingeschaltet.</translation></message>
-    <message><source>The boot loader answers each byte with a question mark. The serial settings should be those of the factory now.</source>
+    <message><source>The boot loader answers each byte with a question mark. The serial settings should now be the factory settings.</source>
         <translation>Der Bootloader beantwortet jedes Byte mit einem Fragezeichen. Die seriellen Einstellungen sollten jetzt die Werkseinstellungen sein.</translation></message>
     <message><source>Connect</source>
         <translation>Verbinden</translation></message>
@@ -3087,7 +3087,7 @@
         <translation>Fünfmal Blinken, dann bleibt Rot an.</translation></message>
     <message><source>The TReX responds at the factory settings.</source>
         <translation>Der TReX antwortet mit den Werkseinstellungen.</translation></message>
-    <message><source>Restores the serial settings of the factory (inferred). If the LEDs alternate for three seconds only, begin again.</source>
+    <message><source>Restores the factory serial settings (inferred). If the LEDs alternate for only three seconds, start again.</source>
         <translation>Stellt die seriellen Werkseinstellungen wieder her (abgeleitet). Wenn die LEDs nur drei Sekunden lang abwechselnd leuchten, beginnen Sie neu.</translation></message>
     <message><source>19200 baud, without parity and CRC, whatever the device number</source>
         <translation>19200 Baud, ohne Parität und CRC, bei jeder Gerätenummer</translation></message>
@@ -3173,7 +3173,7 @@
         <translation>Batterie</translation></message>
     <message><source>Move by themselves</source>
         <translation>Selbsttätig bewegen</translation></message>
-    <message><source>All sticks swing slowly; moving one holds that one</source>
+    <message><source>All sticks swing slowly. A stick that you move stays where you put it.</source>
         <translation>Alle Knüppel schwingen langsam; einer, den Sie bewegen, bleibt dann stehen</translation></message>
     <message><source>Centre</source>
         <translation>Mitte</translation></message>
@@ -3493,7 +3493,7 @@ bisher {1}</translation></message>
         <translation>Sanft nahe der Neutralstellung, steil nahe den Endlagen</translation></message>
     <message><source>I&amp;gnored</source>
         <translation>Igno&amp;riert</translation></message>
-    <message><source>Held at neutral at any input; for channels without a cable</source>
+    <message><source>Held at neutral whatever the input; for channels without a cable</source>
         <translation>Bei jedem Eingang in Neutralstellung gehalten; für Kanäle ohne Kabel</translation></message>
     <message><source>Re&amp;quired in RC mode</source>
         <translation>Im RC-Modus erforder&amp;lich</translation></message>
@@ -3549,7 +3549,7 @@ bisher {1}</translation></message>
         <translation>Kopieren, &amp;zurücksetzen</translation></message>
     <message><source>No board responds. Edits are kept until a board of the same kind is connected.</source>
         <translation>Kein Board antwortet. Änderungen bleiben erhalten, bis ein Board derselben Art verbunden ist.</translation></message>
-    <message><source>Inputs are read as {0}. In serial mode they are shown only.</source>
+    <message><source>Inputs are read as {0}. In serial mode they are only shown.</source>
         <translation>Die Eingänge werden als {0} gelesen. Im seriellen Modus werden sie nur angezeigt.</translation></message>
     <message><source>&amp;Copy to</source>
         <translation>&amp;Kopieren auf</translation></message>
@@ -3583,17 +3583,17 @@ bisher {1}</translation></message>
         <translation>St&amp;röme</translation></message>
     <message><source>One count of this board is {0:.0f} mA.</source>
         <translation>Ein Count entspricht bei diesem Board {0:.0f} mA.</translation></message>
-    <message><source>Set every count to zero, and clear the times of errors</source>
+    <message><source>Reset all counts and error times</source>
         <translation>Alle Zähler auf null setzen und vergessen, wann Fehler auftraten</translation></message>
     <message><source>The board came back in another mode, so its power was off meanwhile; it does not report a restart in the same mode. Returned after silence: {0}.</source>
         <translation>Das Board meldete sich in einem anderen Modus zurück, war also zwischendurch ohne Strom; einen Neustart im selben Modus meldet es nicht. Nach Stille zurückgekehrt: {0}.</translation></message>
     <message><source>Reset all co&amp;unts</source>
         <translation>Alle &amp;Zähler zurücksetzen</translation></message>
-    <message><source>Reads a second</source>
+    <message><source>Reads per second</source>
         <translation>Lesevorgänge pro Sekunde</translation></message>
     <message><source>Connected for</source>
         <translation>Verbunden seit</translation></message>
-    <message><source>The line is noisy and has no CRC: a corrupted reply looks alike.</source>
+    <message><source>The line is noisy and has no CRC: a corrupted reply looks the same.</source>
         <translation>Die Leitung ist gestört und hat kein CRC: Eine verfälschte Antwort sieht genauso aus.</translation></message>
     <message><source>Latched before connecting, perhaps by the search for the board; not counted.</source>
         <translation>Schon vor dem Verbinden gesetzt, vielleicht durch die Suche nach dem Board; nicht gezählt.</translation></message>
@@ -3879,13 +3879,13 @@ bisher {1}</translation></message>
         <translation>Das Board antwortet noch immer nicht. Prüfen Sie seine Stromversorgung und das Kabel. Wenn beides in Ordnung ist, trennen Sie die Verbindung und klicken Sie auf „Suchen…“; damit wird jede Einstellung versucht.</translation></message>
     <message><source>The line was closed. Switch the board off and on, then connect again; “Find…” tries every setting.</source>
         <translation>Die Leitung wurde geschlossen. Schalten Sie das Board aus und ein und verbinden Sie es dann wieder; „Suchen…“ versucht jede Einstellung.</translation></message>
-    <message><source>Connected again. The program cannot detect whether the board was switched off meanwhile: confirm it, or switch the board off and on now.</source>
+    <message><source>Connected again. The program cannot detect whether the board was switched off in the meantime: confirm it, or switch the board off and on now.</source>
         <translation>Wieder verbunden. Das Programm kann nicht erkennen, ob das Board inzwischen ausgeschaltet war: Bestätigen Sie es, oder schalten Sie das Board jetzt aus und ein.</translation></message>
     <message><source>The board is back, and all stored settings are active.</source>
         <translation>Das Board ist wieder da, und alle gespeicherten Einstellungen sind aktiv.</translation></message>
     <message><source>I have &amp;switched it off and on</source>
         <translation>Ich habe es aus- und &amp;eingeschaltet</translation></message>
-    <message><source>The board has to be switched off and on.</source>
+    <message><source>Switch the board off and on.</source>
         <translation>Das Board muss aus- und eingeschaltet werden.</translation></message>
     <message><source>Switch off</source>
         <translation>Ausschalten</translation></message>
@@ -3909,13 +3909,13 @@ bisher {1}</translation></message>
         <translation>Prüfen und anwenden…</translation></message>
     <message><source>There are unapplied changes.</source>
         <translation>Es gibt nicht angewendete Änderungen.</translation></message>
-    <message numerus="yes"><source>%n setting(s) of this {0} differ from the values applied last ({1}): lost, changed by another program, or this is another board.</source>
+    <message numerus="yes"><source>%n setting(s) of this {0} differ from the last applied values ({1}): lost, changed by another program, or this is another board.</source>
         <translation><numerusform>%n Einstellung dieses {0} weicht von der zuletzt angewendeten ab ({1}): verloren, von etwas anderem geändert, oder dies ist ein anderes Board.</numerusform><numerusform>%n Einstellungen dieses {0} weichen von den zuletzt angewendeten ab ({1}): verloren, von etwas anderem geändert, oder dies ist ein anderes Board.</numerusform></translation></message>
     <message><source>Keep the values of the board</source>
         <translation>Werte des Boards behalten</translation></message>
     <message><source>You may drive now: arm the motors.</source>
         <translation>Sie dürfen jetzt fahren: Geben Sie die Motoren frei.</translation></message>
-    <message><source>{0} asks to drive. Handing over stops the motors.</source>
+    <message><source>{0} requests to drive. Handing over stops the motors.</source>
         <translation>{0} möchte fahren. Die Übergabe stoppt die Motoren.</translation></message>
     <message><source>Hand over</source>
         <translation>Übergeben</translation></message>
@@ -4011,7 +4011,7 @@ bisher {1}</translation></message>
         <translation>Gedrückt halten: Motor {0} dreht</translation></message>
     <message><source>&amp;Keep 30 s around each fault and stop</source>
         <translation>30 s um &amp;jede Störung und jeden Stopp behalten</translation></message>
-    <message><source>The seconds around “{0}” were kept. File, Open fault or stop: {1}</source>
+    <message><source>The seconds around “{0}” were saved. File, Open fault or stop: {1}</source>
         <translation>Die Sekunden um „{0}“ wurden behalten. Datei, Störung oder Stopp öffnen: {1}</translation></message>
     <message><source>The seconds around “{0}” could not be kept. {1}</source>
         <translation>Die Sekunden um „{0}“ konnten nicht behalten werden. {1}</translation></message>
@@ -4059,8 +4059,8 @@ bisher {1}</translation></message>
         <translation>Wird gestoppt …</translation></message>
     <message><source>Robots on the net&amp;work…</source>
         <translation>Roboter im Net&amp;z…</translation></message>
-    <message><source>No robot answers.</source>
-        <translation>Kein Roboter antwortet.</translation></message>
+    <message><source>No robots found.</source>
+        <translation>Keine Roboter gefunden.</translation></message>
     <message><source>no board</source>
         <translation>kein Board</translation></message>
     <message><source>Not confirmed: {0}</source>
@@ -4091,7 +4091,7 @@ bisher {1}</translation></message>
         <translation>Befunde</translation></message>
     <message><source>Calibrations</source>
         <translation>Kalibrierungen</translation></message>
-    <message><source>None are given.</source>
+    <message><source>None set.</source>
         <translation>Keine angegeben.</translation></message>
     <message><source>Write values with units as wire values, and numbers beyond their range as the nearest one in it; the file changes when you save it</source>
         <translation>Werte mit Einheiten als Bytewerte schreiben, und Zahlen außerhalb ihres Bereichs als die nächstliegende darin; die Datei ändert sich, wenn Sie speichern</translation></message>
@@ -4187,7 +4187,7 @@ bisher {1}</translation></message>
         <translation>Angewendete Einstellungen, {0}</translation></message>
     <message><source>Sample: {0}</source>
         <translation>Beispiel: {0}</translation></message>
-    <message><source>Swap the pair of wires of motor 1 with that of motor 2 (keep their order).</source>
+    <message><source>Swap the wire pairs of motors 1 and 2. Keep the order within each pair.</source>
         <translation>Vertauschen Sie das Drahtpaar von Motor 1 mit dem von Motor 2 (Reihenfolge beibehalten).</translation></message>
     <message><source>Swap the two wires of the left motor.</source>
         <translation>Vertauschen Sie die beiden Drähte des linken Motors.</translation></message>
@@ -4283,7 +4283,7 @@ bisher {1}</translation></message>
         <translation>Der Mix-Jumper ist ab: Stecken Sie ihn auf und bewegen Sie dann einen Knüppel.</translation></message>
     <message><source>Set what your motors can draw continuously: the presets are examples. Without a ramp, the current exceeds the limit for a moment.</source>
         <translation>Stellen Sie ein, was Ihre Motoren dauernd aufnehmen dürfen: Die Vorgaben sind Beispiele. Ohne Rampe überschreitet der Strom die Grenze für einen Augenblick.</translation></message>
-    <message><source>Have the computer send something at least twice in that time. UART-Error Shutdown is switched on with it, as the timeout may need it (twin).</source>
+    <message><source>The computer must send something at least twice within that time. UART-Error Shutdown is switched on with it, as the timeout may need it (twin).</source>
         <translation>Lassen Sie den Computer in dieser Zeit mindestens zweimal etwas senden. „Abschaltung bei UART-Fehlern“ wird mit eingeschaltet, da das Timeout sie vielleicht braucht (Zwilling).</translation></message>
     <message><source>Its changes were not added: open the step and click Next.</source>
         <translation>Seine Änderungen wurden nicht übernommen: Öffnen Sie den Schritt und klicken Sie auf „Weiter“.</translation></message>
@@ -4637,7 +4637,7 @@ bisher {1}</translation></message>
         <translation>Wie dieser Computer mit dem Board kommuniziert</translation></message>
     <message><source>Find a board whose line settings are unknown</source>
         <translation>Ein Board suchen, dessen Leitungseinstellungen unbekannt sind</translation></message>
-    <message><source>Let the board detect damaged bytes; shows what will be written first</source>
+    <message><source>Let the board detect damaged bytes; first shows what will be written</source>
         <translation>Das Board beschädigte Bytes erkennen lassen; zeigt zuerst, was geschrieben wird</translation></message>
     <message><source>Settings are still being written. Disconnect anyway? Unwritten settings stay pending.</source>
         <translation>Einstellungen werden noch geschrieben. Trotzdem trennen? Nicht geschriebene Einstellungen bleiben ausstehend.</translation></message>
@@ -4659,11 +4659,11 @@ bisher {1}</translation></message>
         <translation>{0} Dateien wurden abgelegt, und keine wurde geöffnet: Legen Sie jeweils nur eine ab.</translation></message>
     <message><source>{0} is {1}. It was not opened, because this window is connected to {2}: disconnect, then open it again.</source>
         <translation>{0} ist {1}. Die Datei wurde nicht geöffnet, weil dieses Fenster mit {2} verbunden ist: Trennen Sie die Verbindung und öffnen Sie sie dann erneut.</translation></message>
-    <message><source>{0} is no longer there; it was removed from the recent files.</source>
+    <message><source>{0} no longer exists and was removed from the recent files.</source>
         <translation>{0} ist nicht mehr vorhanden; der Eintrag wurde aus den zuletzt verwendeten Dateien entfernt.</translation></message>
     <message><source>a file of the {0}</source>
         <translation>eine Datei für {0}</translation></message>
-    <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. A TReX or Aracna moves no motor and changes no setting. Other devices on the line may: enter their numbers in the line settings first. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
+    <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. A TReX or Aracna never moves a motor or changes a setting. Other devices on the line may: enter their numbers in the line settings first. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
         <translation>Prüft an jedem Port, ob ein unterstütztes Gerät antwortet: jede Art mit ihren wahrscheinlichen Einstellungen, dann mit jeder Baudrate, mit jeder Parität und mit CRC. Ein TReX oder Aracna bewegt dabei keinen Motor und ändert keine Einstellung. Andere Geräte an der Leitung vielleicht schon: Geben Sie deren Nummern zuerst in den Leitungseinstellungen ein. Ein TReX, der Anfragen mit einer anderen Baudrate empfängt, zählt UART-Fehler und stoppt seine Motoren, wenn er so eingestellt ist.</translation></message>
     <message><source>The likely settings come first; a port without a reply takes about half a minute.</source>
         <translation>Die wahrscheinlichen Einstellungen kommen zuerst; ein Port ohne Antwort dauert etwa eine halbe Minute.</translation></message>
@@ -4743,7 +4743,7 @@ bisher {1}</translation></message>
         <translation>Beim Programmstart und beim Einstecken eines Adapters, an dem schon ein Board gefunden wurde, wenn genau ein Board antwortet. Nicht nach „Trennen“, und nicht, solange ein anderes Programm den Port verwendet. Kein Motor bewegt sich.</translation></message>
     <message><source>{0} %</source>
         <translation>{0} %</translation></message>
-    <message><source>This is what the report contains, and nothing else. It is only saved as a file, never sent. Names of users and computers, network addresses and serial numbers of adapters are masked. Clear the check box of a file to leave it out.</source>
+    <message><source>The report contains only what is shown here. It is only saved as a file, never sent. Names of users and computers, network addresses and serial numbers of adapters are masked. Clear the check box of a file to leave it out.</source>
         <translation>Dies enthält der Bericht, und nichts anderes. Er wird nur als Datei gespeichert, nie gesendet. Namen von Benutzern und Computern, Netzwerkadressen und Seriennummern von Adaptern sind unkenntlich gemacht. Entfernen Sie das Häkchen bei einer Datei, um sie wegzulassen.</translation></message>
     <message><source>Collecting …</source>
         <translation>Zusammenstellen …</translation></message>
@@ -4789,11 +4789,11 @@ bisher {1}</translation></message>
         <translation>Das Programm konnte die Motoren nicht selbst stoppen. Der Wächterprozess hat einen Stopp gesendet ({0}), den das Board nicht bestätigt hat. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>The program could not stop the motors itself. The guardian process stopped them at {0}, and the board confirmed that.</source>
         <translation>Das Programm konnte die Motoren nicht selbst stoppen. Der Wächterprozess hat sie gestoppt ({0}), und das Board hat das bestätigt.</translation></message>
-    <message><source>TReX Studio did not end properly last time. If it crashed, a report for support shows where.</source>
+    <message><source>TReX Studio did not end properly last time. If it crashed, the support report shows where.</source>
         <translation>TReX Studio wurde beim letzten Mal nicht ordnungsgemäß beendet. Falls es abgestürzt ist, sagt ein Supportbericht, wo.</translation></message>
     <message><source>End the recording; motors and connection are not affected</source>
         <translation>Die Aufzeichnung beenden; Motoren und Verbindung sind nicht betroffen</translation></message>
-    <message><source>Recorded in {0} ({1}). {2} shows it.</source>
+    <message><source>Recorded to {0} ({1}). Use {2} to view it.</source>
         <translation>Aufgezeichnet in {0} ({1}). Zum Ansehen: {2}.</translation></message>
     <message><source>{0} is open; close its window before recording over it.</source>
         <translation>{0} ist geöffnet; schließen Sie das zugehörige Fenster, bevor Sie die Datei mit einer neuen Aufzeichnung überschreiben.</translation></message>
@@ -4851,9 +4851,9 @@ bisher {1}</translation></message>
         <translation>{0}, Dauer {1}</translation></message>
     <message><source>Show &amp;all</source>
         <translation>&amp;Alles zeigen</translation></message>
-    <message><source>Exporting MCAP needs an optional package: {0}</source>
-        <translation>Der Export als MCAP braucht ein optionales Paket: {0}</translation></message>
-    <message><source>The curves show its last {0} of {1} samples; exports contain all of them.</source>
+    <message><source>Exporting MCAP requires an optional package. Install it with: {0}</source>
+        <translation>Der Export als MCAP braucht ein optionales Paket. Installieren Sie es mit: {0}</translation></message>
+    <message><source>The curves show the last {0} of {1} samples. Exports contain all samples.</source>
         <translation>Die Kurven zeigen die letzten {0} von {1} Messwerten; Exporte enthalten alle.</translation></message>
     <message><source>{n} h</source>
         <translation>{n} h</translation></message>
@@ -4995,7 +4995,7 @@ bisher {1}</translation></message>
         <translation>Noch keine Daten</translation></message>
     <message><source>Also show the requests that the program repeats many times a second</source>
         <translation>Auch die Anfragen anzeigen, die das Programm viele Male pro Sekunde wiederholt</translation></message>
-    <message><source>Remove every row</source>
+    <message><source>Remove all rows</source>
         <translation>Alle Zeilen entfernen</translation></message>
     <message><source>No row matches the search.</source>
         <translation>Keine Zeile passt zur Suche.</translation></message>
@@ -5057,8 +5057,8 @@ bisher {1}</translation></message>
         <translation>Einzelheiten der ausgewählten Zeile</translation></message>
     <message><source>Select a row to see all its bytes.</source>
         <translation>Wählen Sie eine Zeile aus, um alle ihre Bytes zu sehen.</translation></message>
-    <message numerus="yes"><source>took      {0:.1f} ms; %n byte(s) need {1:.1f} ms on this wire</source>
-        <translation><numerusform>Dauer     {0:.1f} ms; %n Byte braucht {1:.1f} ms auf dieser Leitung</numerusform><numerusform>Dauer     {0:.1f} ms; %n Bytes brauchen {1:.1f} ms auf dieser Leitung</numerusform></translation></message>
+    <message numerus="yes"><source>took      {0:.1f} ms; %n byte(s) take {1:.1f} ms at this baud rate</source>
+        <translation><numerusform>Dauer     {0:.1f} ms; %n Byte braucht {1:.1f} ms bei dieser Baudrate</numerusform><numerusform>Dauer     {0:.1f} ms; %n Bytes brauchen {1:.1f} ms bei dieser Baudrate</numerusform></translation></message>
     <message><source>Fault: {0}</source>
         <translation>Fehler: {0}</translation></message>
     <message><source>sent      {0}</source>

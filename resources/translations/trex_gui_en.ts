@@ -33,10 +33,10 @@
         <translation><numerusform>%n setting</numerusform><numerusform>%n settings</numerusform></translation></message>
     <message numerus="yes"><source>Written to %n board(s).</source>
         <translation><numerusform>Written to %n board.</numerusform><numerusform>Written to %n boards.</numerusform></translation></message>
-    <message numerus="yes"><source>%n board(s) left out; the reason is beside each.</source>
-        <translation><numerusform>%n board left out; the reason is beside each.</numerusform><numerusform>%n boards left out; the reason is beside each.</numerusform></translation></message>
-    <message numerus="yes"><source>{0}: %n change(s) pending: review them to write them.</source>
-        <translation><numerusform>{0}: %n change is pending: review it to write it.</numerusform><numerusform>{0}: %n changes are pending: review them to write them.</numerusform></translation></message>
+    <message numerus="yes"><source>%n board(s) left out; see the Result column.</source>
+        <translation><numerusform>%n board left out; see the Result column.</numerusform><numerusform>%n boards left out; see the Result column.</numerusform></translation></message>
+    <message numerus="yes"><source>{0}: %n change(s) pending. Review them, then write.</source>
+        <translation><numerusform>{0}: %n change is pending. Review it, then write.</numerusform><numerusform>{0}: %n changes are pending. Review them, then write.</numerusform></translation></message>
     <message numerus="yes"><source>%n setting(s) differ, {0} match.</source>
         <translation><numerusform>%n setting differs, {0} match.</numerusform><numerusform>%n settings differ, {0} match.</numerusform></translation></message>
     <message numerus="yes"><source>&amp;Load %n change(s)</source>
@@ -63,8 +63,8 @@
         <translation><numerusform>Review %n ch&amp;ange…</numerusform><numerusform>Review %n ch&amp;anges…</numerusform></translation></message>
     <message numerus="yes"><source>Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending edits?</source>
         <translation><numerusform>Edited earlier but not applied: %n setting of this {0} ({1}). Restore as pending edits?</numerusform><numerusform>Edited earlier but not applied: %n settings of this {0} ({1}). Restore as pending edits?</numerusform></translation></message>
-    <message numerus="yes"><source>%n setting(s) of this {0} differ from the values applied last ({1}): lost, changed by another program, or this is another board.</source>
-        <translation><numerusform>%n setting of this {0} differs from the values applied last ({1}): lost, changed by another program, or this is another board.</numerusform><numerusform>%n settings of this {0} differ from the values applied last ({1}): lost, changed by another program, or this is another board.</numerusform></translation></message>
+    <message numerus="yes"><source>%n setting(s) of this {0} differ from the last applied values ({1}): lost, changed by another program, or this is another board.</source>
+        <translation><numerusform>%n setting of this {0} differs from the last applied values ({1}): lost, changed by another program, or this is another board.</numerusform><numerusform>%n settings of this {0} differ from the last applied values ({1}): lost, changed by another program, or this is another board.</numerusform></translation></message>
     <message numerus="yes"><source>%n robot(s) stopped.</source>
         <translation><numerusform>%n robot stopped.</numerusform><numerusform>%n robots stopped.</numerusform></translation></message>
     <message numerus="yes"><source>Next adds %n change(s). Nothing is written before you apply them.</source>
@@ -85,8 +85,8 @@
         <translation><numerusform>{0} row written to {1}.</numerusform><numerusform>{0} rows written to {1}.</numerusform></translation></message>
     <message numerus="yes"><source>%n fault(s)</source>
         <translation><numerusform>%n fault</numerusform><numerusform>%n faults</numerusform></translation></message>
-    <message numerus="yes"><source>took      {0:.1f} ms; %n byte(s) need {1:.1f} ms on this wire</source>
-        <translation><numerusform>took      {0:.1f} ms; %n byte needs {1:.1f} ms on this wire</numerusform><numerusform>took      {0:.1f} ms; %n bytes need {1:.1f} ms on this wire</numerusform></translation></message>
+    <message numerus="yes"><source>took      {0:.1f} ms; %n byte(s) take {1:.1f} ms at this baud rate</source>
+        <translation><numerusform>took      {0:.1f} ms; %n byte takes {1:.1f} ms at this baud rate</numerusform><numerusform>took      {0:.1f} ms; %n bytes take {1:.1f} ms at this baud rate</numerusform></translation></message>
     <message numerus="yes"><source>%n line(s) copied.</source>
         <translation><numerusform>%n line copied.</numerusform><numerusform>%n lines copied.</numerusform></translation></message>
 </context>

@@ -123,7 +123,7 @@
         <translation>Rejoignez son groupe, puis fermez et rouvrez votre session : {0} (ou, jusqu'à ce qu'il soit débranché : {1}).</translation></message>
     <message><source>the server refuses the settings of the line</source>
         <translation>le serveur refuse les réglages de liaison</translation></message>
-    <message><source>It belongs to root; this opens it until it is unplugged: {0}</source>
+    <message><source>It belongs to root; this command grants access until the port is unplugged: {0}</source>
         <translation>Il appartient à root ; cette commande l'ouvre jusqu'à ce qu'il soit débranché : {0}</translation></message>
     <message><source>none</source>
         <translation>aucun</translation></message>
@@ -135,8 +135,8 @@
         <translation>le port n'accepte rien</translation></message>
     <message><source>the port cannot be set to {0}</source>
         <translation>le port ne peut pas être réglé sur {0}</translation></message>
-    <message><source>It sends without a request ({0} …).</source>
-        <translation>Il émet sans requête ({0} …).</translation></message>
+    <message><source>The device sends without a request ({0} …).</source>
+        <translation>L'appareil émet sans requête ({0} …).</translation></message>
     <message><source>even parity</source>
         <translation>parité paire</translation></message>
     <message><source>odd parity</source>
@@ -239,7 +239,7 @@
         <translation><numerusform>Lecture de %n étape, {0}.</numerusform><numerusform>Lecture de %n étapes, {0}.</numerusform></translation></message>
     <message><source>Nothing more is sent.</source>
         <translation>Plus rien n'est envoyé.</translation></message>
-    <message><source>Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.</source>
+    <message><source>Solid lines: last reported; dashed: goal. A sketch: angles are drawn flat.</source>
         <translation>Traits pleins : dernières positions transmises ; tirets : cible. Schéma : les angles sont dessinés à plat.</translation></message>
     <message><source>Which leg is which is assumed; even motors are inner joints, odd ones outer.</source>
         <translation>L'attribution des pattes est supposée ; les moteurs pairs sont les articulations intérieures, les impairs les extérieures.</translation></message>
@@ -253,7 +253,7 @@
         <translation>La réponse s'est perdue (ou aucun moteur ne répond) : les positions ne sont pas connues.</translation></message>
     <message><source>Unknown: a motion may continue for about {0:.0f} s.</source>
         <translation>Inconnu : un mouvement peut continuer pendant environ {0:.0f} s.</translation></message>
-    <message><source>Nothing is sent. Whether it is moving is not known before its first move.</source>
+    <message><source>Nothing is sent. It may be moving: its state is unknown until the first move.</source>
         <translation>Rien n'est envoyé. On ne sait pas s'il bouge avant son premier mouvement.</translation></message>
     <message><source>The robot does not respond.</source>
         <translation>Le robot ne répond pas.</translation></message>
@@ -565,12 +565,12 @@
         <translation>{0} ne répond pas, comme débranché : les vitesses lues valent −1, et un mouvement l'attend sans fin</translation></message>
     <message><source>Something blocks {0}: it stays “moving”, and the firmware waits</source>
         <translation>Quelque chose bloque {0} : il reste « en mouvement », et le firmware attend</translation></message>
-    <message><source>What is lost once</source>
-        <translation>Ce qui se perd une fois</translation></message>
+    <message><source>Loss to simulate</source>
+        <translation>Perte à simuler</translation></message>
     <message><source>Lose it</source>
         <translation>Le perdre</translation></message>
-    <message><source>It is lost in the next transfer</source>
-        <translation>Il se perd au prochain transfert</translation></message>
+    <message><source>Takes effect in the next transfer</source>
+        <translation>Prend effet au prochain transfert</translation></message>
     <message><source>limp until its first goal</source>
         <translation>relâché jusqu'à sa première cible</translation></message>
     <message><source>Starts: {0}</source>
@@ -641,8 +641,8 @@
         <translation>Choisissez une séquence ; les allures intégrées ne peuvent pas être modifiées</translation></message>
     <message><source>There are no poses</source>
         <translation>Il n'y a pas de poses</translation></message>
-    <message><source>A step cannot use “{0}”: remove comma and bar from the pose's name</source>
-        <translation>Une étape ne peut pas utiliser « {0} » : enlevez la virgule et la barre du nom de la pose</translation></message>
+    <message><source>A step cannot use “{0}”: remove commas and vertical bars from the pose's name</source>
+        <translation>Une étape ne peut pas utiliser « {0} » : enlevez les virgules et les barres verticales du nom de la pose</translation></message>
     <message><source>Steps</source>
         <translation>Étapes</translation></message>
     <message><source>Delete</source>
@@ -1061,7 +1061,7 @@
         <translation>TReX 1.2, car aucune signature n'a été lue</translation></message>
     <message><source>1 stored value</source>
         <translation>1 valeur enregistrée</translation></message>
-    <message><source>{0}, {1} from the file, others as from the factory</source>
+    <message><source>{0}, {1} from the file, others at their defaults</source>
         <translation>{0}, {1} du fichier, le reste comme en sortie d'usine</translation></message>
     <message><source>traffic logs</source>
         <translation>journaux de trafic</translation></message>
@@ -1083,7 +1083,7 @@
         <translation>numéro d'appareil {0}</translation></message>
     <message><source> It also echoes what is sent.</source>
         <translation> Il renvoie aussi l'écho de ce qui est envoyé.</translation></message>
-    <message><source>Switched off and on, it will run at {0}.</source>
+    <message><source>After a power cycle, it will run at {0}.</source>
         <translation>Une fois l'alimentation coupée et remise, elle fonctionnera à {0}.</translation></message>
     <message><source>Something is connected to {0}, but it does not respond like a TReX: it sent {1} at {2}{3}. It is another device, or the line is noisy.</source>
         <translation>Quelque chose est connecté à {0}, mais ne répond pas comme un TReX : il a envoyé {1} à {2}{3}. C'est un autre appareil, ou la liaison est bruitée.</translation></message>
@@ -1095,9 +1095,9 @@
         <translation> Le port ne peut pas être réglé sur {0} bauds ; rien n'y a donc été cherché.</translation></message>
     <message><source>No TReX responds on {0} at any baud rate, with any parity or with CRC. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), and that ground is connected. A board with a custom CRC polynomial is only found by the full scan.</source>
         <translation>Aucun TReX ne répond sur {0}, quels que soient le débit et la parité, ni avec CRC. Vérifiez que la carte est alimentée (une LED est allumée), que TX de l'adaptateur va à SI et son RX à SO (ou aux deux broches RS-232, sans jamais mélanger), et que la masse est reliée. Une carte dont le polynôme CRC est personnalisé n'est trouvée que par la recherche complète.</translation></message>
-    <message><source>, and something at {0} more</source>
+    <message><source>, and data at {0} other settings</source>
         <translation>, et quelque chose à {0} autres réglages</translation></message>
-    <message><source>Its UART settings hold {0:#04x}, which is not a known setting.</source>
+    <message><source>Its UART settings have the unknown value {0:#04x}.</source>
         <translation>Ses réglages UART contiennent {0:#04x}, qui n'est pas un réglage connu.</translation></message>
     <message><source>No TReX responds on {0}: everything sent comes back, and nothing else, at every rate. Either this is the RS-232 side of a board that is off, or the adapter's TX and RX are joined.</source>
         <translation>Aucun TReX ne répond sur {0} : tout ce qui est envoyé revient, et rien d'autre, à tous les débits. Soit c'est le côté RS-232 d'une carte hors tension, soit TX et RX de l'adaptateur sont reliés.</translation></message>
@@ -1179,13 +1179,13 @@
         <translation>Sélectionnez l'une des cartes de cette liaison.</translation></message>
     <message><source>Board {0}, which is driven with this one, does not follow.</source>
         <translation>La carte {0}, conduite avec celle-ci, ne suit pas.</translation></message>
-    <message><source>Its drawing says why. Drive alone uses the other one without it.</source>
+    <message><source>Its diagram shows why. Drive alone drives the other board without it.</source>
         <translation>Son dessin dit pourquoi. « Conduire seule » utilise l'autre sans elle.</translation></message>
     <message><source>The motors cannot be armed at this moment.</source>
         <translation>Les moteurs ne peuvent pas être activés pour le moment.</translation></message>
     <message><source>Stopped. {0}</source>
         <translation>Arrêt effectué. {0}</translation></message>
-    <message><source>Arm the motors again to go on.</source>
+    <message><source>Arm the motors again to continue.</source>
         <translation>Réactivez-les pour continuer.</translation></message>
     <message><source>Not armed: no motor is driven.</source>
         <translation>Moteurs non activés : rien n'est encore envoyé.</translation></message>
@@ -1291,7 +1291,7 @@
         <translation>commande le moteur 2 ; avec le cavalier Mix, elle commande la marche avant et arrière</translation></message>
     <message><source>drives the auxiliary motor, which turns one way only</source>
         <translation>commande le moteur auxiliaire, qui ne tourne que dans un sens</translation></message>
-    <message><source>is the flip switch: motors 1 and 2 change places and directions</source>
+    <message><source>is the flip switch: motors 1 and 2 are swapped and reversed</source>
         <translation>est l'interrupteur de retournement : les moteurs 1 et 2 échangent leurs places et leurs sens</translation></message>
     <message><source>is the override switch: serial commands control the motors</source>
         <translation>est l'interrupteur de priorité : les commandes série commandent les moteurs</translation></message>
@@ -1445,7 +1445,7 @@
         <translation>{0} (échecs : {1})</translation></message>
     <message><source>The connection is not responding, so the stop could not be sent.</source>
         <translation>La connexion ne répond pas ; l'ordre d'arrêt n'a donc pas pu être envoyé.</translation></message>
-    <message><source>No stop is known to have reached the {0} that was driven at {1}: another board responded. If its motor still turns, cut its power.</source>
+    <message><source>The stop may not have reached the {0} that was driven at {1}: another board responded. If its motor still turns, cut its power.</source>
         <translation>Rien n'indique qu'un arrêt ait atteint la carte {0} qui était pilotée sur {1} : une autre carte a répondu. Si un moteur de la première tourne encore, coupez son alimentation.</translation></message>
     <message><source>Another board responds now: {0}, at {1}.</source>
         <translation>Une autre carte répond maintenant : {0}, sur {1}.</translation></message>
@@ -1459,11 +1459,11 @@
         <translation>Le processus gardien a arrêté les moteurs et la carte l'a confirmé.</translation></message>
     <message><source>The board that disconnected while driving is back.</source>
         <translation>La carte qui s'était déconnectée pendant la conduite est de retour.</translation></message>
-    <message><source>This may be another board: {0}, at {1}, does not store the settings of the one that was driven.</source>
+    <message><source>This may be another board: {0}, at {1}, has other settings than the board that was driven.</source>
         <translation>C'est peut-être une autre carte : {0}, sur {1}, ne contient pas les réglages de celle qui était pilotée.</translation></message>
     <message><source>{0}, device {1}</source>
         <translation>{0}, appareil {1}</translation></message>
-    <message><source>{0} The motors were stopped. Arm the motors again to go on.</source>
+    <message><source>{0} The motors were stopped. Arm the motors again to continue.</source>
         <translation>{0} Les moteurs ont été arrêtés. Réactivez-les pour continuer.</translation></message>
     <message><source>A setting of the board changed, so the motors were stopped.</source>
         <translation>Un réglage de la carte a changé ; les moteurs ont donc été arrêtés.</translation></message>
@@ -1533,13 +1533,13 @@
         <translation>manche gauche enfoncé</translation></message>
     <message><source>right stick pressed</source>
         <translation>manche droit enfoncé</translation></message>
-    <message><source>cross up</source>
+    <message><source>D-pad up</source>
         <translation>croix haut</translation></message>
-    <message><source>cross down</source>
+    <message><source>D-pad down</source>
         <translation>croix bas</translation></message>
-    <message><source>cross left</source>
+    <message><source>D-pad left</source>
         <translation>croix gauche</translation></message>
-    <message><source>cross right</source>
+    <message><source>D-pad right</source>
         <translation>croix droite</translation></message>
     <message><source>A, the lowest of four</source>
         <translation>A, le plus bas des quatre</translation></message>
@@ -1601,7 +1601,7 @@
         <translation>Ce qui a été appris est enregistré.</translation></message>
     <message><source>The board is in {0} mode: the sticks drive the motors, and it rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
         <translation>La carte est en mode {0} : les manches commandent les moteurs, et elle rejette les réglages. Coupez son alimentation, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
-    <message><source>The board is in {0} mode. Channel 5 has given the motors to the serial line, but with the next move of its switch the sticks drive the motors again; and the board rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
+    <message><source>The board is in {0} mode. Channel 5 has switched the motors to serial control. The next move of its switch returns them to the sticks. The board also rejects settings. Switch it off, remove the mode jumper and switch it on.</source>
         <translation>La carte est en mode {0}. La voie 5 a cédé les moteurs à la liaison série, mais au prochain mouvement de son interrupteur, les manches commanderont de nouveau les moteurs ; de plus, la carte rejette les réglages. Coupez son alimentation, retirez le cavalier de mode et remettez l'alimentation.</translation></message>
     <message><source>The board was started in another mode.</source>
         <translation>La carte a été démarrée dans un autre mode.</translation></message>
@@ -1619,7 +1619,7 @@
         <translation>Rapprochez l'émetteur, ou vérifiez l'antenne et le câble.</translation></message>
     <message><source>At rest its noise is {0}: a deadband wide enough to hide it would take a quarter of the travel. Repair the cable, the supply or the stick first.</source>
         <translation>Au repos, son bruit est de {0} : une zone morte assez large pour le masquer prendrait un quart de la course. Réparez d'abord le câble, l'alimentation ou le manche.</translation></message>
-    <message><source>An input to which nothing is connected does that, too.</source>
+    <message><source>An unconnected input behaves in the same way.</source>
         <translation>Une entrée à laquelle rien n'est raccordé fait cela aussi.</translation></message>
     <message><source>Either nothing is connected to it (its voltage then means nothing), or what is connected was not moved.</source>
         <translation>Soit rien n'y est raccordé (sa tension ne signifie alors rien), soit ce qui y est raccordé n'a pas été bougé.</translation></message>
@@ -1755,8 +1755,8 @@
         <translation>{0} : {1}</translation></message>
     <message numerus="yes"><source>and %n more packet(s)</source>
         <translation><numerusform>et encore %n paquet</numerusform><numerusform>et encore %n paquets</numerusform></translation></message>
-    <message><source>Every board on this line would store it: address {0}.</source>
-        <translation>Toutes les cartes de cette liaison l'enregistreraient : adressez {0}.</translation></message>
+    <message><source>Every board on this line would store it: address device {0}.</source>
+        <translation>Toutes les cartes de cette liaison l'enregistreraient : adressez l'appareil {0}.</translation></message>
     <message><source>Every board on this line would store it: select one of them.</source>
         <translation>Toutes les cartes de cette liaison l'enregistreraient : sélectionnez l'une d'elles.</translation></message>
     <message><source>Sent {0}; the reply is {1}.</source>
@@ -1789,7 +1789,7 @@
         <translation>{0} ({1} modifiés)</translation></message>
     <message><source>Motors 1 and 2 {0}</source>
         <translation>Moteurs 1 et 2 : {0}</translation></message>
-    <message><source>How often in a second the PWM of the motor switches. Low frequencies whine and heat the motor, frequencies above the driver's rating heat the driver. Type a number or use the arrow keys. The board stores the nearest frequency that it can switch at.</source>
+    <message><source>Switching frequency of the motor's PWM. Low frequencies whine and heat the motor, frequencies above the driver's rating heat the driver. Type a number or use the arrow keys. The board stores the nearest frequency that it can switch at.</source>
         <translation>Nombre de commutations par seconde du PWM du moteur. Une fréquence basse fait siffler et chauffer le moteur, une fréquence supérieure à la valeur nominale du driver fait chauffer celui-ci. Tapez un nombre ou utilisez les flèches. La carte enregistre la fréquence de commutation possible la plus proche.</translation></message>
     <message><source>This firmware has stored beyond that: wire value {0}.</source>
         <translation>Ce firmware a enregistré au-delà : valeur transmise {0}.</translation></message>
@@ -2287,7 +2287,7 @@
         <translation>voie {0}</translation></message>
     <message><source>channels {0}</source>
         <translation>voies {0}</translation></message>
-    <message><source>none or some of the channels 1 to 5, such as 1, 3</source>
+    <message><source>none, or any of channels 1 to 5, such as 1, 3</source>
         <translation>aucune, une ou plusieurs des voies 1 à 5, par exemple 1, 3</translation></message>
     <message><source>{0} is {1}, not {2}</source>
         <translation>{0} accepte {1}, et non {2}</translation></message>
@@ -2305,8 +2305,8 @@
         <translation>la table n'a pas de paramètre {0!r}</translation></message>
     <message><source> or </source>
         <translation> ou </translation></message>
-    <message><source>written as {0}, with a baud rate that the board has</source>
-        <translation>une valeur écrite comme {0}, avec un débit que la carte possède</translation></message>
+    <message><source>written as {0}, with a baud rate that the board supports</source>
+        <translation>une valeur écrite comme {0}, avec un débit que la carte prend en charge</translation></message>
     <message><source>; did you mean {0}?</source>
         <translation> ; vouliez-vous dire {0} ?</translation></message>
     <message><source>{0} to {1} s to full speed, or {2}</source>
@@ -2317,7 +2317,7 @@
         <translation>{0} (valeur transmise : {1} à {2})</translation></message>
     <message><source>{0} s to full speed</source>
         <translation>{0} s jusqu'à la pleine vitesse</translation></message>
-    <message><source>Which bytes? Give them in hexadecimal, such as 86 1F.</source>
+    <message><source>Enter bytes in hexadecimal, such as 86 1F.</source>
         <translation>Quels octets ? Donnez-les en hexadécimal, par exemple 86 1F.</translation></message>
     <message><source>device {0}: {1}</source>
         <translation>appareil {0} : {1}</translation></message>
@@ -2325,7 +2325,7 @@
         <translation>ce n'est pas un paquet TReX : {0}</translation></message>
     <message><source>{0} bytes are too many: at most {1} are sent at once.</source>
         <translation>{0} octets, c'est trop : {1} au plus sont envoyés à la fois.</translation></message>
-    <message><source>“{0}” is not a row of hexadecimal bytes such as 86 1F.</source>
+    <message><source>“{0}” is not a sequence of hexadecimal bytes such as 86 1F.</source>
         <translation>« {0} » n'est pas une suite d'octets hexadécimaux comme 86 1F.</translation></message>
     <message><source>No board is served at {0}:{1}, or not to this user. Check that trexcmd serve runs there, the user in the address (trex://USER@…), and its secret (TREX_SECRET).</source>
         <translation>Aucune carte n'est servie à {0}:{1}, ou pas à cet utilisateur. Vérifiez que trexcmd serve y fonctionne, l'utilisateur dans l'adresse (trex://USER@…) et son secret (TREX_SECRET).</translation></message>
@@ -2389,9 +2389,9 @@
         <translation>ce sont des réglages d'un {0}</translation></message>
     <message><source>this file is written in a way that cannot be changed in place; save the settings as a new file</source>
         <translation>ce fichier est écrit d'une façon qui ne permet pas de le modifier sur place ; enregistrez les réglages dans un nouveau fichier</translation></message>
-    <message><source>{0} {1}: how many snapshots to keep is not known, so none is removed.</source>
+    <message><source>{0} {1}: the number of snapshots to keep is unknown, so none is removed.</source>
         <translation>{0} {1} : le nombre d'instantanés à conserver n'est pas connu, aucun n'est donc supprimé.</translation></message>
-    <message><source>It does not say of which board it is.</source>
+    <message><source>It does not name its board.</source>
         <translation>Il n'indique pas de quelle carte il s'agit.</translation></message>
     <message><source>It is empty.</source>
         <translation>Il est vide.</translation></message>
@@ -2407,7 +2407,7 @@
         <translation>est absent</translation></message>
     <message><source>a history keeps at least one snapshot, not {0}</source>
         <translation>un historique conserve au moins un instantané, et non {0}</translation></message>
-    <message><source>It may have {0} characters.</source>
+    <message><source>At most {0} characters are allowed.</source>
         <translation>{0} caractères au plus sont possibles.</translation></message>
     <message><source>cannot be read ({0})</source>
         <translation>est illisible ({0})</translation></message>
@@ -2547,8 +2547,8 @@
         <translation>le texte est incomplet ou endommagé ici ({0}) ; {1}</translation></message>
     <message><source>type an ordinary space after the colon</source>
         <translation>tapez une espace ordinaire après les deux-points</translation></message>
-    <message><source>a second document begins here; settings are one</source>
-        <translation>un second document commence ici ; les réglages n'en forment qu'un</translation></message>
+    <message><source>a second document begins here; a settings file has only one</source>
+        <translation>un second document commence ici ; un fichier de réglages n'en contient qu'un</translation></message>
     <message><source>anchors (&amp; and *) are not allowed; {0}</source>
         <translation>les ancres (&amp; et *) ne sont pas autorisées ; {0}</translation></message>
     <message><source>tags (!) are not allowed; {0}</source>
@@ -2637,7 +2637,7 @@
         <translation>Enregistré sous {0}.</translation></message>
     <message><source>Settled within {0:.0f} % after</source>
         <translation>Stabilisé à ±{0:.0f} % après</translation></message>
-    <message><source>Accelerate uses the board's acceleration, brake duration and current limit; Set at once bypasses the first two and, for a moment, the limit, too.</source>
+    <message><source>Accelerate uses the board's acceleration, brake duration and current limit; Set at once bypasses the first two and, briefly, the limit.</source>
         <translation>« Accélérer » utilise l'accélération, la durée de freinage et la limite de courant de la carte ; « Régler immédiatement » contourne les deux premières et aussi, pendant un instant, la limite.</translation></message>
     <message><source>One reading above it stops and disarms all motors. A motor draws most when it starts.</source>
         <translation>Une seule mesure au-dessus arrête et désactive tous les moteurs. C'est au démarrage qu'un moteur consomme le plus.</translation></message>
@@ -2909,7 +2909,7 @@
         <translation>Chaque carte cochée reçoit ces réglages, l'une après l'autre, avec un instantané au préalable. Chacune garde son numéro d'appareil et ses réglages série. La première erreur d'écriture met fin à l'opération.</translation></message>
     <message><source>Close</source>
         <translation>Fermer</translation></message>
-    <message><source>Stop was pressed, which has ended the work.</source>
+    <message><source>Ended because Stop was pressed.</source>
         <translation>L'arrêt a été demandé, ce qui a mis fin à l'opération.</translation></message>
     <message numerus="yes"><source>Written to %n board(s).</source>
         <translation><numerusform>Écrit dans %n carte.</numerusform><numerusform>Écrit dans %n cartes.</numerusform></translation></message>
@@ -2917,8 +2917,8 @@
         <translation>Appliquer {0} à plusieurs cartes</translation></message>
     <message><source>File</source>
         <translation>Fichier</translation></message>
-    <message numerus="yes"><source>%n board(s) left out; the reason is beside each.</source>
-        <translation><numerusform>%n carte omise ; la raison est indiquée à côté.</numerusform><numerusform>%n cartes omises ; la raison est indiquée à côté de chacune.</numerusform></translation></message>
+    <message numerus="yes"><source>%n board(s) left out; see the Result column.</source>
+        <translation><numerusform>%n carte omise ; voir la colonne « Résultat ».</numerusform><numerusform>%n cartes omises ; voir la colonne « Résultat ».</numerusform></translation></message>
     <message><source>Board {0}</source>
         <translation>Carte {0}</translation></message>
     <message><source>{0}: beyond a limit that no document confirms (inferred). The board decides: it may reject the value, or store another one.</source>
@@ -2929,7 +2929,7 @@
         <translation>{0}, firmware {1}</translation></message>
     <message><source>For a {0}; the board is a {1}. Checked changes become edits.</source>
         <translation>Pour un {0} ; la carte est un {1}. Les changements cochés deviennent des modifications.</translation></message>
-    <message numerus="yes"><source>{0}: %n change(s) pending: review them to write them.</source>
+    <message numerus="yes"><source>{0}: %n change(s) pending. Review them, then write.</source>
         <translation><numerusform>{0} : %n modification en attente ; vérifiez-la pour l'écrire.</numerusform><numerusform>{0} : %n modifications en attente ; vérifiez-les pour les écrire.</numerusform></translation></message>
     <message><source>&amp;Edit the file instead</source>
         <translation>&amp;Modifier plutôt le fichier</translation></message>
@@ -2969,7 +2969,7 @@
         <translation>Réinitialise tous les paramètres par la commande de la carte, à son prochain démarrage</translation></message>
     <message><source>&amp;Let the board reset itself…</source>
         <translation>&amp;Laisser la carte se réinitialiser…</translation></message>
-    <message><source>At its next start the board will reset every parameter, including those cleared here. Its present settings are saved first (File, History). Unapplied changes are discarded; Undo restores them.</source>
+    <message><source>At its next start the board will reset every parameter, including those cleared here. Its current settings are saved first (File, History). Unapplied changes are discarded; Undo restores them.</source>
         <translation>À son prochain démarrage, la carte réinitialisera tous les paramètres, y compris ceux décochés ici. Ses réglages actuels sont d'abord sauvegardés (Fichier, Historique). Les modifications non appliquées sont abandonnées ; « Annuler » les restaure.</translation></message>
     <message><source>It gets device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
         <translation>Elle prendra le numéro d'appareil {0}, qu'une autre carte de cette liaison porte déjà : les deux répondraient en même temps et aucune ne serait lisible. Donnez d'abord un autre numéro à cette autre carte.</translation></message>
@@ -3011,7 +3011,7 @@
         <translation>Restaurer les réglages série par &amp;défaut…</translation></message>
     <message numerus="yes"><source>&amp;Write %n setting(s)</source>
         <translation><numerusform>Écrire %n &amp;réglage</numerusform><numerusform>Écrire %n &amp;réglages</numerusform></translation></message>
-    <message><source>The channel calibrations stay.</source>
+    <message><source>Channel calibrations are not changed.</source>
         <translation>Les étalonnages des voies restent.</translation></message>
     <message><source>The connection was lost.</source>
         <translation>La connexion a été perdue.</translation></message>
@@ -3035,7 +3035,7 @@
         <translation>Verte allumée, ou clignotant vite</translation></message>
     <message><source>Running, the channels control the motors</source>
         <translation>En marche, les voies commandent les moteurs</translation></message>
-    <message><source>As above: the board responds in RC and analog mode, too. Red lights while it receives a command. Fast flashes are safe-start; five at the start say which channels are learned.</source>
+    <message><source>As above: the board also responds in RC and analog mode. Red lights while it receives a command. Fast flashes are safe-start; five at the start say which channels are learned.</source>
         <translation>Comme ci-dessus : la carte répond aussi en mode RC et en mode analogique. La LED rouge s'allume pendant qu'elle reçoit une commande. Un clignotement rapide signale le démarrage sécurisé ; cinq éclats à la mise sous tension indiquent les voies apprises.</translation></message>
     <message><source>Both blink together, or both on</source>
         <translation>Les deux clignotent ensemble ou sont allumées</translation></message>
@@ -3077,7 +3077,7 @@
         <translation>Rouge et verte en alternance, quatre fois plus vite.</translation></message>
     <message><source>Remove the SO–G jumper. Leave the power on.</source>
         <translation>Retirez le cavalier SO–G. Laissez l'alimentation en marche.</translation></message>
-    <message><source>The boot loader answers each byte with a question mark. The serial settings should be those of the factory now.</source>
+    <message><source>The boot loader answers each byte with a question mark. The serial settings should now be the factory settings.</source>
         <translation>Le chargeur d'amorçage répond à chaque octet par un point d'interrogation. Les réglages série devraient maintenant être ceux d'usine.</translation></message>
     <message><source>Connect</source>
         <translation>Connecter</translation></message>
@@ -3087,7 +3087,7 @@
         <translation>Cinq clignotements, puis la rouge reste allumée.</translation></message>
     <message><source>The TReX responds at the factory settings.</source>
         <translation>Le TReX répond avec les réglages d'usine.</translation></message>
-    <message><source>Restores the serial settings of the factory (inferred). If the LEDs alternate for three seconds only, begin again.</source>
+    <message><source>Restores the factory serial settings (inferred). If the LEDs alternate for only three seconds, start again.</source>
         <translation>Rétablit les réglages série d'usine (déduit). Si les LED n'alternent que pendant trois secondes, recommencez.</translation></message>
     <message><source>19200 baud, without parity and CRC, whatever the device number</source>
         <translation>19200 bauds, sans parité ni CRC, quel que soit le numéro d'appareil</translation></message>
@@ -3173,7 +3173,7 @@
         <translation>Batterie</translation></message>
     <message><source>Move by themselves</source>
         <translation>Mouvement automatique</translation></message>
-    <message><source>All sticks swing slowly; moving one holds that one</source>
+    <message><source>All sticks swing slowly. A stick that you move stays where you put it.</source>
         <translation>Tous les manches oscillent lentement ; en déplacer un l'immobilise</translation></message>
     <message><source>Centre</source>
         <translation>Centrer</translation></message>
@@ -3493,7 +3493,7 @@ avant {1}</translation></message>
         <translation>Doux près du neutre, raide près des extrémités</translation></message>
     <message><source>I&amp;gnored</source>
         <translation>I&amp;gnorée</translation></message>
-    <message><source>Held at neutral at any input; for channels without a cable</source>
+    <message><source>Held at neutral whatever the input; for channels without a cable</source>
         <translation>Maintenue au neutre quelle que soit l'entrée ; pour les voies sans câble</translation></message>
     <message><source>Re&amp;quired in RC mode</source>
         <translation>&amp;Requise en mode RC</translation></message>
@@ -3549,7 +3549,7 @@ avant {1}</translation></message>
         <translation>&amp;Copier, réinitialiser</translation></message>
     <message><source>No board responds. Edits are kept until a board of the same kind is connected.</source>
         <translation>Aucune carte ne répond. Les modifications sont conservées jusqu'à ce qu'une carte du même type soit connectée.</translation></message>
-    <message><source>Inputs are read as {0}. In serial mode they are shown only.</source>
+    <message><source>Inputs are read as {0}. In serial mode they are only shown.</source>
         <translation>Les entrées sont lues comme {0}. En mode série, elles sont seulement affichées.</translation></message>
     <message><source>&amp;Copy to</source>
         <translation>Copier &amp;vers</translation></message>
@@ -3583,17 +3583,17 @@ avant {1}</translation></message>
         <translation>&amp;Courants</translation></message>
     <message><source>One count of this board is {0:.0f} mA.</source>
         <translation>Un count de cette carte vaut {0:.0f} mA.</translation></message>
-    <message><source>Set every count to zero, and clear the times of errors</source>
+    <message><source>Reset all counts and error times</source>
         <translation>Remettre tous les compteurs à zéro et oublier quand les erreurs ont été vues</translation></message>
     <message><source>The board came back in another mode, so its power was off meanwhile; it does not report a restart in the same mode. Returned after silence: {0}.</source>
         <translation>La carte est revenue dans un autre mode, son alimentation a donc été coupée entre-temps ; elle ne signale pas un redémarrage dans le même mode. Retours après silence : {0}.</translation></message>
     <message><source>Reset all co&amp;unts</source>
         <translation>Remettre les compteurs à &amp;zéro</translation></message>
-    <message><source>Reads a second</source>
+    <message><source>Reads per second</source>
         <translation>Lectures par seconde</translation></message>
     <message><source>Connected for</source>
         <translation>Connecté depuis</translation></message>
-    <message><source>The line is noisy and has no CRC: a corrupted reply looks alike.</source>
+    <message><source>The line is noisy and has no CRC: a corrupted reply looks the same.</source>
         <translation>La liaison est bruitée et n'a pas de CRC : une réponse altérée y ressemble.</translation></message>
     <message><source>Latched before connecting, perhaps by the search for the board; not counted.</source>
         <translation>Mémorisée avant la connexion, peut-être par la recherche de la carte ; non comptée.</translation></message>
@@ -3879,13 +3879,13 @@ avant {1}</translation></message>
         <translation>La carte ne répond toujours pas. Vérifiez son alimentation et le câble. Si les deux sont en ordre, déconnectez et cliquez sur « Rechercher… », qui essaie tous les réglages.</translation></message>
     <message><source>The line was closed. Switch the board off and on, then connect again; “Find…” tries every setting.</source>
         <translation>La liaison a été fermée. Coupez et remettez l'alimentation de la carte, puis reconnectez ; « Rechercher… » essaie tous les réglages.</translation></message>
-    <message><source>Connected again. The program cannot detect whether the board was switched off meanwhile: confirm it, or switch the board off and on now.</source>
+    <message><source>Connected again. The program cannot detect whether the board was switched off in the meantime: confirm it, or switch the board off and on now.</source>
         <translation>De nouveau connecté. Le programme ne peut pas détecter si l'alimentation de la carte a été coupée entre-temps : confirmez-le, ou coupez et remettez son alimentation maintenant.</translation></message>
     <message><source>The board is back, and all stored settings are active.</source>
         <translation>La carte est de retour et tous les réglages enregistrés sont actifs.</translation></message>
     <message><source>I have &amp;switched it off and on</source>
         <translation>J'ai &amp;coupé et remis l'alimentation</translation></message>
-    <message><source>The board has to be switched off and on.</source>
+    <message><source>Switch the board off and on.</source>
         <translation>Il faut couper et remettre l'alimentation de la carte.</translation></message>
     <message><source>Switch off</source>
         <translation>Couper</translation></message>
@@ -3909,13 +3909,13 @@ avant {1}</translation></message>
         <translation>Vérifier et appliquer…</translation></message>
     <message><source>There are unapplied changes.</source>
         <translation>Il y a des modifications non appliquées.</translation></message>
-    <message numerus="yes"><source>%n setting(s) of this {0} differ from the values applied last ({1}): lost, changed by another program, or this is another board.</source>
+    <message numerus="yes"><source>%n setting(s) of this {0} differ from the last applied values ({1}): lost, changed by another program, or this is another board.</source>
         <translation><numerusform>%n réglage de ce {0} diffère de ce qui a été appliqué en dernier ({1}) : perdu, modifié par autre chose, ou c'est une autre carte.</numerusform><numerusform>%n réglages de ce {0} diffèrent de ce qui a été appliqué en dernier ({1}) : perdus, modifiés par autre chose, ou c'est une autre carte.</numerusform></translation></message>
     <message><source>Keep the values of the board</source>
         <translation>Garder les valeurs de la carte</translation></message>
     <message><source>You may drive now: arm the motors.</source>
         <translation>Vous pouvez piloter maintenant : activez les moteurs.</translation></message>
-    <message><source>{0} asks to drive. Handing over stops the motors.</source>
+    <message><source>{0} requests to drive. Handing over stops the motors.</source>
         <translation>{0} demande à piloter. Céder arrête les moteurs.</translation></message>
     <message><source>Hand over</source>
         <translation>Céder</translation></message>
@@ -4011,7 +4011,7 @@ avant {1}</translation></message>
         <translation>Maintenir : le moteur {0} tourne</translation></message>
     <message><source>&amp;Keep 30 s around each fault and stop</source>
         <translation>&amp;Garder 30 s autour de chaque défaut ou arrêt</translation></message>
-    <message><source>The seconds around “{0}” were kept. File, Open fault or stop: {1}</source>
+    <message><source>The seconds around “{0}” were saved. File, Open fault or stop: {1}</source>
         <translation>Les secondes autour de « {0} » ont été conservées. Fichier, Ouvrir un défaut ou un arrêt : {1}</translation></message>
     <message><source>The seconds around “{0}” could not be kept. {1}</source>
         <translation>Les secondes autour de « {0} » n'ont pas pu être conservées. {1}</translation></message>
@@ -4059,8 +4059,8 @@ avant {1}</translation></message>
         <translation>Arrêt …</translation></message>
     <message><source>Robots on the net&amp;work…</source>
         <translation>Robots v&amp;isibles sur le réseau…</translation></message>
-    <message><source>No robot answers.</source>
-        <translation>Aucun robot ne répond.</translation></message>
+    <message><source>No robots found.</source>
+        <translation>Aucun robot trouvé.</translation></message>
     <message><source>no board</source>
         <translation>aucune carte</translation></message>
     <message><source>Not confirmed: {0}</source>
@@ -4091,7 +4091,7 @@ avant {1}</translation></message>
         <translation>Constats</translation></message>
     <message><source>Calibrations</source>
         <translation>Étalonnages</translation></message>
-    <message><source>None are given.</source>
+    <message><source>None set.</source>
         <translation>Aucun n'est indiqué.</translation></message>
     <message><source>Write values with units as wire values, and numbers beyond their range as the nearest one in it; the file changes when you save it</source>
         <translation>Écrire les valeurs avec unités comme elles sont transmises, et remplacer les nombres hors plage par la valeur permise la plus proche ; le fichier change quand vous l'enregistrez</translation></message>
@@ -4187,7 +4187,7 @@ avant {1}</translation></message>
         <translation>Réglages appliqués {0}</translation></message>
     <message><source>Sample: {0}</source>
         <translation>Exemple : {0}</translation></message>
-    <message><source>Swap the pair of wires of motor 1 with that of motor 2 (keep their order).</source>
+    <message><source>Swap the wire pairs of motors 1 and 2. Keep the order within each pair.</source>
         <translation>Permutez la paire de fils du moteur 1 avec celle du moteur 2 (gardez leur ordre).</translation></message>
     <message><source>Swap the two wires of the left motor.</source>
         <translation>Permutez les deux fils du moteur gauche.</translation></message>
@@ -4283,7 +4283,7 @@ avant {1}</translation></message>
         <translation>Le cavalier Mix est retiré : mettez-le en place, puis poussez un manche.</translation></message>
     <message><source>Set what your motors can draw continuously: the presets are examples. Without a ramp, the current exceeds the limit for a moment.</source>
         <translation>Réglez ce que vos moteurs peuvent absorber en continu : les préréglages sont des exemples. Sans rampe, le courant dépasse la limite un instant.</translation></message>
-    <message><source>Have the computer send something at least twice in that time. UART-Error Shutdown is switched on with it, as the timeout may need it (twin).</source>
+    <message><source>The computer must send something at least twice within that time. UART-Error Shutdown is switched on with it, as the timeout may need it (twin).</source>
         <translation>Faites envoyer quelque chose à l'ordinateur au moins deux fois pendant ce délai. « Arrêt sur erreur UART » est activé en même temps, car le délai peut en avoir besoin (jumeau).</translation></message>
     <message><source>Its changes were not added: open the step and click Next.</source>
         <translation>Ses modifications n'ont pas été ajoutées : ouvrez l'étape et cliquez sur « Suivant ».</translation></message>
@@ -4637,7 +4637,7 @@ avant {1}</translation></message>
         <translation>Comment cet ordinateur communique avec la carte</translation></message>
     <message><source>Find a board whose line settings are unknown</source>
         <translation>Rechercher une carte dont les réglages de liaison sont inconnus</translation></message>
-    <message><source>Let the board detect damaged bytes; shows what will be written first</source>
+    <message><source>Let the board detect damaged bytes; first shows what will be written</source>
         <translation>Laisser la carte détecter les octets altérés ; montre d'abord ce qui sera écrit</translation></message>
     <message><source>Settings are still being written. Disconnect anyway? Unwritten settings stay pending.</source>
         <translation>Des réglages sont encore en cours d'écriture. Déconnecter quand même ? Les réglages non écrits restent en attente.</translation></message>
@@ -4659,11 +4659,11 @@ avant {1}</translation></message>
         <translation>{0} fichiers ont été déposés et aucun n'a été ouvert : déposez-en un à la fois.</translation></message>
     <message><source>{0} is {1}. It was not opened, because this window is connected to {2}: disconnect, then open it again.</source>
         <translation>{0} est {1}. Il n'a pas été ouvert, car cette fenêtre est connectée à {2} : déconnectez, puis ouvrez-le à nouveau.</translation></message>
-    <message><source>{0} is no longer there; it was removed from the recent files.</source>
+    <message><source>{0} no longer exists and was removed from the recent files.</source>
         <translation>{0} n'existe plus ; il a été retiré des fichiers récents.</translation></message>
     <message><source>a file of the {0}</source>
         <translation>un fichier pour {0}</translation></message>
-    <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. A TReX or Aracna moves no motor and changes no setting. Other devices on the line may: enter their numbers in the line settings first. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
+    <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. A TReX or Aracna never moves a motor or changes a setting. Other devices on the line may: enter their numbers in the line settings first. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
         <translation>Sonde chaque port à la recherche d'un appareil pris en charge : chaque type avec ses réglages probables, puis à tous les débits, avec toutes les parités et avec CRC. Un TReX ou un Aracna ne fait alors bouger aucun moteur et ne change aucun réglage. D'autres appareils sur la liaison le peuvent : entrez d'abord leurs numéros dans les réglages de liaison. Un TReX qui reçoit ces sondages à un autre débit compte des erreurs UART, et arrête ses moteurs s'il est réglé ainsi.</translation></message>
     <message><source>The likely settings come first; a port without a reply takes about half a minute.</source>
         <translation>Les réglages probables viennent d'abord ; un port sans réponse demande environ une demi-minute.</translation></message>
@@ -4743,7 +4743,7 @@ avant {1}</translation></message>
         <translation>Au démarrage du programme et au branchement d'un adaptateur où une carte a déjà été trouvée, si une seule carte répond. Pas après « Déconnecter », ni tant qu'un autre programme utilise le port. Aucun moteur ne bouge.</translation></message>
     <message><source>{0} %</source>
         <translation>{0} %</translation></message>
-    <message><source>This is what the report contains, and nothing else. It is only saved as a file, never sent. Names of users and computers, network addresses and serial numbers of adapters are masked. Clear the check box of a file to leave it out.</source>
+    <message><source>The report contains only what is shown here. It is only saved as a file, never sent. Names of users and computers, network addresses and serial numbers of adapters are masked. Clear the check box of a file to leave it out.</source>
         <translation>Voici ce que contient le rapport, et rien d'autre. Il est seulement enregistré dans un fichier, jamais envoyé. Les noms d'utilisateurs et d'ordinateurs, les adresses réseau et les numéros de série des adaptateurs sont masqués. Décochez un fichier pour l'exclure.</translation></message>
     <message><source>Collecting …</source>
         <translation>Collecte …</translation></message>
@@ -4789,11 +4789,11 @@ avant {1}</translation></message>
         <translation>Le programme n'a pas pu arrêter les moteurs lui-même. Le processus gardien a envoyé à {0} un ordre d'arrêt que la carte n'a pas confirmé. Si un moteur tourne encore, coupez son alimentation.</translation></message>
     <message><source>The program could not stop the motors itself. The guardian process stopped them at {0}, and the board confirmed that.</source>
         <translation>Le programme n'a pas pu arrêter les moteurs lui-même. Le processus gardien les a arrêtés à {0} et la carte l'a confirmé.</translation></message>
-    <message><source>TReX Studio did not end properly last time. If it crashed, a report for support shows where.</source>
+    <message><source>TReX Studio did not end properly last time. If it crashed, the support report shows where.</source>
         <translation>TReX Studio ne s'est pas terminé correctement la dernière fois. S'il a planté, un rapport d'assistance indique où.</translation></message>
     <message><source>End the recording; motors and connection are not affected</source>
         <translation>Terminer l'enregistrement ; les moteurs et la connexion ne sont pas touchés</translation></message>
-    <message><source>Recorded in {0} ({1}). {2} shows it.</source>
+    <message><source>Recorded to {0} ({1}). Use {2} to view it.</source>
         <translation>Enregistré dans {0} ({1}). {2} l'affiche.</translation></message>
     <message><source>{0} is open; close its window before recording over it.</source>
         <translation>{0} est ouvert ; fermez sa fenêtre avant d'enregistrer par-dessus.</translation></message>
@@ -4851,10 +4851,10 @@ avant {1}</translation></message>
         <translation>{0}, durée {1}</translation></message>
     <message><source>Show &amp;all</source>
         <translation>&amp;Tout afficher</translation></message>
-    <message><source>Exporting MCAP needs an optional package: {0}</source>
-        <translation>L'exportation MCAP nécessite un paquet facultatif : {0}</translation></message>
-    <message><source>The curves show its last {0} of {1} samples; exports contain all of them.</source>
-        <translation>Les courbes montrent ses {0} derniers échantillons sur {1} ; les exportations les contiennent tous.</translation></message>
+    <message><source>Exporting MCAP requires an optional package. Install it with: {0}</source>
+        <translation>L'exportation MCAP nécessite un paquet facultatif. Installez-le avec : {0}</translation></message>
+    <message><source>The curves show the last {0} of {1} samples. Exports contain all samples.</source>
+        <translation>Les courbes montrent les {0} derniers échantillons sur {1} ; les exportations les contiennent tous.</translation></message>
     <message><source>{n} h</source>
         <translation>{n} h</translation></message>
     <message><source>{n} s</source>
@@ -4995,7 +4995,7 @@ avant {1}</translation></message>
         <translation>Pas encore de données</translation></message>
     <message><source>Also show the requests that the program repeats many times a second</source>
         <translation>Afficher aussi les requêtes que le programme répète de nombreuses fois par seconde</translation></message>
-    <message><source>Remove every row</source>
+    <message><source>Remove all rows</source>
         <translation>Supprimer toutes les lignes</translation></message>
     <message><source>No row matches the search.</source>
         <translation>Aucune ligne ne correspond à la recherche.</translation></message>
@@ -5057,8 +5057,8 @@ avant {1}</translation></message>
         <translation>Détails de la ligne sélectionnée</translation></message>
     <message><source>Select a row to see all its bytes.</source>
         <translation>Sélectionnez une ligne pour voir tous ses octets.</translation></message>
-    <message numerus="yes"><source>took      {0:.1f} ms; %n byte(s) need {1:.1f} ms on this wire</source>
-        <translation><numerusform>durée     {0:.1f} ms ; %n octet demande {1:.1f} ms sur cette liaison</numerusform><numerusform>durée     {0:.1f} ms ; %n octets demandent {1:.1f} ms sur cette liaison</numerusform></translation></message>
+    <message numerus="yes"><source>took      {0:.1f} ms; %n byte(s) take {1:.1f} ms at this baud rate</source>
+        <translation><numerusform>durée     {0:.1f} ms ; %n octet demande {1:.1f} ms à ce débit</numerusform><numerusform>durée     {0:.1f} ms ; %n octets demandent {1:.1f} ms à ce débit</numerusform></translation></message>
     <message><source>Fault: {0}</source>
         <translation>Défaut : {0}</translation></message>
     <message><source>sent      {0}</source>

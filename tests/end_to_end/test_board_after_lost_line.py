@@ -103,4 +103,4 @@ def test_bar_warns_of_a_lost_board_beside_another_one(
     for page in ("boardPage", "motorsPage", "parametersPage"):
         window.open_page(page)
         assert window.has("motorStateLabel"), page
-        assert "No stop is known to have reached the TReX 1.2" in window.text("motorStateLabel")
+        assert "The stop may not have reached the TReX 1.2" in window.text("motorStateLabel")

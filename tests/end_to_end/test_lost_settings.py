@@ -35,7 +35,7 @@ def test_settings_that_a_board_lost_are_shown_and_restored(
     assert not asked(window)
 
     reconnect(window, lost.url)
-    assert "of this TReX differ from the values applied last (20" in asked(window)
+    assert "of this TReX differ from the last applied values (20" in asked(window)
     window.click("questionCancel")
     reconnect(window, lost.url)
     window.click("showDiffering")

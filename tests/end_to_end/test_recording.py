@@ -43,7 +43,7 @@ def test_session_is_recorded_and_opened_without_a_board(
         window.click("stopRecordingButton")
     assert not indicator(window).isVisible()
     assert window.action("record").text() == "&Record…"
-    assert "Recorded in" in window.text("bannerText")
+    assert "Recorded to" in window.text("bannerText")
     window.disconnect()
     assert not window.action("record").isEnabled()
     assert window.action("open_recording").isEnabled()
@@ -121,9 +121,9 @@ def test_arming_starts_recording_and_stop_saves_it(
         window.wait(lambda: not motors.locked_for)
         window.trigger("run")
         assert not recorder.recording, "the option is off"
-    (log,) = [entry.text for entry in workspace.log.entries if "were kept" in entry.text]
-    assert log.startswith("The seconds around “Stop” were kept.")
-    assert "were kept" not in window.text("bannerText"), "it might cover a warning"
+    (log,) = [entry.text for entry in workspace.log.entries if "were saved" in entry.text]
+    assert log.startswith("The seconds around “Stop” were saved.")
+    assert "were saved" not in window.text("bannerText"), "it might cover a warning"
 
     def select(*arguments: object) -> tuple[str, str]:
         (kept,) = Path(str(arguments[2])).iterdir()

@@ -169,7 +169,7 @@ def test_error_at_the_start_is_in_the_log() -> None:
     assert done.returncode == 1
     assert done.stderr.count("ZeroDivisionError: division by zero") == 1
     text = log_file().read_text(encoding="utf-8")
-    assert "CRITICAL trex_gui.app: the program could not go on\nTraceback" in text
+    assert "CRITICAL trex_gui.app: the program cannot continue\nTraceback" in text
     assert "ZeroDivisionError: division by zero\n" in text
     assert text.endswith("ended with exit code 1\n")
 

@@ -179,7 +179,7 @@ def test_rows_are_shown_in_detail_copied_and_saved(
     details = page.find(QPlainTextEdit, "transcriptDetails")
     assert "received  54 52 65 58 31 2E 32" in details.toPlainText()
     assert "at 19200 baud" in details.toPlainText()
-    assert "8 bytes need 4.2 ms on this wire" in details.toPlainText()
+    assert "8 bytes take 4.2 ms at this baud rate" in details.toPlainText()
     details.selectAll()
     selected = details.textCursor().selectedText()
     page.wait_for_traffic()
@@ -222,7 +222,7 @@ def test_typed_bytes_are_explained_and_sent(
         return page.text("transcriptMeaning")
 
     page.type_into("transcriptBytes", "9F 0", enter=False)
-    assert "“9F 0” is not a row of hexadecimal bytes" in meaning()
+    assert "“9F 0” is not a sequence of hexadecimal bytes" in meaning()
     page.type_into("transcriptBytes", "9F 07", enter=False)
     assert meaning() == "get Serial Timeout\nConnect to a board first."
     window.connect(simulator.url)
@@ -279,7 +279,8 @@ def test_typed_write_to_every_board_on_a_line_is_not_sent(
         return [boards.show(f"@{one}")["parameters"]["device_number"] for one in (7, 9)]
 
     page.type_into("transcriptBytes", "AF 00 0C 55 2A")
-    assert page.text("transcriptMeaning").endswith("board on this line would store it: address 7.")
+    expected = "board on this line would store it: address device 7."
+    assert page.text("transcriptMeaning").endswith(expected)
     assert not page.is_enabled("transcriptSendButton")
     assert numbers() == [7, 9]
     page.type_into("transcriptBytes", "80 07 2F 00 0C 55 2A")

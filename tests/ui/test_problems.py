@@ -24,7 +24,7 @@ class Page(ProblemsPage):
         return datetime(2026, 1, 1)  # noqa: DTZ001 - local
 
     def readings(self) -> Sequence[Reading]:
-        return [Reading("Reads a second", "200")]
+        return [Reading("Reads per second", "200")]
 
 
 @pytest.mark.parametrize("height", [280, 440, 600])

@@ -35,7 +35,7 @@ def _ports(chosen: str | None) -> list[str]:
         return [chosen]
     ports = sorted(port.device for port in list_ports.comports())
     if not ports:
-        say("This computer has no serial ports; use --port for other kinds.")
+        say("This computer has no serial ports; use --port for other kinds of port.")
     return ports
 
 
@@ -82,8 +82,8 @@ def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
 @click.option(
     "--full",
     is_flag=True,
-    help="Also try every CRC polynomial (some minutes), and every device number where "
-    "something replies. All boards on the line must run at the same rate.",
+    help="Also try every CRC polynomial (takes a few minutes), and, wherever something replies, "
+    "every device number. All boards on the line must run at the same rate.",
 )
 @timeout_option
 @traffic_option(Lazy("trex_gui.devices.trex.session.traffic_decoder:TrexDecoder"), is_search=True)
@@ -100,7 +100,9 @@ def find_command(port: str | None, full: bool, extra_timeout: float, as_json: bo
     probers = {plugin.key: plugin.prober.load() for plugin in PLUGINS}
     reports = {plugin.key: plugin.port_reports.load() for plugin in PLUGINS}
     if is_served(port or ""):
-        raise click.UsageError("The line settings of a served board are known to its server.")
+        raise click.UsageError(
+            "The server of this board knows its line settings. Connect without searching."
+        )
     rows: list[dict[str, Any]] = []
     with Interruption() as interrupted:
         for url in _ports(port):

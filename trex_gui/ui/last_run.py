@@ -57,8 +57,8 @@ def report_last_run(
         if has_crashed and not texts:
             texts.append(
                 tr(
-                    "TReX Studio did not end properly last time. If it crashed, a report for "
-                    "support shows where."
+                    "TReX Studio did not end properly last time. If it crashed, the support "
+                    "report shows where."
                 )
             )
         notifier.resolved.emit(Remedy.STOP_THEM)

@@ -232,7 +232,7 @@ def test_report_counts_rates_with_unknown_replies() -> None:
     wire.read = lambda size, seconds: read(size, seconds) or b"ERR"  # type: ignore[method-assign]
     (line,) = search(wire, {"trex": TREX_PROBER}).lines
     assert "it sent 45 52 52 at 1200 baud" in line
-    assert "something at 88 more" in line
+    assert "data at 88 other settings" in line
 
 
 def test_port_without_flush_rate_is_reported_and_closed() -> None:

@@ -252,7 +252,9 @@ class SerialTransport:
                 reads += 1
                 if reads > _MANY_READS and self.clock() > deadline:
                     raise BadReply(
-                        tr("It sends without a request ({0} …).").format(hex_text(stale[:12]))
+                        tr("The device sends without a request ({0} …).").format(
+                            hex_text(stale[:12])
+                        )
                     )
         except PORT_ERRORS as error:
             raise self._read_error(error) from error
@@ -432,7 +434,7 @@ def _permission_remedy(url: str) -> tuple[str, str]:
         group = "dialout"
     until_unplugged = shlex.join(("sudo", "chmod", "a+rw", url))
     if group == "root":
-        text = tr("It belongs to root; this opens it until it is unplugged: {0}")
+        text = tr("It belongs to root; this command grants access until the port is unplugged: {0}")
         return until_unplugged, text.format(until_unplugged)
     command = f"sudo usermod -aG {group} $USER"
     text = tr("Join its group, then log out and in again: {0} (or, until it is unplugged: {1}).")

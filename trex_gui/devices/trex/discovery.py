@@ -295,7 +295,7 @@ class TrexProber:
         line, data = self._strange[0]
         quoted = hex_text(data[:_MAX_QUOTED]) + (" …" if len(data) > _MAX_QUOTED else "")
         other_count = len(self._strange) - 1
-        others = tr(", and something at {0} more").format(other_count) if other_count else ""
+        others = tr(", and data at {0} other settings").format(other_count) if other_count else ""
         text = tr(
             "Something is connected to {0}, but it does not respond like a TReX: it "
             "sent {1} at {2}{3}. It is another device, or the line is noisy."
@@ -309,7 +309,7 @@ def _line_hint(used: LineSettings, signature: Signature, wire: int) -> str:
     try:
         stored = LineSettings.from_wire(wire)
     except BadRequest:
-        return tr("Its UART settings hold {0:#04x}, which is not a known setting.").format(wire)
+        return tr("Its UART settings have the unknown value {0:#04x}.").format(wire)
     if stored == used:
         return ""
     real = stored.real_baud(signature.firmware)
@@ -321,7 +321,7 @@ def _line_hint(used: LineSettings, signature: Signature, wire: int) -> str:
         return tr("It is set to {0} stop bits; both numbers work on this line.").format(
             stored.stop_bits
         )
-    return tr("Switched off and on, it will run at {0}.").format(stored.text())
+    return tr("After a power cycle, it will run at {0}.").format(stored.text())
 
 
 def recall(wire: Transport, settings: PortSettings, packed: str) -> FoundBoard | None:

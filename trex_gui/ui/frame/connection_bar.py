@@ -128,7 +128,7 @@ class ConnectionBar(QFrame):
             self,
             "setUpCrcButton",
             tr("Set up CRC…"),
-            tip=tr("Let the board detect damaged bytes; shows what will be written first"),
+            tip=tr("Let the board detect damaged bytes; first shows what will be written"),
             confirms=True,
             on_click=lambda: self.remedy_chosen.emit(Remedy.SET_UP_CRC),
         )

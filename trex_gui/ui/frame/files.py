@@ -126,7 +126,7 @@ class FileOpener(QObject):
                 self._open_again(file)
                 return
             self.recent.remove(file)
-            text = tr("{0} is no longer there; it was removed from the recent files.")
+            text = tr("{0} no longer exists and was removed from the recent files.")
             self._notifier.error.emit(text.format(file.path))
 
         in_background(self, file.path.is_file, then, lambda _: None)

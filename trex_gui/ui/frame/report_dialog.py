@@ -32,7 +32,7 @@ class ReportDialog(ReusedDialog):
         resize_with_font(self, 860, 520)
         about = Muted(
             tr(
-                "This is what the report contains, and nothing else. It is only saved as a file, "
+                "The report contains only what is shown here. It is only saved as a file, "
                 "never sent. Names of users and computers, network addresses and serial numbers "
                 "of adapters are masked. Clear the check box of a file to leave it out."
             ),

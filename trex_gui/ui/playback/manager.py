@@ -239,7 +239,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         self.changed.emit()
         self.used.emit(path)
         size = size_text(self.recorder.size)
-        text = tr("Recorded in {0} ({1}). {2} shows it.")
+        text = tr("Recorded to {0} ({1}). Use {2} to view it.")
         self._notifier.info.emit(text.format(path, size, self._texts.open_command))
 
     @Slot()

@@ -200,7 +200,9 @@ class RecordingWindow(QMainWindow):
             self.notifier.error.emit(text)
         elif path.suffix.lower() == MCAP_SUFFIX and not has_mcap():
             command = install_command("mcap")
-            text = tr("Exporting MCAP needs an optional package: {0}").format(command)
+            text = tr("Exporting MCAP requires an optional package. Install it with: {0}").format(
+                command
+            )
             self.notifier.report(text, (CopyCommand(command),))
         else:
             span = self.plot.span
@@ -226,7 +228,7 @@ class RecordingWindow(QMainWindow):
         drawn, rows = player.drawn
         if drawn < rows:
             text += ". " + tr(
-                "The curves show its last {0} of {1} samples; exports contain all of them."
+                "The curves show the last {0} of {1} samples. Exports contain all samples."
             ).format(QLocale().toString(drawn), QLocale().toString(rows))
         return text
 

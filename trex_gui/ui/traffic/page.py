@@ -59,7 +59,7 @@ class TrafficPage(View):
                 ("Pause", tr("Pa&use"), tr("Do not add rows for now; the traffic is still logged")),
             )
         )
-        text, tip = tr("C&lear"), tr("Remove every row")
+        text, tip = tr("C&lear"), tr("Remove all rows")
         clear = ui.button(
             self, f"{key}ClearButton", text, icon="clear", tip=tip, on_click=traffic.clear
         )

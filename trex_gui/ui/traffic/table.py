@@ -324,7 +324,9 @@ class RowDetails(QPlainTextEdit):
             lines.append(tr("received  {0}").format(shown(row.received)))
         if row.seconds is not None and settings is not None:
             count = len(row.sent) + len(row.received)
-            text = tr("took      {0:.1f} ms; %n byte(s) need {1:.1f} ms on this wire", "", count)
+            text = tr(
+                "took      {0:.1f} ms; %n byte(s) take {1:.1f} ms at this baud rate", "", count
+            )
             wire = settings.line.seconds(count)
             lines.append(text.format(Number(row.seconds * 1e3), Number(wire * 1e3)))
         lines.append(self._decoder.decoded(row).text)

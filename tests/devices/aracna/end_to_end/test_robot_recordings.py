@@ -38,8 +38,8 @@ def test_session_is_recorded_and_opened_from_menu(
     window.move()
     present = window.robot.state.present
     window.trigger("aracna_record")
-    window.wait_for_text("bannerText", "Recorded in")
-    window.wait_for_text("bannerText", "Aracna, Open recording shows it.")
+    window.wait_for_text("bannerText", "Recorded to")
+    window.wait_for_text("bannerText", "Use Aracna, Open recording to view it.")
     assert path.stat().st_size > 10_000
 
     window.press_disconnect()

@@ -14,7 +14,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 
 UNSURE = "Unknown: the last motion may still be running."
 AT_REST = "At rest: nothing is sent."
-UNSEEN = "Nothing is sent. Whether it is moving is not known before its first move."
+UNSEEN = "Nothing is sent. It may be moving: its state is unknown until the first move."
 
 
 def start_long_motion(window: RobotWindow, goal: int = 200) -> None:

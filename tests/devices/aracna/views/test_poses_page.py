@@ -553,7 +553,7 @@ def test_new_step_uses_a_valid_pose_name(
     driver.select_row("aracnaPoses", name)
     if renamed:
         assert not driver.button("aracnaAddStep").isEnabled()
-        assert "remove comma and bar" in driver.button("aracnaAddStep").toolTip()
+        assert "remove commas and vertical bars" in driver.button("aracnaAddStep").toolTip()
         view = driver.steps
         view.edit(view.model().index(0, 1))
         combo = driver.combo("aracnaStepPose")

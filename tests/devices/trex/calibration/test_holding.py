@@ -194,6 +194,6 @@ def test_noisy_analog_input_is_reported_as_maybe_unconnected() -> None:
     found = neutral_of(Stick(rest=2.0, noise=0.4, source=InputSource.ANALOG))
     (problem,) = found.problems
     assert problem.kind is ProblemKind.NOISE
-    assert "An input to which nothing is connected does that, too." in problem_text(problem)
+    assert "An unconnected input behaves in the same way." in problem_text(problem)
     (problem,) = neutral_of(Stick(noise=60)).problems
-    assert "nothing is connected" not in problem_text(problem)
+    assert "unconnected" not in problem_text(problem)

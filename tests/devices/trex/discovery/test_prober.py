@@ -408,7 +408,7 @@ def test_line_settings_pending_power_cycle_are_reported() -> None:
     board.advance(0.1)
     found = only(search(wire_of(board)))
     assert found.settings.line == LineSettings()
-    assert found.note.startswith("Switched off and on, it will run at 115200 baud")
+    assert found.note.startswith("After a power cycle, it will run at 115200 baud")
 
 
 def test_other_polynomial_is_found_only_by_full_search() -> None:

@@ -323,7 +323,7 @@ def test_damaged_snapshot_is_listed_with_its_problem(history: SettingsHistory) -
     (snapshot,) = history.snapshots()
     assert snapshot.taken == NOON
     assert snapshot.product == ""
-    assert snapshot.problem == "It does not say of which board it is."
+    assert snapshot.problem == "It does not name its board."
     with pytest.raises(SettingsError):
         history.load(snapshot)
 
@@ -342,7 +342,7 @@ def test_pipe_among_the_snapshots_is_not_opened(history: SettingsHistory) -> Non
     ("text", "problem"),
     [
         ("", "It is empty."),
-        ("product: Jrk 12v12\n", "It does not say of which board it is."),
+        ("product: Jrk 12v12\n", "It does not name its board."),
         ("product: TReX Jr  # mine\r\n\r\nfirmware: '1.2'\r\n", ""),
     ],
 )

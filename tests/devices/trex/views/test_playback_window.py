@@ -233,7 +233,7 @@ def test_missing_part_of_a_recording_is_reported(
     window = RecordingWindow.open(playback, qtbot)
     window.wait(lambda: playback.is_loaded)
     last, total = QLocale().toString(4100), QLocale().toString(playback.drawn[1])
-    heading = f"The curves show its last {last} of {total} samples"
+    heading = f"The curves show the last {last} of {total} samples"
     assert heading in window.text("recordingHeading")
     window.window.close()
 

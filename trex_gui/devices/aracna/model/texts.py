@@ -37,7 +37,7 @@ def speed_text(speed: int) -> str:
 
 
 def drawing_text() -> str:
-    return tr("Full lines: last reported; dashed: goal. A sketch: angles are drawn flat.")
+    return tr("Solid lines: last reported; dashed: goal. A sketch: angles are drawn flat.")
 
 
 def assumed_text() -> str:
@@ -93,7 +93,9 @@ def activity_text(state: RobotState, remaining: float) -> tuple[str, bool]:
         return text.format(max(remaining, 1)), True
     if state.uncertain:
         return tr("Unknown: the last motion may still be running."), True
-    return tr("Nothing is sent. Whether it is moving is not known before its first move."), False
+    return tr(
+        "Nothing is sent. It may be moving: its state is unknown until the first move."
+    ), False
 
 
 def ending_text(remaining: float) -> str:

@@ -174,8 +174,8 @@ def _cable_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
             (tr("Command byte"), "drop 1 sent"),
             (tr("Reply: end"), "cut 6"),  # 6 bytes: `.c`, a position and its comma
         ),
-        choice=("aracnaDemoLoss", tr("What is lost once"), loss_tip),
-        once=("aracnaDemoLose", tr("Lose it"), tr("It is lost in the next transfer")),
+        choice=("aracnaDemoLoss", tr("Loss to simulate"), loss_tip),
+        once=("aracnaDemoLose", tr("Lose it"), tr("Takes effect in the next transfer")),
         cause=robot.lose,
         before=[(plugged, 1)],
     )

@@ -54,7 +54,7 @@ def raw(packet: tuple[str, ...], *, motors: bool, seconds: float | None, **optio
     may_move = any(item.moves for item in packets)
     if may_move and not motors:
         raise click.UsageError(
-            "This may move a motor, and nothing was sent. Give --motors to send it; every motor "
+            "This may move a motor, and nothing was sent. Use --motors to send it; every motor "
             "is stopped afterwards."
         )
     if seconds is not None and not may_move:

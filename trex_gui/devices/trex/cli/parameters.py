@@ -45,7 +45,9 @@ from trex_gui.devices.trex.settings.rules import Context
 @click.argument("name", shell_complete=complete_parameter)
 @click.argument("value")
 @click.option(
-    "--force", is_flag=True, help="Let the board decide about a value beyond an inferred limit."
+    "--force",
+    is_flag=True,
+    help="Let the board decide whether to accept a value beyond an inferred limit.",
 )
 def set_command(name: str, value: str, force: bool, **options: Any) -> None:
     """Store one parameter and read it back.
@@ -85,7 +87,7 @@ def _wire(spec: ParameterSpec, value: str) -> int:
     if re.fullmatch(r"[-+]?\d{1,9}", text):
         return spec.check(int(text), forced=True)
     if re.fullmatch(DECIMAL, text) and spec.kind is not ParameterKind.CHANNELS:
-        raise BadRequest(f"{text} has no unit, and a wire value is whole")
+        raise BadRequest(f"{text} has no unit, and a wire value must be a whole number")
     return spec.wire(text)
 
 

@@ -161,7 +161,7 @@ class RecordedTraffic:
         )
         count = len(self.parameters)
         known = tr("1 stored value") if count == 1 else tr("{0} stored values").format(count)
-        return tr("{0}, {1} from the file, others as from the factory").format(board, known)
+        return tr("{0}, {1} from the file, others at their defaults").format(board, known)
 
     def meaning(self, row: TranscriptRow, reply: bytes) -> str:
         transaction = self._transaction(replace(row, received=reply))

@@ -133,10 +133,10 @@ class DriveBlocker(Enum):
     GROUP = (
         Effect.BLOCKS,
         tr_noop("Board {0}, which is driven with this one, does not follow."),
-        tr_noop("Its drawing says why. Drive alone uses the other one without it."),
+        tr_noop("Its diagram shows why. Drive alone drives the other board without it."),
     )
     NOT_ALLOWED = (Effect.BLOCKS, tr_noop("The motors cannot be armed at this moment."))
-    STOPPED = (Effect.BLOCKS, tr_noop("Stopped. {0}"), tr_noop("Arm the motors again to go on."))
+    STOPPED = (Effect.BLOCKS, tr_noop("Stopped. {0}"), tr_noop("Arm the motors again to continue."))
     NOT_ARMED = (
         Effect.BLOCKS,
         tr_noop("Not armed: no motor is driven."),

@@ -28,7 +28,7 @@ _TASKS = {
     1: tr_noop("drives motor 1; with the mix jumper on it steers"),
     2: tr_noop("drives motor 2; with the mix jumper on it drives forward and back"),
     3: tr_noop("drives the auxiliary motor, which turns one way only"),
-    4: tr_noop("is the flip switch: motors 1 and 2 change places and directions"),
+    4: tr_noop("is the flip switch: motors 1 and 2 are swapped and reversed"),
     5: tr_noop("is the override switch: serial commands control the motors"),
 }
 _MIXED_TASKS = {

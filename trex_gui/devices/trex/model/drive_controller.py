@@ -256,7 +256,7 @@ class DriveController(QObject):
             if report.reason in _REFUSALS:
                 text = "{0}"
             elif report.confirmed:
-                text = tr("{0} The motors were stopped. Arm the motors again to go on.")
+                text = tr("{0} The motors were stopped. Arm the motors again to continue.")
             else:
                 text = tr("{0} A stop was sent but is not confirmed yet.")
             self._notifier.error.emit(text.format(reason))
@@ -292,7 +292,7 @@ class DriveController(QObject):
         if not self._lost:
             return ""
         text = tr(
-            "No stop is known to have reached the {0} that was driven at {1}: another board "
+            "The stop may not have reached the {0} that was driven at {1}: another board "
             "responded. If its motor still turns, cut its power."
         )
         lost = self._lost[0]
@@ -379,8 +379,8 @@ class DriveController(QObject):
             text = tr("Another board responds now: {0}, at {1}.")
             if self._lost and self._lost[-1].state.signature == self._board.state.signature:
                 text = tr(
-                    "This may be another board: {0}, at {1}, does not store the settings of the "
-                    "one that was driven."
+                    "This may be another board: {0}, at {1}, has other settings than the board "
+                    "that was driven."
                 )
             text = text.format(_name_of(self._board), self._board.settings.label)
             self._notifier.warn(f"{text} {self.lost_board}", lasts=lambda: bool(self._lost))

@@ -80,7 +80,7 @@ class TrexPacketSender(PacketSender):
             return text.format(settings.device_number)
         if any(packet.writes_everywhere for packet in packets):
             if settings.device_number is not None:
-                text = tr("Every board on this line would store it: address {0}.")
+                text = tr("Every board on this line would store it: address device {0}.")
                 return text.format(settings.device_number)
             if self._device.driving.reaches_several:
                 return tr("Every board on this line would store it: select one of them.")

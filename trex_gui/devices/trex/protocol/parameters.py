@@ -294,9 +294,9 @@ class ParameterSpec:
         if self.kind is ParameterKind.CHOICE:
             return tr(" or ").join(self.choices.values())
         if self.kind is ParameterKind.CHANNELS:
-            return tr("none or some of the channels 1 to 5, such as 1, 3")
+            return tr("none, or any of channels 1 to 5, such as 1, 3")
         if self.kind is ParameterKind.UART:
-            return tr("written as {0}, with a baud rate that the board has").format(
+            return tr("written as {0}, with a baud rate that the board supports").format(
                 self.text(self.default)
             )
         return self.short_range()

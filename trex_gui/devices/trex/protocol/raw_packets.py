@@ -77,10 +77,10 @@ def parse_hexadecimal(text: str) -> bytes:
         data = bytes.fromhex(re.sub(r"0[xX]|[,;:]", " ", text))
     except ValueError:
         raise BadRequest(
-            tr("“{0}” is not a row of hexadecimal bytes such as 86 1F.").format(text)
+            tr("“{0}” is not a sequence of hexadecimal bytes such as 86 1F.").format(text)
         ) from None
     if not data:
-        raise BadRequest(tr("Which bytes? Give them in hexadecimal, such as 86 1F."))
+        raise BadRequest(tr("Enter bytes in hexadecimal, such as 86 1F."))
     if len(data) > _BYTE_LIMIT:
         raise BadRequest(
             tr("{0} bytes are too many: at most {1} are sent at once.").format(

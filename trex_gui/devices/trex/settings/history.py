@@ -145,7 +145,7 @@ class SettingsHistory:
         values = {found[1]: found[2] for line in header if (found := _VALUE.match(line))}
         number, product = notes.get("device number", ""), values.get("product", "")
         if not problem and product not in {model.name for model in device_table().models}:
-            problem = tr("It does not say of which board it is.") if header else tr("It is empty.")
+            problem = tr("It does not name its board.") if header else tr("It is empty.")
         return Snapshot(
             path,
             taken,
@@ -175,7 +175,9 @@ class SettingsHistory:
         cleaned = {kind: " ".join(clean_note(text).split()) for kind, text in texts.items()}
         for kind, text in cleaned.items():
             if len(text) > _MAX_LENGTH[kind]:
-                raise BadRequest(tr("It may have {0} characters.").format(_MAX_LENGTH[kind]))
+                raise BadRequest(
+                    tr("At most {0} characters are allowed.").format(_MAX_LENGTH[kind])
+                )
         name = cleaned.get("name", "")
         if name.isdecimal():
             raise BadRequest(tr("{0} would be the number of a snapshot.").format(name))
@@ -278,5 +280,5 @@ def _removed(path: Path) -> bool:
 
 
 def _unknown_limit(path: Path, reason: str) -> Limit:
-    text = tr("{0} {1}: how many snapshots to keep is not known, so none is removed.")
+    text = tr("{0} {1}: the number of snapshots to keep is unknown, so none is removed.")
     return Limit(None, text.format(path, reason))

@@ -123,7 +123,9 @@ class _Composer(Composer):
             node: Node = self.compose_document()
             if not self.parser.check_event(StreamEndEvent):
                 mark = self.parser.peek_event().start_mark
-                raise _UnsupportedError(mark, tr("a second document begins here; settings are one"))
+                raise _UnsupportedError(
+                    mark, tr("a second document begins here; a settings file has only one")
+                )
         except (ValueError, OverflowError):
             # ruamel.yaml does not catch errors of chr() and int() for absurd escapes and versions.
             mark = self.loader.reader.get_mark()

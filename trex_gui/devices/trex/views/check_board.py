@@ -45,7 +45,7 @@ _LED_STATES = (
         tr_noop("Green on, or flashing fast"),
         tr_noop("Running, the channels control the motors"),
         tr_noop(
-            "As above: the board responds in RC and analog mode, too. Red lights while it "
+            "As above: the board also responds in RC and analog mode. Red lights while it "
             "receives a command. Fast flashes are safe-start; five at the start say which channels "
             "are learned."
         ),
@@ -142,7 +142,7 @@ _STEPS = (
         tr_noop("Green flashes once a second"),
         tr_noop(
             "The boot loader answers each byte with a question mark. The serial settings should "
-            "be those of the factory now."
+            "now be the factory settings."
         ),
     ),
     _Step(
@@ -168,8 +168,8 @@ class HandShakePage(Page):
         self._leds = ui.label(self.side, "handShakeLeds", wrap=True)
         self._received = ui.label(self.side, "handShakeReceived", wrap=True)
         text = tr(
-            "Restores the serial settings of the factory (inferred). If the LEDs alternate for "
-            "three seconds only, begin again."
+            "Restores the factory serial settings (inferred). If the LEDs alternate for only "
+            "three seconds, start again."
         )
         titles = (tr("What the LEDs show"), tr("What this computer receives"))
         leds, received = (Muted(title, self.side) for title in titles)

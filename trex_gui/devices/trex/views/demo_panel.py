@@ -141,7 +141,7 @@ def _other_rows(board: DemoBoard, parent: QWidget) -> BoardRows:
     automatic = rows.check_box(
         "demoAutomatic",
         tr("Move by themselves"),
-        tr("All sticks swing slowly; moving one holds that one"),
+        tr("All sticks swing slowly. A stick that you move stays where you put it."),
         board.set_automatic,
         lambda _snapshot: len(board.automatic) == len(CHANNELS),
     )

@@ -36,8 +36,8 @@ _RESULTS = {  # (stage, takes long) → text
         "every setting."
     ),
     (Stage.UNSURE, False): tr_noop(
-        "Connected again. The program cannot detect whether the board was switched off meanwhile: "
-        "confirm it, or switch the board off and on now."
+        "Connected again. The program cannot detect whether the board was switched off in the "
+        "meantime: confirm it, or switch the board off and on now."
     ),
     (Stage.BACK, False): tr_noop("The board is back, and all stored settings are active."),
 }
@@ -75,7 +75,7 @@ class PowerCyclePage(Page):
         if self._waiting:
             text = tr("Stored, but not active until the board is switched off and on: {0}.")
             return text.format(", ".join(self._waiting))
-        return tr("The board has to be switched off and on.")
+        return tr("Switch the board off and on.")
 
     def _result_text(self) -> tuple[str, bool]:
         """Return the text, and whether it is alarming."""

@@ -134,7 +134,7 @@ class RestorePrompt(QObject):
         elif new and not self._question.text:
             self._reported = set(differing.rows)
             text = tr(
-                "%n setting(s) of this {0} differ from the values applied last ({1}): lost, "
+                "%n setting(s) of this {0} differ from the last applied values ({1}): lost, "
                 "changed by another program, or this is another board.",
                 "",
                 len(differing.rows),
@@ -184,7 +184,7 @@ class LeasePrompt(QObject):
             lease = self._device.board.lease
             return lease is not None and lease.is_mine and user in lease.waiting
 
-        text = tr("{0} asks to drive. Handing over stops the motors.").format(user)
+        text = tr("{0} requests to drive. Handing over stops the motors.").format(user)
         submit = partial(self._device.connection.submit, HandOver(user))
         self._question.prompt(text, Answer("handOver", tr("Hand over"), submit), still=still)
 

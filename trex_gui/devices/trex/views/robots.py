@@ -86,7 +86,7 @@ class RobotsDialog(ReusedDialog):
     def _on_found(self, rows: list[dict[str, Any]]) -> None:
         self._rows = rows
         self._search.setEnabled(True)
-        self._note.show_note("" if rows else tr("No robot answers."))
+        self._note.show_note("" if rows else tr("No robots found."))
         self._table.setRowCount(len(rows))
         for number, row in enumerate(rows):
             board = row["board"] or tr("no board")

@@ -98,7 +98,7 @@ def start(start_simulator: StartSimulator) -> Start:
 
 def runs_on(driven: DrivenBoard) -> str:
     return (
-        f"No stop is known to have reached the TReX 1.2 that was driven at {driven.board.url}: "
+        f"The stop may not have reached the TReX 1.2 that was driven at {driven.board.url}: "
         "another board responded. If its motor still turns, cut its power."
     )
 

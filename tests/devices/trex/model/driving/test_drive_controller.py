@@ -108,7 +108,7 @@ def test_frozen_window_reports_the_confirmed_stop(driven: DrivenDevice) -> None:
         assert now() < deadline, "the motor was not stopped"
         runtime().sleep(0.05)
     driven.wait(lambda: not driven.may_move)
-    assert said == [f"{STOOD_STILL} The motors were stopped. Arm the motors again to go on."]
+    assert said == [f"{STOOD_STILL} The motors were stopped. Arm the motors again to continue."]
     assert driven.motors.stop_reason == STOOD_STILL
     cleared: list[bool] = []
     driven.notifier.cleared.connect(lambda: cleared.append(driven.motors.armed))

@@ -196,7 +196,7 @@ def test_rc_mode_is_refused_despite_override(setup: LearningSetup) -> None:
     setup.until(lambda: setup.device.board.serial_controls is True)
     setup.learning.start_test((1,))
     assert setup.learning.step is LearningStep.FAILED
-    assert "with the next move of its switch the sticks drive the motors" in setup.learning.trouble
+    assert "The next move of its switch returns them to the sticks" in setup.learning.trouble
 
 
 def test_joint_mode_motor_stays_stopped_while_sticks_move(setup: LearningSetup) -> None:

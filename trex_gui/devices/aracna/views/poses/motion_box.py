@@ -125,7 +125,9 @@ class MotionBox(ui.Card):
         if not pose:
             return tr("There are no poses")
         if not is_usable_in_step(pose):
-            text = tr("A step cannot use “{0}”: remove comma and bar from the pose's name")
+            text = tr(
+                "A step cannot use “{0}”: remove commas and vertical bars from the pose's name"
+            )
             return text.format(pose)
         return tr("Add a step to “{0}” after the current one").format(pose)
 

@@ -22,9 +22,9 @@ def mode_blocker(device: Device) -> str:
     )
     if device.board.serial_controls:
         text = tr(
-            "The board is in {0} mode. Channel 5 has given the motors to the serial line, but with "
-            "the next move of its switch the sticks drive the motors again; and the board rejects "
-            "settings. Switch it off, remove the mode jumper and switch it on."
+            "The board is in {0} mode. Channel 5 has switched the motors to serial control. The "
+            "next move of its switch returns them to the sticks. The board also rejects settings. "
+            "Switch it off, remove the mode jumper and switch it on."
         )
     return text.format(state.mode.source.word)
 

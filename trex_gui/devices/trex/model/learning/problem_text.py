@@ -27,7 +27,7 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
         "At rest its noise is {0}: a deadband wide enough to hide it would take a quarter of the "
         "travel. Repair the cable, the supply or the stick first."
     )
-    open_input = tr("An input to which nothing is connected does that, too.")
+    open_input = tr("An unconnected input behaves in the same way.")
     unmoved = tr(
         "Either nothing is connected to it (its voltage then means nothing), or what is connected "
         "was not moved."

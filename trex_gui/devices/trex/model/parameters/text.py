@@ -108,7 +108,7 @@ class ParameterText:
             late = tr("Takes effect when the board is switched off and on.")
             return f"{spec.description} {late if spec.needs_power_cycle else ''}".rstrip()
         return tr(
-            "How often in a second the PWM of the motor switches. Low frequencies whine and heat "
+            "Switching frequency of the motor's PWM. Low frequencies whine and heat "
             "the motor, frequencies above the driver's rating heat the driver. Type a number or "
             "use the arrow keys. The board stores the nearest frequency that it can switch at."
         )

@@ -78,7 +78,7 @@ class PlanForm(ui.Card):
         methods = [(tr("Accelerate"), True), (title_of(tr("Se&t at once")), False)]
         tip = tr(
             "Accelerate uses the board's acceleration, brake duration and current limit; "
-            "Set at once bypasses the first two and, for a moment, the limit, too."
+            "Set at once bypasses the first two and, briefly, the limit."
         )
         self._sent = add(tr("Se&nt as"), combo("benchSent", items=methods, tip=tip))
         tip = tr(

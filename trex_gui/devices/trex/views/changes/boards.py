@@ -160,7 +160,7 @@ class ApplyToSeveral(QObject):
         left_out = [plan for plan in self.work.plans if plan.step in _LEFT_OUT]
         texts = []
         if self.work.was_stopped:
-            texts.append(tr("Stop was pressed, which has ended the work."))
+            texts.append(tr("Ended because Stop was pressed."))
         if written:
             texts.append(tr("Written to %n board(s).", "", written))
         if not self.dialog.isVisible() and self.work.is_writing:
@@ -171,7 +171,7 @@ class ApplyToSeveral(QObject):
             signal = notifier.error if BoardStep.FAILED in steps else notifier.info
             signal.emit(" ".join(texts))
         elif left_out:
-            texts.append(tr("%n board(s) left out; the reason is beside each.", "", len(left_out)))
+            texts.append(tr("%n board(s) left out; see the Result column.", "", len(left_out)))
         self._trouble = " ".join(texts)
 
 

@@ -89,7 +89,7 @@ def load_dialog(
             dialog.show_trouble(error_sentence(error))
             return
         count = min(len(rows), draft.pending)  # a row may have reverted an edit
-        text = tr("{0}: %n change(s) pending: review them to write them.", "", count)
+        text = tr("{0}: %n change(s) pending. Review them, then write.", "", count)
         nothing = tr("{0}: {1}").format(name, tr("Nothing to write."))
         on_staged(text.format(name) if count else nothing)
         dialog.close()

@@ -160,7 +160,7 @@ class Review(QObject):
     def _on_reset_clicked(self) -> None:
         text = tr(
             "At its next start the board will reset every parameter, including those cleared "
-            "here. Its present settings are saved first (File, History). Unapplied changes "
+            "here. Its current settings are saved first (File, History). Unapplied changes "
             "are discarded; Undo restores them."
         )
         conflict = tr(
@@ -328,7 +328,7 @@ class Review(QObject):
     def _caption(self) -> str:
         text = tr("A snapshot of all settings is saved first. Each value is read back.")
         if self._title:
-            text += " " + tr("The channel calibrations stay.")
+            text += " " + tr("Channel calibrations are not changed.")
         return " · ".join(filter(None, (self._board_text(), text)))
 
     def _board_text(self) -> str:

@@ -22,7 +22,7 @@ class ErrorsPage(ProblemsPage):
     def __init__(self, device: Device, parent: QWidget) -> None:
         self._device = device
         super().__init__("errors", device.connection.traffic, parent)
-        tip = tr("Set every count to zero, and clear the times of errors")
+        tip = tr("Reset all counts and error times")
         title, reset = tr("Reset all co&unts"), device.board.errors.reset
         self._reset = ui.button(self, "resetCountsButton", title, tip=tip, on_click=reset)
         self.note_row.addWidget(self._reset)
@@ -66,7 +66,7 @@ class ErrorsPage(ProblemsPage):
                 f"{quality_text(quality)}\n{details}",
                 is_bad=bool(quality.is_noisy),
             ),
-            Reading(tr("Reads a second"), f"{quality.rate:.0f}" if quality.rate else "–"),
+            Reading(tr("Reads per second"), f"{quality.rate:.0f}" if quality.rate else "–"),
             Reading(tr("Slowest reply"), f"{1000 * counters.slowest:.0f} ms"),
             Reading(tr("Connected for"), str(timedelta(seconds=int(now() - (opened or now()))))),
             Reading(tr("Restarts seen"), str(board.restarts), returns_text.format(board.returns)),
@@ -89,7 +89,7 @@ class ErrorsPage(ProblemsPage):
         if entry.count:
             texts.append(tr(entry.remedy))
         if entry.is_doubtful:
-            texts.append(tr("The line is noisy and has no CRC: a corrupted reply looks alike."))
+            texts.append(tr("The line is noisy and has no CRC: a corrupted reply looks the same."))
         times = ""
         if entry.last is not None:
             times = self.times_text(entry.count, entry.last)

@@ -95,7 +95,7 @@ def _calibrations(settings: Settings) -> str:
         tr("Maximum"): 16,
         title_of(tr("&Deadband")): 16,
     }
-    return _table(titles, rows) if rows else f"<p>{escape(tr('None are given.'))}</p>"
+    return _table(titles, rows) if rows else f"<p>{escape(tr('None set.'))}</p>"
 
 
 def _rows_for_note(settings: Settings, key: str, columns: int) -> list[str]:

@@ -247,7 +247,7 @@ class WiringPage(Page):
 
 def rewiring_text(driver: Driver, rewiring: Rewiring) -> str:
     texts = [tr("Switch the motors' power off.")]
-    swap = tr("Swap the pair of wires of motor 1 with that of motor 2 (keep their order).")
+    swap = tr("Swap the wire pairs of motors 1 and 2. Keep the order within each pair.")
     if rewiring.exchange_motors:
         texts.append(swap)
     left = tr("Swap the two wires of the left motor.")

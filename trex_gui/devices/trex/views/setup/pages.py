@@ -213,8 +213,8 @@ class TimeoutPage(Page):
         self._short = ui.named(Note(2, self), "setupTimeoutShort")
         title = ui.label(self, text=tr("&Stop the motors after a silence of"), buddy=self._seconds)
         hint = tr(
-            "Have the computer send something at least twice in that time. UART-Error Shutdown is "
-            "switched on with it, as the timeout may need it (twin)."
+            "The computer must send something at least twice within that time. UART-Error Shutdown "
+            "is switched on with it, as the timeout may need it (twin)."
         )
         seconds = self._seconds, 0, Qt.AlignmentFlag.AlignLeft
         ui.column(title, seconds, Muted(hint, self), self._short, 1, into=self, margins=0)

@@ -105,7 +105,7 @@ CHANNEL_OPTIONS = {  # key → title and tool tip
     ),
     ParameterKey.IGNORED_CHANNELS: (
         tr_noop("I&gnored"),
-        tr_noop("Held at neutral at any input; for channels without a cable"),
+        tr_noop("Held at neutral whatever the input; for channels without a cable"),
     ),
     ParameterKey.REQUIRED_CHANNELS: (
         tr_noop("Re&quired in RC mode"),

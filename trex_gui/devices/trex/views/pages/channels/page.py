@@ -184,7 +184,7 @@ class ChannelsPage(PlotPage):
         source = tr(channel_text.SOURCE_NAMES[state.source])
         text = tr("Inputs are read as {0}. They control the motors.")
         if state.mode.is_serial:
-            text = tr("Inputs are read as {0}. In serial mode they are shown only.")
+            text = tr("Inputs are read as {0}. In serial mode they are only shown.")
         elif self._control:
             text = tr("Inputs are read as {0}. Serial commands override them now.")
         return text.format(source)
