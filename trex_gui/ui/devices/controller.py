@@ -153,7 +153,13 @@ class DeviceController(QObject, Generic[SettingsT]):
         self._model.notifier.report(reason, remedies)
 
     def show_searches_in(self, traffic: TrafficModel) -> None:
+        self._traffic = traffic
         self._scanner.logs.append(traffic.search_log)
+        self._scanner.changed.connect(self._on_scan_changed)
+
+    @Slot()
+    def _on_scan_changed(self) -> None:
+        self._traffic.set_searching(self._scanner.running)
 
     @Slot()
     def _on_scan_finished(self) -> None:

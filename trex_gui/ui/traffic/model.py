@@ -72,9 +72,10 @@ class TrafficModel(QObject):
         self._typed: list[bytes] = []  # typed requests that have no row yet
         self._newest = 0  # number of the newest row
         self._epoch = time.time() - now()  # wall time at 0 on the session's clock
-        new_timer(self, _INTERVAL_MS, self.pull).start()
+        self._is_open = self._is_searching = False
+        self._timer = new_timer(self, _INTERVAL_MS, self.pull)
         line.started.connect(self._on_started)
-        line.closed.connect(self.pull)
+        line.closed.connect(self._on_closed)
 
     def record_settings(self, settings: PortSettings, *, echo: bool) -> None:
         self.pull()
@@ -160,3 +161,24 @@ class TrafficModel(QObject):
         self._epoch = time.time() - now()
         self._assembler.echo = None
         self._typed.clear()
+        self._is_open = True
+        self._update_timer()
+
+    @Slot()
+    def _on_closed(self) -> None:
+        self._is_open = False
+        self._update_timer()
+
+    def set_searching(self, searching: bool) -> None:
+        """Set whether a scan fills `search_log`."""
+        self._is_searching = searching
+        self._update_timer()
+
+    def _update_timer(self) -> None:
+        """Read the logs while a session or a scan fills them."""
+        is_filling = self._is_open or self._is_searching
+        if is_filling and not self._timer.isActive():
+            self._timer.start()
+        elif not is_filling:
+            self._timer.stop()
+            self.pull()
