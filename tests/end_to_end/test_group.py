@@ -7,7 +7,9 @@ from tests.support.pages.motors import MotorsPage
 from tests.support.simulator import StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
 from tests.support.window import WindowDriver
+from trex_gui.devices.trex.client.telemetry import Control
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.ui.runtime import now
 
 
 @pytest.fixture
@@ -65,6 +67,17 @@ def test_board_that_is_lost_stops_the_other_and_is_named(
     window.disconnect()
     window.connect_to_demo()
     assert not window.has("groupCards")
+
+
+def test_board_that_returns_to_its_channels_is_named(
+    window: WindowDriver, boards: VirtualSimulator
+) -> None:
+    MotorsPage(window, boards).arm()
+    (other,) = window.device.others
+    other.board.newest.update(Control(now(), by_serial=False))
+    window.device.driving.update_available()
+    assert not window.motors.armed
+    assert window.motors.stop_reason.startswith("Board 9: Serial commands no longer reach")
 
 
 def test_group_is_left_where_no_other_board_was_sought(

@@ -392,10 +392,6 @@ class BoardMirror:
                 self.errors.count(sample, now, utc, is_doubtful=is_doubtful)
                 if reason := self._stop_reason(sample):
                     yield MotorsShutDown(reason)
-                faults = [bit for bit in MOTOR_FAULTS.values() if sample.status & bit]
-                if faults and not sample.is_earlier:
-                    names = ", ".join(tr(name) for bit in faults for name in bit_names(bit))
-                    yield DriveLost(tr("The board reports: {0}.").format(names))
         yield from self._update_quality(batch)
         for sample in batch.samples:
             filtered: Sequence[Sample] = (sample,)
@@ -404,6 +400,11 @@ class BoardMirror:
             for passed in filtered:
                 self.newest.update(passed)
                 yield passed
+            if isinstance(sample, LatchedStatus) and not sample.is_earlier:
+                faults = [bit for bit in MOTOR_FAULTS.values() if sample.status & bit]
+                names = ", ".join(tr(name) for bit in faults for name in bit_names(bit))
+                if names:
+                    yield DriveLost(tr("The board reports: {0}.").format(names))
             if isinstance(sample, Control):
                 self._channel_control = 0 if sample.by_serial else self._channel_control + 1
                 if self._channel_control == _REPLIES_UNTIL_LOST:

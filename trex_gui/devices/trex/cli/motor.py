@@ -387,7 +387,7 @@ class _Run:
             say(f"Errors latched before this run: {names}.")
         elif latched.uart & UartError.TIMEOUT:
             self._finish(f"The board reports: {names}.")
-        elif not self._is_ending:
+        elif not self._is_ending and not latched.stops_motors():  # else the drive is lost
             say(f"The board reports: {names}.")
             if latched.uart:  # the board may have stopped the motors
                 setpoints = [c for c in self._commands if not isinstance(c, SendPacket)]

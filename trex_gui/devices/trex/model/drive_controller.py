@@ -114,10 +114,14 @@ class DriveController(QObject):
         control. A motor would then start unexpectedly.
         """
         reaches_one = self._is_connected and not self.reaches_several
-        allowed = reaches_one and bool(self._mirror.serial_controls) and self.lacking() is None
+        other = self.lacking()
+        allowed = reaches_one and bool(self._mirror.serial_controls) and other is None
         if allowed != self._motors.is_available:
             if self._motors.armed and self._is_connected and not allowed:
-                self._motors.stop(self.named(tr("Serial commands no longer reach the motors.")))
+                text = tr("Serial commands no longer reach the motors.")
+                is_own = other is None
+                text = self.named(text) if is_own else tr("Board {0}: {1}").format(other, text)
+                self._motors.stop(text)
             self._motors.set_available(allowed)
 
     def set_reaching_several(self, several: bool) -> None:
