@@ -64,8 +64,9 @@ class _Outbox:
         try:
             self._messages.put_nowait(message)
         except queue.Full:
-            self._is_over = True
-            self._on_full()
+            if not self._is_over:
+                self._is_over = True
+                self._on_full()
 
     def _run(self) -> None:
         while (message := self._messages.get()) is not None and not self._is_over:
