@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtCore import QPoint, QRect, QSettings, QSize, Qt
 from PySide6.QtGui import QAction, QScreen
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QMenu
+from PySide6.QtWidgets import QApplication, QMenu
 
 from tests.devices.trex.recording.samples import an_hour, write
 from tests.support.program import trex
@@ -49,7 +49,9 @@ def test_windows_fit_a_small_screen_in_large_fonts(
     assert theme().font_size == FONT_SIZES[-1]
 
 
-def test_page_of_the_last_session_is_shown_again(request: pytest.FixtureRequest) -> None:
+def test_page_of_the_last_session_is_shown_again(
+    qapp: QApplication, request: pytest.FixtureRequest
+) -> None:
     QSettings().setValue("trex/page", "channels")
     window: WindowDriver = request.getfixturevalue("window")
     assert window.has("channelsPage")
@@ -92,7 +94,7 @@ def test_recent_files_open_again(window: WindowDriver, tmp_path: Path) -> None:
 
     settings.unlink()
     open_recent(window, "robot.txt")
-    assert "no longer there" in window.text("bannerText")
+    assert "no longer exists" in window.text("bannerText")
     assert [action.toolTip() for action in recent(window)] == [str(recording)]
 
     poses = tmp_path / "walk & turn.ppr"
