@@ -107,6 +107,8 @@ def strokes(painter: QPainter) -> Iterator[None]:
     hundred times as long.
     """
     base = painter.worldTransform()
+    if not base.m22():  # the device cannot be painted on, as seen under Wine
+        return
     ratio = painter.deviceTransform().m22() / base.m22()
     for pixel in range(max(1, round(ratio))):
         for x, y in {(pixel, 0), (0, pixel)}:
