@@ -111,7 +111,8 @@ class SafeStart:
     """Estimate of safe-start, for which the board has no flag.
 
     Inferred: safe-start begins at power-up and when a required channel loses its signal. It ends
-    when all driving channels are near neutral. Ref: TReX Jr User's Guide 4.e.
+    when all driving channels are near neutral at once. The threshold is inferred, too.
+    Ref: TReX Jr User's Guide 4.e.
     """
 
     def __init__(self) -> None:
