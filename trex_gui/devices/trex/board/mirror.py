@@ -81,10 +81,9 @@ class MotorsShutDown:
 
 @dataclass(frozen=True, slots=True)
 class DriveLost:
-    """The board no longer follows motor commands.
+    """The board no longer follows motor commands: a motor has a fault, or channels are in control.
 
-    A motor has a fault, or two consecutive replies report control by channels. A single reply may
-    be corrupted.
+    One reply is enough. If it was corrupted, the motors only stop needlessly.
     """
 
     reason: str  # a sentence
@@ -170,7 +169,6 @@ class BoardMirror:
         self._currents = SpikeFilter()
         self._joint: dict[str, bool] = {}  # `is_joint` of unselected boards
         self._was_read = False  # True if a board was read since the line was opened
-        self._channel_control = 0  # consecutive replies that report control by channels
 
     # --- State --------------------------------------------------------------------------
 
@@ -366,7 +364,6 @@ class BoardMirror:
         self.restarts += occasion is ReadReason.RESTARTED
         if opened or occasion is ReadReason.SELECTED:
             self.newest.samples.clear()
-            self._channel_control = 0
             self._currents = SpikeFilter()
         self.newest.update(Control(now, state.serial_controls))
         yield BoardRead(report, is_changed, is_other, is_new)
@@ -406,10 +403,8 @@ class BoardMirror:
                 names = ", ".join(tr(name) for bit in faults for name in bit_names(bit))
                 if names:
                     yield DriveLost(tr("The board reports: {0}.").format(names))
-            if isinstance(sample, Control):
-                self._channel_control = 0 if sample.by_serial else self._channel_control + 1
-                if self._channel_control == _REPLIES_UNTIL_LOST:
-                    yield DriveLost(self.control_text)
+            if isinstance(sample, Control) and not sample.by_serial:
+                yield DriveLost(self.control_text)
         if self.state is not None and not self.state.mode.is_serial:
             self._safe_start.update(self.state, self.newest, self.inputs(now), joint=self.is_joint)
 
@@ -443,7 +438,6 @@ class BoardMirror:
         yield QualityChanged()
 
     def _clear(self) -> Iterator[BoardEvent]:
-        self._channel_control = 0
         self.newest.samples.clear()
         self._safe_start, self._currents = SafeStart(), SpikeFilter()
         if self.quality.reset():
@@ -451,7 +445,6 @@ class BoardMirror:
 
 
 _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
-_REPLIES_UNTIL_LOST = 2  # consecutive replies that report control by channels
 
 
 def _is_joint(state: DeviceState) -> bool:
