@@ -449,7 +449,7 @@ def _transcript_samples() -> Sequence[bytes]:
     rows = "2026-11-23 12:00:00.000+00:00\t\t81\t54 52 65 58 31 2E 32\t8.0\tget signature\n"
     rows += "2026-11-23 12:00:00.100+00:00\t\tAF 07 0F 55 2A\t00\t8.0\tset\n"
     rows += "2026-11-23 12:00:00.200+00:00\t!\t9F 7E\t25\t8.0\tget\n"
-    return [(transcript.head() + rows).encode(), (transcript.head() + rows[:60]).encode()]
+    return [(transcript.header() + rows).encode(), (transcript.header() + rows[:60]).encode()]
 
 
 def check_transcript(data: bytes, folder: Path) -> None:

@@ -5,7 +5,7 @@ from dataclasses import replace
 import pytest
 
 from trex_gui.gamepad.pads import PadState
-from trex_gui.gamepad.profile import Axis, GamepadProfile, Pilot, Style, Waits
+from trex_gui.gamepad.profile import Axis, DriveCondition, GamepadProfile, Pilot, Style
 
 PROFILE = GamepadProfile(dead_zone=0.1, expo=0.0)
 HOLD, STOP = 4, 1
@@ -19,7 +19,7 @@ def test_stick_never_centred_does_not_drive() -> None:
     pilot = Pilot(PROFILE)
     pilot.update(shows(y=-0.8))
     ask = pilot.update(shows(y=-0.8, down=(HOLD,)))
-    assert (ask.forward, ask.drives, ask.waits) == (0, False, Waits.REST)
+    assert (ask.forward, ask.drives, ask.waits_for) == (0, False, DriveCondition.REST)
 
 
 def test_driving_requires_both_axes_centred_first() -> None:
@@ -35,8 +35,8 @@ def test_hold_button_must_be_pressed_after_arming() -> None:
     pilot.update(shows())
     pilot.update(shows(down=(HOLD,)))
     pilot.reset()
-    assert pilot.update(shows(down=(HOLD,))).waits is Waits.RELEASE
-    assert pilot.update(shows()).waits is Waits.HOLD
+    assert pilot.update(shows(down=(HOLD,))).waits_for is DriveCondition.RELEASE
+    assert pilot.update(shows()).waits_for is DriveCondition.HOLD
     assert pilot.update(shows(y=-1.0, down=(HOLD,))).drives
 
 
@@ -52,12 +52,12 @@ def test_releasing_hold_button_stops_driving() -> None:
     pilot = Pilot(PROFILE)
     pilot.update(shows())
     assert pilot.update(shows(y=-1.0, down=(HOLD,))).drives
-    assert pilot.update(shows(y=-1.0)).waits is Waits.HOLD
+    assert pilot.update(shows(y=-1.0)).waits_for is DriveCondition.HOLD
 
 
 def test_stick_alone_drives_without_hold_button() -> None:
     pilot = Pilot(replace(PROFILE, hold=None))
-    assert pilot.update(shows()).waits is Waits.MOVE
+    assert pilot.update(shows()).waits_for is DriveCondition.MOVE
     assert pilot.update(shows(y=-0.5)).drives
     assert not pilot.update(shows(y=-0.05)).drives
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from trex_gui.composition import PLUGINS
-from trex_gui.core.command_io import TROUBLE, standard_streams
+from trex_gui.core.command_io import FAILURE_EXIT_CODE, standard_streams
 from trex_gui.core.plugin import CommandInfo, Lazy
 from trex_gui.version import __version__
 
@@ -24,7 +24,7 @@ COMMANDS: Mapping[str, CommandInfo] = {
     ),
     **{name: info for plugin in PLUGINS for name, info in plugin.commands.items()},
     "completion": CommandInfo(
-        Lazy("trex_gui.cli.program:completion"), "Print the completion script of a shell."
+        Lazy("trex_gui.cli.program:completion"), "Print the completion script for a shell."
     ),
 }
 """All commands, in the order of the help text."""
@@ -49,7 +49,7 @@ class _Program(click.Group):
             failure = click.ClickException("Interrupted.")
         except click.ClickException as error:
             failure = error
-        failure.exit_code = ctx.meta.get(TROUBLE, failure.exit_code)  # type: ignore[misc]
+        failure.exit_code = ctx.meta.get(FAILURE_EXIT_CODE, failure.exit_code)  # type: ignore[misc]
         raise failure
 
     def list_commands(self, ctx: click.Context) -> list[str]:
@@ -84,7 +84,7 @@ class _Program(click.Group):
 def _run_guardian(
     context: click.Context, _option: click.Parameter, arguments: tuple[str, ...] | None
 ) -> None:
-    """Run the guardian process. A bundled executable starts it with this option."""
+    """Run the guardian process. A bundled executable starts the guardian with this option."""
     if arguments:
         from trex_gui.core.guardian.process import main as run  # noqa: PLC0415 - rarely needed
 
@@ -128,7 +128,7 @@ def main() -> None:
     """
     from trex_gui.core.transport.driven import driven_boards  # noqa: PLC0415 - not for --help
 
-    driven_boards()  # logs boards whose motors were left running
+    driven_boards()  # logs the boards whose motors were left running
 
 
 _COMPLETION_HELP = """Print the script that completes commands, parameter names and ports.

@@ -99,8 +99,8 @@ class Interruption:
     at the start (`nohup`) stay ignored.
     """
 
-    def __init__(self, *, precious: bool = False) -> None:
-        self._precious = precious
+    def __init__(self, *, must_finish: bool = False) -> None:
+        self._must_finish = must_finish
         self._interrupted = False
         self._previous: dict[int, Any] = {}
 
@@ -108,9 +108,9 @@ class Interruption:
         return self._interrupted
 
     def __enter__(self) -> Self:
-        for number in handled_signals((*ENDING, *((SUSPENDING,) if self._precious else ()))):
+        for number in handled_signals((*ENDING, *((SUSPENDING,) if self._must_finish else ()))):
             self._previous[number] = signal.signal(number, self._record)
-        for number in handled_signals(FROM_TERMINAL if self._precious else ()):
+        for number in handled_signals(FROM_TERMINAL if self._must_finish else ()):
             self._previous[number] = signal.signal(number, signal.SIG_IGN)
         return self
 
@@ -120,7 +120,7 @@ class Interruption:
 
     def _record(self, number: int, frame: FrameType | None) -> None:
         del number, frame
-        if self._interrupted and not self._precious:
+        if self._interrupted and not self._must_finish:
             raise KeyboardInterrupt
         self._interrupted = True
 

@@ -7,7 +7,7 @@ from enum import Enum, auto
 
 from trex_gui.gamepad.pads import Pad, PadState
 
-WIDEST_DEAD_ZONE = 0.5
+MAX_DEAD_ZONE = 0.5
 REST = 0.05
 """Deflection (0 to 1) up to which a stick is at rest, even with a smaller dead zone.
 
@@ -18,7 +18,7 @@ Inferred: sticks settle within a few hundredths of their previous position.
 def shape(value: float, dead_zone: float, expo: float) -> float:
     """Return the command (-1 to 1) of an axis at `value` (-1 to 1).
 
-    The command is 0 within `dead_zone` (0 to `WIDEST_DEAD_ZONE`) and grows from 0 at its edge.
+    The command is 0 within `dead_zone` (0 to `MAX_DEAD_ZONE`) and grows from 0 at its edge.
     `expo`: 0 (linear) to 1 (cubic, finer in the middle).
     """
     deflection = min(1.0, abs(value))
@@ -48,7 +48,7 @@ class GamepadProfile:
     Attributes:
         first: axis for forward, or for the left motor.
         second: axis for turning (positive to the right), or for the right motor.
-        dead_zone: 0 to `WIDEST_DEAD_ZONE`. The default is inferred: worn sticks come to rest up to
+        dead_zone: 0 to `MAX_DEAD_ZONE`. The default is inferred: worn sticks come to rest up to
             a tenth off their centre.
         expo: 0 (linear) to 1 (cubic).
         hold: button that must be held to drive. `None`: moving a stick is enough.
@@ -103,7 +103,7 @@ def read_profile(text: str) -> GamepadProfile | None:
             style=Style(values["style"]),
             first=_axis(values["first"]),
             second=_axis(values["second"]),
-            dead_zone=_number(values["dead_zone"], WIDEST_DEAD_ZONE),
+            dead_zone=_number(values["dead_zone"], MAX_DEAD_ZONE),
             expo=_number(values["expo"], 1.0),
             hold=_button(values["hold"]),
             stop=_button(values["stop"]),
@@ -133,7 +133,7 @@ def _number(value: object, maximum: float) -> float:
     raise ValueError(value)
 
 
-class Waits(Enum):
+class DriveCondition(Enum):
     """Condition that must be met before a gamepad drives."""
 
     REST = auto()  # each stick must be at rest once
@@ -149,13 +149,13 @@ class PilotRequest:
 
     forward: float
     turn: float
-    waits: Waits
+    waits_for: DriveCondition
     stop: bool  # True if the stop button has just been pressed
 
     @property
     def drives(self) -> bool:
         """True if the gamepad drives, even at speed 0."""
-        return self.waits is Waits.NOTHING
+        return self.waits_for is DriveCondition.NOTHING
 
 
 class Pilot:
@@ -184,10 +184,10 @@ class Pilot:
         stop_is_down = state.pressed(profile.stop)
         stop = stop_is_down and not self._stop_was_down
         self._stop_was_down = stop_is_down
-        waits = self._waits(state, moved=bool(first or second))
+        waits_for = self._wait_condition(state, moved=bool(first or second))
         if profile.style is Style.TANK:
-            return PilotRequest((first + second) / 2, (first - second) / 2, waits, stop)
-        return PilotRequest(first, second, waits, stop)
+            return PilotRequest((first + second) / 2, (first - second) / 2, waits_for, stop)
+        return PilotRequest(first, second, waits_for, stop)
 
     def _value(self, axis: Axis, state: PadState) -> float:
         if axis.number not in self._rested:
@@ -195,11 +195,11 @@ class Pilot:
         value = shape(state.axis(axis.number), self._profile.dead_zone, self._profile.expo)
         return -value if axis.inverted and value else value
 
-    def _waits(self, state: PadState, *, moved: bool) -> Waits:
+    def _wait_condition(self, state: PadState, *, moved: bool) -> DriveCondition:
         if not {self._profile.first.number, self._profile.second.number} <= self._rested:
-            return Waits.REST
+            return DriveCondition.REST
         if self._profile.hold is None:
-            return Waits.NOTHING if moved else Waits.MOVE
+            return DriveCondition.NOTHING if moved else DriveCondition.MOVE
         if not state.pressed(self._profile.hold):
-            return Waits.HOLD
-        return Waits.NOTHING if self._released else Waits.RELEASE
+            return DriveCondition.HOLD
+        return DriveCondition.NOTHING if self._released else DriveCondition.RELEASE

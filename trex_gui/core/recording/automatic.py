@@ -9,8 +9,8 @@ from trex_gui.core.files import data_folder
 from trex_gui.core.recording.store import SUFFIX, remove_recording, reported
 from trex_gui.core.translation import tr_noop
 
-MOST_FILES = 50  # about 10 MB
-MOST_BYTES = 100 * 1024 * 1024
+MAX_FILES = 50  # about 10 MB
+MAX_BYTES = 100 * 1024 * 1024
 
 _NOT_USED = tr_noop("It cannot be used: {0}.")
 _NAME = re.compile(r"\d{4}-\d\d-\d\d_\d\d-\d\d-\d\d\.\d{3}_[a-z-]+" + re.escape(SUFFIX))
@@ -34,7 +34,7 @@ def create_automatic_folder() -> Path:
     return folder
 
 
-def free_space(most_files: int = MOST_FILES, most_bytes: int = MOST_BYTES) -> None:
+def remove_oldest(max_files: int = MAX_FILES, max_bytes: int = MAX_BYTES) -> None:
     """Remove the oldest recordings. Create the folder if necessary.
 
     Never removes the newest recording or a file that the user has renamed. Raises RecordingError.
@@ -46,5 +46,5 @@ def free_space(most_files: int = MOST_FILES, most_bytes: int = MOST_BYTES) -> No
     for number, path in enumerate(reversed(recordings), start=1):
         with contextlib.suppress(OSError):  # missing, or open in another program
             used += path.stat().st_size
-            if number > 1 and (number >= most_files or used > most_bytes):
+            if number > 1 and (number >= max_files or used > max_bytes):
                 remove_recording(path)

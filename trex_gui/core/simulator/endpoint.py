@@ -32,16 +32,18 @@ Arrival = tuple[HostSettings | None, bytes]
 class Endpoint(Protocol):
     """Connection that a host can open repeatedly.
 
-    `hosts_left`: number of disconnections. `url`: address for pyserial. `waiting_for` returns the
-    file descriptors for `select`.
+    Attributes:
+        disconnections: number of times that a host has disconnected.
+        url: address for pyserial.
     """
 
-    hosts_left: int
+    disconnections: int
 
     @property
     def url(self) -> str: ...
 
-    def waiting_for(self) -> list[int]: ...
+    def descriptors(self) -> list[int]:
+        """Return the file descriptors for `select`."""
 
     def receive(self, ready: Collection[int]) -> Iterable[Arrival]:
         """Read the `ready` descriptors. Return the received bytes."""
@@ -64,7 +66,7 @@ class TcpEndpoint:
         self._port = port
         self._listener: socket.socket | None = None
         self._client: socket.socket | None = None
-        self.hosts_left = 0
+        self.disconnections = 0
         self.plug()
 
     @property
@@ -72,7 +74,7 @@ class TcpEndpoint:
         host = f"[{self._host}]" if ":" in self._host else self._host
         return f"{self.scheme}://{host}:{self._port}"
 
-    def waiting_for(self) -> list[int]:
+    def descriptors(self) -> list[int]:
         current = self._client or self._listener
         return [current.fileno()] if current is not None else []
 
@@ -125,7 +127,7 @@ class TcpEndpoint:
         if self._client is not None:
             self._client.close()
             self._client = None
-            self.hosts_left += 1
+            self.disconnections += 1
 
     def _accept(self, listener: socket.socket) -> None:
         with contextlib.suppress(OSError):  # the client may have disconnected

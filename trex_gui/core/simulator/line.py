@@ -17,8 +17,8 @@ from trex_gui.core.simulator.sampling import (
     ReceiveError,
     Receiver,
     SampledByte,
-    is_other_rate,
     levels,
+    rates_differ,
 )
 from trex_gui.core.simulator.timeline import EPSILON, Timeline
 from trex_gui.core.transport.settings import SerialFormat
@@ -202,7 +202,7 @@ class SimulatedLine:
     def send(self, data: bytes) -> None:
         host, at = self.host, self.timeline.at
         is_sampled = host is not None and any(
-            is_other_rate(host.baud, station.baud) for station in self.stations
+            rates_differ(host.baud, station.baud) for station in self.stations
         )
         byte_time = host.seconds(1) if host is not None and self.paced else self.byte_time
         is_current = partial(self._is_host_turn, self._host_turn)
@@ -279,7 +279,7 @@ class SimulatedLine:
             return
         byte, error = arriving
         for station in self.stations:
-            if is_other_rate(host.baud, station.baud):
+            if rates_differ(host.baud, station.baud):
                 station.sample(byte, host)
             else:
                 receive = partial(station.receive, byte, host, error, self.now)

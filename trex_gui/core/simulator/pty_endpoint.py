@@ -32,14 +32,14 @@ class PtyEndpoint:
         self._master: int | None = None
         self._slave: int | None = None
         self._path = ""
-        self.hosts_left = 0
+        self.disconnections = 0
         self.plug()
 
     @property
     def url(self) -> str:
         return str(self._link) if self._link is not None else self._path
 
-    def waiting_for(self) -> list[int]:
+    def descriptors(self) -> list[int]:
         return [self._master] if self._master is not None else []
 
     def receive(self, ready: Collection[int]) -> Iterable[Arrival]:
@@ -61,7 +61,7 @@ class PtyEndpoint:
             if end is not None:
                 os.close(end)
         self._master = self._slave = None
-        self.hosts_left += 1
+        self.disconnections += 1
         if self._link is not None:
             with contextlib.suppress(OSError):
                 if str(self._link.readlink()) == self._path:

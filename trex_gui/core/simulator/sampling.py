@@ -43,7 +43,7 @@ class SampledByte:
     error: ReceiveError | None = None
 
 
-def is_other_rate(baud: float, other: float) -> bool:
+def rates_differ(baud: float, other: float) -> bool:
     return abs(baud / other - 1) > _RATE_TOLERANCE
 
 

@@ -46,7 +46,7 @@ class Server:
         self._origin = time.monotonic()
         self._ended = False
         self._unsent = bytearray()
-        self._hosts_left = 0
+        self._disconnections = 0
         self._reported: set[str] = set()
         self._control_lines: deque[str | None] = deque()
         self._waker, self._wake = socket.socketpair()
@@ -70,7 +70,7 @@ class Server:
 
     def _run_once(self) -> None:
         self._catch_up()
-        sources = [self._waker.fileno(), *self._endpoint.waiting_for()]
+        sources = [self._waker.fileno(), *self._endpoint.descriptors()]
         ready, _, _ = select.select(sources, [], [], self._timeout())
         self._catch_up()
         self._check_departure()  # before any byte of the next host is received
@@ -102,8 +102,8 @@ class Server:
         self._unsent += data[: _MAX_UNSENT - len(self._unsent)]
 
     def _check_departure(self) -> None:
-        if self._endpoint.hosts_left != self._hosts_left:
-            self._hosts_left = self._endpoint.hosts_left
+        if self._endpoint.disconnections != self._disconnections:
+            self._disconnections = self._endpoint.disconnections
             self._drop_unsent()
 
     def _drop_unsent(self) -> None:

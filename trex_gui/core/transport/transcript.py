@@ -25,7 +25,7 @@ COLUMNS = ("time", "fault", "sent", "received", "took_ms", "meaning")
 LARGEST = 16 * 1024 * 1024  # bytes; about a hundred thousand transactions
 
 
-def head() -> str:
+def header() -> str:
     written = datetime.now(UTC).astimezone().isoformat(sep=" ", timespec="seconds")
     columns = "\t".join(COLUMNS)
     return f"# TReX Studio {__version__}: traffic on the line\n# written {written}\n{columns}\n"
@@ -63,7 +63,7 @@ class TranscriptWriter:
         self._assembler = TransactionAssembler(decoder, is_search=is_search)
         self._pending: Transaction | None = None
         self._file: TextIO | None = None
-        self.text = head()  # text that is not yet in the file
+        self.text = header()  # text that is not yet in the file
         self._has_content = False
 
     def open(self) -> None:

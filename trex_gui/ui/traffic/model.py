@@ -109,7 +109,7 @@ class TrafficModel(QObject):
 
         def text() -> str:
             lines = [self.line_of(rows[number]) for number in sorted(rows)]
-            return transcript.head() + "".join(f"{line}\n" for line in lines)
+            return transcript.header() + "".join(f"{line}\n" for line in lines)
 
         return text
 
@@ -117,7 +117,7 @@ class TrafficModel(QObject):
         self, file: TextIO, progress: ProgressCallback, *, rows: Sequence[Transaction]
     ) -> int:
         """Write rows as tab-separated text. Return their number. Thread-safe."""
-        file.write(transcript.head())
+        file.write(transcript.header())
         for done, row in enumerate(rows):
             if done % _CHUNK == 0:
                 progress(done / len(rows))

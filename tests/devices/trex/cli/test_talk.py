@@ -45,8 +45,8 @@ def test_second_interrupt_raises_keyboard_interrupt() -> None:
     assert signal.getsignal(signal.SIGINT) is before
 
 
-def test_interrupts_of_precious_work_are_only_recorded() -> None:
-    with Interruption(precious=True) as interrupted:
+def test_interrupts_of_work_that_must_finish_are_recorded() -> None:
+    with Interruption(must_finish=True) as interrupted:
         for _ in range(3):
             signal.raise_signal(signal.SIGINT)
         assert interrupted

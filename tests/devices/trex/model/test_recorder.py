@@ -14,7 +14,7 @@ from pytestqt.qtbot import QtBot
 from tests.devices.trex.recording.samples import open_recording, read_file
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui.core.events import EventKind
-from trex_gui.core.recording.automatic import automatic_path, create_automatic_folder, free_space
+from trex_gui.core.recording.automatic import automatic_path, create_automatic_folder, remove_oldest
 from trex_gui.core.recording.backlog import Backlog
 from trex_gui.core.recording.export import export_span
 from trex_gui.core.recording.kinds import Marker
@@ -317,11 +317,11 @@ def test_oldest_recordings_are_removed_except_renamed() -> None:
     for name in (*names, "my crash.trexrec"):
         (folder / name).write_bytes(bytes(1000))
     (folder / f"{names[0]}-wal").touch()
-    free_space(most_files=4)
+    remove_oldest(max_files=4)
     assert {path.name for path in folder.iterdir()} == {*names[1:], "my crash.trexrec"}
-    free_space(most_bytes=2000)
+    remove_oldest(max_bytes=2000)
     assert {path.name for path in folder.iterdir()} == {*names[2:], "my crash.trexrec"}
-    free_space(most_bytes=10)
+    remove_oldest(max_bytes=10)
     assert {path.name for path in folder.iterdir()} == {names[3], "my crash.trexrec"}
 
 

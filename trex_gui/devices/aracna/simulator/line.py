@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 from functools import partial
 
 from trex_gui.core.simulator.line import SimulatedLine
-from trex_gui.core.simulator.sampling import RateConverter, ReceiveError, is_other_rate
+from trex_gui.core.simulator.sampling import RateConverter, ReceiveError, rates_differ
 from trex_gui.core.transport.settings import Parity, SerialFormat
 from trex_gui.devices.aracna.protocol.joints import CENTRE, MOTORS
 from trex_gui.devices.aracna.simulator.firmware import (
@@ -107,7 +107,7 @@ class RobotStation:
 
     def _transmit(self, byte: int) -> None:
         line, host = self._line, self._line.host
-        if host is not None and is_other_rate(host.baud, self.baud):
+        if host is not None and rates_differ(host.baud, self.baud):
             if self._output is None or self._output.line != host:
                 self._output = RateConverter(line.timeline, host, host.baud, self._arrive_sampled)
             self._output.receive(byte, OWN, OWN.baud, paced=line.paced)

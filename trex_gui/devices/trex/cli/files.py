@@ -9,7 +9,7 @@ import click
 
 from trex_gui.core.cli import CommandFailed, json_option, print_json, refusals, say
 from trex_gui.core.code import Language
-from trex_gui.core.command_io import TROUBLE, FileName
+from trex_gui.core.command_io import FAILURE_EXIT_CODE, FileName
 from trex_gui.core.files import LARGEST_FILE, load, save
 from trex_gui.core.texts import counted
 from trex_gui.devices.trex.cli.changes import board_settings, read_board, record_of
@@ -77,7 +77,7 @@ class ComparisonCommand(click.Command):
     """
 
     def invoke(self, ctx: click.Context) -> Any:
-        ctx.meta[TROUBLE] = 2
+        ctx.meta[FAILURE_EXIT_CODE] = 2
         ctx.exit(0 if super().invoke(ctx) else 1)
 
 

@@ -118,7 +118,7 @@ def run_motors(
         with refusals():  # Ctrl-C may interrupt a slow connection over the network
             transport = host().open_transport(settings)
         clock, wait, open_port = transport.clock, transport.wait, lambda _settings: transport
-    with Interruption(precious=True) as interrupted:
+    with Interruption(must_finish=True) as interrupted:
         end = math.inf if seconds is None else seconds
         run = _Run(commands, end, interrupted, clock, wait, settings.group or (None,))
         for board in run.boards.values():

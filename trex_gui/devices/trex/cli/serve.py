@@ -137,7 +137,7 @@ def serve(
             say("Only programs on this computer reach it; --users lets others in.")
         elif not tls:
             say("Secrets are checked, but nothing is encrypted without --tls.")
-        with Interruption(precious=True) as interrupted:
+        with Interruption(must_finish=True) as interrupted:
             last = board.run(lambda: bool(interrupted))
     if last.may_move:
         raise CommandFailed("The stop is not confirmed. If a motor still turns, cut its power.")

@@ -70,7 +70,7 @@ def survey(file: str, *, limits: bool, as_new: bool, **options: Any) -> None:
                 if not spec.problem(stored, forced=True)
             ]
             with (
-                Interruption(precious=True) as interrupted,
+                Interruption(must_finish=True) as interrupted,
                 keeper_of(client, state).restored_afterwards(
                     client, state, "trexcmd survey"
                 ) as store,

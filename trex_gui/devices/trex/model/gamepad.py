@@ -7,10 +7,10 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.momentary_drive import MomentaryDrive
 from trex_gui.gamepad.pads import GamepadUnavailable, Pad, PadState, SdlPads
 from trex_gui.gamepad.profile import (
+    DriveCondition,
     GamepadProfile,
     Pilot,
     PilotRequest,
-    Waits,
     default_profile,
     read_profile,
 )
@@ -20,7 +20,7 @@ from trex_gui.ui.runtime import new_timer
 HOLDER = "gamepad"  # holder name for `Motors.acquire`
 STEP_MS = 17  # about the duration of a screen frame
 
-_NOTHING = PilotRequest(0.0, 0.0, Waits.REST, stop=False)
+_NOTHING = PilotRequest(0.0, 0.0, DriveCondition.REST, stop=False)
 
 
 class Gamepad(QObject):
@@ -223,21 +223,21 @@ class Gamepad(QObject):
         return self._waits_text().format(held) if self._has_read else self.text
 
     def _waits_text(self) -> str:
-        match self.request.waits:
-            case Waits.REST:
+        match self.request.waits_for:
+            case DriveCondition.REST:
                 return tr(
                     "Release the sticks: driving starts only after both axes have been at rest. "
                     "A worn stick may need a wider dead zone."
                 )
-            case Waits.RELEASE:
+            case DriveCondition.RELEASE:
                 return tr("Release {0}, then hold it to drive.")
-            case Waits.HOLD:
+            case DriveCondition.HOLD:
                 return tr("Hold {0} and move a stick to drive.")
-            case Waits.MOVE:
+            case DriveCondition.MOVE:
                 return tr("Move a stick to drive.")
-            case Waits.NOTHING if self.profile.hold is None:
+            case DriveCondition.NOTHING if self.profile.hold is None:
                 return tr("Driving. Release the sticks to stop.")
-            case Waits.NOTHING:
+            case DriveCondition.NOTHING:
                 return tr("Driving. Release {0} to stop.")
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Slot
 
 from trex_gui.core.events import Event, EventKind
-from trex_gui.core.recording.automatic import automatic_path, free_space
+from trex_gui.core.recording.automatic import automatic_path, remove_oldest
 from trex_gui.core.translation import tr
 from trex_gui.devices.trex.client.reading import DeviceState
 from trex_gui.devices.trex.client.telemetry import ModeSample
@@ -236,7 +236,7 @@ class EventRecorder(Recorder):
             first.append(AuxiliarySetpointRecord(start, before.auxiliary))
         when = datetime.now().astimezone() - timedelta(seconds=now() - event.time)
         path = automatic_path(when, event.kind.value)
-        self.start_recording(path, FORMAT, header, (*first, *self._recent), prepare=free_space)
+        self.start_recording(path, FORMAT, header, (*first, *self._recent), prepare=remove_oldest)
 
     @Slot()
     def stop(self) -> None:

@@ -10,7 +10,7 @@ from trex_gui.core.simulator.sampling import (
     ReceiveError,
     Receiver,
     SampledByte,
-    is_other_rate,
+    rates_differ,
 )
 from trex_gui.core.simulator.timeline import EPSILON
 from trex_gui.core.transport.settings import Parity, SerialFormat
@@ -115,7 +115,7 @@ class BoardStation:
         if not self.port.outgoing or self._is_transmitting:
             return
         host = line.host
-        if host is not None and is_other_rate(host.baud, self.baud):
+        if host is not None and rates_differ(host.baud, self.baud):
             self._is_transmitting = True
             if not line.paced:
                 convert = partial(self._transmit_converted, host)

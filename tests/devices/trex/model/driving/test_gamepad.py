@@ -12,7 +12,7 @@ from tests.support.virtual_time import VirtualRuntime
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.gamepad import HOLDER, Gamepad, axis_text, button_text
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
-from trex_gui.gamepad.profile import Axis, Waits
+from trex_gui.gamepad.profile import Axis, DriveCondition
 
 HOLD, STOP = 4, 1
 X, Y = 0, 1
@@ -169,9 +169,9 @@ def test_blocking_while_driving_stops_with_the_reason(setup: GamepadSetup) -> No
 def test_blocked_gamepad_does_not_drive(setup: GamepadSetup) -> None:
     setup.gamepad.set_unattended("Another page is open.")
     setup.pads.press(HOLD)
-    setup.qtbot.waitUntil(lambda: setup.gamepad.request.waits is Waits.RELEASE)
+    setup.qtbot.waitUntil(lambda: setup.gamepad.request.waits_for is DriveCondition.RELEASE)
     setup.pads.release(HOLD)
-    setup.qtbot.waitUntil(lambda: setup.gamepad.request.waits is Waits.HOLD)
+    setup.qtbot.waitUntil(lambda: setup.gamepad.request.waits_for is DriveCondition.HOLD)
     setup.pads.press(HOLD)
     setup.pads.move(Y, -1.0)
     setup.qtbot.waitUntil(lambda: setup.gamepad.request.drives)

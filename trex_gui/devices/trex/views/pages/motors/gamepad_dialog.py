@@ -13,7 +13,7 @@ from trex_gui.devices.trex.model.setup.wiring import Side
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.views.robot_view import RobotView
 from trex_gui.gamepad.pads import Pad, PadState
-from trex_gui.gamepad.profile import WIDEST_DEAD_ZONE, Axis, GamepadProfile, Style, default_profile
+from trex_gui.gamepad.profile import MAX_DEAD_ZONE, Axis, GamepadProfile, Style, default_profile
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.bar import NO_VALUE
 from trex_gui.ui.widgets.behaviour import ReusedDialog
@@ -139,7 +139,7 @@ class GamepadDialog(ReusedDialog):
         self._dead_zone = percent(
             "gamepadDeadZoneSpin",
             title_of(tr("&Dead zone:")),
-            highest=round(100 * WIDEST_DEAD_ZONE),
+            highest=round(100 * MAX_DEAD_ZONE),
             tip=tr("Travel around the centre that has no effect"),
         )
         self._expo = percent(
