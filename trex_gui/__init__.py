@@ -1,6 +1,6 @@
 """TReX Studio: set up, calibrate, drive and understand a Pololu TReX motor controller.
 
-Import the programming interface of a board from here (Qt is not needed):
+Import the programming interface of a board from this package, which does not need Qt:
 
     from trex_gui import Trex
 
@@ -61,7 +61,7 @@ _MODULES = (
 )
 
 
-if not TYPE_CHECKING:  # hidden, so that type checkers report misspelled names
+if not TYPE_CHECKING:  # hidden from type checkers, which then report misspelled names
 
     def __getattr__(name: str) -> Any:
         """Import the library on first use, so that the window and `trexcmd` start fast."""

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 log = logging.getLogger(__name__)
 
-_FIRST_PAINT_MS = 100  # time in which the window appears
+_FIRST_PAINT_MS = 100  # the window is drawn in this time, before its hidden parts are loaded
 
 
 def _seconds(text: str) -> float:
@@ -56,7 +56,7 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
         description="Set up, calibrate, drive and understand a Pololu TReX motor controller.",
     )
     board = parser.add_mutually_exclusive_group()
-    board.add_argument("--port", metavar="URL", type=_url, help="connect to this port at once")
+    board.add_argument("--port", metavar="URL", type=_url, help="connect to this port at start")
     board.add_argument("--demo", action="store_true", help="connect to the simulated board")
     parser.add_argument(
         "--device",
@@ -68,21 +68,21 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
         "--settings",
         metavar="FILE",
         type=_path,
-        help="compare this settings file with the board once it is connected; without --port and "
-        "--demo, open the file; poses (.ppr) open in the workspace of the robot",
+        help="settings file to compare with the board once it is connected; without --port or "
+        "--demo, the file is only opened; a file of poses (.ppr) opens in the robot's workspace",
     )
     parser.add_argument(
         "--timeout",
         metavar="SECONDS",
         type=_seconds,
         default=0.0,
-        help="added to the deadline of every reply, for slow adapters and networks",
+        help="seconds added to the deadline of every reply, for slow adapters and networks",
     )
     parser.add_argument(
         "--tour",
         metavar="FOLDER",
         type=_path,
-        help="write a picture of every page, light and dark, into this folder, then end",
+        help="save a light and a dark picture of every page in this folder, then exit",
     )
     parser.add_argument(
         "--verbose",
@@ -96,9 +96,9 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
 def complete(
     program: "Program", collector: "GuiThreadCollector", *, has_crashed: bool = False
 ) -> None:
-    """Load the parts that are not visible at first.
+    """Load the parts of the window that are not visible at first.
 
-    This blocks the thread for half a second. Call this before the user can arm a motor.
+    Loading blocks the GUI thread for half a second, so call this before the user can arm a motor.
     """
     program.complete()
     program.create_plots()
@@ -126,9 +126,9 @@ def start(program: "Program", arguments: argparse.Namespace) -> None:
 
 
 def connect(program: "Program", arguments: argparse.Namespace) -> None:
-    """Connect to the port or demo on the command line. Otherwise connect automatically."""
+    """Connect to the port or demo that the command line names, or connect automatically."""
     is_named = arguments.demo or bool(arguments.port)
-    program.auto_connect.start(at_once=not is_named)  # also reconnects adapters that return
+    program.auto_connect.start(at_once=not is_named)  # also reconnects to a replugged adapter
     if arguments.demo:
         program.connect_to_demo(arguments.device or program.plugins[0].key)
     elif arguments.port:
@@ -180,7 +180,7 @@ def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
     from trex_gui.ui.translations import install_translations, selected_locale  # noqa: PLC0415
     from trex_gui.ui.workers.threads import GuiThreadCollector  # noqa: PLC0415
 
-    # Not `platform.platform()`, which takes 50 ms. The report includes it.
+    # `platform.platform()` would take 50 ms. The support report includes its result.
     system = f"{platform.system()} {platform.release()} {platform.machine()}"
     python, qt = platform.python_version(), qVersion()
     log.info("TReX Studio %s started on %s, Python %s, Qt %s", __version__, system, python, qt)
@@ -188,7 +188,7 @@ def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
     QApplication.setOrganizationName("TReX Studio")
     QApplication.setApplicationVersion(__version__)
     QApplication.setDesktopFileName("trex-studio")
-    # Native dialogs would consume Esc, which must also stop the motors in dialogs.
+    # Native dialogs would consume Esc, but Esc must stop the motors in dialogs, too.
     QApplication.setAttribute(Qt.ApplicationAttribute.AA_DontUseNativeDialogs)
     app = QApplication(["trex-gui"])
     run_file = RunFile()  # after QApplication, which aborts without a display
@@ -205,7 +205,7 @@ def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
     QTimer.singleShot(_FIRST_PAINT_MS, load_rest)
     start(program, arguments)
     code = app.exec()
-    # Closing the line or a recording may take seconds.
+    # The windows are hidden first, because closing the line or a recording may take seconds.
     for window in app.topLevelWidgets():
         window.hide()
     has_ended = program.shut_down()
@@ -218,7 +218,7 @@ def _run(arguments: argparse.Namespace, program_log: "ProgramLog") -> int:
             sys.stderr.flush()
         log.error("a port or a disk does not respond: ended with exit code %d", code)
         program_log.close()
-        # Qt would abort when it destroys a running thread.
+        # A normal exit would destroy a running thread, and Qt would abort.
         os._exit(code)
     supervisor.close()
     program.destroy()

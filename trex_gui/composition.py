@@ -1,4 +1,4 @@
-"""List of the supported devices."""
+"""Supported kinds of device."""
 
 from typing import TYPE_CHECKING
 
@@ -11,11 +11,11 @@ if TYPE_CHECKING:
     from trex_gui.ui.program import Program
 
 PLUGINS: tuple[DevicePlugin, ...] = (TREX, ARACNA)
-"""Supported kinds of devices. The first is the default for a port."""
+"""All supported kinds. The first kind is the default for a port."""
 
 
 def build(timeouts: Timeouts | None = None) -> "Program":
-    """Create the models and the window. Does not connect to a device."""
+    """Create the models and the window, without connecting to a device."""
     from trex_gui.ui.program import Program  # noqa: PLC0415 - trexcmd starts without Qt
 
     return Program(PLUGINS, timeouts)

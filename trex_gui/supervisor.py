@@ -1,4 +1,4 @@
-"""Stop of every device on signals, internal errors, suspend and screen lock."""
+"""Supervisor that stops every device on a signal, internal error, suspend or screen lock."""
 
 import atexit
 import logging
@@ -27,16 +27,16 @@ log = logging.getLogger(__name__)
 UNCONFIRMED_STOP = 1  # exit code if motors may still turn
 INTERNAL_ERROR = 1  # exit code if the interpreter ends while the event loop runs
 
-_REPEAT_S = 1.0  # seconds in which a recurring error is attributed to its own report
+_REPEAT_S = 1.0  # an error that recurs within this time (s) may be caused by its own report
 
-_INTERVAL_MS = 500
-_SHORTEST_SLEEP_S = 1.0  # smaller differences may result from reading the clocks one after another
+_POLL_INTERVAL_MS = 500
+_MIN_SLEEP_S = 1.0  # a shorter sleep may only be the delay between reading the two clocks
 
 
 class SafetySupervisor(QObject):
-    """Stops every device on events outside the window.
+    """Stops every device when an event outside the window requires it.
 
-    Create it in the main thread. Each device reports the effect of a stop.
+    Create the supervisor in the main thread. Each device reports the effect of a stop.
     """
 
     def __init__(
@@ -46,7 +46,7 @@ class SafetySupervisor(QObject):
         *,
         end_log: Callable[[], object] = lambda: None,
     ) -> None:
-        """`end_log` writes the rest of the log when the program ends at once."""
+        """`end_log`: writes the remaining log entries before the process exits at once."""
         super().__init__(parent)
         self._program = program
         self._end_log = end_log
@@ -112,9 +112,9 @@ class SafetySupervisor(QObject):
         self._signals.close()
 
     def report_unconfirmed_stop(self) -> bool:
-        """Print a warning about an unconfirmed stop, because the window may be closed.
+        """Print a warning if a stop is unconfirmed. Return whether a motor may be turning.
 
-        Call this after the line is closed. Return whether a motor may still be turning.
+        The window may no longer be open to show the warning. Call this after the line is closed.
         """
         text = self._program.device_manager.unconfirmed_stop
         if text and sys.stderr is not None:  # `None` without a console on Windows
@@ -123,10 +123,11 @@ class SafetySupervisor(QObject):
         return bool(text or driven_boards())
 
     def _on_exit(self) -> None:
-        """Stop the motors and end the program after `sys.exit` in a slot or event handler.
+        """Stop the motors and exit after `sys.exit` in a slot or event handler.
 
-        PySide ends the interpreter at once, with an exit code unknown here. That would destroy the
-        running thread of the line, and Qt would abort with the motors turning.
+        PySide ends the interpreter at once, and its exit code is not known here. Without this
+        handler, the running thread of the line would be destroyed. Qt would then abort while the
+        motors turn.
         """
         log.error("the interpreter ends while the window is open")
         try:
@@ -138,10 +139,10 @@ class SafetySupervisor(QObject):
 
     @Slot(str)
     def _on_error(self, reason: str) -> None:
-        """Report an internal error, even if there was nothing to stop.
+        """Report an internal error, even if no motor had to be stopped.
 
-        An error caused by its own report would recur forever. Therefore a repeated error is
-        reported only if motors have been armed since. Its stop has already been sent.
+        An error that its own report causes would recur forever. A repeated error is therefore
+        reported only if motors have been armed since. The stop has already been sent.
         """
         manager = self._program.device_manager
         is_repeated = reason == self._error and now() - self._error_at < _REPEAT_S
@@ -159,8 +160,8 @@ class SafetySupervisor(QObject):
 class StopBroadcaster(QObject):
     """Sends a stop without the GUI thread, which may be busy, hung or dead.
 
-    `stop_now` must be safe in any thread. An internal error in a slot of `stopped` also sends a
-    stop, but does not emit `stopped` again.
+    `stop_now` must be safe to call from any thread. An internal error in a slot of `stopped` also
+    sends a stop, but does not emit `stopped` again.
     """
 
     stopped = Signal(str)  # the reason, emitted from the event loop of this object's thread
@@ -190,8 +191,8 @@ class StopBroadcaster(QObject):
 class ExceptionWatch:
     """Calls `stop` for every uncaught exception, including exceptions in Qt slots.
 
-    The program continues if it can, because the user needs the window to stop a robot. `stop`
-    is called in the thread of the exception, with a clause without a period.
+    The program continues if it can, because the user needs the window to stop a robot. `stop` is
+    called in the thread of the exception. Its argument is a clause without a period.
     """
 
     def __init__(self, stop: Callable[[str], None]) -> None:
@@ -221,18 +222,18 @@ class ExceptionWatch:
 
 
 def slept_so_far() -> float:
-    """Return the seconds that this computer has slept since its start. 0 if unknown.
+    """Return the seconds for which this computer has slept since it started. 0 if unknown.
 
     Only Linux has both a clock that pauses during sleep and a clock that continues. On Windows the
-    monotonic clock continues, so the line session detects missed heartbeats. On macOS the clock
-    pauses, so sleep is not detected.
+    monotonic clock continues, so the line session detects missed heartbeats. On macOS that clock
+    pauses, so this function does not detect sleep.
     """
     boottime = getattr(time, "CLOCK_BOOTTIME", None)
     return time.clock_gettime(boottime) - time.monotonic() if boottime is not None else 0.0
 
 
 class SuspendDetector(QObject):
-    """Detects a suspend of the computer by polling."""
+    """Detects that the computer was suspended, by polling."""
 
     woke = Signal(str)  # reason to stop, a clause without a period
 
@@ -243,12 +244,12 @@ class SuspendDetector(QObject):
         self._slept = slept
         self._known = slept()
         self._timer = QTimer(self)
-        self._timer.setInterval(_INTERVAL_MS)
+        self._timer.setInterval(_POLL_INTERVAL_MS)
         self._timer.timeout.connect(self.poll)
         self._timer.start()
 
     @Slot()
     def poll(self) -> None:
         before, self._known = self._known, self._slept()
-        if self._known - before >= _SHORTEST_SLEEP_S:
+        if self._known - before >= _MIN_SLEEP_S:
             self.woke.emit(tr("The computer was asleep"))

@@ -1,4 +1,4 @@
-"""Simulated TReX for the tests of your own program.
+"""Simulated TReX for testing your own program.
 
 Import the pytest fixture in your `conftest.py`: `from trex_gui.testing import simulated_trex`.
 `resources/examples/test_robot.py` has two tests that use the fixture.
@@ -18,8 +18,8 @@ class SimulatedTrex:
     """Process that runs `trex-sim`. Use it in a `with` statement.
 
     Attributes:
-        url: address for `Trex`: a pseudo-terminal, or a TCP port on Windows.
-        process: process of the simulator.
+        url: address for `Trex`, which is a pseudo-terminal, or a TCP port on Windows.
+        process: the simulator's process.
     """
 
     def __init__(self, *options: str) -> None:
@@ -59,12 +59,12 @@ class SimulatedTrex:
         return reply.removeprefix("ok").strip()
 
     def show(self) -> dict[str, Any]:
-        """Return the state of the board, as the control line `show` reports it."""
+        """Return the state of the board, as reported by the control line `show`."""
         state: dict[str, Any] = json.loads(self.do("show"))
         return state
 
     def close(self) -> None:
-        """Terminate the simulator. For a program this is like an unplugged cable."""
+        """Terminate the simulator. To your program this looks like an unplugged cable."""
         self.process.terminate()
         self.process.communicate(timeout=30)
 
