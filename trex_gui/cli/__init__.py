@@ -1,3 +1,3 @@
-"""Command line without Qt: trexcmd and trex-sim."""
+"""Command-line programs without Qt: trexcmd and trex-sim."""
 
 from trex_gui.cli.program import main as main

@@ -46,7 +46,8 @@ def list_command(as_json: bool, **options: Any) -> None:
     """List the ports of this computer and the devices on them.
 
     Never moves the motors of a TReX or Aracna. With --port, probes only that port. To find a board
-    with other line settings, use `trexcmd find`. If other devices share the line, pass --reserve.
+    whose line settings are unknown, use `trexcmd find`. If other devices share the line, pass
+    --reserve.
     """
     rows: list[dict[str, Any]] = []
     unreachable = False
@@ -65,7 +66,7 @@ def list_command(as_json: bool, **options: Any) -> None:
 
 
 def _identify(url: str, options: Mapping[str, Any]) -> PortAnswer:
-    """Return the answer of the first device that replies, or all reports combined."""
+    """Return the answer of the first device that replies, or the texts of all kinds combined."""
     texts = []
     for plugin in PLUGINS:
         answer = plugin.port_reports.load().identify(url, options)
@@ -94,8 +95,9 @@ def find_command(port: str | None, full: bool, extra_timeout: float, as_json: bo
     Probes for a TReX at the likely baud rates, then for an Aracna, then for a TReX at every baud
     rate with every parity and with CRC-7, on one port or on all ports. Prints the options needed
     to connect to the board. Never moves the motors or changes the settings of a TReX or Aracna. If
-    other devices share the line, use `boards --reserve` instead, because they may react. A TReX at
-    another rate latches UART errors, and stops its motors if it is configured to do so.
+    devices of other kinds share the line, use `boards --reserve` instead, because such devices may
+    react to the probes. A TReX at another rate latches UART errors, and stops its motors if it is
+    configured to do so.
     """
     probers = {plugin.key: plugin.prober.load() for plugin in PLUGINS}
     reports = {plugin.key: plugin.port_reports.load() for plugin in PLUGINS}

@@ -19,8 +19,8 @@ _DEFAULT = PLUGINS[0].key
 
 _HELP = """Simulate a device on a pseudo-terminal or a TCP port.
 
-Prints "ready URL" with the address to open. Then reads control lines from standard input, and
-replies to each with "ok ..." or "error ...".
+Prints "ready URL" with the address to open. Then reads control lines from standard input and
+replies to each line with "ok ..." or "error ...".
 """
 
 
@@ -51,7 +51,7 @@ def _device_options() -> list[click.Parameter]:
 @click.option(
     "--link",
     type=FileName(path_type=Path),
-    help="Create this link to the pseudo-terminal.",
+    help="Create a symbolic link with this name to the pseudo-terminal.",
 )
 @click.option(
     "--tcp",
@@ -63,7 +63,7 @@ def _device_options() -> list[click.Parameter]:
     "--rfc2217",
     type=_read_address,
     metavar="HOST:PORT",
-    help="Serve a remote serial port (RFC 2217), the only way to see the host's parity.",
+    help="Serve a remote serial port (RFC 2217). Only this kind of port shows the host's parity.",
 )
 @click.version_option(__version__, prog_name="trex-sim")
 @click.pass_context
@@ -112,7 +112,7 @@ def _endpoint(
         tcp = ("127.0.0.1", 0)
     if tcp is not None:
         return TcpEndpoint(*tcp)
-    # Imported on demand. RFC 2217 needs pyserial. PtyEndpoint needs a system with pseudo-terminals.
+    # Imported on demand: RFC 2217 needs pyserial, and PtyEndpoint a system with pseudo-terminals.
     if rfc2217 is not None:
         from trex_gui.core.simulator.rfc2217_endpoint import Rfc2217Endpoint  # noqa: PLC0415
 
