@@ -1,1 +1,1 @@
-"""Events of the operating system that stop motors: signals, sleep, screen lock."""
+"""Operating system events that stop the motors: signals, sleep, screen lock."""

@@ -30,7 +30,7 @@ unnecessary stop does no harm."""
 
 
 class SessionEvents(QObject):
-    leaving = Signal(str)  # reason why the user cannot see the window, a clause without a period
+    leaving = Signal(str)  # why the user can no longer see the window, a clause without a period
     sleeping = Signal(bool)  # True before sleep (after `leaving`), False after sleep
 
     def __init__(
@@ -53,17 +53,17 @@ class SessionEvents(QObject):
     def _listen(self, bus: QDBusConnection, interface: str, name: str, slot: str) -> None:
         # The stub requires bytes, but the binding accepts the str that SLOT returns.
         if not bus.connect(_ANY, _ANY, interface, name, self, SLOT(slot)):  # type: ignore[call-overload]
-            log.info("%s.%s cannot be listened to", interface, name)
+            log.info("cannot subscribe to %s.%s", interface, name)
 
     @Slot(bool)
-    def _on_sleep(self, begins: bool) -> None:
-        if begins:
+    def _on_sleep(self, is_starting: bool) -> None:
+        if is_starting:
             self.leaving.emit(tr("The computer goes to sleep"))
-        self.sleeping.emit(begins)
+        self.sleeping.emit(is_starting)
 
     @Slot(bool)
-    def _on_shut_down(self, begins: bool) -> None:
-        if begins:
+    def _on_shut_down(self, is_starting: bool) -> None:
+        if is_starting:
             self.leaving.emit(tr("The computer shuts down"))
 
     @Slot()
@@ -79,8 +79,11 @@ class SessionEvents(QObject):
 class SleepDelay(QObject):
     """Delays sleep until the stop of the motors is confirmed.
 
-    `may_move`: returns whether motors were driven and no stop has been confirmed since. `timeout`:
-    maximum delay in seconds. Without logind, sleep is not delayed.
+    Without logind, sleep is not delayed.
+
+    Args:
+        may_move: returns whether motors were driven and no stop has been confirmed since.
+        timeout: maximum delay in seconds.
     """
 
     def __init__(
@@ -100,11 +103,11 @@ class SleepDelay(QObject):
 
     @property
     def holds(self) -> bool:
-        """True if sleep would wait for this program."""
+        """True if the computer would wait for this program before it sleeps."""
         return self._descriptor is not None
 
     def request(self) -> None:
-        """Request a delay of the next sleep without waiting for the reply."""
+        """Request a delay of the next sleep. Does not wait for the reply."""
         if self.holds or self._request is not None or not self._bus.isConnected():
             return
         call = QDBusMessage.createMethodCall(_LOGIN, _PATH, f"{_LOGIN}.Manager", "Inhibit")
@@ -121,9 +124,9 @@ class SleepDelay(QObject):
             self._descriptor = None
 
     @Slot(bool)
-    def on_sleeping(self, begins: bool) -> None:
+    def on_sleeping(self, is_starting: bool) -> None:
         """Allow sleep once the stop is confirmed. After sleep, request a new delay."""
-        if begins:
+        if is_starting:
             self._wait.start()
         else:
             self._wait.cancel()
@@ -138,5 +141,5 @@ class SleepDelay(QObject):
         if not values or not isinstance(values[0], QDBusUnixFileDescriptor):
             log.info("sleep cannot be delayed: %s", reply.errorMessage())
             return
-        # A copy, because Qt closes the descriptor of the message.
+        # Duplicated, because Qt closes the descriptor of the message.
         self._descriptor = os.dup(values[0].fileDescriptor())

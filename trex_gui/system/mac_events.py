@@ -34,7 +34,9 @@ _ON_POWER = ctypes.CFUNCTYPE(
 class NativeMac:
     """Notifications of macOS, delivered in the window's thread.
 
-    `load`: loads a library. `symbol`: reads a constant of a library.
+    Args:
+        load: loads a library.
+        symbol: reads a constant of a library.
 
     Raises:
         OSError, AttributeError, ValueError: a library or a symbol is missing.
@@ -72,7 +74,7 @@ class NativeMac:
     def listen(
         self, on_locked: Callable[[], object], on_power: Callable[[int, int], object]
     ) -> None:
-        """Start listening. `on_power` receives a message and its argument."""
+        """Start listening. `on_power` receives each power message and its argument."""
         notified = _ON_NOTIFICATION(lambda *_: on_locked())
         powered = _ON_POWER(
             lambda _own, _service, message, argument: on_power(message, argument or 0)
@@ -80,7 +82,7 @@ class NativeMac:
         notification_port, notifier = ctypes.c_void_p(), ctypes.c_uint32()
         self._referenced = (notified, powered, notification_port, notifier)
         center = self._center()
-        for observer, name in enumerate(LOCKED, start=1):  # 0 is no observer
+        for observer, name in enumerate(LOCKED, start=1):  # 0 would mean no observer
             text = self._create_string(None, name.encode("ascii"), _UTF8)
             self._observe(center, observer, notified, text, None, _AT_ONCE)
         self._connection = self._register(
@@ -91,7 +93,7 @@ class NativeMac:
             self._add_source(self._main_loop(), source, self._common_modes)
 
     def allow_power_change(self, argument: int) -> None:
-        """Allow the power change that a message with this argument announced."""
+        """Allow a power change, identified by the argument of the message that announced it."""
         self._allow(self._connection, argument)
 
 
@@ -104,7 +106,7 @@ def _typed(function: Any, result: Any, *arguments: Any) -> Any:
 class MacEvents(QObject):
     """Reports events that require a stop. Allows sleep once the stop is confirmed."""
 
-    leaving = Signal(str)  # reason why the user cannot see the window, a clause without a period
+    leaving = Signal(str)  # why the user can no longer see the window, a clause without a period
 
     def __init__(
         self,
@@ -114,7 +116,7 @@ class MacEvents(QObject):
         *,
         timeout: float,
     ) -> None:
-        """`may_move` delays sleep while it returns True, but at most for `timeout` seconds."""
+        """Sleep is delayed while `may_move` returns True, for at most `timeout` seconds."""
         super().__init__(parent)
         self._native = native
         self._sleep_argument = 0  # argument of the message that announces sleep

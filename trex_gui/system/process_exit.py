@@ -1,4 +1,4 @@
-"""End of the process when a C library calls `exit`, as Xlib does without an X server."""
+"""Exit of the process when a C library calls `exit`, as Xlib does without an X server."""
 
 import ctypes
 
@@ -6,9 +6,9 @@ import ctypes
 def skip_exit_handlers() -> None:
     """Make C's `exit` end the process at once. Call this after Qt is loaded.
 
-    When Xlib calls `exit` at the end of a session, Qt's exit handlers would wait for a thread that
-    waits for the calling thread. The process would keep the port open forever. Python calls
-    `exit` only after its own shutdown. Without glibc, this function does nothing.
+    Xlib calls `exit` at the end of a session. Qt's exit handlers would then wait for a thread that
+    waits for the calling thread, and the process would keep the port open forever. Python itself
+    calls `exit` only after its own shutdown. Without glibc, this function does nothing.
     """
     libc = ctypes.CDLL(None)
     if (on_exit := getattr(libc, "on_exit", None)) is not None:

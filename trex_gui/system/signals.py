@@ -1,8 +1,8 @@
-"""Stop of the motors on signals such as SIGTERM, even while the window is busy.
+"""Handling of signals such as SIGTERM, which stop the motors even while the window is busy.
 
-Python runs signal handlers only in the main thread, between two bytecode instructions. A blocked
-window never runs them. Therefore a separate thread reads the signal numbers that the interpreter
-writes into a file descriptor at once.
+Python runs signal handlers only in the main thread, between two bytecode instructions. While the
+window is blocked, no handler runs. However, the interpreter writes the number of each signal to a
+file descriptor at once. A separate thread reads these numbers.
 """
 
 import contextlib
@@ -23,14 +23,17 @@ from trex_gui.core.signals import ENDING, FROM_TERMINAL, SUSPENDING, handled_sig
 log = logging.getLogger(__name__)
 
 _GRACE_S = 7.0
-"""Seconds for the window to end by itself. Closing a line during a write may take three seconds,
-and saving a recording three more. A system that shuts down waits longer before SIGKILL."""
+"""Seconds in which the window may close normally.
 
-_HURRYING = {"SIGINT", "SIGQUIT", "SIGBREAK"}  # sent by keys; a second signal ends the wait
+Closing a line during a write may take three seconds, and saving a recording three more. A system
+that is shutting down waits longer than this before it sends SIGKILL."""
+
+_KEYBOARD_SIGNALS = {"SIGINT", "SIGQUIT", "SIGBREAK"}  # the second such signal ends the wait
 
 _DEBOUNCE_S = 0.3
-"""Seconds in which a second signal is a duplicate of the first. A terminal and a program started in
-it may both forward one Ctrl-C."""
+"""Seconds in which a second signal counts as a duplicate of the first.
+
+A terminal and a program started in it may both pass on a single Ctrl-C."""
 
 _LAST_STOP_S = 0.3  # seconds to send a last stop; a transaction at 1200 baud takes 0.25 s
 
@@ -42,21 +45,21 @@ def _suspend_process() -> None:
 class SignalWatch(QObject):
     """Handles signals that end or suspend the program. Create it in the main thread.
 
-    A signal first calls `act`. If the window does not end within `grace` seconds, the process ends
-    with exit code 128 + signal number, like a shell. Another Ctrl-C calls `act` again and ends the
-    process. Ctrl-Z calls `rest` shortly before it suspends the process. Terminal access in the
-    background does not suspend the process.
+    A signal that ends the program first calls `on_end`. If the window has not closed after `grace`
+    seconds, the process ends with the exit code 128 + signal number, as in a shell. Another Ctrl-C
+    calls `on_end` again and ends the process. Ctrl-Z calls `on_suspend` and then suspends the
+    process. Terminal access from the background does not suspend the process.
 
-    `act` and `rest` are called in a separate thread and must not block. A signal that is ignored
-    at the start (`nohup`) stays ignored.
+    `on_end` and `on_suspend` are called in a separate thread and must not block. A signal that was
+    ignored when the program started (`nohup`) stays ignored.
     """
 
     caught = Signal(int)  # signal number; delivered in the receiver's thread
 
     def __init__(
         self,
-        act: Callable[[], None],
-        rest: Callable[[], None],
+        on_end: Callable[[], None],
+        on_suspend: Callable[[], None],
         parent: QObject | None = None,
         *,
         grace: float = _GRACE_S,
@@ -64,18 +67,20 @@ class SignalWatch(QObject):
         suspend: Callable[[], Any] = _suspend_process,
     ) -> None:
         super().__init__(parent)
-        self._act = act
-        self._rest = rest
+        self._on_end = on_end
+        self._on_suspend = on_suspend
         self._suspend_process = suspend
         self._grace = grace
         self._end = end
         self._closed = threading.Event()
         self._numbers = handled_signals((*ENDING, SUSPENDING))
-        self._hurrying = {int(number) for number in self._numbers if number.name in _HURRYING}
+        self._keyboard_signals = {
+            int(number) for number in self._numbers if number.name in _KEYBOARD_SIGNALS
+        }
         self._reader, self._writer = socket.socketpair()
         self._writer.setblocking(False)
         self._fd_before = signal.set_wakeup_fd(self._writer.fileno(), warn_on_full_buffer=False)
-        # These handlers only prevent the end of the process. The thread handles the signals.
+        # These handlers only keep the process alive. The thread handles the signals.
         self._before = {number: signal.signal(number, lambda *_: None) for number in self._numbers}
         for number in handled_signals(FROM_TERMINAL):
             self._before[number] = signal.signal(number, signal.SIG_IGN)
@@ -102,28 +107,31 @@ class SignalWatch(QObject):
                         self._exit(number)
 
     def _suspend(self) -> None:
-        self._run(self._rest)
+        self._run(self._on_suspend)
         self._closed.wait(_LAST_STOP_S)
         self._suspend_process()  # returns when the process is resumed
 
     def _exit(self, number: int) -> None:
-        self._run(self._act)
+        self._run(self._on_end)
         self._run(partial(self.caught.emit, number))
-        hurry = self._wait_for_hurry()
-        if hurry is not None:
-            self._run(self._act)
+        repeated = self._wait_for_window()
+        if repeated is not None:
+            self._run(self._on_end)
             self._closed.wait(_LAST_STOP_S)
         if not self._closed.is_set():
-            self._end(128 + (hurry or number))
+            self._end(128 + (repeated or number))
 
-    def _run(self, step: Callable[[], object]) -> None:
+    def _run(self, function: Callable[[], object]) -> None:
         try:
-            step()
+            function()
         except Exception:  # this thread must survive in order to end the process
-            log.exception("on a signal")
+            log.exception("the response to a signal failed")
 
-    def _wait_for_hurry(self) -> int | None:
-        """Wait until the window ends or `grace` expires. Return a signal to end at once, if any."""
+    def _wait_for_window(self) -> int | None:
+        """Wait until the window has closed or `grace` expires.
+
+        A second signal from the keyboard ends the wait. Return its number, otherwise `None`.
+        """
         start = time.monotonic()
         while (remaining := start + self._grace - time.monotonic()) > 0:
             self._reader.settimeout(remaining)
@@ -134,8 +142,8 @@ class SignalWatch(QObject):
             finally:
                 self._reader.settimeout(None)
             if not data:
-                break  # closed, because the window has ended
-            repeated = set(data) & self._hurrying
+                break  # the watch was closed with the window
+            repeated = set(data) & self._keyboard_signals
             if repeated and time.monotonic() - start >= _DEBOUNCE_S:
                 return repeated.pop()
         return None

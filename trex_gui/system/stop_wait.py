@@ -1,4 +1,4 @@
-"""Wait for a confirmed stop before the computer sleeps."""
+"""Delay of the computer's sleep until a stop is confirmed."""
 
 from collections.abc import Callable
 

@@ -18,7 +18,7 @@ _LOCKED = {WTS_CONSOLE_DISCONNECT, WTS_REMOTE_DISCONNECT, WTS_SESSION_LOGOFF, WT
 
 
 def stop_reason(message: int, parameter: int) -> str | None:
-    """Return the reason to stop the motors on a window message. `None` for other messages."""
+    """Return the reason for which a window message stops the motors. `None` if it does not."""
     if message == WM_POWERBROADCAST and parameter == PBT_APMSUSPEND:
         return tr("The computer goes to sleep")
     if message == WM_WTSSESSION_CHANGE and parameter in _LOCKED:
@@ -43,7 +43,7 @@ class _Filter(QAbstractNativeEventFilter):
 
 
 class WindowsEvents(QObject):
-    leaving = Signal(str)  # reason why the user cannot see the window, a clause without a period
+    leaving = Signal(str)  # why the user can no longer see the window, a clause without a period
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -52,7 +52,7 @@ class WindowsEvents(QObject):
             app.installNativeEventFilter(self._filter)
 
     def watch_session_of(self, window: int) -> None:
-        """Request messages about a locked screen. `window` is a native handle."""
+        """Request messages about the session, such as a locked screen, for a native window."""
         if sys.platform == "win32":
             ctypes.windll.wtsapi32.WTSRegisterSessionNotification(window, 0)
 
