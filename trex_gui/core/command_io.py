@@ -11,9 +11,7 @@ from typing import Any
 
 import click
 
-FAILURE_EXIT_CODE = (
-    "exit code"  # key in `click.Context.meta`: exit code after a failure (default 1)
-)
+FAILURE_EXIT_CODE = "exit code"  # key in `click.Context.meta`; without it, a failure exits with 1
 
 _CONTROLS = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f]|\r(?!\n)")
 

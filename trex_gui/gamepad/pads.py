@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 
 _HINTS = {
     "PYGAME_HIDE_SUPPORT_PROMPT": "1",
-    "SDL_VIDEODRIVER": "dummy",  # SDL's events need a video driver, which must not use the display
+    "SDL_VIDEODRIVER": "dummy",  # SDL's events need a video driver, but it must not use the display
     "SDL_AUDIODRIVER": "dummy",
-    "SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS": "1",  # no SDL window has the focus
+    "SDL_JOYSTICK_ALLOW_BACKGROUND_EVENTS": "1",  # there is no SDL window that could have the focus
     "SDL_NO_SIGNAL_HANDLERS": "1",  # SDL would swallow SIGTERM
     "SDL_VIDEO_ALLOW_SCREENSAVER": "1",
 }
@@ -43,10 +43,10 @@ class Pad:
     def part_name(self, kind: str, number: int) -> str:
         """Return SDL's name of an axis (`a`) or a button (`b`). Empty if unknown."""
         key = f"{kind}{number}"
-        return next((part for part, its_key in self.parts.items() if its_key == key), "")
+        return next((part for part, value in self.parts.items() if value == key), "")
 
     def part_number(self, kind: str, part: str) -> int | None:
-        """Return the number of the axis (`a`) or button (`b`) with an SDL name."""
+        """Return the number of the axis (`a`) or button (`b`) with this SDL name."""
         digits = self.parts.get(part, "").removeprefix(kind)
         count = self.axes if kind == "a" else self.buttons
         return int(digits) if digits.isdecimal() and int(digits) < count else None
@@ -79,7 +79,7 @@ class SdlPads:
         self._open: dict[int, tuple[Pad, JoystickType]] = {}
 
     def open(self) -> None:
-        """Open SDL.
+        """Initialize SDL.
 
         Raises:
             GamepadUnavailable: pygame is missing or SDL does not start.
@@ -115,7 +115,7 @@ class SdlPads:
         return tuple(pad for pad, _ in self._open.values())
 
     def read(self, pad: Pad) -> PadState | None:
-        """Return the state at the last call of `pads`. `None` if the gamepad is disconnected."""
+        """Return the state as of the last call of `pads`. `None` for a disconnected gamepad."""
         entry = self._open.get(pad.ident)
         if entry is None or self._pygame is None:
             return None
@@ -182,7 +182,7 @@ def _parts(joystick: "JoystickType") -> Mapping[str, str]:
 
 @contextlib.contextmanager
 def _environment(hints: Mapping[str, str]) -> Iterator[None]:
-    """Set environment variables for SDL, and restore them for later child processes."""
+    """Set environment variables for SDL. Restore them afterwards for later child processes."""
     before = {name: os.environ.get(name) for name in hints}
     os.environ.update(hints)
     try:

@@ -9,17 +9,17 @@ from trex_gui.gamepad.pads import Pad, PadState
 
 MAX_DEAD_ZONE = 0.5
 REST = 0.05
-"""Deflection (0 to 1) up to which a stick is at rest, even with a smaller dead zone.
+"""Deflection (0 to 1) up to which a stick counts as at rest, even with a smaller dead zone.
 
 Inferred: sticks settle within a few hundredths of their previous position.
 """
 
 
 def shape(value: float, dead_zone: float, expo: float) -> float:
-    """Return the command (-1 to 1) of an axis at `value` (-1 to 1).
+    """Return the command (-1 to 1) for an axis at `value` (-1 to 1).
 
-    The command is 0 within `dead_zone` (0 to `MAX_DEAD_ZONE`) and grows from 0 at its edge.
-    `expo`: 0 (linear) to 1 (cubic, finer in the middle).
+    The command is 0 within `dead_zone` (0 to `MAX_DEAD_ZONE`) and grows from 0 at the edge of the
+    dead zone. `expo`: 0 (linear) to 1 (cubic, finer in the middle).
     """
     deflection = min(1.0, abs(value))
     if deflection <= dead_zone:
@@ -30,12 +30,12 @@ def shape(value: float, dead_zone: float, expo: float) -> float:
 
 class Style(Enum):
     MIXED = "mixed"  # one axis drives forward, the other axis turns
-    TANK = "tank"  # each axis drives a motor; `first` drives the left motor, motor 1
+    TANK = "tank"  # each axis drives one motor; the axis `first` drives the left motor, motor 1
 
 
 @dataclass(frozen=True, slots=True)
 class Axis:
-    """Number and direction of an axis. Inverted if the hardware reports forward as negative."""
+    """Number and direction of an axis. `inverted`: the hardware reports forward as negative."""
 
     number: int
     inverted: bool = False
@@ -49,14 +49,14 @@ class GamepadProfile:
         first: axis for forward, or for the left motor.
         second: axis for turning (positive to the right), or for the right motor.
         dead_zone: 0 to `MAX_DEAD_ZONE`. The default is inferred: worn sticks come to rest up to
-            a tenth off their centre.
+            a tenth away from their centre.
         expo: 0 (linear) to 1 (cubic).
         hold: button that must be held to drive. `None`: moving a stick is enough.
         stop: button that stops all motors.
     """
 
     style: Style = Style.MIXED
-    first: Axis = Axis(1, inverted=True)  # left stick, vertical, on every pad that SDL knows
+    first: Axis = Axis(1, inverted=True)  # left stick, vertical, on every gamepad that SDL knows
     second: Axis = Axis(0)
     dead_zone: float = 0.15
     expo: float = 0.3
@@ -74,11 +74,11 @@ class GamepadProfile:
 
 
 def default_profile(pad: Pad) -> GamepadProfile:
-    """Return the default profile for a pad.
+    """Return the default profile for a gamepad.
 
-    It uses the left stick, the left shoulder button (hold) and the right face button (stop). A pad
-    that SDL does not know gets the default numbers. If it has too few buttons, its last button is
-    the hold button.
+    It uses the left stick, the left shoulder button (hold) and the right face button (stop). For a
+    gamepad that SDL does not know, it uses the default numbers. If that gamepad has too few
+    buttons, its last button is the hold button.
     """
     default = GamepadProfile()
     forward, turn = (pad.part_number("a", part) for part in ("lefty", "leftx"))
@@ -139,13 +139,13 @@ class DriveCondition(Enum):
     REST = auto()  # each stick must be at rest once
     RELEASE = auto()  # the hold button must first be released
     HOLD = auto()  # the hold button must be held
-    MOVE = auto()  # without a hold button, a stick must leave its centre
+    MOVE = auto()  # a stick must leave its centre, if there is no hold button
     NOTHING = auto()  # the gamepad drives
 
 
 @dataclass(frozen=True, slots=True)
 class PilotRequest:
-    """Setpoints of a gamepad, -1 to 1. `turn` is positive to the right."""
+    """Setpoints from a gamepad, -1 to 1. `turn` is positive to the right."""
 
     forward: float
     turn: float
@@ -159,10 +159,10 @@ class PilotRequest:
 
 
 class Pilot:
-    """Computes the setpoints of a gamepad from its state and its profile.
+    """Computes setpoints from the state and the profile of a gamepad.
 
-    Some gamepads report random values until a stick is touched. Therefore both axes must be at rest
-    once before they count. The hold button must be pressed again after `reset`.
+    Some gamepads report random values until a stick is touched. Therefore an axis counts only once
+    it has been at rest. After `reset`, the hold button must be released and pressed again.
     """
 
     def __init__(self, profile: GamepadProfile) -> None:
