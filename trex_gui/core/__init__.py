@@ -1,1 +1,1 @@
-"""Code that all devices share, without Qt."""
+"""Code that all kinds of device share. It does not use Qt."""

@@ -1,4 +1,4 @@
-"""Messages, errors, progress and options of all command lines."""
+"""Messages, errors, progress and options that all command-line programs share."""
 
 import contextlib
 import json
@@ -31,7 +31,7 @@ FunctionT = TypeVar("FunctionT", bound=Callable[..., Any])
 
 
 class CommandFailed(click.ClickException):
-    """Failure of a device, a line or a file. Exit code 1."""
+    """Failure of a device, a line or a file. The exit code is 1."""
 
     def __init__(self, message: object) -> None:
         super().__init__(str(message))
@@ -42,7 +42,7 @@ def say(message: object) -> None:
 
 
 def shell_words(*words: str) -> str:
-    """Quote words for the shell. Windows shells support only double quotes."""
+    """Quote words for the shell. In Windows shells only double quotes work."""
     quoted = (f'"{word}"' if re.search(r"[^\w.:/\\-]", word) else word for word in words)
     return " ".join(quoted) if sys.platform == "win32" else shlex.join(words)
 
@@ -94,9 +94,9 @@ class Interruption:
     """Records requests to end the program (Ctrl-C, SIGTERM, a closed terminal).
 
     The command checks for a request between two transactions. A second request ends the program
-    at once, except during `precious` work. Such work is never suspended. Ctrl-Z is a request to
-    end it, and terminal access from the background does not suspend it. Signals that were ignored
-    at the start (`nohup`) stay ignored.
+    at once, unless the command is one that `must_finish`. Such a command is never suspended.
+    Ctrl-Z is then a request to end it, and terminal access from the background does not suspend
+    it. Signals that were ignored when the program started (`nohup`) stay ignored.
     """
 
     def __init__(self, *, must_finish: bool = False) -> None:
@@ -151,7 +151,7 @@ def required_port(port: str | None) -> str:
     """Return the URL of `--port`. Raises UsageError if it is missing."""
     if not port:
         raise click.UsageError(
-            "Which port? Give --port, or set TREX_PORT; `trexcmd list` shows them."
+            "Which port? Give --port, or set TREX_PORT. `trexcmd list` shows the ports."
         )
     return port
 
@@ -190,9 +190,9 @@ seconds_option = click.option(
     "--seconds",
     type=FiniteRange(0, min_open=True),
     metavar="S",
-    help="Duration; without it, until Ctrl-C.",
+    help="Duration in seconds. Default: until Ctrl-C.",
 )
-json_option = click.option("--json", "as_json", is_flag=True, help="JSON instead of text.")
+json_option = click.option("--json", "as_json", is_flag=True, help="Print JSON instead of text.")
 
 
 def all_options(*options: Callable[[FunctionT], FunctionT]) -> Callable[[FunctionT], FunctionT]:
@@ -207,7 +207,7 @@ def all_options(*options: Callable[[FunctionT], FunctionT]) -> Callable[[Functio
 def traffic_option(
     decoder: "Lazy[type[Decoder]]", *, is_search: bool = False
 ) -> Callable[[FunctionT], FunctionT]:
-    """Return an option that writes a command's traffic to a file.
+    """Return an option that writes the traffic of a command to a file.
 
     `is_search`: the command searches for devices.
     """

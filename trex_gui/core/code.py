@@ -1,4 +1,4 @@
-"""Source code for Python and Arduino, from Jinja templates."""
+"""Python and Arduino source code, generated from Jinja templates."""
 
 import unicodedata
 from enum import Enum
@@ -10,7 +10,7 @@ from trex_gui.core.resource_files import resource
 if TYPE_CHECKING:
     from jinja2 import Template
 
-_COMMENT_COLUMN = 46  # rightmost column of aligned comments
+_COMMENT_COLUMN = 46  # rightmost column at which comments are aligned
 
 
 class Language(Enum):
@@ -34,7 +34,7 @@ def render(name: str, **values: object) -> str:
 
 @cache  # compiling takes longer than rendering
 def _template(name: str) -> "Template":
-    from jinja2 import Environment, StrictUndefined  # noqa: PLC0415 - only exporting needs it
+    from jinja2 import Environment, StrictUndefined  # noqa: PLC0415 - needed only for an export
 
     environment = Environment(
         trim_blocks=True,
@@ -47,10 +47,10 @@ def _template(name: str) -> "Template":
 
 
 def plain(text: str) -> str:
-    """Return printable ASCII that is safe in C++ and Python.
+    """Return printable ASCII text that is safe in C++ and Python.
 
-    The result fits into one line of a comment or string. It has no `/*`, `*/`, double quote,
-    backslash or trigraph (`??/`). Non-ASCII characters become the nearest letter or `?`.
+    The result fits on one line of a comment or string. It has no `/*`, `*/`, double quote,
+    backslash or trigraph (`??/`). A non-ASCII character becomes the nearest letter or `?`.
     """
     letters = unicodedata.normalize("NFKD", text.translate(_ASCII))
     kept = (c for c in letters if not unicodedata.combining(c))

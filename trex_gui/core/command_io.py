@@ -1,4 +1,4 @@
-"""File names and standard streams of a command."""
+"""File-name parameters and standard streams of commands."""
 
 import contextlib
 import errno
@@ -15,11 +15,11 @@ FAILURE_EXIT_CODE = "exit code"  # key in `click.Context.meta`; without it, a fa
 
 _CONTROLS = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f]|\r(?!\n)")
 
-_STAND_INS = str.maketrans({"→": "->", "−": "-", "…": "...", "“": '"', "”": '"'})
+_ASCII_SUBSTITUTES = str.maketrans({"→": "->", "−": "-", "…": "...", "“": '"', "”": '"'})
 
 
 class FileName(click.Path):
-    """File parameter. Rejects an empty name, as from an unset variable."""
+    """File parameter that rejects an empty name, which is usually an unset shell variable."""
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> Any:
         if not str(value):
@@ -30,20 +30,20 @@ class FileName(click.Path):
 class _Output:
     r"""Stream that shows control characters as escapes such as `\u001b`.
 
-    The encoding is UTF-8 unless the stream is a terminal. The command fails if data cannot be
-    written. Messages that cannot be written are lost. `below` is the original stream.
+    The encoding is UTF-8 unless the stream is a terminal. The command fails if it cannot write
+    data. Messages that it cannot write are lost. `below` is the original stream.
     """
 
     encoding = "utf-8"  # click would replace an ASCII stream
 
     def __init__(self, below: Any, *, is_data: bool) -> None:
         self._is_data = is_data
-        self.below = below or io.TextIOWrapper(io.BufferedReader(io.BytesIO()))  # acts closed
+        self.below = below or io.TextIOWrapper(io.BufferedReader(io.BytesIO()))  # not writable
         if self.isatty():
             self.below.reconfigure(errors="replace")
         else:
             self.below.reconfigure(encoding="utf-8", errors="surrogateescape")
-        self._stand_ins = {} if self.below.encoding.lower() == "utf-8" else _STAND_INS
+        self._substitutes = {} if self.below.encoding.lower() == "utf-8" else _ASCII_SUBSTITUTES
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self.below, name)
@@ -53,8 +53,8 @@ class _Output:
 
     def write(self, text: str) -> int:
         escaped = _CONTROLS.sub(lambda match: f"\\u{ord(match[0]):04x}", text)
-        if escaped:  # click tests a stream by writing an empty text
-            self._call(self.below.write, escaped.translate(self._stand_ins))
+        if escaped:  # click tests a stream by writing an empty string
+            self._call(self.below.write, escaped.translate(self._substitutes))
         return len(text)
 
     def flush(self) -> None:
@@ -66,7 +66,7 @@ class _Output:
         except OSError as error:
             if error.errno == errno.EPIPE:
                 raise
-            with contextlib.suppress(OSError):  # otherwise each later flush fails
+            with contextlib.suppress(OSError):  # otherwise each later flush would fail
                 os.dup2(os.open(os.devnull, os.O_WRONLY), self.below.fileno())
             if self._is_data:
                 reason = error.strerror or "it is closed"
@@ -76,7 +76,7 @@ class _Output:
 
 @contextlib.contextmanager
 def standard_streams() -> Iterator[None]:
-    """Replace the standard streams, even if they are closed."""
+    """Replace the standard streams temporarily, even if they are closed."""
     original = sys.stdin, sys.stdout, sys.stderr
     for _ in range(original.count(None)):
         os.open(os.devnull, os.O_RDWR)  # otherwise a port could get this file number

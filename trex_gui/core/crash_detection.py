@@ -1,4 +1,4 @@
-"""Crash detection by a file that exists during a run."""
+"""Crash detection with a file that exists while the program runs."""
 
 import faulthandler
 import os
@@ -20,14 +20,14 @@ def crash_file() -> Path:
 
 
 class RunFile:
-    """File of this run, which receives the thread stacks after a crash.
+    """File of this run. After a crash it contains the stacks of all threads.
 
-    `found_crash`: True if an earlier run crashed. Its file is then `crash_file`. Without a writable
-    folder, no crash is detected.
+    `found_crash`: True if an earlier run crashed. The file of that run has been renamed to
+    `crash_file`. Without a writable folder, no crash is detected.
     """
 
     def __init__(self) -> None:
-        self.found_crash = _handle_abandoned()
+        self.found_crash = _rename_abandoned()
         self._file: TextIO | None = None
         name = f"run-{os.getpid()}-{os.urandom(4).hex()}.txt"
         with suppress(OSError):
@@ -47,15 +47,15 @@ class RunFile:
                 Path(self._file.name).unlink()
 
 
-def _handle_abandoned() -> bool:
-    """Rename files of dead processes to `crash_file`. Return whether any existed."""
-    existed = False
+def _rename_abandoned() -> bool:
+    """Rename the files of dead processes to `crash_file`. Return whether there was any."""
+    found = False
     for path in log_folder().glob("run-*.txt"):
         with suppress(OSError):  # on Windows an open file cannot be renamed
             if not is_locked(path):
                 path.replace(crash_file())
-                existed = True
-    return existed
+                found = True
+    return found
 
 
 def is_locked(path: Path) -> bool:

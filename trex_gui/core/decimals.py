@@ -1,4 +1,4 @@
-"""Numbers typed by users, with a decimal point or comma."""
+"""Numbers that users type with a decimal point or a decimal comma."""
 
 import math
 import re
@@ -14,13 +14,14 @@ _GROUPED = re.compile(r"([-+]?[1-9][0-9]{0,2})[.,]([0-9]{3})")
 
 
 class AmbiguousNumber(BadRequest):
-    """Number whose separator may mark decimals or thousands."""
+    """Number whose separator may be a decimal or a thousands separator."""
 
 
 def decimal(text: str, *, thousands: bool = True) -> float:
     """Return the number in `text`.
 
-    `thousands`: True if 1000 or more is plausible. For example, 2.498 V never means 2498 V.
+    `thousands`: True if a value of 1000 or more is plausible. For example, it is False for
+    voltages, because 2.498 V never means 2498 V.
 
     Raises:
         AmbiguousNumber: exactly three digits follow a single separator, as in 1,500.
@@ -41,8 +42,8 @@ def decimal(text: str, *, thousands: bool = True) -> float:
 def quantity(text: str, unit: str, *, thousands: bool = True) -> float | None:
     """Return the number in `text`, converted to `unit`.
 
-    The text may have another prefix or no unit. Return None if it has no number or another unit.
-    `thousands` is ignored if the text has another prefix.
+    The unit in the text may have a different metric prefix, or may be missing. Return `None` if
+    the text has no number or a different unit. `thousands` counts as True for a different prefix.
     """
     if (match := _QUANTITY.fullmatch(text)) is None:
         return None

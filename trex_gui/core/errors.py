@@ -1,4 +1,4 @@
-"""Errors for users, which threads pass as values. Each text is a sentence."""
+"""Errors that the program reports to users. Each text is a sentence."""
 
 from collections.abc import Callable
 from enum import Enum
@@ -7,7 +7,7 @@ from trex_gui.core.translation import tr_noop
 
 
 class StudioError(Exception):
-    """Error for users rather than for developers."""
+    """Error that the program reports to users, not to developers."""
 
 
 class BadRequest(StudioError, ValueError):  # noqa: N818
@@ -20,8 +20,11 @@ class BadRequest(StudioError, ValueError):  # noqa: N818
 class PortUnavailable(StudioError):  # noqa: N818
     """The port is in use, missing or forbidden.
 
-    The text explains the remedy. `command`: shell command that grants permission, or empty.
-    `is_missing`: the user must plug in an adapter.
+    The text explains the remedy.
+
+    Attributes:
+        command: shell command that grants permission, or an empty string.
+        is_missing: True if the user must plug in an adapter.
     """
 
     def __init__(self, text: str, *, command: str = "", is_missing: bool = False) -> None:
@@ -31,7 +34,7 @@ class PortUnavailable(StudioError):  # noqa: N818
 
 
 class PortFault(Enum):
-    """Texts of `PortUnavailable`, with placeholders."""
+    """Texts of `PortUnavailable` with placeholders."""
 
     FORBIDDEN = tr_noop("Permission denied for {0}. {1}")
     UNREACHABLE = tr_noop("The port {0} cannot be reached: {1}.")
@@ -75,13 +78,13 @@ class BadReply(StudioError):  # noqa: N818
 
 
 class InternalError(StudioError):
-    """Bug in the program. The log has the traceback."""
+    """Bug in the program. The log contains the traceback."""
 
 
 class CodedError(StudioError):
-    """Error whose code is a text with placeholders for the fields.
+    """Error with a code and fields. The code's value is a text with placeholders for the fields.
 
-    A field may be a coded error or a tuple of coded errors. `str` returns the English text.
+    A field may itself be a coded error or a tuple of coded errors. `str` returns the English text.
     """
 
     def __init__(self, code: Enum, *fields: object) -> None:
@@ -96,7 +99,7 @@ class CodedError(StudioError):
 def describe(
     code: Enum, fields: tuple[object, ...] = (), translate: Callable[[str], str] = str
 ) -> str:
-    """Return the text of a `CodedError`. `translate` is called with each code's value."""
+    """Return the text of a `CodedError`. `translate` is called with the value of each code."""
 
     def text(field: object) -> object:
         match field:
@@ -110,5 +113,5 @@ def describe(
 
 
 def sentence(error: BaseException | None) -> str:
-    """Return the message of an error with one full stop."""
+    """Return the message of an error with exactly one period at its end."""
     return f"{str(error).rstrip('. ')}." if error is not None else ""

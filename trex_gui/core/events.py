@@ -5,7 +5,7 @@ from enum import StrEnum
 
 
 class EventKind(StrEnum):
-    """Kind of an event. The value is used in files."""
+    """Kind of an event. Files contain the value."""
 
     APPLY = "apply"
     STOP = "stop"
@@ -18,7 +18,7 @@ class EventKind(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Event:
-    """Event of a device. `time`: on the session clock (s), as in telemetry."""
+    """Event of a device. `time`: session clock in seconds, as in telemetry."""
 
     time: float
     kind: EventKind

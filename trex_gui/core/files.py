@@ -25,13 +25,13 @@ from trex_gui.core.translation import tr
 
 
 def data_folder() -> Path:
-    """Return `$TREX_STUDIO_DATA`, by default the system's data folder."""
+    """Return the folder `$TREX_STUDIO_DATA`. Default: the program's folder for user data."""
     override = os.environ.get("TREX_STUDIO_DATA")
     return Path(override or platformdirs.user_data_dir("TReX Studio", appauthor=False)).absolute()
 
 
 def file_exists(path: Path) -> bool:
-    """Return whether a file exists. A file whose name is too long counts as missing."""
+    """Return whether a file exists. False for a name that is too long for the system."""
     with contextlib.suppress(OSError):
         return path.exists()
     return False
@@ -52,7 +52,7 @@ class Severity(StrEnum):
 class Finding:
     line: int | None  # from 1; `None`: the file as a whole
     key: str | None  # spelt as in the file
-    message: str  # with the expected and the actual value
+    message: str  # includes the expected and the actual value
     severity: Severity = Severity.ERROR
     code: str = ""  # kind of the finding, for programs; empty for file system errors
 
@@ -67,10 +67,7 @@ class Finding:
 
 
 class SettingsError(StudioError):
-    """Settings file that is invalid, or cannot be read or written.
-
-    `findings` are sorted by line.
-    """
+    """Settings file that is invalid, unreadable or not writable. `findings`: sorted by line."""
 
     def __init__(self, name: str, findings: Iterable[Finding]) -> None:
         self.name = name
@@ -87,13 +84,13 @@ class SettingsError(StudioError):
 
 
 def reason_of(error: StudioError) -> str:
-    """Return the reason for a file error, without the file name or the final full stop."""
+    """Return the reason for a file error, without the file name and the final period."""
     text = "; ".join(map(str, error.findings)) if isinstance(error, SettingsError) else str(error)
     return text.rstrip(". ")
 
 
 class NotOrdinaryFileError(OSError):
-    """Folder, pipe, socket or device, which may block for ever."""
+    """Error for a folder, pipe, socket or device. Reading such a file may block forever."""
 
     def __init__(self, path: Path, mode: int) -> None:
         reason = tr("it is not an ordinary file")
@@ -104,13 +101,13 @@ class NotOrdinaryFileError(OSError):
 
 
 def check_ordinary(path: Path) -> None:
-    """Raise OSError for anything but an ordinary file. Follows links."""
+    """Raise OSError unless `path` is an ordinary file or a link to one."""
     _check_mode(path, path.stat().st_mode)
 
 
 def open_ordinary(path: Path) -> BinaryIO:
-    """Open an ordinary file for reading. Raises OSError without blocking."""
-    check_ordinary(path)  # first: opening a serial port changes its control lines
+    """Open an ordinary file for reading. Raises OSError. Never blocks."""
+    check_ordinary(path)  # before opening, which changes the control lines of a serial port
     extra_flags = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0)
     file = open(  # noqa: SIM115 - the caller closes it
         path, "rb", opener=lambda name, flags: os.open(name, flags | extra_flags)
@@ -130,12 +127,12 @@ def _check_mode(path: Path, mode: int) -> None:
 
 _DRAFT = re.compile(r"\..*\.[0-9a-f]{8}\.trexdraft", re.DOTALL)
 
-_ABANDONED_S = 600.0  # seconds; an older draft is from a killed program
+_ABANDONED_S = 600.0  # seconds; a killed program has left any older draft
 
 
 @cache
 def remove_abandoned(folder: Path) -> None:
-    """Remove the drafts of killed programs from a folder, once per run."""
+    """Remove the drafts that killed programs have left in a folder. Acts once per run."""
     oldest = time.time() - _ABANDONED_S
     with contextlib.suppress(OSError), os.scandir(folder) as entries:
         for entry in entries:
@@ -149,10 +146,10 @@ def remove_abandoned(folder: Path) -> None:
 def atomic_file(path: Path, *, overwrite: bool = True) -> Iterator[BinaryIO]:
     """Open a file that replaces `path` once it is complete.
 
-    The file is synced to disk first. After an exception the old file is unchanged and the new file
-    is removed. If the program is killed, the old or the new file exists, and perhaps a hidden
-    draft. The first write to the folder in a later run removes such drafts. Links and permissions
-    are preserved. The caller may close the file.
+    The new file is synced to disk first. After an exception the old file is unchanged and the new
+    file is removed. If the program is killed, either the old or the new file exists, and a hidden
+    draft may remain. The first write to the folder in a later run removes such drafts. Links and
+    permissions are preserved. The caller may close the file.
 
     Raises:
         NotOrdinaryFileError: `path` is a folder, a pipe or a device.
@@ -175,15 +172,15 @@ def atomic_file(path: Path, *, overwrite: bool = True) -> Iterator[BinaryIO]:
                 shutil.copymode(target, draft)
             draft.replace(target)
         else:
-            _reserve_name(draft, target)
+            _rename_new(draft, target)
     finally:
         with contextlib.suppress(OSError):
             draft.unlink()
     _sync_folder(target.parent)
 
 
-def _reserve_name(draft: Path, target: Path) -> None:
-    """Rename a file atomically. Raises FileExistsError if the name exists."""
+def _rename_new(draft: Path, target: Path) -> None:
+    """Rename a file atomically. Raises FileExistsError if `target` exists."""
     if os.name == "nt":
         draft.rename(target)  # never replaces a file on Windows
         return
@@ -201,7 +198,7 @@ def _reserve_name(draft: Path, target: Path) -> None:
 
 
 def _sync_folder(folder: Path) -> None:
-    """Sync a folder, so that new names survive a power failure."""
+    """Sync a folder, so that new file names survive a power failure."""
     with contextlib.suppress(OSError):
         handle = os.open(folder, os.O_RDONLY)
         try:
@@ -210,11 +207,11 @@ def _sync_folder(folder: Path) -> None:
             os.close(handle)
 
 
-LARGEST_FILE = 256 * 1024  # bytes; a complete settings file has about 3000
+LARGEST_FILE = 256 * 1024  # bytes; a complete settings file has about 3000 bytes
 
 
 def load(path: Path, content: str = "settings", largest: int = LARGEST_FILE) -> bytes:
-    """Return the bytes of a text file. `content`: plural noun for messages."""
+    """Return the bytes of a text file. `content`: plural noun for error messages."""
     with explained(path, tr("it cannot be read")), open_ordinary(path) as file:
         data = file.read(largest + 1)
     check_size(data, str(path), content, largest)
@@ -232,7 +229,7 @@ def check_size(
 
 
 def decode(data: bytes, name: str) -> str:
-    """Decode UTF-8 text, without its byte order mark. Raises SettingsError."""
+    """Decode UTF-8 text and remove its byte order mark. Raises SettingsError."""
     check_size(data, name)
     message, position = tr("this is a binary file; settings are text"), data.find(b"\0")
     has_mark = data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
@@ -248,7 +245,7 @@ def decode(data: bytes, name: str) -> str:
 
 
 def save(path: Path, content: str | bytes) -> None:
-    """Write a file. Text is UTF-8. After a SettingsError the old file is unchanged."""
+    """Write a file, text as UTF-8. After a SettingsError the old file is unchanged."""
     with explained(path, tr("it cannot be written")):
         target = Path(os.path.realpath(path))
         if target.is_file() and not os.access(target, os.W_OK):
@@ -263,11 +260,11 @@ def save(path: Path, content: str | bytes) -> None:
 def save_over(path: Path, content: str | bytes, known: bytes | None) -> bool:
     """Write a file if it still contains `known`. Return whether it was written.
 
-    `None` overwrites any content. A missing file is created. After a SettingsError the file is
-    unchanged.
+    If `known` is `None`, any content is overwritten. A missing file is created. After a
+    SettingsError the file is unchanged.
     """
     if known is not None:
-        # After an OSError, `save` creates the file or reports the reason.
+        # After an OSError here, `save` creates the file or reports the reason.
         with contextlib.suppress(OSError), open_ordinary(path) as file:
             if file.read(len(known) + 1) != known:
                 return False
@@ -276,6 +273,7 @@ def save_over(path: Path, content: str | bytes, known: bytes | None) -> bool:
 
 
 def save_new(path: Path, text: str) -> bool:
+    """Write a new file. Return False if the file already exists. Raises SettingsError."""
     with explained(path, tr("it cannot be written")):
         try:
             with atomic_file(path, overwrite=False) as file:
@@ -287,7 +285,7 @@ def save_new(path: Path, text: str) -> bool:
 
 @contextlib.contextmanager
 def explained(path: Path, failure: str) -> Iterator[None]:
-    """Convert system errors to `SettingsError`. `failure`: clause before the reason."""
+    """Convert system errors to `SettingsError`. `failure`: clause that precedes the reason."""
     try:
         yield
     except FileNotFoundError:

@@ -23,12 +23,12 @@ OpenTransport = Callable[[PortSettings], Transport]
 
 @dataclass(frozen=True, slots=True)
 class Host:
-    """Ports, threads and clock. Click's `obj` replaces the default.
+    """Ports, threads and clock. A `Host` in click's `obj` replaces the default.
 
     Attributes:
-        start_thread: runs a function in a thread; returns a function that waits for its end.
+        start_thread: runs a function in a thread, and returns a function that waits for its end.
         clock: clock of the transports.
-        logged: wraps `open_transport` to write the traffic to a file; `None`: no file.
+        logged: wraps `open_transport` to write the traffic to a file. `None` without such a file.
     """
 
     open_transport: OpenTransport = SerialTransport

@@ -15,7 +15,7 @@ from queue import SimpleQueue
 from trex_gui.core.files import check_ordinary, log_folder
 
 _MAX_SIZE = 512 * 1024  # bytes per file
-_OLDER_FILES = 3  # older files in addition to the newest
+_OLDER_FILES = 3  # number of older files in addition to the newest file
 _MAX_LENGTH = 20_000  # characters per entry, including the traceback
 _MAX_QUEUED = 10_000  # entries queued for a slow disk
 _REPEATED_S = 60.0
@@ -29,25 +29,25 @@ def log_file() -> Path:
 
 
 def log_files() -> list[Path]:
-    """Return the paths of all log files, newest last. Some may not exist."""
+    """Return the paths of all log files, with the newest last. Some files may not exist."""
     path = log_file()
     return [*(path.with_name(f"{path.name}.{age}") for age in range(_OLDER_FILES, 0, -1)), path]
 
 
 class ProgramLog:
-    """Logs to a file, and warnings to the terminal, until closed.
+    """Writes log entries to a file, and warnings also to the terminal, until closed.
 
-    An entry with the attribute `printed` is already on the terminal.
+    An entry with the attribute `printed` has already been printed on the terminal.
     """
 
     def __init__(self, path: Path, *, is_verbose: bool = False) -> None:
-        """`is_verbose`: log DEBUG entries, and print all entries."""
+        """`is_verbose`: also log DEBUG entries, and print all entries on the terminal."""
         self._level = logging.getLogger("trex_gui").level
         logging.getLogger("trex_gui").setLevel(logging.DEBUG if is_verbose else logging.INFO)
         self._file = _LogFile(path)
         self._file.setFormatter(_Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
         handlers: list[logging.Handler] = [self._file]
-        if sys.stderr is not None:  # `None` in a window program on Windows
+        if sys.stderr is not None:  # `None` without a console on Windows
             handlers.append(terminal_handler(is_verbose=is_verbose))
         entries: SimpleQueue[logging.LogRecord] = SimpleQueue()
         self._handler = _QueueHandler(entries)
@@ -58,7 +58,7 @@ class ProgramLog:
     def close(self, timeout: float = 2.0) -> bool:
         """Write the remaining entries. Return False after a timeout (s).
 
-        In that case, Python would wait for the disk at exit. Only `os._exit` ends the process.
+        After a timeout, Python would wait for the disk at exit. Only `os._exit` ends the process.
         """
         logging.getLogger().removeHandler(self._handler)
         logging.getLogger("trex_gui").setLevel(self._level)
@@ -84,7 +84,10 @@ def terminal_handler(*, is_verbose: bool) -> logging.Handler:
 
 
 class _QueueHandler(QueueHandler):
-    """Never blocks. Its queue is reentrant, since a log call may interrupt another."""
+    """Queues entries without blocking.
+
+    The queue is reentrant, because one log call may interrupt another.
+    """
 
     queue: SimpleQueue[logging.LogRecord]
 
@@ -118,7 +121,7 @@ class _LogFile(RotatingFileHandler):
         path = Path(self.baseFilename)
         path.parent.mkdir(parents=True, exist_ok=True)
         with suppress(FileNotFoundError):
-            check_ordinary(path)  # a pipe would block for ever
+            check_ordinary(path)  # a pipe would block forever
         return super()._open()
 
     def emit(self, record: logging.LogRecord) -> None:

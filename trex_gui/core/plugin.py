@@ -1,11 +1,11 @@
-"""Plugin interface of a device kind."""
+"""Plugin interface for a kind of device."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, Generic, TypeVar, cast
 
-if TYPE_CHECKING:  # so that `trexcmd --help` starts fast
+if TYPE_CHECKING:  # not imported at run time, so that `trexcmd --help` starts fast
     import click
 
     from trex_gui.core.discovery.prober import ProberInfo
@@ -45,11 +45,11 @@ class PortReports:
     """Functions of a device for `trexcmd list` and `trexcmd find`.
 
     Attributes:
-        identify: probes a port (URL, options of the command) without moving anything. The text of
-            the answer is empty if no device replied. Raises PortUnavailable.
+        identify: probes a port, called as (URL, options of the command). It never moves anything.
+            The text of the answer is empty if no device replied. Raises PortUnavailable.
         describe: returns sentences about a found device.
-        row: returns the fields of a found device that `find --json` adds to its connection
-            settings.
+        row: returns the fields that `find --json` adds to the connection settings of a found
+            device.
     """
 
     identify: Callable[[str, Mapping[str, Any]], PortAnswer]
@@ -62,7 +62,7 @@ class DevicePlugin:
     """Kind of device. `key` identifies it in settings and commands.
 
     Attributes:
-        prober: searches a port for a device; its probes never move a device of any kind.
+        prober: searches a port for a device. Its probes never move a device of any kind.
         commands: name → command of trexcmd.
         simulator_arguments: arguments of trex-sim that simulate a device for the port list.
         controller: creates a `DeviceController`, called as

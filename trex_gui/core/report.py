@@ -1,4 +1,4 @@
-"""Support report: text files in a zip, without personal data."""
+"""Support report, which consists of text files in a zip archive, without personal data."""
 
 import getpass
 import importlib.metadata
@@ -27,8 +27,8 @@ from trex_gui.version import __version__
 _PACKAGES = ("PySide6-Essentials", "pyserial", "numpy", "pyqtgraph", "ruamel.yaml", "pygame-ce")
 _LARGEST_GUARDIAN_LOG = 65536  # bytes from the end of the log
 _LARGEST_LOG = 262144
-_SHORTEST_NAME = 3  # characters of a masked user or computer name; a shorter name may be a word
-_SHORTEST_SERIAL = 5  # characters; many adapters share shorter numbers, such as 0001
+_SHORTEST_NAME = 3  # characters; a shorter user or computer name may be an ordinary word
+_SHORTEST_SERIAL = 5  # characters; many adapters share a shorter number, such as 0001
 _SHARED_NAMES = frozenset({"root", "admin", "administrator", "user", "pi", "localhost"})
 
 _FOLDERS = re.compile(
@@ -68,6 +68,8 @@ class ReportFile:
 
 @dataclass(frozen=True, slots=True)
 class Mask:
+    """Personal data that `clean` replaces by placeholders such as `<user>`."""
+
     home: str = ""
     user: str = ""
     computer: str = ""
@@ -117,7 +119,7 @@ def create_report(
 ) -> tuple[ReportFile, ...]:
     """Return the non-empty files of a report: the program's own files and `parts`.
 
-    May take several seconds. The file of a failed part contains the error.
+    This may take several seconds. The file of a part that fails contains the error.
     """
     mask = mask or Mask.of_this_computer()
     own: dict[str, Callable[[], str]] = {
@@ -132,7 +134,7 @@ def create_report(
 
 
 def save_report(path: Path, files: Iterable[ReportFile]) -> None:
-    """Write the zip atomically. Raises SettingsError."""
+    """Write the zip archive atomically. Raises SettingsError."""
     data = io.BytesIO()
     with zipfile.ZipFile(data, "w", zipfile.ZIP_DEFLATED) as archive:
         for file in files:
@@ -179,7 +181,7 @@ def _ports() -> str:
 
 
 def _last_bytes(limit: int, *paths: Path) -> str:
-    """Return the last `limit` bytes of files, which are sorted from old to new."""
+    """Return the last `limit` bytes of `paths`, which are sorted from old to new."""
     data = b""
     for path in reversed(paths):
         with suppress(FileNotFoundError), open_ordinary(path) as file:

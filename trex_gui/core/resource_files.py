@@ -1,4 +1,4 @@
-"""Paths of the program's files, in a checkout, wheel or bundle."""
+"""Paths of the program's resource files, in a checkout, wheel or bundle."""
 
 import sys
 from functools import cache
@@ -20,7 +20,7 @@ def _root() -> Path:
 
 
 def resource(name: str) -> Path:
-    """Return a path in `resources/`, such as `icons/stop.svg`."""
+    """Return the path of a resource. `name`: path in `resources/`, such as `icons/stop.svg`."""
     path = _root() / name
     if not path.exists():
         message = f"{name} is missing from {_root()}; install the program again"

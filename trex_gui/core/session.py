@@ -22,7 +22,7 @@ class Close:
 
 @dataclass(frozen=True, slots=True)
 class Progress:
-    """Report: `done` of `total` steps are complete. `what`: next step."""
+    """Report: `done` of `total` steps are complete. `what`: text about the next step."""
 
     done: int
     total: int
@@ -31,7 +31,7 @@ class Progress:
 
 @dataclass(frozen=True, slots=True)
 class Outcome:
-    """Report: result of a request, exactly one per `id`."""
+    """Report: result of a request. Each `id` has exactly one outcome."""
 
     id: int
     value: object = None
@@ -47,7 +47,7 @@ class Closed:
 
 
 class Condition(AbstractContextManager[bool], Protocol):
-    """Subset of `threading.Condition` for queues."""
+    """Subset of `threading.Condition` that queues need."""
 
     def wait(self, timeout: float | None = None) -> bool: ...
     def notify(self) -> None: ...
@@ -80,16 +80,16 @@ class RequestQueue:
             return self._requests.popleft() if self._requests else None
 
 
-SHORTEST_WAIT = 1e-5  # seconds; rounding errors of times must not cause a busy loop
+SHORTEST_WAIT = 1e-5  # seconds; prevents a busy loop caused by rounding errors of times
 
 
 class Inbox(Protocol[RequestT_co]):
-    """Source of requests. `get` returns `None` after a timeout (s)."""
+    """Source of requests. `get` returns `None` if no request arrives in time."""
 
     def get(self, seconds: float) -> RequestT_co | None: ...
 
 
-class Closing(Exception):  # noqa: N818 - no error: the session was closed
+class Closing(Exception):  # noqa: N818 - not an error, because the session was closed
     """Raised when a session receives `Close`."""
 
 
@@ -100,8 +100,9 @@ def run_until_closed(
 ) -> StudioError | None:
     """Call `start`, then `step` repeatedly. Return the error that ended the loop.
 
-    Never raises, because the session must then bring the device into a safe state. Returns `None`
-    after `Closing`, and the result of `internal_error` for any exception but `StudioError`.
+    Never raises, because the session must afterwards bring the device into a safe state. Return
+    `None` after `Closing`. For any exception except `StudioError`, return the result of
+    `internal_error`.
     """
     try:
         start()

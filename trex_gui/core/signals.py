@@ -1,4 +1,4 @@
-"""Signals that end or suspend a program. No system has all of them."""
+"""Signals that end or suspend a program. No system has all these signals."""
 
 import signal
 from collections.abc import Iterable
@@ -9,7 +9,7 @@ ENDING = (
     "SIGHUP",
     "SIGQUIT",
     "SIGBREAK",
-    # The program itself never uses the following signals.
+    # This program never uses the following signals itself.
     "SIGUSR1",
     "SIGUSR2",
     "SIGALRM",
@@ -19,28 +19,27 @@ ENDING = (
     "SIGIO",
     "SIGPWR",
 )
-"""Signals that end a program by default and can be handled.
+"""Signals that end a program by default and that a program can handle.
 
-Fault signals (SIGSEGV) are excluded, because their handlers must not run Python. SIGPIPE is
-excluded, because Python ignores it."""
+Fault signals such as SIGSEGV are excluded, because their handlers must not run Python code. SIGPIPE
+is excluded, because Python ignores it."""
 
-SUSPENDING = "SIGTSTP"  # Ctrl-Z: a suspended program cannot stop motors
+SUSPENDING = "SIGTSTP"  # sent by Ctrl-Z; a suspended program cannot stop motors
 
 FROM_TERMINAL = ("SIGTTIN", "SIGTTOU")
 """Signals for terminal access from the background.
 
-They suspend a program by default. If they are ignored, writing works and reading fails, which
-suits a program that moves motors and needs no terminal. A handler would be called for ever, since
-Python repeats the interrupted call."""
+By default they suspend a program. If they are ignored, writing works and reading fails. This suits
+a program that moves motors and does not need a terminal. A handler would be called again and again
+forever, because Python repeats the interrupted call."""
 
 
 def handled_signals(names: Iterable[str]) -> list[signal.Signals]:
     """Return the signals that the program may handle.
 
-    Excludes signals that the system lacks, that are ignored (`nohup`) or that have a foreign
-    handler.
+    Excludes signals that do not exist on this system, signals that are ignored (`nohup`), and
+    signals with a handler that was not installed in Python.
     """
     numbers = (getattr(signal, name, None) for name in names)
-    # A handler that was not installed in Python is reported as `None`.
-    not_ours = (signal.SIG_IGN, None)
-    return [n for n in numbers if n is not None and signal.getsignal(n) not in not_ours]
+    excluded = (signal.SIG_IGN, None)  # `None`: a handler that was not installed in Python
+    return [n for n in numbers if n is not None and signal.getsignal(n) not in excluded]

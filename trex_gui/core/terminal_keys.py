@@ -9,7 +9,8 @@ from contextlib import contextmanager
 def pressed_keys() -> Iterator[Callable[[], str]]:
     """Yield a function that returns the keys typed since its last call.
 
-    Standard input must be a terminal, whose mode is restored at the end. Ctrl-C still interrupts.
+    Standard input must be a terminal. The mode of the terminal is restored at the end. Ctrl-C still
+    interrupts the program.
     """
     if sys.platform == "win32":
         import msvcrt  # noqa: PLC0415 - only on Windows

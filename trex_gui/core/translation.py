@@ -56,9 +56,9 @@ def cached_text(function: Callable[P, T]) -> Callable[P, T]:
 
 
 class Number(float):
-    """Number with the decimal separator of the language: `1,5` in German.
+    """Number that is formatted with the decimal separator of the language: `1,5` in German.
 
-    Percentages have a space before `%`.
+    A percentage has a space before `%`.
     """
 
     def __format__(self, spec: str) -> str:
@@ -71,7 +71,7 @@ def with_decimal_point(number: str) -> str:
 
 @contextmanager
 def in_english() -> Iterator[None]:
-    """Use English in any language of the window, as in files."""
+    """Use English, whatever the language of the window. Files are in English, for example."""
     token = _is_english.set(True)
     try:
         yield
