@@ -1,4 +1,4 @@
-"""The program's side of the guardian process."""
+"""Start and control of the guardian process by the program."""
 
 import contextlib
 import logging
@@ -22,15 +22,16 @@ log = logging.getLogger(__name__)
 HEARTBEAT_INTERVAL = 0.1  # seconds between heartbeats while motors may be moving
 
 _END_TIMEOUT_S = 2.0
-_ABORT_TIMEOUT_S = 6.0  # timeout during a stop, which takes up to 5 s
-_SUSPENDED_UNREAD = 3  # unread messages of a suspended process
-_SUSPENDED_S = 0.25  # age in seconds of the oldest unread message of a suspended process
+_ABORT_TIMEOUT_S = 6.0  # timeout while the process stops the motors, which takes up to 5 s
+# A process counts as suspended if it has left this many messages unread, the oldest for this long.
+_SUSPENDED_UNREAD = 3
+_SUSPENDED_S = 0.25
 
 _watching_since: list[str] = []
 
 
 def watching_since() -> str:
-    """Return the time of the first heartbeat in the format of the log. `9999`: none."""
+    """Return the time of the first heartbeat as the log writes it, or `9999` without one."""
     return _watching_since[0] if _watching_since else "9999"
 
 
@@ -43,12 +44,12 @@ class StopSequence:
     reply_size: int  # bytes per reply
     error_mask: int  # error bits in the first byte of a reply
     has_echo: bool  # True if all sent bytes come back before the reply
-    seconds: float  # maximum duration of the packets, a query and its reply
+    seconds: float  # maximum duration of the packets, one query and its reply
     note: str = ""  # lines about the board for the file that `maintain_file` writes
 
 
 def joined_stops(stops: Sequence[StopSequence]) -> StopSequence:
-    """Return one stop for all boards on a line."""
+    """Return one stop sequence for all boards on a line."""
     first, *others = stops
     if not others:
         return first
@@ -60,6 +61,8 @@ def joined_stops(stops: Sequence[StopSequence]) -> StopSequence:
 
 @dataclass(frozen=True, slots=True)
 class SharedPort:
+    """Open port that the guardian process inherits."""
+
     kind: str  # `serial`, `socket` or `telnet`
     number: int  # file descriptor, or handle on Windows
 
@@ -68,8 +71,8 @@ class Guardian(Protocol):
     """Interface between a session and its guardian.
 
     Attributes:
-        is_ready: the process is running, responds and has not acted.
-        has_acted: the process has started to stop the motors and may still use the line.
+        is_ready: True if the process is running, responds and has not acted.
+        has_acted: True if the process has started to stop the motors. It may still use the line.
     """
 
     @property
@@ -80,7 +83,7 @@ class Guardian(Protocol):
     def wait_until_ready(self, seconds: float) -> None: ...
 
     def watch(self, sequence: StopSequence | None) -> None:
-        """Send a heartbeat. `None`: no motor can be moving."""
+        """Send a heartbeat. `sequence`: current stop, or `None` if no motor can be moving."""
 
     def stop(self, seconds: float) -> bool:
         """Request a stop. Return whether it was confirmed within `seconds`."""
@@ -93,9 +96,10 @@ class GuardianProcess:
     """Starts the guardian process. After a failure, `is_ready` stays false."""
 
     def __init__(self, port: SharedPort | None, silence: float, file: Path | None = None) -> None:
-        """Start a process that acts after `silence` seconds.
+        """Start a process that acts after `silence` seconds without a heartbeat.
 
-        `port`: `None` if it has no descriptor. `file`: exists while motors may be moving.
+        `port`: `None` if the port has no descriptor, and no process can be started. `file`: path of
+        a file that exists while motors may be moving.
         """
         self._sent: StopSequence | None = None
         self._is_confirmed = False
@@ -116,7 +120,7 @@ class GuardianProcess:
         threading.Thread(target=self._listen, args=(self._process,), daemon=True).start()
 
     def _listen(self, process: "subprocess.Popen[bytes]") -> None:
-        # Closed descriptors end this loop, even if the process is still running.
+        # This loop ends when the descriptors are closed, even if the process is still running.
         with contextlib.suppress(OSError, ValueError):
             for line in process.stdout or ():
                 if line != b"read\n":
@@ -135,7 +139,7 @@ class GuardianProcess:
                     case b"unconfirmed":
                         self._ended.set()  # the port is closed; a disk may still block the process
         process.wait()
-        # Locked, because a new file could reuse the descriptor of the closed pipe.
+        # Locked, because a new file could get the descriptor of the closed pipe.
         with self._writing, contextlib.suppress(OSError), process:
             self._ended.set()
 
@@ -177,7 +181,7 @@ class GuardianProcess:
 
     def end(self) -> bool:
         is_suspended = self._is_suspended
-        # Without the message, the process would assume that the program died.
+        # Without this message, the process would assume that the program has died.
         is_notified = self._send("end")
         seconds = _ABORT_TIMEOUT_S if self.has_acted else 0.0 if is_suspended else _END_TIMEOUT_S
         if self._process is not None and not self._ended.wait(seconds) and is_notified:
@@ -192,7 +196,7 @@ class GuardianProcess:
         with self._writing:
             if process is None or process.stdin is None or self._ended.is_set():
                 return False
-            # Counted before the write, because the process may read the message at once.
+            # The message counts before it is written, because the process may read it at once.
             self._unread_since = self._unread_since if self._unread else time.monotonic()
             self._unread += 1
             try:
@@ -223,15 +227,15 @@ def _start(port: SharedPort, silence: float, file: Path | None) -> "subprocess.P
         options = {"startupinfo": startup, "creationflags": flags}
         os.set_handle_inheritable(number, True)
     else:
-        # At least 3, because 0 to 2 become pipes. The new session gets no terminal signals.
+        # At least 3, because 0 to 2 become pipes. A new session receives no terminal signals.
         number = fcntl.fcntl(number, fcntl.F_DUPFD_CLOEXEC, 3)
         options = {"pass_fds": [number], "start_new_session": True}
     command = [sys.executable, "--guardian"]
     if not getattr(sys, "frozen", False):
-        # -I and -S ignore the user's Python set-up.
+        # With -I and -S, Python ignores the user's set-up.
         command[1:] = ["-I", "-S", str(Path(__file__).with_name("process.py"))]
         if sys.platform == "win32":
-            # In a virtual environment `executable` is a launcher that would continue to run.
+            # In a virtual environment, `executable` is a launcher that would continue to run.
             command[0] = getattr(sys, "_base_executable", "") or sys.executable
     try:
         return subprocess.Popen(  # noqa: S603 - our own program
@@ -239,12 +243,12 @@ def _start(port: SharedPort, silence: float, file: Path | None) -> "subprocess.P
             bufsize=0,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
-            # Without a console, standard error may not be inheritable.
+            # Without a console, the process may not be able to inherit standard error.
             stderr=subprocess.DEVNULL if sys.stderr is None else None,
             **options,
         )
     finally:
         if sys.platform == "win32":
-            os.set_handle_inheritable(number, False)  # otherwise Qt's processes inherit it
+            os.set_handle_inheritable(number, False)  # otherwise Qt's processes would inherit it
         else:
             os.close(number)

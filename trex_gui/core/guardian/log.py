@@ -1,4 +1,4 @@
-"""Log of the guardian processes, with a line for each stop."""
+"""Log of the guardian processes, with one line for each stop."""
 
 import os
 import re
@@ -12,7 +12,7 @@ _MAX_READ = 65536  # bytes per read
 
 
 class StopResult(StrEnum):
-    """Result of a stop. `REPEATED`: the program responded again and stopped the motors."""
+    """Result of a stop. `REPEATED`: the program responded again and repeated the stop."""
 
     CONFIRMED = "confirmed"
     UNCONFIRMED = "unconfirmed"
@@ -24,7 +24,7 @@ def log_file() -> Path:
 
 
 def logged_stops(seen: int) -> tuple[int, list[tuple[str, StopResult]]]:
-    """Return the log's size in bytes, and its stops after `seen` bytes.
+    """Return the size of the log in bytes, and the stops logged after the first `seen` bytes.
 
     Each stop is a pair of time and result. An unreadable log counts as empty.
     """

@@ -1,11 +1,11 @@
 """Guardian process: stops the motors when the program is silent.
 
-It shares the program's open port. It uses only the standard library, so that it starts in
+The process shares the program's open port. It uses only the standard library, so that it starts in
 milliseconds, stays small and does not fail with the program.
 
 It reads one message per line from its standard input:
 
-    watch STOP QUERY,… REPLY_SIZE ERROR_MASK HAS_ECHO SECONDS NOTE   motors may move; a heartbeat
+    watch STOP QUERY,… REPLY_SIZE ERROR_MASK HAS_ECHO SECONDS NOTE   heartbeat: motors may move
     idle   no motor can be moving
     stop   stop the motors now
     end    the program needs the line again, or has closed it
@@ -34,14 +34,14 @@ if sys.platform != "win32":
 
 _GIVE_UP_S = 5.0  # maximum duration of a stop in seconds
 _GRACE_S = 0.02  # extra wait in seconds for a heartbeat in transit
-_LATE_S = 0.05  # if a wait is this much too long (s), this process was suspended
+_LATE_S = 0.05  # if a wait takes this much longer (s), this process has been suspended
 _LATE_GRACE_S = 0.1  # extra wait in seconds for messages after a suspension
-_CLEAN_ROUNDS = 2  # consecutive rounds of clean replies that confirm a stop
+_CLEAN_ROUNDS = 2  # consecutive rounds of error-free replies that confirm a stop
 _QUIET_S = 0.03
 """Silence in seconds that ends a reply.
 
-It is longer than three bytes at 1200 baud and the delay of common adapters. If it were shorter,
-the first byte of an echoed request could count as a reply."""
+It is longer than three bytes at 1200 baud, and longer than the delay of common adapters. After a
+shorter silence, the first byte of an echoed request could count as a reply."""
 
 _MAX_READ = 4096  # bytes per read
 
@@ -51,14 +51,14 @@ class FilePort:
 
     def __init__(self, descriptor: int) -> None:
         self._descriptor = descriptor
-        os.set_blocking(descriptor, False)  # another process may read first after `select`
+        os.set_blocking(descriptor, False)  # after `select`, another process may read the bytes
         self.save_settings()
 
     def save_settings(self) -> None:
         self._settings = self._read_settings()
 
     def restore_settings(self) -> None:
-        """Undo changes made by a search for a silent board."""
+        """Undo the changes that a search for a silent board has made."""
         if self._settings is not None and self._settings != self._read_settings():
             with suppress(termios.error):
                 termios.tcsetattr(self._descriptor, termios.TCSANOW, self._settings)
@@ -72,12 +72,12 @@ class FilePort:
         while data:
             _, ready, _ = select.select([], [self._descriptor], [], _GIVE_UP_S)
             if not ready:
-                raise TimeoutError("the port accepts nothing")
+                raise TimeoutError("the port accepts no data")
             with suppress(BlockingIOError):
                 data = data[os.write(self._descriptor, data) :]
 
     def receive(self, seconds: float) -> bytes:
-        """Return received bytes. Wait up to `seconds` for the first byte."""
+        """Return the received bytes. Wait up to `seconds` for the first byte."""
         ready, _, _ = select.select([self._descriptor], [], [], max(0.0, seconds))
         data = b""
         with suppress(BlockingIOError):
@@ -135,7 +135,7 @@ class TelnetPort(SocketPort):
         return b"".join(map(self._data.send, super().receive(seconds)))
 
     def _decoder(self) -> Generator[bytes, int, None]:
-        """Yield the data that each sent byte completes."""
+        """Receive bytes by `send`. Yield the data that each byte completes."""
         data = b""
         while True:
             byte = yield data
@@ -161,8 +161,8 @@ if sys.platform == "win32":
     class WindowsPort:
         """Serial port of Windows, opened for overlapped I/O.
 
-        The port's timeouts are unreliable, because pyserial removes them when the program closes
-        the port. A transfer that takes too long is therefore cancelled.
+        The port's own timeouts are unreliable, because pyserial removes them when the program
+        closes the port. A transfer that takes too long is therefore cancelled.
         """
 
         _STATE_SIZE = 28  # bytes of a DCB; the first word is the size
@@ -191,7 +191,7 @@ if sys.platform == "win32":
                 overlapped, _ = _winapi.WriteFile(self._handle, data, overlapped=True)
                 data = data[self._finish(overlapped, end - time.monotonic()) :]
                 if data and time.monotonic() >= end:
-                    raise TimeoutError("the port accepts nothing")
+                    raise TimeoutError("the port accepts no data")
 
         def receive(self, seconds: float) -> bytes:
             end = time.monotonic() + seconds
@@ -226,7 +226,7 @@ def open_port(kind: str, number: int) -> Port:
 
 
 class StopMessage:
-    """Fields of a `watch` message, as in `StopSequence`."""
+    """Fields of a `watch` message. `StopSequence` explains them."""
 
     def __init__(self, fields: list[str]) -> None:
         packets, queries, size, mask, echo, seconds, note = fields
@@ -241,10 +241,11 @@ class StopMessage:
 def maintain_file(
     path: str, notes: "queue.Queue[bytes | None]", written: Callable[[], object]
 ) -> None:
-    """Write each note to a locked file.
+    """Write each note to a locked file. `None` ends the loop.
 
-    An empty note removes the file. `None` ends the loop. The loop runs in its own thread, so that a
-    slow disk never delays a stop. A failed write is repeated with the next note.
+    An empty note removes the file. The loop runs in its own thread, so that a slow disk never
+    delays a stop. A note is not written again if it is unchanged, except after a failure. `written`
+    is called once the file contains a new note.
     """
     file: FileIO | None = None
     last = b""
@@ -277,7 +278,7 @@ class Watchdog:
     def __init__(
         self, port: Port, silence: float, files: Sequence[str], messages: FileIO, replies: FileIO
     ) -> None:
-        """`files`: log file, and file that `maintain_file` writes."""
+        """`files`: paths of the log file and of the file that `maintain_file` writes."""
         self._port = port
         self._silence = silence
         self._log_file, path = files
@@ -325,7 +326,7 @@ class Watchdog:
         self._log(outcome, f"{reason} while motors could move. {result}")
 
     def _supervise(self) -> tuple[StopMessage, str] | None:
-        """Return the due stop and its reason. `None`: the program has ended."""
+        """Wait until a stop is due. Return the stop and its reason, or `None` if none is needed."""
         stop: StopMessage | None = None
         while True:
             message = self._next(None if stop is None else self._silence)
@@ -350,7 +351,7 @@ class Watchdog:
                     return None
 
     def _next(self, seconds: float | None) -> str | None:
-        """Return the next message. `None`: timeout. Empty: end of the input."""
+        """Return the next message. `None` after a timeout. Empty at the end of the input."""
         started = time.monotonic()
         with suppress(queue.Empty):
             return self._messages.get(timeout=seconds)
@@ -360,11 +361,11 @@ class Watchdog:
         return None
 
     def _stop(self, stop: StopMessage) -> bool:
-        """Send the stop repeatedly. Return whether every board confirmed it."""
+        """Send the stop repeatedly. Return whether every board has confirmed it."""
         self._port.restore_settings()
         self._port.write(stop.packets)
         end = time.monotonic() + _GIVE_UP_S
-        self._read_until_quiet(stop.seconds)  # a board that is replying does not listen
+        self._read_until_quiet(stop.seconds)  # a board does not listen while it replies
         first, *others = stop.queries
         clean = 0
         while clean < _CLEAN_ROUNDS and time.monotonic() < end and not self._is_cancelled:
@@ -382,7 +383,7 @@ class Watchdog:
         return len(reply) == echo + stop.reply_size and not reply[echo] & stop.error_mask
 
     def _read(self, size: int, seconds: float) -> bytes:
-        """Return `size` bytes, fewer after a timeout, more from a busy line."""
+        """Return `size` bytes, but fewer after a timeout and more from a busy line."""
         received = b""
         end = time.monotonic() + seconds
         while len(received) < size and (remaining := end - time.monotonic()) > 0:
@@ -414,17 +415,17 @@ class Watchdog:
 
 
 def main(arguments: list[str]) -> int:
-    """Run the guardian of a port. Signals that end the program are ignored.
+    """Run the guardian of a port. It ignores the signals that end the program.
 
-    The arguments are the port's kind, its descriptor or handle, the silence in s, and the `files`
-    of `Watchdog`.
+    The arguments are the kind of the port, its descriptor or handle, the silence in s, and the
+    `files` of `Watchdog`.
     """
     for name in ("SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK"):
         if (number := getattr(signal, name, None)) is not None:
             signal.signal(number, signal.SIG_IGN)
     kind, number, silence, *files = arguments
     port = open_port(kind, int(number))
-    # Unbuffered, because a thread that reads a buffer would prevent the exit.
+    # Unbuffered, because a thread blocked in a buffered read would prevent the exit.
     Watchdog(port, float(silence), files, FileIO(0), FileIO(1, "w")).run()
     return 0
 
