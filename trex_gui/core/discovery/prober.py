@@ -15,13 +15,13 @@ class ScanProgress:
 
     done: int
     total: int
-    line: SerialFormat  # settings of the next probe
-    number: int | None = None  # probed device number, after a response
-    kind: str = ""  # name of the probed device kind
+    line: SerialFormat  # line settings of the next probe
+    number: int | None = None  # device number to probe, once a device has responded
+    kind: str = ""  # name of the kind of device to probe
 
 
 class Evidence(IntEnum):
-    """Strength of the evidence for a device."""
+    """Strength of the evidence that a device is connected."""
 
     SILENCE = 0
     ECHO = 1
@@ -38,12 +38,12 @@ class Diagnosis:
 
 
 class FoundDevice(Protocol):
-    """Found device and its connection settings.
+    """Device that a scan has found, with its connection settings.
 
     Attributes:
         device_number: `None` if the device has no number.
         echo: True if all sent bytes come back.
-        note: remark for the user; may be empty.
+        note: remark for the user, or an empty string.
     """
 
     @property
@@ -64,7 +64,7 @@ class Prober(Protocol):
     Each probe must first terminate an incomplete packet that a board may have received.
 
     Attributes:
-        parts: number of probes in each part of the scan, likely probes first.
+        parts: number of probes in each part of the scan. The first part has the likely probes.
         is_over: True once the connected device is known.
     """
 
@@ -86,7 +86,7 @@ class Prober(Protocol):
     ) -> None:
         """Send the probes of one part. Raises PortUnavailable.
 
-        `cancelled` is called before each probe.
+        `progress` and `cancelled` are called before each probe.
         """
 
     def diagnosis(self) -> Diagnosis: ...
@@ -96,7 +96,7 @@ class CreateProber(Protocol):
     def __call__(self, settings: PortSettings, *, full: bool, known: bool) -> Prober:
         """Create a prober.
 
-        `full`: probe all settings. `known`: the user has selected this kind for the port.
+        `full`: probe all settings. `known`: this kind of device is already known for the port.
         """
 
 
@@ -108,8 +108,8 @@ Recall = Callable[[Transport, PortSettings, str], FoundDevice | None]
 class ProberInfo:
     name: str
     create: CreateProber
-    announces_at: SerialFormat | None = None  # line settings of a device's start message
-    recall: Recall | None = None  # `None` if a scan is quick enough
+    announces_at: SerialFormat | None = None  # line settings of the device's start-up message
+    recall: Recall | None = None  # `None` if a scan is fast enough
 
 
 def ignore_step(_step: ScanProgress) -> None:
@@ -124,15 +124,15 @@ FLUSH_BYTE = b"\xff"
 FLUSH_LINE = SerialFormat(1200)
 """Separator between two probes, because any device may be listening.
 
-A device at another baud rate may read a probe as the start of a packet. A later probe, harmless
-by itself, could turn that packet into a motor command. FF at 1200 baud terminates an
+A device at another baud rate may read a probe as the start of a packet. A later probe that is
+harmless on its own could turn that packet into a motor command. FF at 1200 baud terminates an
 incomplete packet. A TReX at that rate ignores FF, and a TReX at another rate receives a byte that
 no packet may contain.
 """
 
 
 def flush(wire: Transport, extra: float = 0.0) -> None:
-    """Terminate an incomplete packet in a device. `extra`: additional wait (s)."""
+    """Terminate an incomplete packet in a device. `extra`: additional waiting time (s)."""
     wire.reconfigure(FLUSH_LINE)
     wire.write(FLUSH_BYTE)
     wire.wait(FLUSH_LINE.seconds(len(FLUSH_BYTE)) + wire.latency + extra)

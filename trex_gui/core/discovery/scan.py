@@ -1,17 +1,19 @@
 """Scan of one port for devices of any kind.
 
-The port is opened once, because some adapters reset their board each time. The settings of a
-device found earlier are probed first. Each step runs only if the previous steps found nothing:
+The port is opened only once, because some adapters reset their board whenever the port is opened.
+The settings of a device found earlier are probed first. Then each of these steps runs only if the
+previous steps have found nothing:
 
-1. Listen for 0.3 s at the baud rate at which boards announce their start. This is harmless, and a
-   scan would wait that long anyway.
-2. Send the likely probes of each kind in the given order, the most common kind first. Most boards
-   respond within two seconds, and no kind waits for the long scan of another kind.
+1. Listen for 0.3 s at the baud rate at which boards send their start-up message. This is harmless,
+   and a scan would wait that long anyway.
+2. Send the likely probes of each kind in the given order, with the most common kind first. Most
+   boards respond within two seconds, and no kind waits for the long scan of another kind.
 3. Send the other probes of each kind. They take half a minute, and few boards need them.
 4. Repeat the likely probes of a kind whose only reply may have been lost.
 
-The known kind of the port is probed first in steps 2 to 4. The probes of one kind never move a
-device of another kind. tests/devices/aracna/session/test_discovery.py checks this for every order.
+If the kind of the device is known, this kind is probed first in steps 2 to 4. The probes of one
+kind never move a device of another kind. tests/devices/aracna/session/test_discovery.py checks this
+for every order.
 """
 
 import contextlib
@@ -38,15 +40,17 @@ from trex_gui.core.transport.settings import SHARED, PortSettings, SerialFormat
 
 log = logging.getLogger(__name__)
 
-_LISTEN_S = 0.3  # seconds
-_SAVED_BYTES = 48  # unsolicited bytes saved for the diagnosis
+_LISTEN_S = 0.3
+_SAVED_BYTES = 48  # maximum number of unsolicited bytes saved for the diagnosis
 
 
 @dataclass(slots=True)
 class PortScan:
-    device: str = ""  # key of the found kind, or empty
-    found: Sequence[FoundDevice] = ()  # all devices of that kind
-    diagnoses: list[Diagnosis] = field(default_factory=list)  # strongest evidence first
+    """Result of a scan."""
+
+    device: str = ""  # key of the kind of device found, or empty
+    found: Sequence[FoundDevice] = ()  # all devices found, which are of that kind
+    diagnoses: list[Diagnosis] = field(default_factory=list)  # sorted, strongest evidence first
     error: StudioError | None = None
     cancelled: bool = False
 
@@ -70,12 +74,18 @@ def scan_port(
 ) -> PortScan:
     """Search a port until one kind of device responds.
 
-    Never raises: a failure on one port must not stop the scan of the next port.
+    Never raises, because a failure on one port must not stop the scan of the next port.
 
-    The line settings of `settings` are ignored. `probers` are ordered, the most common kind first.
-    `first` is the known kind of the port, found earlier at the `packed` settings. With
-    `only_recall`, only these settings are probed. `progress` and `cancelled` are called before
-    each probe.
+    Args:
+        settings: the port. Its line settings are ignored.
+        probers: key of each kind of device → its prober, with the most common kind first.
+        first: key of the kind of device that is known for this port. `None` if unknown.
+        packed: settings at which that device was found earlier. Empty if unknown.
+        only_recall: probe only at the `packed` settings.
+        full: probe all settings.
+        progress: called before each probe.
+        cancelled: called before each probe. If it returns True, the scan ends.
+        open_wire: opens the port.
     """
     result = PortScan()
     initial = next(
@@ -114,11 +124,11 @@ def scan_port(
     except PortUnavailable as error:
         return PortScan(error=error)
     except Exception as error:
-        log.exception("scan of %s", settings.url)
+        log.exception("the scan of %s failed", settings.url)
         cause = f"{type(error).__name__}: {error}"
         text = tr("Internal error while searching {0} ({1}).").format(settings.label, cause)
         return PortScan(error=StudioError(text))
-    if result.error is not None:  # silence during an incomplete search is no evidence
+    if result.error is not None:  # silence during an incomplete scan is no evidence
         diagnoses = [item for item in diagnoses if item.evidence > Evidence.SILENCE]
     result.diagnoses = sorted(diagnoses, key=lambda diagnosis: -diagnosis.evidence)
     return result
@@ -133,7 +143,7 @@ def _probe_in_order(
     progress: Callable[[ScanProgress], None],
     cancelled: Callable[[], bool],
 ) -> list[str]:
-    """Run the probers until one has identified its device. Return the probed kinds."""
+    """Run the probers until one of them has identified its device. Return the probed kinds."""
     plan = order({key: prober.parts for key, prober in running.items()}, first)
     totals = [running[key].parts[part] for key, part in plan]
     probed: dict[str, None] = {}
@@ -155,6 +165,7 @@ def _probe_in_order(
 
 
 def order(parts: Mapping[str, Sequence[int]], first: str | None) -> list[tuple[str, int]]:
+    """Return pairs of kind and part in the order in which they are probed."""
     keys = sorted(parts, key=lambda key: key != first)
     count = max(map(len, parts.values()), default=0)
     return [(key, number) for number in range(count) for key in keys if number < len(parts[key])]
@@ -163,7 +174,8 @@ def order(parts: Mapping[str, Sequence[int]], first: str | None) -> list[tuple[s
 def _release(wire: Transport, extra: float, *, answered: bool) -> None:
     """Terminate incomplete packets, then close the port.
 
-    Some USB boards start their boot loader when a port is closed at 1200 baud.
+    Some USB boards start their boot loader when the port is closed at 1200 baud. The port is
+    therefore set to the default rate first.
     """
     try:
         with contextlib.suppress(BadRequest, PortUnavailable):
