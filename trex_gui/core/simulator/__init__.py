@@ -1,1 +1,1 @@
-"""Simulated devices: endpoints, wire faults, control lines, virtual time."""
+"""Parts of all simulators: endpoints, wire faults, control lines, virtual time."""

@@ -1,4 +1,4 @@
-"""Control lines shared by all simulated devices: dispatch, numbers, line faults."""
+"""Control lines of all simulated devices: execution, number parsing, line faults."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -16,14 +16,14 @@ _LONGEST_DELAY = 60.0  # seconds
 
 
 class WrongUsage(Exception):  # noqa: N818 - the reply is the usage
-    """The words do not fit the command."""
+    """The words after a command's name do not match its usage."""
 
 
 Command = tuple[str, Callable[..., str]]
 """Usage and function of a command.
 
-The function gets the words after the command's name, in lower case. It returns the reply, or
-raises a ValueError with the reason."""
+The function receives the words after the command's name, in lower case. It returns the reply, or
+raises a ValueError with the reason for the failure."""
 
 
 def execute(text: str, commands: Mapping[str, Command]) -> str:
@@ -47,7 +47,7 @@ def execute(text: str, commands: Mapping[str, Command]) -> str:
 
 
 def number_of(text: str, allowed: Sequence[int], noun: str) -> int:
-    """Parse one of several consecutive numbers. Raises ValueError."""
+    """Parse a number that must be one of consecutive numbers. Raises ValueError."""
     if text in map(str, allowed):
         return int(text)
     raise ValueError(f"{noun} is {allowed[0]} to {allowed[-1]}, not {text!r}")
@@ -78,6 +78,7 @@ WIRE_USAGE = (
 
 
 def wire(line: SimulatedLine, *words: str) -> str:
+    """Execute the command `line`. Return the reply. `WIRE_USAGE` lists the possible words."""
     faults = line.faults
     match words:
         case ["mute", ("on" | "off") as state]:

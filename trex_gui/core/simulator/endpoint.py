@@ -1,4 +1,4 @@
-"""Endpoints for a host: their common interface, and raw TCP."""
+"""Interface of the endpoints to which a host connects, and the endpoint for raw TCP."""
 
 import contextlib
 import socket
@@ -9,7 +9,7 @@ from typing import Protocol
 from trex_gui.core.errors import StudioError
 from trex_gui.core.transport.settings import Parity
 
-CHUNK = 256  # bytes per read; few, so that a changed baud rate is detected soon
+CHUNK = 256  # bytes per read; small, so that a change of the baud rate is detected soon
 
 
 class EndpointError(StudioError):
@@ -26,7 +26,7 @@ class HostSettings:
 
 
 Arrival = tuple[HostSettings | None, bytes]
-"""Settings of the host's port (`None` if unknown), and received bytes."""
+"""Settings of the host's port (`None` if unknown), and bytes received from the host."""
 
 
 class Endpoint(Protocol):
@@ -46,13 +46,13 @@ class Endpoint(Protocol):
         """Return the file descriptors for `select`."""
 
     def receive(self, ready: Collection[int]) -> Iterable[Arrival]:
-        """Read the `ready` descriptors. Return the received bytes."""
+        """Read from the `ready` descriptors. Return the received bytes."""
 
     def write(self, data: bytes) -> None:
-        """Send bytes, which are lost if the host does not read."""
+        """Send bytes to the host. They are lost if the host does not read them."""
 
     def unplug(self) -> None:
-        """Break the connection, so that the host notices."""
+        """Break the connection in a way that the host notices."""
 
     def plug(self) -> None:
         """Restore the connection. Raises EndpointError."""
@@ -95,7 +95,7 @@ class TcpEndpoint:
         try:
             self._client.sendall(data)
         except BlockingIOError:
-            return  # the host does not read: the bytes are lost, as in a UART
+            return  # the host does not read, and the bytes are lost, as in a UART
         except OSError:
             self.drop_client()
 
@@ -118,7 +118,7 @@ class TcpEndpoint:
         self._port = self._listener.getsockname()[1]
 
     def welcome(self) -> None:
-        """Prepare for a new host, which has just connected."""
+        """Prepare for a host that has just connected."""
 
     def arrivals(self, data: bytes) -> Iterable[Arrival]:
         return [(None, data)]

@@ -1,7 +1,7 @@
 """Serial line between a host and simulated devices, with faults.
 
-Time is virtual. Bytes take as long as on a real wire. Nothing here waits. `advance` processes the
-events of the wire and the devices.
+Time is virtual. Bytes take as long as on a real wire, but no function waits. `advance` processes
+the events of the wire and the devices.
 """
 
 import math
@@ -28,15 +28,15 @@ _LINE_END = ord("\n")
 
 class WireFaults:
     def __init__(self, seed: int, noisy_bits: int) -> None:
-        """`noisy_bits`: 8 for noise on data bits, 9 with the stop bit."""
-        self.mute = False  # True while nothing reaches the host
+        """`noisy_bits`: 8 for noise on the data bits, 9 for noise also on the stop bit."""
+        self.mute = False  # True while no byte reaches the host
         self.plugged = True
         self.noise = 0.0  # probability that a byte is corrupted
-        self.delay = 0.0  # seconds, for bytes to the host
-        self.to_drop = self.to_drop_sent = 0  # next bytes to lose, to and from the host
-        self.to_corrupt = self.to_double = 0  # next bytes to the host to corrupt or double
-        self.to_cut: int | None = None  # bytes to the host before a text line is cut
-        self.errors: deque[ReceiveError] = deque()  # for the next bytes from the host
+        self.delay = 0.0  # delay of bytes to the host in seconds
+        self.to_drop = self.to_drop_sent = 0  # number of next bytes to lose, to and from the host
+        self.to_corrupt = self.to_double = 0  # number of next bytes to the host to corrupt, double
+        self.to_cut: int | None = None  # number of bytes to the host before a text line is cut off
+        self.errors: deque[ReceiveError] = deque()  # errors of the next bytes from the host
         self.counters: Counter[str] = Counter(
             dict.fromkeys(("sent", "received", "dropped", "corrupted", "garbled", "collisions"), 0)
         )
@@ -67,7 +67,7 @@ class WireFaults:
         return byte ^ 1 << bit, ReceiveError.PARITY
 
     def on_way_to_host(self, byte: int, begun: float) -> bytes:
-        """Return the bytes that arrive: none, one or two."""
+        """Return the bytes that arrive at the host: none, one or two."""
         if self.mute or not self._is_whole(begun):
             return b""
         if self.to_drop:
@@ -108,7 +108,7 @@ class WireFaults:
         return True
 
     def _is_whole(self, begun: float) -> bool:
-        """Return whether the cable was plugged in since `begun`."""
+        """Return whether the cable has been plugged in since `begun`."""
         return self.plugged and begun >= self._plugged_at - EPSILON
 
 
@@ -125,7 +125,7 @@ class Station(Protocol):
     def receive(
         self, byte: int, host: SerialFormat | None, error: ReceiveError | None, begun: float
     ) -> None:
-        """Receive a byte sent at the station's rate. `begun`: its start (s)."""
+        """Receive a byte sent at the station's rate. `begun`: start time of the byte (s)."""
 
     def sample(self, byte: int, host: SerialFormat) -> None:
         """Sample a byte that starts now at another rate."""
@@ -135,8 +135,8 @@ class Station(Protocol):
 class _Frame:
     """Byte in transit to the host from `start` to `end` (s).
 
-    `baud`: real bit rate. If `is_alive` is false at the end, because the sender has lost power, the
-    byte is lost and `then` is not called.
+    `baud`: real bit rate. If the sender has lost power before the end, `is_alive` returns False.
+    The byte is then lost, and `then` is not called.
     """
 
     start: float
@@ -164,11 +164,12 @@ class _Frame:
 class SimulatedLine:
     """Wire between a host and its stations.
 
-    The outputs of stations, echo and injected garbage are ANDed, as on a real wire. Bytes that
-    start together arrive as their AND. For other overlaps the host samples the wire's level.
+    The outputs of the stations, the echo and injected garbage are ANDed, as on a real wire. Bytes
+    that start together arrive as their AND. If bytes overlap in another way, the host samples the
+    level of the wire.
 
     Attributes:
-        host: settings of the host's port; `None`: settings of the first station.
+        host: settings of the host's port. `None`: the settings of the first station.
     """
 
     stations: Sequence[Station]
@@ -176,8 +177,8 @@ class SimulatedLine:
     def __init__(
         self, *, echo: bool = False, paced: bool = True, seed: int = 0, noisy_bits: int = 8
     ) -> None:
-        self.echo = echo  # True if bytes from the host return, as on an RS-232 connector
-        self.paced = paced  # True if bytes take time
+        self.echo = echo  # True if bytes from the host return to it, as on an RS-232 connector
+        self.paced = paced  # True if bytes take as long as on a real wire
         self.host: SerialFormat | None = None
         self.faults = WireFaults(seed, noisy_bits)
         self.timeline = Timeline(self._advance_stations)
@@ -195,6 +196,7 @@ class SimulatedLine:
 
     @property
     def unsaved(self) -> Sequence[str]:
+        """Reasons why the contents of memory could not be saved."""
         return ()
 
     # --- Host ---------------------------------------------------------------------------
@@ -217,7 +219,7 @@ class SimulatedLine:
                 at(end, partial(self._deliver, byte, host, start), is_current)
 
     def drop_unsent(self) -> None:
-        """Discard queued bytes from the host, after a close or reconfiguration."""
+        """Discard queued bytes after the host has closed or reconfigured its port."""
         self._host_turn += 1
         self._host_busy_until = self.now
 
@@ -238,6 +240,7 @@ class SimulatedLine:
 
     @property
     def backlog(self) -> float:
+        """Seconds until all queued bytes from the host are sent."""
         return max(0.0, self._host_busy_until - self.now)
 
     def _is_host_turn(self, turn: int) -> bool:
@@ -301,7 +304,11 @@ class SimulatedLine:
         is_alive: Callable[[], bool],
         then: Callable[[], object] = lambda: None,
     ) -> None:
-        """Send a byte of a station. It is lost if `is_alive` is false at its end."""
+        """Send a byte from a station, then call `then`.
+
+        If `is_alive` returns False at the end of the byte, the byte is lost and `then` is not
+        called.
+        """
         now, end = self.now, self.now + self.byte_time_of(station)
         self._put(_Frame(now, end, byte, station.line_format, station.baud, is_alive, then))
 
@@ -315,7 +322,7 @@ class SimulatedLine:
             self._received += arriving
 
     def inject(self, data: bytes) -> None:
-        """Send garbage to the host."""
+        """Send garbage bytes to the host."""
         byte_time = self.byte_time
         for byte in data:
             start = max(self.now, self._injecting_until)

@@ -1,4 +1,4 @@
-"""Interface of a simulated device for `trex-sim`."""
+"""Interface between `trex-sim` and a simulated device."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from trex_gui.core.simulator.line import SimulatedLine
 
 @dataclass(frozen=True, slots=True)
 class Simulation:
-    """Line in virtual time, with a function that replies to control lines."""
+    """Line in virtual time, and a function that replies to control lines."""
 
     line: SimulatedLine
     control: Callable[[str], str]
@@ -21,7 +21,8 @@ class SimulatorPlugin:
     """Simulated device on the command line.
 
     Attributes:
-        help: text of the option that selects the device, or of the command for the default device.
+        help: help text of the option that selects the device. For the default device, help text of
+            the command.
         options: options of this device only.
         build: creates the simulation from the values of `options`, `paced` and `seed`. Raises
             StudioError if a file cannot be read.

@@ -22,8 +22,8 @@ _RATES = {
 class PtyEndpoint:
     """Pseudo-terminal, with an optional symbolic link to it.
 
-    The slave end stays open, so that hosts can connect again. Baud rate and stop bits of the host
-    are known. Parity is not, since the system drops it on pseudo-terminals.
+    The slave end stays open, so that hosts can connect again. The host's baud rate and stop bits
+    are known. Its parity is unknown, because pseudo-terminals do not keep the parity.
     """
 
     def __init__(self, link: Path | None, baud: int) -> None:
@@ -82,13 +82,13 @@ class PtyEndpoint:
             self._create_link()
         except OSError as error:
             self.unplug()
-            raise EndpointError(f"cannot make the link {self._link}: {error.strerror}") from error
+            raise EndpointError(f"cannot create the link {self._link}: {error.strerror}") from error
 
     def _create_link(self) -> None:
         if self._link is None:
             return
         if self._link.exists() and not self._link.is_symlink():
-            raise FileExistsError(errno.EEXIST, "a file of this name exists")
+            raise FileExistsError(errno.EEXIST, "a file with this name exists")
         new_link = self._link.with_name(f".{self._link.name}.{os.getpid()}")
         new_link.unlink(missing_ok=True)
         new_link.symlink_to(self._path)
@@ -96,7 +96,7 @@ class PtyEndpoint:
 
 
 def _set_speed(terminal: int, baud: int) -> None:
-    """Set a default rate, for hosts such as `cat`. Ignores unusual rates."""
+    """Set the rate for hosts that do not set it, such as `cat`. Ignores unusual rates."""
     codes = {rate: code for code, rate in _RATES.items()}
     if baud in codes:
         settings = termios.tcgetattr(terminal)
@@ -107,7 +107,7 @@ def _set_speed(terminal: int, baud: int) -> None:
 def _settings(terminal: int) -> HostSettings | None:
     try:
         if sys.platform == "linux":
-            with contextlib.suppress(OSError):  # some processors have another request number
+            with contextlib.suppress(OSError):  # some processors use another request number
                 words = termios2(terminal)
                 return _host_settings(words[OSPEED], words[CFLAG])
         attributes = termios.tcgetattr(terminal)

@@ -19,7 +19,7 @@ _SUPPORTED: dict[str, Container[object]] = {
 
 
 class _Port:
-    """Port that pyserial's server configures, with active modem lines."""
+    """Serial port for pyserial's `PortManager`, without hardware. Its modem lines are active."""
 
     cts = dsr = cd = True
     ri = False

@@ -1,7 +1,7 @@
 """Receiver that samples the levels of a wire at its own bit rate.
 
-A UART at another rate receives wrong bytes, framing errors, several bytes for one byte, or one
-byte for several. UARTs at the same rate do not need this module.
+A UART at another rate receives wrong bytes, framing errors, several bytes in place of one, or one
+byte in place of several. UARTs at the same rate do not need this module.
 """
 
 from collections.abc import Callable, Iterator
@@ -16,13 +16,15 @@ from trex_gui.core.transport.settings import Parity, SerialFormat
 _HIGH = 1
 _DATA_BITS = 8
 _SAMPLE_AT = 0.55
-"""Sampling point within a bit. UARTs use the majority of three samples around the middle.
+"""Sampling point within a bit, as a fraction of the bit.
 
-Slightly after the middle, no sample falls on a bit edge for any two rates of a TReX. Otherwise
-rounding would decide the value."""
+UARTs use the majority of three samples around the middle. Slightly after the middle, no sample
+falls on a bit edge for any two rates of a TReX. On an edge, rounding would decide the value."""
 
 _RATE_TOLERANCE = 0.03
-"""Maximum relative rate difference of two UARTs: half a bit in ten, shared by both."""
+"""Maximum relative difference between the rates of two UARTs.
+
+The limit is half a bit in ten bits, shared by both UARTs."""
 
 _PARITIES = {Parity.EVEN: 0, Parity.ODD: 1}
 
@@ -35,7 +37,7 @@ class ReceiveError(Enum):
 
 @dataclass(frozen=True, slots=True)
 class SampledByte:
-    """Received byte, with the times (s) of start bit and last sample."""
+    """Received byte, with the times (s) of its start bit and its last sample."""
 
     begun: float
     at: float
@@ -44,11 +46,12 @@ class SampledByte:
 
 
 def rates_differ(baud: float, other: float) -> bool:
+    """Return whether two rates differ so much that a UART receives wrong bytes."""
     return abs(baud / other - 1) > _RATE_TOLERANCE
 
 
 def levels(byte: int, sender: SerialFormat) -> list[int]:
-    """Return start, data, parity and stop bits of a byte, in this order."""
+    """Return the start, data, parity and stop bits of a byte, in this order."""
     data = [byte >> index & 1 for index in range(_DATA_BITS)]
     parity = []
     if sender.parity in _PARITIES:
@@ -59,12 +62,12 @@ def levels(byte: int, sender: SerialFormat) -> list[int]:
 class Receiver:
     """Receiver of a UART, which samples each bit once.
 
-    A falling edge starts a byte. As in real UARTs, only the first stop bit is checked. The wire is
-    high between bytes.
+    A falling edge starts a byte. As in real UARTs, only the first stop bit is checked. Between
+    bytes, the wire is high.
     """
 
     def __init__(self, line: SerialFormat, baud: float, now: float = 0.0) -> None:
-        self.known_until = now  # seconds; the wire's level is known up to this time
+        self.known_until = now  # time (s) up to which the level of the wire is known
         self.baud = baud
         self._bit = 1 / baud
         self._parity = line.parity
@@ -75,7 +78,7 @@ class Receiver:
 
     @property
     def due(self) -> float | None:
-        """End of the current byte (s). `None` between bytes."""
+        """Time at which the current byte is complete (s). `None` between bytes."""
         if self._begun is None:
             return None
         return self._begun + (self._bits_per_byte - 1 + _SAMPLE_AT) * self._bit
@@ -83,9 +86,9 @@ class Receiver:
     def receive(
         self, begin: float, byte: int, sender: SerialFormat, baud: float
     ) -> Iterator[SampledByte]:
-        """Sample a byte sent at `baud`. Yield the bytes that it completes.
+        """Sample a byte sent at `baud`. Yield the received bytes that are then complete.
 
-        `begin`: seconds, not before the end of the previous byte.
+        `begin`: start time (s), not before the end of the previous byte.
         """
         yield from self.idle(begin)
         for index, level in enumerate(levels(byte, sender)):
@@ -101,7 +104,7 @@ class Receiver:
         yield from self.sample(_HIGH, until)
 
     def sample(self, level: int, until: float) -> Iterator[SampledByte]:
-        """Set the wire to a level until a time (s). Yield the completed bytes."""
+        """Set the wire to a level until a time (s). Yield the bytes that are then complete."""
         if until <= self.known_until:
             return
         falls = level < self._level
@@ -142,14 +145,14 @@ class RateConverter:
         baud: float,
         deliver: Callable[[int, ReceiveError | None, float], None],
     ) -> None:
-        """`deliver`: called with each complete byte, its error and its start time (s)."""
+        """`deliver` is called with each received byte, its error and its start time (s)."""
         self.line = line
         self._timeline = timeline
         self._deliver = deliver
         self._receiver = Receiver(line, baud, timeline.now)
 
     def receive(self, byte: int, sender: SerialFormat, baud: float, *, paced: bool) -> None:
-        """Sample a byte that starts now. If not `paced`, silence follows it."""
+        """Sample a byte that starts now. Unless `paced`, silence follows the byte."""
         receiver, timeline = self._receiver, self._timeline
         if not paced:
             for sampled in receiver.receive_isolated(byte, sender, baud):

@@ -1,6 +1,6 @@
-"""Server of a simulated line in real time.
+"""Server that runs a simulated line in real time.
 
-Virtual time follows the clock. Deadlines come from the line's events, so that one late wake-up
+Virtual time follows the clock. Deadlines come from the events of the line, so that one late wake-up
 does not delay later events.
 """
 
@@ -23,12 +23,12 @@ from trex_gui.core.simulator.plugin import Simulation
 from trex_gui.core.transport.settings import SerialFormat
 
 _IDLE = 0.1  # seconds between updates of an idle line
-_SUSPENDED = 2.0  # seconds; a longer gap is skipped, since the process was suspended
+_SUSPENDED = 2.0  # seconds; a longer gap is skipped, because the process has been suspended
 _MAX_AHEAD = 0.02
 """Maximum length of the line's queue in seconds.
 
-The server buffers further bytes. It discards them when the host disconnects or reconfigures its
-port."""
+The server buffers further bytes. It discards these bytes when the host disconnects or reconfigures
+its port."""
 
 _MAX_UNSENT = 65_536  # buffered bytes from the host; further bytes are lost
 _CHUNK = 16  # bytes queued on the line at a time
@@ -73,17 +73,17 @@ class Server:
         sources = [self._waker.fileno(), *self._endpoint.descriptors()]
         ready, _, _ = select.select(sources, [], [], self._timeout())
         self._catch_up()
-        self._check_departure()  # before any byte of the next host is received
+        self._check_disconnection()  # before any byte from the next host is received
         for settings, data in self._endpoint.receive(ready):
             self._receive(settings, data)
-        self._check_departure()
+        self._check_disconnection()
         while self._unsent and self._line.backlog < _MAX_AHEAD:
             self._line.send(bytes(self._unsent[:_CHUNK]))
             del self._unsent[:_CHUNK]
         for reason in self._line.unsaved:
             if reason not in self._reported:
                 self._reported.add(reason)
-                sys.stderr.write(f"{reason}; the board continues without it\n")
+                sys.stderr.write(f"{reason}; the board continues without saving\n")
         if self._waker.fileno() in ready:
             with contextlib.suppress(BlockingIOError):
                 while self._waker.recv(4096):
@@ -101,7 +101,7 @@ class Server:
             self._line.host = host
         self._unsent += data[: _MAX_UNSENT - len(self._unsent)]
 
-    def _check_departure(self) -> None:
+    def _check_disconnection(self) -> None:
         if self._endpoint.disconnections != self._disconnections:
             self._disconnections = self._endpoint.disconnections
             self._drop_unsent()
@@ -160,11 +160,11 @@ class Server:
             self._ended = True  # standard output is closed
 
     def _read_control_lines(self) -> None:
-        """Read standard input in a thread, since not every `select` can wait for it."""
+        """Read standard input in a thread. On some systems, `select` cannot wait for it."""
         try:
             kind = os.fstat(0).st_mode
         except OSError:
-            return  # started without standard input
+            return  # the process has no standard input
         ends_with_input = stat.S_ISFIFO(kind) or stat.S_ISSOCK(kind)
         if not ends_with_input and stat.S_ISCHR(kind) and not os.isatty(0):
             return  # /dev/null or similar
@@ -191,7 +191,7 @@ class Server:
         self._wake_up()
 
     def _wake_up(self) -> None:
-        """Wake the loop, from a thread or a signal handler."""
+        """Wake the loop from another thread or a signal handler."""
         with contextlib.suppress(OSError):  # a full pipe wakes the loop anyway
             self._wake.send(b"!")
 
@@ -201,7 +201,8 @@ class Server:
             number: signal.signal(number, self._end) for number in ending
         }
         for number in handled_signals(("SIGTTIN",)):
-            # Reading in the background of a terminal then fails instead of suspending the process.
+            # When the process reads from the background of a terminal, the read then fails. By
+            # default the process would be suspended.
             previous[number] = signal.signal(number, signal.SIG_IGN)
         return previous
 

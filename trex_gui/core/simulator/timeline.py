@@ -12,7 +12,7 @@ class Timeline:
     """Runs actions in order of time. `now`: seconds since creation."""
 
     def __init__(self, advance: Callable[[float], None]) -> None:
-        """`advance` is called with each elapsed time in seconds."""
+        """`advance` is called with the elapsed seconds whenever time moves."""
         self.now = 0.0
         self._advance = advance
         self._events: list[tuple[float, int, Callable[[], object], Callable[[], bool] | None]] = []
@@ -21,7 +21,7 @@ class Timeline:
     def at(
         self, moment: float, action: Callable[[], object], only_if: Callable[[], bool] | None = None
     ) -> None:
-        """Run an action at a moment. `only_if`: condition, checked at that moment."""
+        """Run an action at a moment. `only_if`: condition that is checked at that moment."""
         if moment < math.inf:
             heapq.heappush(self._events, (moment, next(self._order), action, only_if))
 
@@ -30,7 +30,7 @@ class Timeline:
         return self._events[0][0] if self._events else None
 
     def step(self, end: float) -> bool:
-        """Run the next action due by `end`. Return whether an action was due."""
+        """Run the next action that is due by `end`. Return whether there was one."""
         if not self._events or self._events[0][0] > end + EPSILON:
             return False
         moment, _, action, only_if = heapq.heappop(self._events)
@@ -40,7 +40,7 @@ class Timeline:
         return True
 
     def move_to(self, moment: float) -> None:
-        """Advance the time without running actions. Ignores a past moment."""
+        """Advance the time without running actions. A past moment has no effect."""
         if moment > self.now:
             seconds, self.now = moment - self.now, moment
             self._advance(seconds)
