@@ -1,4 +1,4 @@
-"""Folder of automatic recordings of faults and stops."""
+"""Folder for the automatic recordings of faults and stops."""
 
 import contextlib
 import re
@@ -21,7 +21,7 @@ def automatic_folder() -> Path:
 
 
 def automatic_path(begun: datetime, kind: str) -> Path:
-    """Return the path of a recording. `kind`: a word such as `fault`."""
+    """Return the path of an automatic recording. `kind`: a word such as `fault`."""
     stamp = begun.strftime("%Y-%m-%d_%H-%M-%S.%f")[:-3]
     return automatic_folder() / f"{stamp}_{kind}{SUFFIX}"
 
@@ -35,16 +35,17 @@ def create_automatic_folder() -> Path:
 
 
 def remove_oldest(max_files: int = MAX_FILES, max_bytes: int = MAX_BYTES) -> None:
-    """Remove the oldest recordings. Create the folder if necessary.
+    """Remove the oldest recordings beyond the limits. Create the folder if necessary.
 
-    Never removes the newest recording or a file that the user has renamed. Raises RecordingError.
+    One more recording then fits within `max_files`. Never removes the newest recording or a file
+    that the user has renamed. Raises RecordingError.
     """
     folder = create_automatic_folder()
     with reported(folder, _NOT_USED):
         recordings = sorted(path for path in folder.iterdir() if _NAME.fullmatch(path.name))
     used = 0
     for number, path in enumerate(reversed(recordings), start=1):
-        with contextlib.suppress(OSError):  # missing, or open in another program
+        with contextlib.suppress(OSError):  # the file is missing, or open in another program
             used += path.stat().st_size
             if number > 1 and (number >= max_files or used > max_bytes):
                 remove_recording(path)

@@ -1,4 +1,4 @@
-"""Bounded queue of records for the disk."""
+"""Bounded queue of records that are waiting for the disk."""
 
 import threading
 from collections import deque
@@ -15,7 +15,7 @@ CAPACITY = 100_000  # records: nine minutes at full rate, about 15 MB
 class Backlog(Generic[RecordT]):
     """Passes records to another thread without blocking the sender.
 
-    A full queue drops new records. A later marker reports their number.
+    A full queue drops new records. A later marker reports the number of dropped records.
     """
 
     def __init__(self, condition: Condition | None = None, capacity: int = CAPACITY) -> None:
@@ -39,14 +39,14 @@ class Backlog(Generic[RecordT]):
             self._ready.notify()
 
     def close(self, time: float) -> None:
-        """Accept no more records. `time`: time of a final marker (session clock in s)."""
+        """Stop accepting records. `time`: session clock (s), for a marker of dropped records."""
         with self._ready:
             self._mark_lost(time)
             self._closed = True
             self._ready.notify()
 
     def get(self, seconds: float) -> list[RecordT | Marker] | None:
-        """Return the pending records after at most `seconds`. `None`: closed."""
+        """Return the pending records after at most `seconds`. `None` after the last record."""
         with self._ready:
             if not self._pending and not self._closed:
                 self._ready.wait(seconds)

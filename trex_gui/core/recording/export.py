@@ -1,4 +1,4 @@
-"""Exports of a recording: CSV for spreadsheets, MCAP for PlotJuggler and Foxglove."""
+"""Export of recordings as CSV for spreadsheets, or as MCAP for PlotJuggler and Foxglove."""
 
 import csv
 import io
@@ -31,11 +31,11 @@ def export_span(
     header: Mapping[str, Value],
     progress: ProgressCallback = lambda _fraction: None,
 ) -> None:
-    """Write the samples of a span as MCAP or CSV, by suffix.
+    """Write the samples of a span as MCAP or CSV, depending on the suffix of `path`.
 
-    `span`: session clock in s. `progress` is called with the completed fraction, 0 to 1. An
-    exception from `progress` ends the export. Only a complete file replaces an existing file.
-    Raises RecordingError.
+    `span`: first and last time, on the session clock in s. `progress` is called with the completed
+    fraction, 0 to 1. An exception in `progress` ends the export. An existing file is replaced only
+    by a complete file. Raises RecordingError.
     """
     write = _write_mcap if path.suffix.lower() == MCAP_SUFFIX else _write_csv
     with reported(path, NOT_WRITTEN), atomic_file(path) as file:
@@ -51,7 +51,7 @@ def _rows(
 
 
 def csv_cell(value: Value) -> Value:
-    """Escape a text that a spreadsheet would read as a formula."""
+    """Escape text that a spreadsheet would read as a formula."""
     is_formula = isinstance(value, str) and value.startswith(("=", "+", "-", "@"))
     return f"'{value}" if is_formula else value
 
@@ -63,10 +63,10 @@ def _write_csv(
     header: Mapping[str, Value],
     progress: ProgressCallback,
 ) -> None:
-    """Write a row per sample: time, kind and all columns.
+    """Write one row per sample, with its time, its kind and all columns.
 
     Held values are repeated until they change, so that a spreadsheet can plot columns against each
-    other. The first row has the kind `header` and the header as JSON in `text`.
+    other. The first row has the kind `header`, and the header as JSON in the column `text`.
     """
     names = list(dict.fromkeys(name for kind in recording.kinds for name in kind.exported))
     indices = {name: index for index, name in enumerate(names)}
@@ -105,7 +105,7 @@ def _write_mcap(
     header: Mapping[str, Value],
     progress: ProgressCallback,
 ) -> None:
-    from mcap.writer import Writer  # noqa: PLC0415 - optional
+    from mcap.writer import Writer  # noqa: PLC0415 - optional package
 
     writer = Writer(file)
     writer.start(library="TReX Studio")
@@ -125,7 +125,7 @@ def _write_mcap(
             data = json.dumps(dict(zip(names, values, strict=True))).encode()
             timestamp = started + round(min(max(time, earliest), latest) * 1e9)
             writer.add_message(channels[index], timestamp, data, timestamp)
-    writer.finish()  # type: ignore[no-untyped-call] # no annotation in the library
+    writer.finish()  # type: ignore[no-untyped-call] # the library has no annotation
 
 
 def _schema(kind: SampleKind) -> dict[str, Any]:

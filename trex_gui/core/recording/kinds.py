@@ -1,7 +1,7 @@
-"""Sample kinds: tables and columns of a recording.
+"""Sample kinds, which define the tables and columns of a recording.
 
-Each device declares its kinds once. The store, the exports and `trexcmd stream` use their names,
-units and values.
+Each device declares its sample kinds once. The store, the exports and `trexcmd stream` use the
+names, units and values of these kinds.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -13,9 +13,9 @@ from trex_gui.core.errors import StudioError
 
 Value = int | float | str | None
 
-SOURCE = "board"  # column that identifies the board, if there are several
+SOURCE = "board"  # column that identifies the board, if there are several boards
 
-LONGEST_TEXT = 60_000  # characters per text; the settings of a board need 4,000
+LONGEST_TEXT = 60_000  # characters per text; the settings of a board need 4,000 characters
 
 
 class Timestamped(Protocol):
@@ -26,9 +26,9 @@ class Timestamped(Protocol):
 
 
 class RecordingHeader(Protocol):
-    """Header of a recording. `clock`: session clock (s) at its start.
+    """Header of a recording. `clock`: session clock (s) at the start of the recording.
 
-    `values`: rows of the header table, which are `device_name`, `started_utc`, `clock_s` and the
+    `values` returns the rows of the header table: `device_name`, `started_utc`, `clock_s` and the
     device's own values.
     """
 
@@ -62,9 +62,9 @@ def marker(time: float, kind: str, text: str) -> Marker:
 
 @dataclass(frozen=True, slots=True)
 class Physical:
-    """Computed column: stored value times `scale`, rounded to `digits`.
+    """Computed column: stored value times `scale`, rounded to `digits` decimal places.
 
-    `scales`: value of `SOURCE` → its scale, if it differs from `scale`.
+    `scales`: value in the column `SOURCE` → scale of this board, if it differs from `scale`.
     """
 
     name: str
@@ -75,7 +75,7 @@ class Physical:
 
 @dataclass(frozen=True, slots=True)
 class Column:
-    """Stored column. The unit is in the name or the description."""
+    """Stored column. Its name or its description includes the unit."""
 
     name: str
     type: Literal["INTEGER", "REAL", "TEXT"]
@@ -86,7 +86,7 @@ class Column:
 
 @dataclass(frozen=True, slots=True)
 class SampleKind:
-    """Kind of sample, with its table.
+    """Kind of sample. A recording has one table for each kind.
 
     Attributes:
         unpack: creates a record from its time and values. Raises ValueError, KeyError or TypeError
@@ -139,10 +139,14 @@ MARKERS = SampleKind(
 
 @dataclass(frozen=True, slots=True)
 class RecordingFormat(Generic[HeaderT]):
-    """Format of a device's recordings. `device`: its name in the header table.
+    """Format of the recordings of a kind of device.
 
-    `read_header` creates the header from the table's rows. It raises ValueError if they are
-    damaged. `type_of` returns the `SampleKind.type` of a record.
+    Attributes:
+        device: name of the kind of device in the header table.
+        read_header: creates the header from the rows of the header table. Raises ValueError if the
+            rows are damaged.
+        kinds: returns the sample kinds of a recording with this header.
+        type_of: returns the `SampleKind.type` of a record.
     """
 
     device: str
@@ -152,7 +156,7 @@ class RecordingFormat(Generic[HeaderT]):
 
 
 class RecordingError(StudioError):
-    """Failure to read or write a recording. `args`: name and reason."""
+    """Failure to read or write a recording. `args`: file name and reason."""
 
     def __str__(self) -> str:
         return ": ".join(self.args)

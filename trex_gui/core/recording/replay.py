@@ -1,4 +1,4 @@
-"""State of a device at any time in a recording."""
+"""Reconstruction of a device's state at any time in a recording."""
 
 import math
 from bisect import bisect_right
@@ -11,7 +11,7 @@ from trex_gui.core.recording.store import CHUNK, Recording
 
 
 class ReplayState(Protocol):
-    """State of a device. A copy is independent of later records."""
+    """State of a device. Later records do not change a copy of it."""
 
     def update(self, record: Any, /) -> None: ...
 
@@ -21,12 +21,12 @@ ResultT = TypeVar("ResultT")
 
 
 class Replay(Generic[HeaderT, RecordT, StateT]):
-    """Saves the state at the start of each chunk. Not thread-safe."""
+    """Reconstructs states. Stores the state at the start of each chunk. Not thread-safe."""
 
     def __init__(self, recording: Recording[HeaderT, RecordT], initial: StateT) -> None:
         self.recording = recording
         self._states = [initial]
-        self._starts: list[float] = []  # latest time before each chunk, ascending
+        self._starts: list[float] = []  # latest time of the records before each chunk, ascending
         self.latest = -math.inf  # latest time of the records read so far
         self._cached: tuple[int, Sequence[RecordT]] = (-1, ())
 
@@ -38,6 +38,10 @@ class Replay(Generic[HeaderT, RecordT, StateT]):
     def read_next(
         self, process: Callable[[StateT, Sequence[RecordT]], ResultT]
     ) -> tuple[Sequence[RecordT], ResultT]:
+        """Read the next chunk. Return its records and the result of `process`.
+
+        `process` must update the state with the records.
+        """
         index = len(self._starts)
         records = self._read(index)
         state = copy(self._states[-1])
@@ -48,7 +52,7 @@ class Replay(Generic[HeaderT, RecordT, StateT]):
         return records, result
 
     def at(self, time: float) -> StateT:
-        """Return the state at a time, from the records read so far."""
+        """Return the state at a time, according to the records read so far."""
         index = max(0, bisect_right(self._starts, time) - 1)
         state = copy(self._states[index])
         if self._starts:

@@ -1,9 +1,9 @@
-"""Recordings as SQLite databases, with one table per sample kind.
+"""Recordings stored as SQLite databases, with one table per sample kind.
 
-Every table has `record` (number in order of arrival, unique in the file), `clock_s` (session
-clock), `time_s` (from the start of the recording) and the columns of its kind. Physical values
-are generated columns. Comments in the schema document every column. A header table describes the
-recording.
+Every table has the columns `record` (number in order of arrival, unique in the file), `clock_s`
+(session clock), `time_s` (time from the start of the recording) and the columns of its kind.
+Physical values are generated columns. Comments in the schema document every column. A header table
+describes the recording.
 """
 
 import contextlib
@@ -56,10 +56,10 @@ _NOT_READ = tr_noop("It cannot be read: {0}.")
 _DAMAGED = tr_noop("It is damaged: {0}.")
 _ENDED = "ended_utc_s"
 
-_Content = tuple[str, bool]  # SQL type of a column, True if it may be NULL
+_Content = tuple[str, bool]  # SQL type of a column, and True if the column may be NULL
 
 ExportRow = tuple[float, int, tuple[Value, ...]]
-"""Time from the start (s), index of the kind, values of its exported columns."""
+"""Time from the start (s), index of the sample kind, values of its exported columns."""
 
 
 def reason_of(error: Exception) -> str:
@@ -70,7 +70,7 @@ def reason_of(error: Exception) -> str:
 
 @contextlib.contextmanager
 def reported(path: Path, message: str) -> Iterator[None]:
-    """Convert disk errors to RecordingError. `message` has a placeholder for the reason."""
+    """Convert errors of the disk to RecordingError. `message`: has a placeholder for the reason."""
     try:
         yield
     except (OSError, ValueError, sqlite3.Error) as error:
@@ -96,14 +96,14 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
                 draft.close()
                 with contextlib.closing(_connect(draft.name)) as database:
                     self._create(database, fmt, header)
-                # SQLite would apply the log of an older recording to the new recording.
+                # Otherwise SQLite would apply the log of an older recording to the new one.
                 for companion in _companions(Path(os.path.realpath(path))):
                     companion.unlink(missing_ok=True)
             self._database = _connect(path)
             execute = self._database.execute
             try:
-                # Exclusive: the index of the log stays in memory. If it were a mapped file, a lost
-                # disk would end the process with SIGBUS, and nothing would stop the motors.
+                # In exclusive mode, the index of the log stays in memory. If it were a mapped file,
+                # a lost disk would end the process with SIGBUS, and nothing would stop the motors.
                 execute("PRAGMA locking_mode = EXCLUSIVE")
                 execute("PRAGMA journal_mode = WAL")
                 execute("PRAGMA synchronous = NORMAL")
@@ -132,11 +132,11 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
 
     @property
     def size(self) -> int:
-        """File size in bytes, including pending data."""
+        """Size of the file in bytes, including data that is not committed yet."""
         return _size(self._database)
 
     def write(self, records: Sequence[RecordT | Marker]) -> None:
-        """Add records. `commit` saves them."""
+        """Add records to the file. They are not saved before `commit`."""
         rows: dict[type[object], list[tuple[Value, ...]]] = {}
         number = self._count
         for record in records:
@@ -158,11 +158,13 @@ class RecordingWriter(Generic[HeaderT, RecordT]):
                 self._database.execute("COMMIT")
 
     def sync(self) -> None:
+        """Save the records, so that they survive a power failure."""
         self.commit()
         with reported(self._path, NOT_WRITTEN):
             self._database.execute("PRAGMA wal_checkpoint(PASSIVE)")
 
     def finish(self) -> None:
+        """Mark the recording as ended and save it."""
         self.write([])
         with reported(self._path, NOT_WRITTEN):
             self._database.execute(
@@ -231,11 +233,11 @@ def _generated(name: str, expression: str, digits: int) -> str:
 
 
 class Recording(Generic[HeaderT, RecordT]):
-    """Recording opened read-only, for one thread at a time."""
+    """Recording that is opened read-only. Use it in one thread at a time."""
 
     def __init__(self, path: Path, fmt: RecordingFormat[HeaderT]) -> None:
         self.path = path
-        self.problems: list[str] = []  # sentences about missing and unreadable parts
+        self.problems: list[str] = []  # sentences about missing or unreadable parts
         self.format = fmt
         if path.suffix.lower() == ".csv":
             raise self._error(
@@ -254,7 +256,9 @@ class Recording(Generic[HeaderT, RecordT]):
             for companion in _companions(path):
                 with contextlib.suppress(FileNotFoundError):
                     check_ordinary(companion)
-        log = path.with_name(f"{path.name}-wal")  # records that are committed but not yet synced
+        log = path.with_name(
+            f"{path.name}-wal"
+        )  # contains the records that are committed but not yet synced
         if size < page_size * pages and not log.exists():
             self.problems.append(tr("The end of the file is missing."))
         self._open = contextlib.ExitStack()
@@ -353,8 +357,9 @@ class Recording(Generic[HeaderT, RecordT]):
     def _checked_tables(self, kinds: Iterable[SampleKind]) -> tuple[SampleKind, ...]:
         """Return the kinds that the file contains. Report missing kinds.
 
-        A kind may be missing because it is newer than the file. Raises RecordingError for missing
-        markers, which every version has, and for a table with an unexpected structure.
+        A kind may be missing because it is newer than the file. Raises RecordingError if the table
+        of markers, which every version writes, is missing. Also raises it for a table with an
+        unexpected structure.
         """
         available = []
         query = "SELECT name FROM sqlite_master WHERE type = 'table' AND sql LIKE 'CREATE TABLE%'"
@@ -378,7 +383,7 @@ class Recording(Generic[HeaderT, RecordT]):
                 if hidden and name in stored:  # an expression could produce any amount of data
                     column = f"{kind.name}.{name}"
                     raise self._error(tr("The column {0} is computed.").format(column))
-            # Without this key, records would be slow to find.
+            # Without this key, a search for records would be slow.
             if [row[1:3] for row in info if row[5]] != [("record", "INTEGER")]:
                 message = tr("The column {0} is not the key of its table.")
                 raise self._error(message.format(f"{kind.name}.record"))
@@ -389,16 +394,16 @@ class Recording(Generic[HeaderT, RecordT]):
         last = 0
         for kind in self.kinds:
             query = f"SELECT max(record) FROM {kind.name}"
-            # A damaged table is reported when it is read.
+            # A damaged table is reported when its records are read.
             with contextlib.suppress(sqlite3.DatabaseError, TypeError):
                 last = max(last, self._database.execute(query).fetchone()[0] or 0)
-        return min(last, _size(self._database))  # each record has several bytes
+        return min(last, _size(self._database))  # each record takes more than one byte
 
     def close(self) -> None:
         self._open.close()
 
     def read(self, first: int, last: int) -> list[RecordT]:
-        """Return the records from `first` to `last` in order. Report damaged records."""
+        """Return the records with the numbers `first` to `last`. Report damaged records."""
         records: list[tuple[int, Timestamped]] = []
         for kind in self.kinds:
             stored = {column.name: (column.type, column.optional) for column in kind.columns}
@@ -427,9 +432,9 @@ class Recording(Generic[HeaderT, RecordT]):
     def _valid_rows(
         self, kind: SampleKind, columns: Mapping[str, _Content], first: int, last: int
     ) -> Iterator[tuple[Any, ...]]:
-        """Yield number, clock and `columns` of each record. Report damaged records.
+        """Yield the number, clock and `columns` of each record. Report damaged records.
 
-        Types are checked, because SQLite stores any type in any column.
+        The types are checked, because SQLite stores values of any type in any column.
         """
         names = ("record", "clock_s", *columns)
         valid = self._valid_types[kind.name, *names]
@@ -448,7 +453,7 @@ class Recording(Generic[HeaderT, RecordT]):
         query = f"SELECT {names} FROM {kind.name} WHERE record BETWEEN ? AND ? ORDER BY record"
         try:
             return self._database.execute(query, (first, last)).fetchall()
-        except sqlite3.ProgrammingError as error:  # closed
+        except sqlite3.ProgrammingError as error:  # the database is closed
             raise self._error(tr(_NOT_READ).format(error)) from error
         except (sqlite3.Error, UnicodeError) as error:
             self._report(
