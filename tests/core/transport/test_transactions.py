@@ -167,11 +167,11 @@ def test_row_is_decoded_while_another_thread_clears_the_cache() -> None:
 
         def __getattribute__(self, name: str) -> object:
             value = super().__getattribute__(name)
-            if name == "words":
-                self.words = None
+            if name == "cached_meaning":
+                self.cached_meaning = None
             return value
 
     row = ForgottenMeanwhile(1, 0.0, note="The line was opened.", is_over=True)
-    row.words = Decoded("said before")
+    row.cached_meaning = Decoded("said before")
     assert TrexDecoder().decoded(row) == Decoded("said before")
     assert TrexDecoder().decoded(row) == Decoded("The line was opened.")

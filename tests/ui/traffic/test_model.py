@@ -57,7 +57,9 @@ def test_polls_are_separated_from_commands_and_not_decoded(setup: TrafficSetup) 
     assert setup.traffic.everything.count == 3
     assert setup.traffic.faults == 0
     polls = [row for row in setup.traffic.everything.rows if row.sent == POLL]
-    assert [row.words for row in polls] == [None] * 2, "they are decoded when they are shown"
+    assert [row.cached_meaning for row in polls] == [None] * 2, (
+        "they are decoded when they are shown"
+    )
 
 
 def test_typed_poll_is_shown_once(setup: TrafficSetup) -> None:

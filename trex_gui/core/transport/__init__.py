@@ -1,1 +1,1 @@
-"""Serial ports: opening, ownership, supported rates, traffic log."""
+"""Serial ports: opening and guarding them, their baud rates, and their traffic."""

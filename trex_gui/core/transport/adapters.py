@@ -1,4 +1,4 @@
-"""USB adapters, identified even if their port is renamed."""
+"""USB adapters, which are recognized even if their port has another name."""
 
 import os
 import re
@@ -10,8 +10,8 @@ from serial.tools.list_ports_common import ListPortInfo
 _SHARED = 4
 """Maximum length of a serial number that several adapters may share.
 
-CP2102 adapters are sold with 0001. Such adapters, and adapters without a number, are identified by
-their socket."""
+CP2102 adapters are sold with the number 0001. Such adapters, and adapters without a number, are
+identified by their USB socket."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,9 +20,9 @@ class Adapter:
 
     Attributes:
         product: IDs of vendor and product, such as `0403:6001`.
-        number: serial number, or empty.
-        location: socket, with the interface if the adapter has several ports, such as `1-2.3` or
-            `1-2:1.1`. Empty if the system does not report it.
+        number: serial number, or an empty string.
+        location: USB socket, such as `1-2.3`. If the adapter has several ports, it includes the
+            interface, as in `1-2:1.1`. Empty if the system does not report it.
     """
 
     product: str
@@ -31,7 +31,7 @@ class Adapter:
 
     @classmethod
     def of(cls, port: ListPortInfo) -> "Adapter | None":
-        """Return the adapter of a port. `None` if it is not on USB."""
+        """Return the adapter of a port. `None` if the port is not on USB."""
         if port.vid is None:
             return None
         product = f"{port.vid:04x}:{port.pid or 0:04x}"
@@ -39,12 +39,12 @@ class Adapter:
 
     @property
     def key(self) -> str:
-        """Key for saved data, without blanks. It is equal if `is_same` is true."""
+        """Key for saved data, without spaces. Equal for adapters of which `is_same` is true."""
         location = self.location if len(self.number) <= _SHARED else _interface(self)
         return re.sub(r"[/\s]+", "-", "-".join(filter(None, (self.product, self.number, location))))
 
     def is_same(self, other: "Adapter") -> bool:
-        """Return whether both are the same adapter, perhaps in another socket."""
+        """Return whether `other` is the same adapter, perhaps in another USB socket."""
         if (self.product, self.number) != (other.product, other.number):
             return False
         if len(self.number) <= _SHARED:

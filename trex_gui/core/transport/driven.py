@@ -1,7 +1,7 @@
-"""Boards left running, because program and guardian died before a confirmed stop.
+"""Boards left running, because the program and its guardian died before a confirmed stop.
 
-The guardian writes and locks a file while motors may move (see `guardian.process`). An unlocked
-file belongs to a board without a confirmed stop.
+While motors may move, the guardian maintains a locked file (see `guardian.process`). A file that is
+not locked describes a board whose stop is not confirmed.
 """
 
 import logging
@@ -47,25 +47,26 @@ class DrivenBoard(NamedTuple):
 
 
 DrivenBoards = dict[Path, DrivenBoard | None]
-"""File → board. `None`: the file is damaged."""
+"""File of a board → board. `None`: the file is damaged."""
 
-_resumed: dict[Path, DrivenBoard] = {}  # boards whose suspended guardian was resumed
-_SUSPENDED = (("status", "(stopped)"), ("cmdline", "guardian"))  # /proc of a suspended guardian
+_resumed: dict[Path, DrivenBoard] = {}  # boards whose suspended guardian has been resumed
+# Files in /proc/PID, and texts that these files contain for a suspended guardian.
+_SUSPENDED = (("status", "(stopped)"), ("cmdline", "guardian"))
 _warn_once = cache(logging.getLogger(__name__).warning)
 
 
 def driven_note(board: str, settings: PortSettings) -> str:
-    """Return the lines of a board's file, except its stop."""
+    """Return the lines of a board's file that describe the board and its port."""
     line = f"{settings.line.baud} {settings.line.parity.value} {settings.line.stop_bits}"
     return f"board: {board}\nport: {settings.url}\nline: {line}\n"
 
 
 def driven_boards() -> DrivenBoards:
-    """Return the boards left running. Log each board once."""
+    """Return the boards left running. Log each board only once."""
     boards_read: DrivenBoards = {}
     thread = threading.Thread(target=_read_files, args=(boards_read,), daemon=True)
     thread.start()
-    thread.join(0.5)  # a disk that does not respond counts as empty
+    thread.join(0.5)  # if the disk does not respond, there are no boards
     boards = dict(boards_read)
     for file, board in boards.items():
         _warn_once("%s", left_text(file, board))
@@ -77,7 +78,7 @@ def left_text(file: Path, board: DrivenBoard | None) -> str:
 
 
 def driven_at(url: str) -> tuple[Path, DrivenBoard | None]:
-    """Return the file of a port, and its board. The caller must stop the board."""
+    """Return the file of a port and its board. The caller must stop the board."""
     boards = driven_boards()
     files = (file for file, board in boards.items() if board and _is_at(file, board, url))
     file = next(files, driven_file(url))
@@ -88,7 +89,8 @@ def driven_at(url: str) -> tuple[Path, DrivenBoard | None]:
 def driven_file(url: str) -> Path:
     """Return the file of a port.
 
-    An adapter has the same file at any port, and a network address under any host name.
+    An adapter has the same file at every port. A network address has the same file under every host
+    name.
     """
     key = adapter_key(url) or (url if "://" in url else os.path.realpath(url.replace("\0", "")))
     with suppress(OSError, ValueError):
@@ -107,7 +109,7 @@ def port_of(file: Path, board: DrivenBoard) -> PortSettings:
 
 
 def _is_at(file: Path, board: DrivenBoard, url: str) -> bool:
-    """Return whether a file belongs to a port, even if a link to it has changed."""
+    """Return whether a file belongs to a port, even if a link to the port has changed."""
     is_path = file.name.startswith("-")
     return file == driven_file(url) or (is_path and url == board.settings.url)
 

@@ -1,4 +1,4 @@
-"""Transport that a guardian supervises."""
+"""Transport under the supervision of a guardian."""
 
 import contextlib
 from collections.abc import Callable
@@ -11,12 +11,13 @@ from trex_gui.core.transport.settings import SerialFormat
 
 _READY_S = 1.0  # timeout in seconds for the start of a guardian
 
-_REPLACE_S = 0.4  # seconds to replace a lost guardian before the motors are stopped
+_REPLACE_S = 0.4  # if a lost guardian is not replaced in this time (s), the motors are stopped
 
 _SHORT_TIMEOUT_S = 0.2
 """Seconds to wait for a reply even if a stop is due.
 
-The board does not listen while it replies, and a late reply could be mistaken for the next one."""
+The board does not listen while it replies, and a late reply could be mistaken for the next
+reply."""
 
 _LAST_STOP_S = 0.4  # timeout in seconds of the guardian's stop on a lost line
 
@@ -25,18 +26,21 @@ class GuardedTransport:
     """Sends heartbeats to the guardian while the session uses the line.
 
     After `silence` seconds without a heartbeat, the guardian may have stopped the motors and may
-    still use the line. Before the session uses the line again, the guardian is replaced, and
-    `taken_over` is called with True if the stop was confirmed, otherwise with False. Until the
-    session has sent a stop, any other write raises `NoReply`, since it may be an old setpoint. If a
-    lost guardian is not replaced in time while motors may move, `taken_over` is called with
-    `None`, and the session must also send a stop. While motors may move, a read ends early when
-    `stop_is_due`.
+    still use the line. Before the session uses the line again, the guardian is replaced. Then
+    `taken_over` is called with True if the guardian has confirmed the stop, otherwise with False.
+    Until the session has sent a stop, any other write raises `NoReply`, because the data may
+    contain an old setpoint.
+
+    If a lost guardian is not replaced in time while motors may move, `taken_over` is called with
+    `None`. In this case, too, the session must send a stop.
+
+    While motors may move, a read ends early if a stop is due.
 
     Args:
         below: the line.
         silence: see `Timeouts.guardian`.
         stop_sequence: returns the current stop, or `None` if no motor can be moving.
-        taken_over: called in the thread of the session; must not use the line.
+        taken_over: called in the thread of the session. Must not use the line.
         stop_is_due: returns whether the session must stop the motors.
     """
 
@@ -57,11 +61,11 @@ class GuardedTransport:
         self._sequence: StopSequence | None = None
         self._beat_at = below.clock()
         self._guardian = below.start_guardian(silence)
-        self._ready_by: float | None = None  # deadline of a replacement guardian
+        self._ready_by: float | None = None  # time by which a replacement guardian must be ready
         self._was_ready = self._guardian_stops = False
         self._stop_to_send = b""  # must be written before anything else
-        # Called with the duration of the read (s). Returns the seconds until the next call. May
-        # write.
+        # Called during a read with the elapsed time (s). Returns the seconds until the next call.
+        # The function may write.
         self.while_waiting: Callable[[float], float] = lambda _seconds: HEARTBEAT_INTERVAL
         self.rates = below.rates
         self.clock = below.clock
@@ -71,7 +75,7 @@ class GuardedTransport:
 
     @property
     def is_guarded(self) -> bool:
-        """True if a guardian is ready, or a replacement is starting."""
+        """True if a guardian is ready or a replacement is starting."""
         return self._guardian.is_ready or (self._was_ready and self._ready_by is not None)
 
     def wait_for_guardian(self) -> None:
@@ -84,7 +88,7 @@ class GuardedTransport:
         return is_late or self._guardian.has_acted
 
     def beat(self) -> None:
-        """Send a due heartbeat. Reclaim the line after a takeover."""
+        """Send a heartbeat if it is due. Reclaim the line if the guardian has taken it over."""
         if self._has_taken_over:
             self._reclaim_line()
             return
@@ -99,7 +103,7 @@ class GuardedTransport:
             self._beat_at = now
 
     def _replace_lost_guardian(self, sequence: StopSequence | None) -> None:
-        """Restart a lost guardian. After a failure, request a stop."""
+        """Replace a lost guardian. If no replacement is ready in time, require a stop."""
         if self._guardian.is_ready:
             self._was_ready, self._ready_by = True, None
         elif self._was_ready and self._ready_by is None:
@@ -169,12 +173,12 @@ class GuardedTransport:
             self._below.wait(min(remaining, HEARTBEAT_INTERVAL))
 
     def stop_by_guardian(self) -> bool:
-        """Request a stop from the guardian. Return whether it was confirmed."""
+        """Request a stop from the guardian. Return whether the stop was confirmed."""
         self._guardian_stops = True
         return self._guardian.stop(_LAST_STOP_S)
 
     def close(self) -> None:
-        """Close the line. A guardian that is stopping the motors continues."""
+        """Close the line. A guardian that is stopping the motors continues to do so."""
         if not self._guardian.has_acted and not self._guardian_stops:
             self._guardian.end()
         self._below.close()

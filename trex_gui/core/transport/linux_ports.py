@@ -1,4 +1,4 @@
-"""Processes that use a port, and its baud rates, as Linux reports them."""
+"""Information from Linux about a port: processes that use it, and supported baud rates."""
 
 import array
 import contextlib
@@ -19,15 +19,17 @@ _PROCESSES = Path("/proc")
 
 
 def holder_of(url: str) -> str | None:
-    """Return the program that has a port open. `None`: unknown.
+    """Return the program that has a port open. `None` if unknown.
 
-    Prefers a program that has locked the port, then any program but this one. Reads
+    This is the program that has locked the port, otherwise any program except this one. Reads
     `/proc/locks`, then `/proc/PID/fd` (proc(5)).
     """
     path = Path(url)
     with contextlib.suppress(OSError):
-        others = (pid for pid in _having_open(Path(os.path.realpath(path))) if pid != os.getpid())
-        pid = _locking(path) or next(others, None)
+        others = (
+            pid for pid in _processes_with_open(Path(os.path.realpath(path))) if pid != os.getpid()
+        )
+        pid = _locking_process(path) or next(others, None)
         if pid == os.getpid():
             return tr("another line of this program")
         if pid is not None:
@@ -36,17 +38,17 @@ def holder_of(url: str) -> str | None:
 
 
 def other_user_of(url: str) -> str | None:
-    """Return another program that has a port open. `None`: none or unknown.
+    """Return another program that has a port open. `None` if there is none or it is unknown.
 
-    Ignores guardians, and programs that serve pseudo-terminals. Takes a tenth of a second on a
-    computer with many processes.
+    Ignores guardians and programs that serve pseudo-terminals. On a computer with many processes,
+    this takes a tenth of a second.
     """
     if sys.platform != "linux":
         return None
     path = Path(url)
     with contextlib.suppress(OSError):
         path.stat()
-        for pid in _having_open(Path(os.path.realpath(path))):
+        for pid in _processes_with_open(Path(os.path.realpath(path))):
             process = _PROCESSES / str(pid)
             is_guardian = b"guardian" in (process / "cmdline").read_bytes()
             if pid != os.getpid() and not is_guardian and not _has_terminals(process):
@@ -69,27 +71,27 @@ def is_locked_elsewhere(url: str) -> bool:
     Ignores the lock of a dead program.
     """
     with contextlib.suppress(OSError):
-        pid = _locking(Path(url))
+        pid = _locking_process(Path(url))
         is_ours = pid in {None, os.getpid()}
         return not is_ours and (_PROCESSES / str(pid)).exists()
     return True
 
 
 def is_left_to_guardian(url: str) -> bool:
-    """Return whether only a guardian still has a locked port open.
+    """Return whether the program that locked a port has ended, but its guardian still uses it.
 
-    Such a guardian is stopping motors.
+    The guardian is then stopping the motors.
     """
     path = Path(url)
     with contextlib.suppress(OSError):
-        pids = set(_having_open(Path(os.path.realpath(path))))
+        pids = set(_processes_with_open(Path(os.path.realpath(path))))
         commands = [(_PROCESSES / str(pid) / "cmdline").read_bytes() for pid in pids]
         is_watched = any(b"guardian" in command for command in commands)
-        return is_watched and _locking(path) not in pids
+        return is_watched and _locking_process(path) not in pids
     return False
 
 
-def _locking(path: Path) -> int | None:
+def _locking_process(path: Path) -> int | None:
     status = path.stat()
     major, minor = os.major(status.st_dev), os.minor(status.st_dev)
     file_id = f"{major:02x}:{minor:02x}:{status.st_ino}"
@@ -100,15 +102,16 @@ def _locking(path: Path) -> int | None:
     return None
 
 
-def _having_open(path: Path) -> Iterator[int]:
+def _processes_with_open(path: Path) -> Iterator[int]:
     for link in _PROCESSES.glob("[0-9]*/fd/*"):
         with contextlib.suppress(OSError):
             if link.readlink() == path:
                 yield int(link.parts[2])
 
 
-# struct termios2 of Linux: four flag words, five words of line discipline and control characters,
-# then both rates in bit/s. Processors other than `_PROCESSORS` have other request numbers.
+# struct termios2 of Linux has four flag words, five words of line discipline and control
+# characters, then both rates in bit/s. Processors other than `_PROCESSORS` use other request
+# numbers.
 _TCGETS2, _TCSETS2 = 0x802C542A, 0x402C542B
 _CBAUD, _BOTHER = 0o010017, 0o010000
 CFLAG, _ISPEED, OSPEED, _WORDS = 2, 9, 10, 11
@@ -116,7 +119,7 @@ _PROCESSORS = ("x86", "i386", "i486", "i586", "i686", "amd64", "arm", "aarch64",
 
 _RATE_TOLERANCE = 0.03  # relative error of a rate, in addition to the error of the board's clock
 
-_TIMEOUT = 0.1  # seconds after which `rates_of` gives up, since it delays opening a port
+_TIMEOUT = 0.1  # seconds after which `rates_of` gives up, because it delays opening the port
 
 
 class _Port(Protocol):
@@ -126,11 +129,11 @@ class _Port(Protocol):
 def rates_of(
     port: _Port, wanted: Collection[int], clock: Callable[[], float] = time.monotonic
 ) -> frozenset[int] | None:
-    """Return the wanted rates that an open port supports. `None`: unknown.
+    """Return the wanted rates that an open port supports. `None` if unknown.
 
-    A driver that cannot divide its clock to a rate uses and reports the nearest rate. Each rate is
-    set and read back, then the old settings are restored. Sends nothing. No byte may be in transit.
-    Never raises.
+    A driver that cannot divide its clock to a rate uses the nearest rate and reports it. Each rate
+    is set and read back. Then the old settings are restored. Sends nothing and never raises. No
+    byte may be in transit.
     """
     if sys.platform != "linux" or not platform.machine().lower().startswith(_PROCESSORS):
         return None
@@ -153,7 +156,7 @@ def rates_of(
 
 
 def _real_rate(handle: int, original: "array.array[int]", rate: int) -> int:
-    """Set a rate. Return the driver's real rate, or 0 if it refuses the rate."""
+    """Set a rate. Return the rate that the driver uses, or 0 if it refuses the rate."""
     words = original[:]
     words[CFLAG] = words[CFLAG] & ~_CBAUD | _BOTHER
     words[_ISPEED] = words[OSPEED] = rate
@@ -165,7 +168,7 @@ def _real_rate(handle: int, original: "array.array[int]", rate: int) -> int:
 
 
 def termios2(handle: int) -> "array.array[int]":
-    """Return the terminal settings. Raises OSError if the request number differs."""
+    """Return the terminal settings. Raises OSError if the processor uses another request."""
     words = array.array("I", [0] * _WORDS)
     fcntl.ioctl(handle, _TCGETS2, words)
     return words

@@ -1,4 +1,4 @@
-"""Traffic rows as source code."""
+"""Export of traffic rows as source code."""
 
 from collections.abc import Sequence
 
@@ -11,8 +11,8 @@ from trex_gui.version import __version__
 def rows_as_code(rows: Sequence[Transaction], decoder: Decoder, language: Language) -> str:
     """Return source code that sends the requests of these rows.
 
-    The code waits for each reply. Line events and unsolicited bytes become comments. A comment
-    warns of commands that move motors.
+    The code waits for each reply. Line events and unsolicited bytes become comments. If the
+    requests may move motors, a comment warns of this.
     """
     line = next((row.settings.line.text() for row in rows if row.settings is not None), "")
     return render(

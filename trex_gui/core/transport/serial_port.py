@@ -1,7 +1,7 @@
 """Serial port that reports every failure as a sentence.
 
-A small interface hides pyserial's local and remote ports, so that a simulated wire in virtual
-time can replace them.
+A small interface hides pyserial's local and remote ports, so that tests can replace them by a
+simulated wire in virtual time.
 """
 
 import contextlib
@@ -40,8 +40,8 @@ from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
 log = logging.getLogger(__name__)
 
-# Besides OSError, pyserial raises these errors for a bad address, a closed port, an unsupported
-# function or an invalid pattern (hwgrep://).
+# In addition to OSError, pyserial raises these errors for a bad address, a closed port, an
+# unsupported function or an invalid pattern (hwgrep://).
 PORT_ERRORS: tuple[type[Exception], ...] = (
     OSError,
     ValueError,
@@ -54,26 +54,28 @@ if sys.platform != "win32":
     PORT_ERRORS += (termios.error,)
 
 _SLICE = 0.02  # timeout in seconds of a blocking read
-_DISCARD_TIMEOUT = 0.05  # seconds before `discard` fails on a line that keeps sending
+_DISCARD_TIMEOUT = 0.05  # seconds before `discard` fails on a line that never becomes quiet
 
 _MANY_READS = 10
-"""Reads before `discard` fails. After a suspension, one or two reads return everything."""
+"""Number of reads before `discard` fails.
+
+After a suspension of the program, one or two reads return everything."""
 
 _WRITE_TIMEOUT = 1.0  # seconds after which a port that accepts no byte counts as gone
 _LOCAL_LATENCY = 0.06
-"""Seconds: two latency timers of a common adapter (16 ms each), plus delays of the system."""
+"""Latency in seconds: two latency timers of a common adapter (16 ms each), and system delays."""
 
-_REMOTE_LATENCY = 0.5  # seconds on a network
+_REMOTE_LATENCY = 0.5  # latency of a network in seconds
 _BUSY = frozenset({errno.EBUSY, errno.EAGAIN})
 
 _CLOSING_S = 1.5
 """Seconds to wait for a port that another line of this program is closing.
 
-Attempts to stop the motors take no longer."""
+Before closing, that line may attempt to stop the motors. These attempts take no longer."""
 
 
 def latency_of(url: str) -> float:
-    """Return the maximum delay of a byte in seconds, without its wire time."""
+    """Return the maximum delay of a byte in seconds, not including its time on the wire."""
     return _REMOTE_LATENCY if "://" in url else _LOCAL_LATENCY
 
 
@@ -81,7 +83,7 @@ class Transport(Protocol):
     """Open line. Its methods raise PortUnavailable if the line is gone.
 
     Attributes:
-        latency: maximum delay of a byte in seconds, without its wire time.
+        latency: maximum delay of a byte in seconds, not including its time on the wire.
         is_configurable: True if `reconfigure` has an effect.
     """
 
@@ -91,7 +93,7 @@ class Transport(Protocol):
     def is_configurable(self) -> bool: ...
 
     def rates(self, wanted: Collection[int]) -> frozenset[int] | None:
-        """Return the wanted baud rates that the port supports. `None`: unknown.
+        """Return the wanted baud rates that the port supports. `None` if unknown.
 
         Sends nothing and never raises. Call it before anything is sent on the port.
         """
@@ -108,7 +110,7 @@ class Transport(Protocol):
         """Return up to `size` bytes after at most `seconds`."""
 
     def discard(self) -> bytes:
-        """Discard and return received bytes. Raises BadReply if bytes keep arriving."""
+        """Discard received bytes and return them. Raises BadReply if bytes keep arriving."""
 
     def wait(self, seconds: float) -> None: ...
 
@@ -120,7 +122,7 @@ class Transport(Protocol):
 
 
 class _LentSocket:
-    """Socket of a remote port, for pyserial's thread.
+    """Socket of a remote port, as used by pyserial's thread.
 
     While a guardian stops the motors, pyserial must not read the replies to the guardian.
     """
@@ -130,7 +132,7 @@ class _LentSocket:
         self._is_lent = is_lent
 
     def recv(self, size: int) -> bytes:
-        """Raise TimeoutError without data, so that pyserial's thread retries."""
+        """Return received bytes. Raise TimeoutError without any, so that pyserial retries."""
         try:
             ready, _, _ = select.select([self._below], [], [], _SLICE)
         except ValueError as error:  # the socket was closed
@@ -147,7 +149,7 @@ class _LentSocket:
 
 class _Rfc2217Port(rfc2217.Serial):
     guardian: GuardianProcess | None = None
-    fault: serial.SerialException | None = None  # error that ended pyserial's thread
+    fault: serial.SerialException | None = None  # error that has ended pyserial's thread
     _socket: Any
 
     def _is_lent(self) -> bool:
@@ -169,9 +171,9 @@ class SerialTransport:
         self.clock = clock
         self._guardian: GuardianProcess | None = None
         self.latency = latency_of(settings.url)
-        # The other end of a plain network port sets the rate.
+        # For a plain network port, the other end sets the rate.
         self.is_configurable = not settings.url.startswith("socket://")
-        file, board = driven_at(settings.url)  # before opening: resumes a suspended guardian
+        file, board = driven_at(settings.url)  # before opening, to resume a suspended guardian
         self._file = file if self._name == self._url else None  # the demo has no file
         try:
             self._port = _open(settings, clock)
@@ -182,7 +184,7 @@ class SerialTransport:
         except PortUnavailable as error:
             with contextlib.suppress(AttributeError):  # the port was not opened
                 self.close()
-            if board is not None:  # the message starts with the danger
+            if board is not None:  # the message must start with the danger
                 error.args = (f"{board.text()} {error}",)
             raise
 
@@ -220,7 +222,7 @@ class SerialTransport:
             raise self._lost_line(error) from error
 
     def _write_all(self, data: bytes) -> None:
-        """Write all bytes. pyserial's write timeout also expires if this thread is late."""
+        """Write all bytes. pyserial's own timeout would also expire if this thread is late."""
         while data:
             _, ready, _ = select.select([], [self._port.fileno()], [], _WRITE_TIMEOUT)
             if not ready:
@@ -234,7 +236,7 @@ class SerialTransport:
             while len(received) < size:
                 received += self._port.read(size - len(received))
                 if self.clock() >= deadline:
-                    # Bytes received in time count, even if this thread is late.
+                    # Bytes that arrived in time count, even if this thread is late.
                     available = min(self._port.in_waiting, size - len(received))
                     received += self._port.read(available) if available > 0 else b""
                     break
@@ -271,10 +273,10 @@ class SerialTransport:
         return self._guardian
 
     def close(self) -> None:
-        # pyserial does not close the socket of a remote port that the other side has closed.
+        # pyserial does not close the socket of a remote port that the other end has closed.
         remote = getattr(self._port, "_socket", None)
         if remote is not None and self._guardian is not None and not self._guardian.has_ended:
-            # pyserial would also end the guardian's connection.
+            # Detached, because pyserial would also end the guardian's connection.
             remote = socket.socket(fileno=remote.detach())
         with contextlib.suppress(*PORT_ERRORS):
             self._port.close()
@@ -284,9 +286,9 @@ class SerialTransport:
         log.debug("closed %s", self._url)
 
     def _read_error(self, error: Exception) -> PortUnavailable:
-        """Return the error for a failed read: a lost port, or another reader.
+        """Return the error for a failed read. The port is lost, or another program reads it.
 
-        In both cases the port reports available bytes, but returns none.
+        In both cases the port reports available bytes, but a read returns none.
         """
         is_empty = isinstance(error, serial.SerialException) and _errno(error) is None
         if is_empty and sys.platform != "win32":
@@ -315,7 +317,7 @@ def _is_file(url: str) -> bool:
 
 
 def _shared(port: serial.Serial) -> SharedPort | None:
-    """Return a port that a child process can use. `None` if it has no descriptor (`loop://`)."""
+    """Return a port for a child process. `None` for a port without a descriptor (`loop://`)."""
     with contextlib.suppress(*PORT_ERRORS):
         if (remote := getattr(port, "_socket", None)) is not None:
             kind = "telnet" if isinstance(port, _Rfc2217Port) else "socket"
@@ -335,7 +337,7 @@ def _open(settings: PortSettings, clock: Callable[[], float]) -> serial.Serial:
         _open_when_free(port, settings.url, clock)
     except PORT_ERRORS as error:
         raise open_error(settings.url, settings.line, error) from error
-    # FTDI adapters delay bytes by up to 16 ms; the Linux driver can disable this delay.
+    # FTDI adapters delay bytes by up to 16 ms. The Linux driver can disable this delay.
     with contextlib.suppress(AttributeError, ValueError, OSError, NotImplementedError):
         port.set_low_latency_mode(True)
     return port
@@ -353,10 +355,10 @@ def _unopened(url: str, **options: Any) -> serial.Serial:
 
 
 def _open_when_free(port: serial.Serial, url: str, clock: Callable[[], float]) -> None:
-    """Open a port. Wait while this program is still closing it.
+    """Open a port. Wait while this program or the guardian of a dead program is closing it.
 
-    Another line, or the guardian of a dead program, may be confirming its last stop. Does not wait
-    for other programs.
+    Another line of this program, or that guardian, may still be confirming its last stop. Does not
+    wait for other programs.
     """
     deadline = clock() + _CLOSING_S
     while True:
@@ -401,7 +403,7 @@ def _open_error_text(url: str, line: SerialFormat, error: Exception, number: int
 
 
 def _errno(error: Exception) -> int | None:
-    """Return the system's error number, which pyserial wraps."""
+    """Return the system's error number, even if pyserial has wrapped the error."""
     cause: BaseException | None = error
     while cause is not None:
         number = getattr(cause, "errno", None)
@@ -419,7 +421,7 @@ def _plain(error: Exception) -> str:
         with contextlib.suppress(ValueError):
             return os.strerror(number).lower()
     text = str(error).strip().rstrip(".")
-    if "does not accept parameter change" in text:  # the rest is a dump of pyserial's objects
+    if "does not accept parameter change" in text:  # followed by a dump of pyserial's objects
         return tr("the server refuses the settings of the line")
     return text or type(error).__name__
 

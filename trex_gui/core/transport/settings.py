@@ -57,7 +57,7 @@ class SerialFormat:
         return tr("{0} baud, {1}, {2}").format(self.baud, detection, stop_bits)
 
 
-SHARED = " shared:"  # in packed settings: devices of other kinds share the line
+SHARED = " shared:"  # part of packed settings if devices of other kinds share the line
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,7 +86,7 @@ class PortSettings:
 
     @property
     def packed(self) -> str:
-        """Settings of a found device, for later connections. Never empty."""
+        """Settings of a found device as text, for later connections. Never empty."""
         return self.line.short
 
     def text(self) -> str:

@@ -1,4 +1,4 @@
-"""Traffic of a line: bytes, and pairs of request and reply."""
+"""Traffic of a line, as bytes and as pairs of request and reply."""
 
 import itertools
 import time
@@ -14,7 +14,7 @@ from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import SerialTransport, Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 
-SEARCH = "search: "  # prefix for the meaning of bytes that a device search sent
+SEARCH = "search: "  # prefix of the meaning of bytes that a device search has sent
 
 _MAX_EVENTS = 50_000  # events queued for a slow reader: nearly a minute at 1,000 events/s
 
@@ -29,18 +29,19 @@ class TrafficDirection(Enum):
 
 @dataclass(frozen=True, slots=True)
 class TrafficEvent:
-    time: float  # line's clock (s); received bytes may be older
+    time: float  # clock of the line (s); received bytes may have arrived earlier
     direction: TrafficDirection
     data: bytes = b""
-    text: str = ""  # event of the line, for the user
-    settings: PortSettings | None = None  # new line settings, if changed
+    text: str = ""  # sentence about an event of the line, for the user
+    settings: PortSettings | None = None  # new line settings, if they have changed
 
 
 @dataclass(slots=True)
 class TrafficLog:
     """Queue of events from a line's thread to one reader.
 
-    The queue is bounded and never blocks. `lost` counts events dropped for a slow reader.
+    The queue is bounded and never blocks. `lost` counts the events that were dropped because the
+    reader was slow.
     """
 
     lost: int = 0
@@ -54,11 +55,13 @@ class TrafficLog:
 
     def pop(self) -> list[TrafficEvent]:
         """Return the new events in order. Called in the reader's thread."""
-        count = len(self._events)  # later events are for the next call
+        count = len(self._events)  # the next call returns later events
         return [self._events.popleft() for _ in range(count)]
 
 
 class LoggingTransport:
+    """Passes all calls to another transport, and their traffic to `record`."""
+
     def __init__(
         self, below: Transport, settings: PortSettings, record: Callable[[TrafficEvent], None]
     ) -> None:
@@ -80,7 +83,7 @@ class LoggingTransport:
             self._record_line(f"Set to {line.text()}.", self._settings.at(line))
 
     def write(self, data: bytes) -> None:
-        # Recorded before the write, so that the reply follows and a failed write is included.
+        # Recorded before the write, so that the log has the reply later and also a failed write.
         self._record(TrafficEvent(self.clock(), TrafficDirection.SENT, data))
         with self._logged_errors():
             self._below.write(data)
@@ -122,7 +125,7 @@ def logged(
 ) -> Callable[[PortSettings], Transport]:
     """Wrap `open_transport` so that `record` receives the traffic.
 
-    `clock`: clock of the line, for events before the line is open.
+    `clock`: clock of the line, for events that happen before the line is open.
     """
 
     def open_logged(settings: PortSettings) -> Transport:
@@ -140,7 +143,7 @@ def logged(
 
 @dataclass(frozen=True, slots=True)
 class Decoded:
-    """Meaning of a transaction. `is_fault`: True if it has failed."""
+    """Meaning of a transaction. `is_fault`: True if the transaction has failed."""
 
     text: str
     is_fault: bool = False
@@ -151,17 +154,17 @@ class Transaction:
     """Row of traffic: a request and its reply, or a line event."""
 
     number: int  # row number from 1
-    time: float  # line's clock (s) when sent, otherwise at the first received byte
+    time: float  # clock of the line (s), when sent, otherwise at the first received byte
     sent: bytes = b""
     received: bytes = b""
-    note: str = ""  # line event; only in rows without bytes
+    note: str = ""  # text of a line event; only in rows without bytes
     settings: PortSettings | None = None
     echo: bool | None = None  # True if all sent bytes come back; `None`: unknown
-    is_routine: bool = False  # True for a periodic poll of the program
+    is_routine: bool = False  # True for a periodic poll by the program
     ended: float | None = None  # time of the last received byte
     is_over: bool = False
-    is_search: bool = False  # sent by a device search, in which most probes have no reply
-    words: Decoded | None = None  # cached result of `Decoder.decoded`
+    is_search: bool = False  # sent by a device search, in which most probes receive no reply
+    cached_meaning: Decoded | None = None  # cached result of `Decoder.decoded`
 
     @property
     def seconds(self) -> float | None:
@@ -169,13 +172,15 @@ class Transaction:
 
 
 class Decoder(ABC):
+    """Explains the bytes of one kind of device."""
+
     @abstractmethod
     def shown(self, data: bytes) -> str:
         """Return bytes for display, as hexadecimal or text."""
 
     @abstractmethod
     def bytes_of(self, shown: str) -> bytes:
-        """Return the bytes of a text from `shown`. Raises ValueError."""
+        """Return the bytes that `shown` has converted to text. Raises ValueError."""
 
     def learn(self, transaction: Transaction) -> None:
         """Store facts about the device from a reply, such as its units."""
@@ -183,7 +188,7 @@ class Decoder(ABC):
 
     @abstractmethod
     def is_routine(self, sent: bytes) -> bool:
-        """Return whether these bytes are a periodic poll of the program."""
+        """Return whether these bytes are a periodic poll by the program."""
 
     @abstractmethod
     def may_move(self, sent: bytes) -> bool:
@@ -194,9 +199,9 @@ class Decoder(ABC):
         """Return whether the reply is complete. Later bytes are unsolicited."""
 
     def goes_with(self, transaction: Transaction, sent: bytes) -> bool:
-        """Return whether bytes sent later belong to the pending row.
+        """Return whether bytes sent later belong to the row of a pending transaction.
 
-        Received bytes may then be the reply to either request.
+        Bytes received afterwards may then be the reply to either request.
         """
         del transaction, sent
         return False
@@ -210,15 +215,17 @@ class Decoder(ABC):
         return self.decoded(transaction).is_fault
 
     def decoded(self, transaction: Transaction) -> Decoded:
-        """Return the meaning of a transaction, cached once complete."""
-        if (known := transaction.words) is not None:  # read once: another thread may clear it
+        """Return the meaning of a transaction. The result is cached once it is complete."""
+        if (
+            known := transaction.cached_meaning
+        ) is not None:  # read only once: another thread may clear it
             return known
-        words = Decoded(transaction.note) if transaction.note else self.read(transaction)
+        meaning = Decoded(transaction.note) if transaction.note else self.read(transaction)
         if transaction.is_search:
-            words = Decoded(f"{SEARCH}{words.text}")
+            meaning = Decoded(f"{SEARCH}{meaning.text}")
         if transaction.is_over:
-            transaction.words = words
-        return words
+            transaction.cached_meaning = meaning
+        return meaning
 
 
 class TransactionAssembler:
@@ -233,7 +240,7 @@ class TransactionAssembler:
         self._decoder = decoder
         self._numbers = itertools.count(1) if numbers is None else numbers
         self._is_search = is_search
-        # A session sets these attributes, because the log does not include them.
+        # A session sets these attributes, because the traffic log does not contain them.
         self.settings: PortSettings | None = None
         self.echo: bool | None = None
         self._pending: Transaction | None = None

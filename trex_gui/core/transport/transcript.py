@@ -1,6 +1,6 @@
-"""Traffic as a text file, for reading and replay.
+"""Traffic as a text file that users can read and that the program can replay.
 
-The file has comments, a line of column names, and a tab-separated line per transaction.
+The file has comments, a line of column names, and one tab-separated line per transaction.
 """
 
 from collections.abc import Iterator
@@ -32,16 +32,16 @@ def header() -> str:
 
 
 def line_of(row: Transaction, decoder: Decoder, epoch: float) -> str:
-    """Return a row as a line. `epoch`: Unix time in s of clock time 0."""
-    words, shown = decoder.decoded(row), decoder.shown
+    """Return a row as a line of the file. `epoch`: Unix time in s at which the clock was 0."""
+    meaning, shown = decoder.decoded(row), decoder.shown
     moment = datetime.fromtimestamp(epoch + row.time).astimezone()
     values = (
         moment.isoformat(sep=" ", timespec="milliseconds"),
-        "!" if words.is_fault else "",
+        "!" if meaning.is_fault else "",
         shown(row.sent),
         shown(row.received),
         "" if row.seconds is None else f"{row.seconds * 1e3:.1f}",
-        words.text,
+        meaning.text,
     )
     return "\t".join(values)
 
@@ -49,8 +49,8 @@ def line_of(row: Transaction, decoder: Decoder, epoch: float) -> str:
 class TranscriptWriter:
     """Writes the traffic of a line to a file.
 
-    The file is opened before the line, and keeps its old content until the first byte. A later disk
-    error does not affect the line. `error` is the reason for an incomplete file.
+    The file is opened before the line is. It keeps its old content until the first byte is written.
+    A later disk error does not affect the line. `error`: reason why the file is incomplete.
     """
 
     def __init__(
@@ -114,7 +114,7 @@ class TranscriptWriter:
 
 @dataclass(frozen=True, slots=True)
 class TranscriptRow:
-    """Transaction in a file. `line`: from 1. `time`: Unix time in s."""
+    """Transaction in a file. `line`: line number from 1. `time`: Unix time in s."""
 
     line: int
     time: float
@@ -124,7 +124,7 @@ class TranscriptRow:
 
     @property
     def is_search(self) -> bool:
-        """True for bytes of a device search, perhaps at other line settings."""
+        """True for bytes of a device search, which may have used other line settings."""
         return self.meaning.startswith(SEARCH)
 
 

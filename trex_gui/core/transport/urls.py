@@ -1,4 +1,4 @@
-"""URLs of ports and served boards, and user secrets."""
+"""URLs of ports and of served boards, and the secrets of users."""
 
 import os
 import stat
@@ -14,7 +14,7 @@ from trex_gui.core.translation import tr
 
 SCHEME = "trex"
 PORT = 7477
-LOCAL_USER = "local"  # name of every client if the serving computer has no users
+LOCAL_USER = "local"  # user name of every client if the serving computer has no list of users
 _LONGEST_NAME = 40  # characters
 _SECRETS = "secrets"  # file in the data folder, with lines `USER@HOST SECRET`
 
@@ -23,7 +23,7 @@ _SECRETS = "secrets"  # file in the data folder, with lines `USER@HOST SECRET`
 class Address:
     """Address `trex://USER@HOST:PORT/NAME` of a served board.
 
-    USER and PORT are optional. Without NAME, it is the address of a serving computer.
+    USER and PORT are optional. Without NAME, the address is that of a serving computer.
     """
 
     host: str
@@ -73,7 +73,7 @@ class Address:
 
     @property
     def secret(self) -> str:
-        """Secret of the user, from `TREX_SECRET` or the file of secrets."""
+        """Secret of the user, from `TREX_SECRET` or the file of secrets. Empty if unknown."""
         if secret := os.environ.get("TREX_SECRET"):
             return secret
         name = f"{self.user}@{self.host}"
@@ -102,13 +102,17 @@ def is_served(url: str) -> bool:
 
 
 def is_name(text: str) -> bool:
-    """Return whether a board name is valid: letters, digits, `-`, `_`, `.`."""
+    """Return whether a board name is valid.
+
+    A valid name consists of letters, digits, `-`, `_` and `.`, and has at most `_LONGEST_NAME`
+    characters.
+    """
     letters = text.replace("-", "").replace("_", "").replace(".", "")
     return letters.isascii() and letters.isalnum() and len(text) <= _LONGEST_NAME
 
 
 def url_problem(url: str) -> str:
-    """Return the problem with a port's URL as a sentence, or an empty text."""
+    """Return a sentence about the problem with a port's URL, or an empty string."""
     scheme, is_url, _ = url.partition("://")
     if not is_url:
         return ""

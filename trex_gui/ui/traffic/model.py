@@ -88,7 +88,7 @@ class TrafficModel(QObject):
     def decode_again(self) -> None:
         """Decode all rows again, after a change of the decoder's state."""
         for transaction in (*self.everything.rows, *self.without_polling.rows):
-            transaction.words = None
+            transaction.cached_meaning = None
         self.changed.emit()
 
     def wall_time(self, transaction: Transaction) -> float:
