@@ -30,7 +30,7 @@ INTERNAL_ERROR = 1  # exit code if the interpreter ends while the event loop run
 _REPEAT_S = 1.0  # an error that recurs within this time (s) may be caused by its own report
 
 _POLL_INTERVAL_MS = 500
-_MIN_SLEEP_S = 1.0  # a shorter sleep may only be the delay between reading the two clocks
+_MIN_SLEEP_S = 1.0  # seconds; the two clocks are read one after the other and differ slightly
 
 
 class SafetySupervisor(QObject):
@@ -233,7 +233,7 @@ def slept_so_far() -> float:
 
 
 class SuspendDetector(QObject):
-    """Detects that the computer was suspended, by polling."""
+    """Polls the clocks to detect that the computer was suspended."""
 
     woke = Signal(str)  # reason to stop, a clause without a period
 

@@ -30,9 +30,9 @@ from trex_gui.core.transport.urls import is_served
 from trex_gui.devices.trex.cli.common import link_options
 
 
-def _ports(chosen: str | None) -> list[str]:
-    if chosen:
-        return [chosen]
+def _ports(selected: str | None) -> list[str]:
+    if selected:
+        return [selected]
     ports = sorted(port.device for port in list_ports.comports())
     if not ports:
         say("This computer has no serial ports; use --port for other kinds of port.")

@@ -123,8 +123,9 @@ def _log_to_terminal(context: click.Context, _option: click.Parameter, verbose: 
 def main() -> None:
     """Inspect, set up and drive a Pololu TReX or TReX Jr motor controller.
 
-    Data goes to standard output, messages go to standard error. Exit codes: 0 success, 1 failure
-    of the device or a file, 2 wrong usage. For diff and audit: 0 equal, 1 different, 2 failure.
+    Data goes to standard output, and messages go to standard error. Exit codes: 0 success, 1
+    failure of the device or a file, 2 wrong usage. For diff and audit: 0 equal, 1 different, 2
+    failure.
     """
     from trex_gui.core.transport.driven import driven_boards  # noqa: PLC0415 - not for --help
 

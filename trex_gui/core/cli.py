@@ -42,7 +42,7 @@ def say(message: object) -> None:
 
 
 def shell_words(*words: str) -> str:
-    """Quote words for the shell. In Windows shells only double quotes work."""
+    """Quote words for the shell. Windows shells support only double quotes."""
     quoted = (f'"{word}"' if re.search(r"[^\w.:/\\-]", word) else word for word in words)
     return " ".join(quoted) if sys.platform == "win32" else shlex.join(words)
 

@@ -11,7 +11,7 @@ from typing import Any
 
 import click
 
-FAILURE_EXIT_CODE = "exit code"  # key in `click.Context.meta`; without it, a failure exits with 1
+FAILURE_EXIT_CODE = "exit code"  # key in `click.Context.meta`, for the exit code of a failure
 
 _CONTROLS = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x84\x86-\x9f]|\r(?!\n)")
 

@@ -127,12 +127,12 @@ def _check_mode(path: Path, mode: int) -> None:
 
 _DRAFT = re.compile(r"\..*\.[0-9a-f]{8}\.trexdraft", re.DOTALL)
 
-_ABANDONED_S = 600.0  # seconds; a killed program has left any older draft
+_ABANDONED_S = 600.0  # seconds; an older draft was left by a killed program
 
 
 @cache
 def remove_abandoned(folder: Path) -> None:
-    """Remove the drafts that killed programs have left in a folder. Acts once per run."""
+    """Remove the drafts that killed programs have left in a folder. Acts once per folder."""
     oldest = time.time() - _ABANDONED_S
     with contextlib.suppress(OSError), os.scandir(folder) as entries:
         for entry in entries:

@@ -1,4 +1,4 @@
-"""Optional Python packages."""
+"""Installation of optional Python packages."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Support report, which consists of text files in a zip archive, without personal data."""
+"""Support report: text files without personal data, in a zip archive."""
 
 import getpass
 import importlib.metadata

@@ -89,7 +89,7 @@ class Inbox(Protocol[RequestT_co]):
     def get(self, seconds: float) -> RequestT_co | None: ...
 
 
-class Closing(Exception):  # noqa: N818 - not an error, because the session was closed
+class Closing(Exception):  # noqa: N818 - closing is not an error
     """Raised when a session receives `Close`."""
 
 

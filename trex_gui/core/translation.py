@@ -71,7 +71,7 @@ def with_decimal_point(number: str) -> str:
 
 @contextmanager
 def in_english() -> Iterator[None]:
-    """Use English, whatever the language of the window. Files are in English, for example."""
+    """Use English within a `with` block, even if the window uses another language."""
     token = _is_english.set(True)
     try:
         yield

@@ -28,7 +28,7 @@ _GRACE_S = 7.0
 Closing a line during a write may take three seconds, and saving a recording three more. A system
 that is shutting down waits longer than this before it sends SIGKILL."""
 
-_KEYBOARD_SIGNALS = {"SIGINT", "SIGQUIT", "SIGBREAK"}  # the second such signal ends the wait
+_KEYBOARD_SIGNALS = {"SIGINT", "SIGQUIT", "SIGBREAK"}  # during the wait, they end the process
 
 _DEBOUNCE_S = 0.3
 """Seconds in which a second signal counts as a duplicate of the first.
@@ -130,7 +130,7 @@ class SignalWatch(QObject):
     def _wait_for_window(self) -> int | None:
         """Wait until the window has closed or `grace` expires.
 
-        A second signal from the keyboard ends the wait. Return its number, otherwise `None`.
+        Another signal from the keyboard ends the wait. Return its number, otherwise `None`.
         """
         start = time.monotonic()
         while (remaining := start + self._grace - time.monotonic()) > 0:

@@ -49,7 +49,7 @@ class PortScan:
     """Result of a scan."""
 
     device: str = ""  # key of the kind of device found, or empty
-    found: Sequence[FoundDevice] = ()  # all devices found, which are of that kind
+    found: Sequence[FoundDevice] = ()  # all devices found; they are of this kind
     diagnoses: list[Diagnosis] = field(default_factory=list)  # sorted, strongest evidence first
     error: StudioError | None = None
     cancelled: bool = False

@@ -31,7 +31,7 @@ _watching_since: list[str] = []
 
 
 def watching_since() -> str:
-    """Return the time of the first heartbeat as the log writes it, or `9999` without one."""
+    """Return the time of the first heartbeat, formatted as in the log. `9999` if none was sent."""
     return _watching_since[0] if _watching_since else "9999"
 
 

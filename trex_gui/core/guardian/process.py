@@ -34,7 +34,7 @@ if sys.platform != "win32":
 
 _GIVE_UP_S = 5.0  # maximum duration of a stop in seconds
 _GRACE_S = 0.02  # extra wait in seconds for a heartbeat in transit
-_LATE_S = 0.05  # if a wait takes this much longer (s), this process has been suspended
+_LATE_S = 0.05  # if a wait ends this much too late (s), this process has been suspended
 _LATE_GRACE_S = 0.1  # extra wait in seconds for messages after a suspension
 _CLEAN_ROUNDS = 2  # consecutive rounds of error-free replies that confirm a stop
 _QUIET_S = 0.03
@@ -135,7 +135,7 @@ class TelnetPort(SocketPort):
         return b"".join(map(self._data.send, super().receive(seconds)))
 
     def _decoder(self) -> Generator[bytes, int, None]:
-        """Receive bytes by `send`. Yield the data that each byte completes."""
+        """Receive one byte from each `send`. Yield the data that this byte completes."""
         data = b""
         while True:
             byte = yield data

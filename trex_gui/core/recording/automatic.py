@@ -37,8 +37,8 @@ def create_automatic_folder() -> Path:
 def remove_oldest(max_files: int = MAX_FILES, max_bytes: int = MAX_BYTES) -> None:
     """Remove the oldest recordings beyond the limits. Create the folder if necessary.
 
-    One more recording then fits within `max_files`. Never removes the newest recording or a file
-    that the user has renamed. Raises RecordingError.
+    Afterwards, one more recording fits within `max_files`. Never removes the newest recording or a
+    file that the user has renamed. Raises RecordingError.
     """
     folder = create_automatic_folder()
     with reported(folder, _NOT_USED):

@@ -70,7 +70,7 @@ def reason_of(error: Exception) -> str:
 
 @contextlib.contextmanager
 def reported(path: Path, message: str) -> Iterator[None]:
-    """Convert errors of the disk to RecordingError. `message`: has a placeholder for the reason."""
+    """Convert disk errors to RecordingError. `message`: text with a placeholder for the reason."""
     try:
         yield
     except (OSError, ValueError, sqlite3.Error) as error:
@@ -256,9 +256,7 @@ class Recording(Generic[HeaderT, RecordT]):
             for companion in _companions(path):
                 with contextlib.suppress(FileNotFoundError):
                     check_ordinary(companion)
-        log = path.with_name(
-            f"{path.name}-wal"
-        )  # contains the records that are committed but not yet synced
+        log = path.with_name(f"{path.name}-wal")  # has committed records that are not yet synced
         if size < page_size * pages and not log.exists():
             self.problems.append(tr("The end of the file is missing."))
         self._open = contextlib.ExitStack()

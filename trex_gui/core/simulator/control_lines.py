@@ -47,7 +47,7 @@ def execute(text: str, commands: Mapping[str, Command]) -> str:
 
 
 def number_of(text: str, allowed: Sequence[int], noun: str) -> int:
-    """Parse a number that must be one of consecutive numbers. Raises ValueError."""
+    """Parse a number from a range. `allowed`: consecutive numbers. Raises ValueError."""
     if text in map(str, allowed):
         return int(text)
     raise ValueError(f"{noun} is {allowed[0]} to {allowed[-1]}, not {text!r}")

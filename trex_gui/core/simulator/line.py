@@ -33,9 +33,9 @@ class WireFaults:
         self.plugged = True
         self.noise = 0.0  # probability that a byte is corrupted
         self.delay = 0.0  # delay of bytes to the host in seconds
-        self.to_drop = self.to_drop_sent = 0  # number of next bytes to lose, to and from the host
-        self.to_corrupt = self.to_double = 0  # number of next bytes to the host to corrupt, double
-        self.to_cut: int | None = None  # number of bytes to the host before a text line is cut off
+        self.to_drop = self.to_drop_sent = 0  # bytes still to lose, to the host and from the host
+        self.to_corrupt = self.to_double = 0  # bytes to the host still to corrupt or to double
+        self.to_cut: int | None = None  # bytes to the host until a text line is cut off
         self.errors: deque[ReceiveError] = deque()  # errors of the next bytes from the host
         self.counters: Counter[str] = Counter(
             dict.fromkeys(("sent", "received", "dropped", "corrupted", "garbled", "collisions"), 0)

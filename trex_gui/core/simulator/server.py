@@ -201,8 +201,8 @@ class Server:
             number: signal.signal(number, self._end) for number in ending
         }
         for number in handled_signals(("SIGTTIN",)):
-            # When the process reads from the background of a terminal, the read then fails. By
-            # default the process would be suspended.
+            # A read from the background of a terminal then fails. By default it would suspend the
+            # process.
             previous[number] = signal.signal(number, signal.SIG_IGN)
         return previous
 

@@ -12,7 +12,7 @@ class Timeline:
     """Runs actions in order of time. `now`: seconds since creation."""
 
     def __init__(self, advance: Callable[[float], None]) -> None:
-        """`advance` is called with the elapsed seconds whenever time moves."""
+        """`advance` is called with the elapsed seconds whenever the time advances."""
         self.now = 0.0
         self._advance = advance
         self._events: list[tuple[float, int, Callable[[], object], Callable[[], bool] | None]] = []

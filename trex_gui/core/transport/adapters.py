@@ -39,7 +39,7 @@ class Adapter:
 
     @property
     def key(self) -> str:
-        """Key for saved data, without spaces. Equal for adapters of which `is_same` is true."""
+        """Key for saved data, without spaces. Two adapters have equal keys if `is_same` is true."""
         location = self.location if len(self.number) <= _SHARED else _interface(self)
         return re.sub(r"[/\s]+", "-", "-".join(filter(None, (self.product, self.number, location))))
 

@@ -66,7 +66,7 @@ def driven_boards() -> DrivenBoards:
     boards_read: DrivenBoards = {}
     thread = threading.Thread(target=_read_files, args=(boards_read,), daemon=True)
     thread.start()
-    thread.join(0.5)  # if the disk does not respond, there are no boards
+    thread.join(0.5)  # after this time, a disk that does not respond counts as empty
     boards = dict(boards_read)
     for file, board in boards.items():
         _warn_once("%s", left_text(file, board))

@@ -78,9 +78,9 @@ def is_locked_elsewhere(url: str) -> bool:
 
 
 def is_left_to_guardian(url: str) -> bool:
-    """Return whether the program that locked a port has ended, but its guardian still uses it.
+    """Return whether a port is open only in the guardian of a program that has ended.
 
-    The guardian is then stopping the motors.
+    Such a guardian is stopping the motors.
     """
     path = Path(url)
     with contextlib.suppress(OSError):

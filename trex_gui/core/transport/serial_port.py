@@ -53,7 +53,7 @@ PORT_ERRORS: tuple[type[Exception], ...] = (
 if sys.platform != "win32":
     PORT_ERRORS += (termios.error,)
 
-_SLICE = 0.02  # timeout in seconds of a blocking read
+_SLICE = 0.02  # timeout of a blocking read in seconds
 _DISCARD_TIMEOUT = 0.05  # seconds before `discard` fails on a line that never becomes quiet
 
 _MANY_READS = 10

@@ -83,7 +83,7 @@ class LoggingTransport:
             self._record_line(f"Set to {line.text()}.", self._settings.at(line))
 
     def write(self, data: bytes) -> None:
-        # Recorded before the write, so that the log has the reply later and also a failed write.
+        # Recorded before the write, so that the reply follows in the log. A failed write is logged.
         self._record(TrafficEvent(self.clock(), TrafficDirection.SENT, data))
         with self._logged_errors():
             self._below.write(data)
@@ -154,7 +154,7 @@ class Transaction:
     """Row of traffic: a request and its reply, or a line event."""
 
     number: int  # row number from 1
-    time: float  # clock of the line (s), when sent, otherwise at the first received byte
+    time: float  # time of sending, otherwise of the first received byte, on the line's clock (s)
     sent: bytes = b""
     received: bytes = b""
     note: str = ""  # text of a line event; only in rows without bytes
@@ -180,7 +180,7 @@ class Decoder(ABC):
 
     @abstractmethod
     def bytes_of(self, shown: str) -> bytes:
-        """Return the bytes that `shown` has converted to text. Raises ValueError."""
+        """Convert text from `shown` back to bytes. Raises ValueError."""
 
     def learn(self, transaction: Transaction) -> None:
         """Store facts about the device from a reply, such as its units."""
@@ -216,9 +216,8 @@ class Decoder(ABC):
 
     def decoded(self, transaction: Transaction) -> Decoded:
         """Return the meaning of a transaction. The result is cached once it is complete."""
-        if (
-            known := transaction.cached_meaning
-        ) is not None:  # read only once: another thread may clear it
+        # Read only once, because another thread may clear the cache.
+        if (known := transaction.cached_meaning) is not None:
             return known
         meaning = Decoded(transaction.note) if transaction.note else self.read(transaction)
         if transaction.is_search:
