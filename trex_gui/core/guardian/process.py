@@ -109,10 +109,9 @@ class SocketPort:
         return data
 
     def save_settings(self) -> None:
-        """Do nothing: the other end has the settings."""
+        """Do nothing, because the other end has the settings."""
 
-    def restore_settings(self) -> None:
-        """Do nothing: the other end has the settings."""
+    restore_settings = save_settings
 
     def close(self) -> None:
         self._socket.close()

@@ -37,10 +37,9 @@ class _Port:
         super().__setattr__(name, value)
 
     def reset_input_buffer(self) -> None:
-        """Do nothing: there is no buffer."""
+        """Do nothing, because there is no buffer."""
 
-    def reset_output_buffer(self) -> None:
-        """Do nothing: there is no buffer."""
+    reset_output_buffer = reset_input_buffer
 
     def settings(self) -> HostSettings:
         return HostSettings(self.baudrate, int(self.stopbits), _PARITIES[self.parity])
