@@ -56,7 +56,7 @@ def _arguments(argv: list[str]) -> argparse.Namespace:
         description="Set up, calibrate, drive and understand a Pololu TReX motor controller.",
     )
     board = parser.add_mutually_exclusive_group()
-    board.add_argument("--port", metavar="URL", type=_url, help="connect to this port at start")
+    board.add_argument("--port", metavar="URL", type=_url, help="connect to this port at start-up")
     board.add_argument("--demo", action="store_true", help="connect to the simulated board")
     parser.add_argument(
         "--device",

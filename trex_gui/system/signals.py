@@ -28,7 +28,7 @@ _GRACE_S = 7.0
 Closing a line during a write may take three seconds, and saving a recording three more. A system
 that is shutting down waits longer than this before it sends SIGKILL."""
 
-_KEYBOARD_SIGNALS = {"SIGINT", "SIGQUIT", "SIGBREAK"}  # during the wait, they end the process
+_KEYBOARD_SIGNALS = {"SIGINT", "SIGQUIT", "SIGBREAK"}  # each ends the process during the wait
 
 _DEBOUNCE_S = 0.3
 """Seconds in which a second signal counts as a duplicate of the first.

@@ -98,8 +98,8 @@ class GuardianProcess:
     def __init__(self, port: SharedPort | None, silence: float, file: Path | None = None) -> None:
         """Start a process that acts after `silence` seconds without a heartbeat.
 
-        `port`: `None` if the port has no descriptor, and no process can be started. `file`: path of
-        a file that exists while motors may be moving.
+        `port`: `None` if the port has no descriptor. No process is started then. `file`: path of a
+        file that exists while motors may be moving.
         """
         self._sent: StopSequence | None = None
         self._is_confirmed = False

@@ -83,7 +83,7 @@ class LoggingTransport:
             self._record_line(f"Set to {line.text()}.", self._settings.at(line))
 
     def write(self, data: bytes) -> None:
-        # Recorded before the write, so that the reply follows in the log. A failed write is logged.
+        # Recorded before the write, so that the reply follows and a failed write is recorded, too.
         self._record(TrafficEvent(self.clock(), TrafficDirection.SENT, data))
         with self._logged_errors():
             self._below.write(data)
