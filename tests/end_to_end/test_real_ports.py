@@ -53,7 +53,7 @@ def test_robot_page_moves_a_robot(window: WindowDriver, start_simulator: StartSi
     robot_window = RobotWindow(window.program, window.qtbot)
     ports = window.program.ports
     url = start_simulator("--aracna", "--unpaced").url
-    robot_window.connect_port(ports.lead_to(ports.add_typed(url), "aracna"))
+    robot_window.connect_port(ports.assign(ports.add_typed(url), "aracna"))
     robot_window.wait_until_up()
     robot_window.drag("aracnaSlider0", 400)
     robot_window.move()

@@ -12,7 +12,7 @@ from tests.support.window import WindowDriver
 from trex_gui.core.guardian.log import log_file
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.files import background
-from trex_gui.ui.last_run import report_last_run, stop_left_running
+from trex_gui.ui.last_run import report_last_run, stop_running_boards
 from trex_gui.ui.notifier import Notifier
 
 
@@ -100,7 +100,7 @@ def test_running_board_is_reported_first_until_stopped(
 def test_each_running_board_is_tried_and_reported(messages: Messages) -> None:
     left("/dev/ttyNONE1")
     left("/dev/ttyNONE2")
-    [(kind, text)] = messages.after(stop_left_running)
+    [(kind, text)] = messages.after(stop_running_boards)
     assert kind == "danger"
     dangers, errors = text.splitlines()[:2], text.splitlines()[2:]
     for lines, start in ((dangers, "Motors may still be turning"), (errors, "There is no port")):

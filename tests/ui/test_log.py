@@ -68,7 +68,7 @@ def test_event_and_its_message_are_one_entry(qtbot: QtBot, clocks: Clocks) -> No
 
 def test_messages_of_other_places_are_logged_and_not_shown(qtbot: QtBot) -> None:
     window, plot = Notifier(), Notifier()
-    window.log_also(plot)
+    window.forward_log(plot)
     logged: list[tuple[str, bool]] = []
     shown: list[str] = []
     window.logged.connect(lambda *message: logged.append(message))

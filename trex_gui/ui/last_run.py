@@ -73,7 +73,7 @@ def report_last_run(
     in_background(notifier, lambda: (*logged_stops(seen), driven_boards()), report, lambda _: None)
 
 
-def stop_left_running(notifier: Notifier) -> None:
+def stop_running_boards(notifier: Notifier) -> None:
     """Open the ports of running boards to stop them. Report the result."""
 
     def stop() -> str:

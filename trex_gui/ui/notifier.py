@@ -86,7 +86,7 @@ class Notifier(QObject):
         self.error.connect(lambda text: self.logged.emit(text, True))
         self.danger.connect(lambda text: self.logged.emit(text, True))
 
-    def log_also(self, other: "Notifier") -> None:
+    def forward_log(self, other: "Notifier") -> None:
         """Forward another notifier's messages to `logged`."""
         other.logged.connect(self.logged)
 

@@ -90,7 +90,7 @@ class Program:
         """Connect to a port, and assign it to the plugin `device` if given."""
         port = self.ports.add_typed(url)
         if device is not None:
-            port = self.ports.lead_to(port, device)
+            port = self.ports.assign(port, device)
         self.device_manager.connect_to(port)
 
     def open_file(self, path: Path, *, connecting: bool) -> None:

@@ -45,7 +45,7 @@ class Bench:
             ports = window.program.ports
             port = ports.find(board.url)
             assert port is not None
-            ports.lead_to(port, "trex", FACTORY.packed)
+            ports.assign(port, "trex", FACTORY.packed)
 
     def plug(self, *adapters: ListPortInfo) -> None:
         """Plug in only these adapters, and wait for the result."""
@@ -110,7 +110,7 @@ def test_board_is_found_at_the_settings_of_its_adapter(bench: Bench) -> None:
     ports = bench.window.program.ports
     port = ports.find(first.url)
     assert port is not None
-    ports.lead_to(port, "trex", ConnectionSettings("", LineSettings(57600)).packed)
+    ports.assign(port, "trex", ConnectionSettings("", LineSettings(57600)).packed)
     bench.start()
     assert bench.url == "", "it is at another rate"
     bench.plug(*bench.adapters)
@@ -134,7 +134,7 @@ def test_unsuitable_ports_are_not_opened(bench: Bench, monkeypatch: pytest.Monke
     sent = [bench.listen(board) for board in bench.boards]
     bench.plug()
     ports = bench.window.program.ports
-    ports.lead_to(ports.add_typed(first.url), "trex", FACTORY.packed)
+    ports.assign(ports.add_typed(first.url), "trex", FACTORY.packed)
     assert ports.last_used is not None
     bench.start()
     assert bench.url == ""

@@ -144,7 +144,7 @@ def test_only_or_last_used_port_is_preferred(
     computer.append(port("/dev/ttyUSB1"))
     assert preferred() is None
     ports = create_ports()
-    ports.lead_to(ports.entries[1], "trex", "settings")
+    ports.assign(ports.entries[1], "trex", "settings")
     assert preferred() == "/dev/ttyUSB1"
     computer.pop()
     assert preferred() == "/dev/ttyUSB0"
@@ -161,18 +161,18 @@ def test_each_device_kind_has_a_demo_port_that_keeps_its_kind(create_ports: Crea
     assert labels == ["Demo TReX (no hardware)", "Demo Walker (no hardware)"]
     assert ports.demo_of("trex").device == "trex"
     assert ports.demo_of("walker").label == "Demo Walker (no hardware)"
-    assert ports.lead_to(ports.demo_of("trex"), "walker") == ports.demo_of("trex")
+    assert ports.assign(ports.demo_of("trex"), "walker") == ports.demo_of("trex")
 
 
 def test_device_kind_of_a_port_is_saved_and_shown(create_ports: CreatePorts) -> None:
     ports = create_ports(TREX, WALKER)
-    port = ports.lead_to(ports.add_typed("socket://robot:1"), "walker")
+    port = ports.assign(ports.add_typed("socket://robot:1"), "walker")
     assert (port.device, port.label) == ("walker", "Walker: socket://robot:1")
     assert create_ports(TREX, WALKER).find("socket://robot:1") == port
     found = create_ports().find("socket://robot:1")
     assert found is not None
     assert (found.device, found.label) == ("trex", "socket://robot:1"), "none that is known"
-    again = ports.lead_to(port, "trex")
+    again = ports.assign(port, "trex")
     assert (again.device, again.label) == ("trex", "socket://robot:1")
     found = create_ports(TREX, WALKER).find("socket://robot:1")
     assert found is not None

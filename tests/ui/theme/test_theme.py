@@ -19,7 +19,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.colours import contrast
 from trex_gui.core.resource_files import resource
 from trex_gui.ui.theme.icons import application_icon, icon, set_icon
-from trex_gui.ui.theme.theme import Scheme, read_colours, set_look, theme
+from trex_gui.ui.theme.theme import Scheme, read_colors, set_look, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.messages import Banner
 
@@ -96,12 +96,12 @@ def test_palette_pairs_and_disabled_text_have_enough_contrast(scheme: Scheme) ->
     for text, background in PAIRS:
         found = contrast(theme().color(text), theme().color(background))
         assert found >= needed(4.5, scheme), (text, background)
-    disabled = read_colours(scheme).disabled
+    disabled = read_colors(scheme).disabled
     backgrounds = ("window", "base", "alternate_base", "track_off")
     for role, background in product(("window_text", "text", "button_text"), backgrounds):
         assert contrast(disabled[role], theme().color(background)) >= 4.5, (role, background)
     assert contrast(disabled["button_text"], disabled["button"]) >= 4.5
-    palette, group = read_colours(scheme).qpalette(), QPalette.ColorGroup
+    palette, group = read_colors(scheme).qpalette(), QPalette.ColorGroup
     for shown in (QPalette.ColorRole.WindowText, QPalette.ColorRole.ButtonText):
         assert palette.color(group.Disabled, shown) != palette.color(group.Active, shown)
 

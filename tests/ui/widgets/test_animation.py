@@ -53,5 +53,5 @@ def test_system_without_motion_gets_none(drawing: Drawing) -> None:
     drawing.widget.setStyleSheet("QWidget { widget-animation-duration: 0 }")
     drawing.widget.show()
     drawing.motion.run(True)
-    assert not drawing.motion.is_wanted
+    assert not drawing.motion.is_enabled
     assert not drawing.frames()

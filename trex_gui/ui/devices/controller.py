@@ -192,7 +192,7 @@ class DeviceController(QObject, Generic[SettingsT]):
     def _on_link_changed(self) -> None:
         if self.link is ConnectionState.CONNECTED and self.port is not None:
             used = self._model.settings
-            self.ports.lead_to(self.port, self.plugin.key, used.packed if used else "")
+            self.ports.assign(self.port, self.plugin.key, used.packed if used else "")
         if self.link is ConnectionState.DISCONNECTED and not self.starting:
             self.port = None
         self.changed.emit()

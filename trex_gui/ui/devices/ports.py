@@ -142,7 +142,7 @@ class Ports(QObject):
         self._served = labels
         self.refresh()
 
-    def lead_to(self, port: Port, device: str, settings: str = "") -> Port:
+    def assign(self, port: Port, device: str, settings: str = "") -> Port:
         """Save the kind of device at a port. Return its entry.
 
         `settings`: packed settings. Empty if the user only selected the kind.

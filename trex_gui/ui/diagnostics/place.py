@@ -31,7 +31,7 @@ ViewT = TypeVar("ViewT", bound=View)
 
 
 class LogPage(View):
-    help_wanted = Signal(str)  # help topic of the line at the cursor
+    help_requested = Signal(str)  # help topic of the line at the cursor
 
     def __init__(
         self, log: Log, key: str, message_help: MessageHelp, parent: QWidget | None = None
@@ -46,7 +46,7 @@ class LogPage(View):
         )
         tip = tr("Show the help on the message in the line with the cursor")
         self._help = ui.button(self, f"{key}LogHelp", tr("E&xplain"), icon="help", tip=tip)
-        self._help.clicked.connect(lambda: self.help_wanted.emit(self._topic))
+        self._help.clicked.connect(lambda: self.help_requested.emit(self._topic))
         self._text = ui.named(QPlainTextEdit(self), f"{key}Log", accessible=title_of(tr("Lo&g")))
         self._text.setReadOnly(True)
         self._text.setUndoRedoEnabled(False)
@@ -111,7 +111,7 @@ class Diagnostics(Place):
         self.add_tabs(self._head)
         set_look(self.tabs.tabBar(), "choices")
         self.tabs.tabBar().setDrawBase(False)
-        follow_theme(self._search, "room", self._update_width)
+        follow_theme(self._search, "space", self._update_width)
         self._search.textChanged.connect(self._on_searched)
         workspace.page_changed.connect(self._on_page_changed)
 
@@ -126,8 +126,8 @@ class Diagnostics(Place):
 
         def create_problems(parent: QWidget) -> QWidget:
             page = self._connected(problems(parent))
-            page.page_wanted.connect(self._show_problem)
-            page.help_wanted.connect(self._show_help)
+            page.page_requested.connect(self._show_problem)
+            page.help_requested.connect(self._show_help)
             page.counted.connect(self._show_count)
             page.show_problems()
             return page
@@ -135,7 +135,7 @@ class Diagnostics(Place):
         def create_log(parent: QWidget) -> QWidget:
             log, key, message_help = workspace.log, workspace.key, workspace.message_help
             page = self._connected(LogPage(log, key, message_help, parent))
-            page.help_wanted.connect(self._show_help)
+            page.help_requested.connect(self._show_help)
             return page
 
         def create_traffic(parent: QWidget) -> QWidget:

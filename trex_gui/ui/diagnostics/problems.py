@@ -70,9 +70,9 @@ class ProblemCard(ui.Card):
             )
         ]
         set_look(self._explain, "link")
-        self._show.clicked.connect(lambda: page.page_wanted.emit(self.problem))
+        self._show.clicked.connect(lambda: page.page_requested.emit(self.problem))
         self._clear.clicked.connect(lambda: page.clear(self.problem.key))
-        self._explain.clicked.connect(lambda: page.help_wanted.emit(self.problem.topic))
+        self._explain.clicked.connect(lambda: page.help_requested.emit(self.problem.topic))
         texts = ui.column(self._name, self._text, self._times, spacing=4)
         sign = self._sign, 0, Qt.AlignmentFlag.AlignTop
         ui.row(sign, (texts, 1), *buttons, into=self, spacing=12)
@@ -192,8 +192,8 @@ class RoundTrips(Painted):
 
 
 class ProblemsPage(View):
-    page_wanted = Signal(object)  # the `Problem` whose page the user opens
-    help_wanted = Signal(str)  # help topic
+    page_requested = Signal(object)  # the `Problem` whose page the user opens
+    help_requested = Signal(str)  # help topic
     counted = Signal(int)  # number of uncleared problems, after each update
 
     def __init__(self, name: str, traffic: TrafficModel, parent: QWidget) -> None:

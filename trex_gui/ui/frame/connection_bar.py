@@ -153,7 +153,7 @@ class ConnectionBar(QFrame):
         self.row = ui.row((pill, 9), self.button, 0, into=self, margins=(12, 6, 12, 6))
         ui.tab_order(pill, self.button)
         pill.installEventFilter(self)
-        follow_theme(self, "room", self._update_space)
+        follow_theme(self, "space", self._update_space)
 
     def _update_space(self) -> None:
         character = self.fontMetrics().averageCharWidth()

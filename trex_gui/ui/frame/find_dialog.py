@@ -226,7 +226,7 @@ class FindDialog(ReusedDialog):
         ports = [finding.port for finding in boards]
         for board in boards:
             if board.found is not None and ports.count(board.port) == 1:
-                self._ports.lead_to(board.port, board.device, board.found.settings.packed)
+                self._ports.assign(board.port, board.device, board.found.settings.packed)
 
     def _show_findings(self, findings: tuple[ScanFinding, ...]) -> None:
         self._connect_buttons.clear()
@@ -268,7 +268,7 @@ class FindDialog(ReusedDialog):
 
     def _connect(self, finding: ScanFinding) -> None:
         if finding.found is not None:
-            port = self._ports.lead_to(finding.port, finding.device)
+            port = self._ports.assign(finding.port, finding.device)
             settings = finding.found.settings
             self._unless_busy(lambda: self._manager.connect_with(port, settings))
             self.close()

@@ -30,7 +30,7 @@ from trex_gui.ui.frame.workspace import (
 from trex_gui.ui.help.messages import topic_in_front
 from trex_gui.ui.help.pages import INDEX, help_findables
 from trex_gui.ui.help.search import Findable
-from trex_gui.ui.last_run import stop_left_running
+from trex_gui.ui.last_run import stop_running_boards
 from trex_gui.ui.notifier import ConnectWith, Notifier, Remedy
 from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.icons import application_icon
@@ -92,7 +92,7 @@ class MainWindow(QMainWindow):
         self.stack = QStackedWidget(frame)
         self._banner = banner = Banner(frame, notifier, self._topic_of)
         banner.chosen.connect(self.apply_remedy)
-        banner.help_wanted.connect(self.show_help)
+        banner.help_requested.connect(self.show_help)
         messages = MessageSpace(frame, self.question, banner, floats=True)
         self._bars = QStackedWidget(frame)
         parts = self.connection, (self.stack, 1), messages, self._bars
@@ -293,7 +293,7 @@ class MainWindow(QMainWindow):
             case Remedy.CHECK_BOARD:
                 self._workspace.trigger("check_board")
             case Remedy.STOP_THEM:
-                stop_left_running(self._notifier)
+                stop_running_boards(self._notifier)
             case Remedy.REPORT:
                 self._show_report()
             case Remedy.SET_UP_CRC:

@@ -168,4 +168,4 @@ class StartPanel(QWidget):
         """Connect to a port. A device known there has priority over this workspace's device."""
         port, ports = self._ports[index], self._frame.ports
         is_known = port.device != ports.plugins[0].key
-        self._frame.connection.connect_to(port if is_known else ports.lead_to(port, self._device))
+        self._frame.connection.connect_to(port if is_known else ports.assign(port, self._device))

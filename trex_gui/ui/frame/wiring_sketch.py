@@ -42,7 +42,7 @@ class WiringSketch(Painted):
         self.setAccessibleName(tr("{0}: {1}").format(names, wires))
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
         self._wiring = wiring
-        follow_theme(self, "room", self.updateGeometry)
+        follow_theme(self, "space", self.updateGeometry)
 
     def spoken_state(self) -> str:
         return ". ".join(text for text, _ in self._wiring.jumpers)

@@ -189,7 +189,7 @@ class RecordingManager(QObject, Generic[WindowT]):
             recording.close()
             return
         window = self.create_window(recording)
-        self._notifier.log_also(window.notifier)
+        self._notifier.forward_log(window.notifier)
         if recording.path.parent == automatic_folder():
             window.copy_button.clicked.connect(lambda: self._save_copy(window))
             window.copy_button.show()

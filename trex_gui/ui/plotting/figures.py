@@ -254,7 +254,7 @@ class TraceTableView(QTableView):
         self.setModel(model)
         header = self.horizontalHeader()
         header.setSectionResizeMode(TraceColumn.CURVE, QHeaderView.ResizeMode.ResizeToContents)
-        follow_theme(self, "room", self._update_sizes)
+        follow_theme(self, "space", self._update_sizes)
         self.show_needed_columns()
 
     def _update_sizes(self) -> None:

@@ -32,11 +32,11 @@ CARD_PADDING = 16  # pixels inside a card
 _BELOW_TITLE = 8  # pixels below the title of a card
 
 _SHAPES = ("up", "down", "check", "dot")
-_COLOUR_TABLES = ("text", "graphics", "fill", "surface")
+_COLOR_TABLES = ("text", "graphics", "fill", "surface")
 
 
 @dataclass(frozen=True, slots=True)
-class Colours:
+class Colors:
     palette: dict[str, QColor]
     disabled: dict[str, QColor]
     named: dict[str, QColor]
@@ -75,7 +75,7 @@ def _role(name: str) -> QPalette.ColorRole:
 
 
 @cache
-def read_colours(scheme: str) -> Colours:
+def read_colors(scheme: str) -> Colors:
     """Read `resources/themes/<scheme>.toml`.
 
     Raises:
@@ -83,15 +83,15 @@ def read_colours(scheme: str) -> Colours:
     """
     tables = tomllib.loads(resource(f"themes/{scheme}.toml").read_text(encoding="utf-8"))
 
-    def colours(table: str) -> dict[str, QColor]:
+    def colors(table: str) -> dict[str, QColor]:
         parsed = {name: QColor.fromString(text) for name, text in tables[table].items()}
         for name, color in parsed.items():
             if not color.isValid():
                 raise ValueError(f"{scheme}.toml, {table}.{name}: not a colour")
         return parsed
 
-    named = {name: color for table in _COLOUR_TABLES for name, color in colours(table).items()}
-    return Colours(colours("palette"), colours("disabled"), named)
+    named = {name: color for table in _COLOR_TABLES for name, color in colors(table).items()}
+    return Colors(colors("palette"), colors("disabled"), named)
 
 
 class Theme(QObject):
@@ -106,13 +106,13 @@ class Theme(QObject):
         self._system_was_dark = False
         self._system_font = QFont()
         self.scheme = "light"
-        self._colours = read_colours("light")
+        self._colors = read_colors("light")
         self._app: QApplication | None = None
         self._focus_frame: FocusFrame | None = None
 
     def color(self, name: str) -> QColor:
         """Return a copy of a named colour or palette role."""
-        color = self._colours.named.get(name) or self._colours.palette.get(name)
+        color = self._colors.named.get(name) or self._colors.palette.get(name)
         if color is None:
             raise KeyError(f"the theme has no colour {name!r}")
         return QColor(color)
@@ -120,11 +120,11 @@ class Theme(QObject):
     @contextmanager
     def painted_as(self, scheme: str) -> Iterator[None]:
         """Use another scheme inside the block, without repainting widgets."""
-        previous, self._colours = self._colours, read_colours(scheme)
+        previous, self._colors = self._colors, read_colors(scheme)
         try:
             yield
         finally:
-            self._colours = previous
+            self._colors = previous
 
     def install(self, app: QApplication) -> None:
         """Set the Fusion style and the palette. Follow changes in the system."""
@@ -174,14 +174,14 @@ class Theme(QObject):
         scheme = self._resolve()
         changes = scheme != self.scheme
         self.scheme = scheme
-        self._colours = read_colours(scheme)
+        self._colors = read_colors(scheme)
         if self._app is not None:
-            palette = self._colours.qpalette()
+            palette = self._colors.qpalette()
             # The platform may have replaced the palette.
             if changes or self._app.palette() != palette:
                 self._app.setPalette(palette)
                 QToolTip.setPalette(palette)
-            sheet = self._colours.style_sheet(scheme, self._app.font(), self.font_size)
+            sheet = self._colors.style_sheet(scheme, self._app.font(), self.font_size)
             if self._app.styleSheet() != sheet:
                 # Replacing the sheet directly takes 0.6 s: Qt styles a widget once per ancestor.
                 self._app.setStyleSheet("")

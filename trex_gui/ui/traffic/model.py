@@ -98,7 +98,7 @@ class TrafficModel(QObject):
         """Return a row as tab-separated text without a newline."""
         return transcript.line_of(row, self.decoder, self._epoch)
 
-    def newest(self) -> Callable[[], str]:
+    def newest_as_text(self) -> Callable[[], str]:
         """Return a thread-safe function that formats the newest rows as text."""
         self.pull()
         rows = {

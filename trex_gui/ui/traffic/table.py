@@ -182,7 +182,7 @@ class TrafficTable(QAbstractTableModel):
             case Qt.ItemDataRole.FontRole:
                 return self._font(row, column)
             case Qt.ItemDataRole.ForegroundRole:
-                return self._colour(row, column)
+                return self._color(row, column)
             case Qt.ItemDataRole.DecorationRole if column == MEANING:
                 return icon("warning", "warning") if self._is_fault(row) else None
         return None
@@ -209,7 +209,7 @@ class TrafficTable(QAbstractTableModel):
             return font
         return None
 
-    def _colour(self, row: Transaction, column: int) -> object:
+    def _color(self, row: Transaction, column: int) -> object:
         if self._is_fault(row):
             return theme().color("danger") if column == MEANING else None
         is_muted = row.note or row.is_routine or column in {TIME, TOOK}
@@ -238,7 +238,7 @@ class TrafficView(QTableView):
         rows.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         set_row_height(self, 6)
         self.horizontalHeader().setStretchLastSection(True)
-        follow_theme(self, "room", self._update_widths)
+        follow_theme(self, "space", self._update_widths)
 
     def _update_widths(self) -> None:
         proportional, fixed = self.fontMetrics(), QFontMetrics(fixed_font())
@@ -299,7 +299,7 @@ class RowDetails(QPlainTextEdit):
         self.setTabChangesFocus(True)
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.setPlaceholderText(tr("Select a row to see all its bytes."))
-        follow_theme(self, "room", self._update_font)
+        follow_theme(self, "space", self._update_font)
 
     def _update_font(self) -> None:
         self.setFont(fixed_font())

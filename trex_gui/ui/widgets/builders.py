@@ -325,7 +325,7 @@ def strip_style(box: QAbstractSpinBox, widest: str) -> None:
         box.setMinimumWidth(box.fontMetrics().horizontalAdvance(widest) + _AROUND_NUMBER)
 
     set_look(box, "bare")
-    follow_theme(box, "room", update_space)
+    follow_theme(box, "space", update_space)
 
 
 class DecimalSpinBox(QDoubleSpinBox):

@@ -43,7 +43,7 @@ class Note(QLabel):
         self.setAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignTop)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
         follow_theme(
-            self, "room", lambda: self.setMinimumHeight(lines * self.fontMetrics().lineSpacing())
+            self, "space", lambda: self.setMinimumHeight(lines * self.fontMetrics().lineSpacing())
         )
 
     def show_note(self, text: str, *, alarming: bool = False, color: str = "warning") -> None:
@@ -94,7 +94,7 @@ class Sign(QLabel):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        follow_theme(self, "room", self._update_space)
+        follow_theme(self, "space", self._update_space)
 
     def _update_space(self) -> None:
         side = self.fontMetrics().height() + _SIGN_PADDING
@@ -208,7 +208,7 @@ class LegendKey(ElidedLabel):
         self.setText(text)
         self._color = color
         self._style = style
-        follow_theme(self, "room", self._update_space)
+        follow_theme(self, "space", self._update_space)
 
     def _update_space(self) -> None:
         self._sample = self.fontMetrics().averageCharWidth() * 3

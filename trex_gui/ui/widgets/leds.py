@@ -106,7 +106,7 @@ class Leds(QWidget):
             lamp.set_lit(is_lit(self._patterns[index], seconds, second=index == 1))
 
     def _on_frame(self, _seconds: float = 0.0) -> None:
-        self.show_moment(now() - self._since if self._motion.is_wanted else 0.0)
+        self.show_moment(now() - self._since if self._motion.is_enabled else 0.0)
 
     def _run(self) -> None:
         self._on_frame()

@@ -97,7 +97,7 @@ class _MessageRow(QFrame):
 
 class Banner(_MessageRow):
     chosen = Signal(object)  # the `Remedy` or `ConnectWith` of the pressed button
-    help_wanted = Signal(str)  # help topic of the message
+    help_requested = Signal(str)  # help topic of the message
 
     def __init__(
         self,
@@ -189,7 +189,7 @@ class Banner(_MessageRow):
 
     @Slot()
     def _on_help_clicked(self) -> None:
-        self.help_wanted.emit(self._help_topic(self.text))
+        self.help_requested.emit(self._help_topic(self.text))
 
     def _on_chosen(self, button: QPushButton, remedy: AnyRemedy) -> None:
         if isinstance(remedy, CopyCommand):

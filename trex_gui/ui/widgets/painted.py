@@ -29,13 +29,13 @@ class Animation:
         self._frame_time = 0.0
 
     @property
-    def is_wanted(self) -> bool:
+    def is_enabled(self) -> bool:
         duration = QStyle.StyleHint.SH_Widget_Animation_Duration
         return self._widget.style().styleHint(duration, None, self._widget) > 0
 
     def run(self, moves: bool) -> None:
         """Start or stop the timer. Call again when the widget is shown."""
-        if not (moves and self.is_wanted and self._widget.isVisible()):
+        if not (moves and self.is_enabled and self._widget.isVisible()):
             self._timer.stop()
         elif not self._timer.isActive():
             self._frame_time = now()

@@ -24,7 +24,7 @@ class StepStrip(Painted):
         self._current = 0
         self._undone: Collection[str] = ()
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        follow_theme(self, "room", self.updateGeometry)
+        follow_theme(self, "space", self.updateGeometry)
 
     def show_steps(self, steps: Sequence[str], current: int, undone: Collection[str] = ()) -> None:
         """Show steps. `current`: index of the current step. `undone`: skipped steps."""

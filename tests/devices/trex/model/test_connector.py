@@ -79,7 +79,7 @@ def test_search_keeps_to_a_line_that_other_devices_share(
     sent = bytearray()
     quick_simulator.on_write = sent.extend
     port = setup.ports.add_typed(quick_simulator.url)
-    setup.ports.lead_to(port, "trex", ConnectionSettings("").packed)
+    setup.ports.assign(port, "trex", ConnectionSettings("").packed)
     setup.connector.set_settings(shared)
     for controller in (setup.connector, new_controller(setup.ports)):
         assert controller.settings == shared
@@ -105,7 +105,7 @@ def test_numbers_of_other_devices_outlast_the_choice_of_a_port(setup: ConnectorS
         ("/dev/ttyC", 8, ConnectionSettings("", device_number=8, reserved=reserved)),
     ):
         port = setup.ports.add_typed(name)
-        setup.ports.lead_to(port, "trex", ConnectionSettings("", device_number=number).packed)
+        setup.ports.assign(port, "trex", ConnectionSettings("", device_number=number).packed)
         setup.connector.select(setup.ports.now(port) or port)
         assert setup.connector.settings == expected
 

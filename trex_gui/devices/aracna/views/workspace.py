@@ -156,7 +156,7 @@ class AracnaWorkspace(Workspace):
         return {
             "status.txt": lambda: status,
             **super().report_parts(),
-            "traffic.txt": robot.traffic.newest(),
+            "traffic.txt": robot.traffic.newest_as_text(),
         }
 
     def menus(self) -> Menus:

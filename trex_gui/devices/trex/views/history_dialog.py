@@ -49,7 +49,7 @@ class HistoryDialog(ReusedDialog):
         self._read_timer = new_timer(self, 0, self.refresh, single_shot=True)
 
         notifier = Notifier(self)
-        device.notifier.log_also(notifier)
+        device.notifier.forward_log(notifier)
         self._banner = ui.named(Banner(self, notifier), "historyBanner")
         self._question = ui.named(InlinePrompt(self), "historyQuestion")
         hint = tr("Search times, boards, adapters (Ctrl+F)")

@@ -305,7 +305,7 @@ class TrexWorkspace(Workspace):
             "status.txt": partial(str, status_text(device)),
             **settings_parts(device),
             **super().report_parts(),
-            "traffic.txt": device.connection.traffic.newest(),
+            "traffic.txt": device.connection.traffic.newest_as_text(),
         }
 
     @property

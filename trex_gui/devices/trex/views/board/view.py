@@ -307,7 +307,7 @@ class BoardView(QWidget):
     # --- Animation ----------------------------------------------------------------------
 
     def _show_leds(self) -> None:
-        moment = now() - self._started if self._motion.is_wanted else 0.0
+        moment = now() - self._started if self._motion.is_enabled else 0.0
         for led in self._leds:
             led.show_moment(moment)
 

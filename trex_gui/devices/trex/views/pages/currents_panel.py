@@ -28,7 +28,7 @@ class CurrentsPanel(TracePanel):
         self._limits: dict[str, float] = {}
         self._note_text = ""
         self.plot.setObjectName("currentsPlot")
-        device.notifier.log_also(self.notifier)
+        device.notifier.forward_log(self.notifier)
         history, events = device.telemetry.currents, device.events.all
         self.set_source(Traces(board_traces(), history, events, self._limits))
 
