@@ -29,7 +29,7 @@ background: "set[_Job[Any]]" = set()  # running jobs; the process must not exit 
 def end_background(timeout_ms: int) -> bool:
     """End all background jobs. Return whether they ended in time.
 
-    Jobs that save files are cancelled after `timeout_ms`. Other jobs are cancelled at once.
+    A job that saves a file is cancelled after `timeout_ms`. Any other job is cancelled at once.
     """
     jobs, deadline = tuple(background), now() + timeout_ms / 1000
     for job in jobs:
@@ -88,7 +88,7 @@ def in_background(
 ) -> None:
     """Run `work` in a new thread.
 
-    Calls `then` or `failed` in the GUI thread, unless the owner has been destroyed.
+    Afterwards call `then` or `failed` in the GUI thread, unless the owner has been destroyed.
     """
     start_in_background(owner, lambda _progress: work(), then, failed)
 
@@ -143,7 +143,7 @@ def save_picture(path: Path, image: QImage) -> None:
     """Save a picture in the format given by the file extension.
 
     Raises:
-        SettingsError: the picture cannot be written. The old file is unchanged.
+        SettingsError: the picture cannot be written. An existing file is unchanged.
     """
     kind, buffer = path.suffix.removeprefix("."), QBuffer()
     if not QImageWriter(buffer, kind.encode()).write(image):

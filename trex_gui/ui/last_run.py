@@ -1,4 +1,4 @@
-"""Startup message about a crash, a stop by the guardian, or running boards."""
+"""Startup message about a crash, a stop by the guardian, or boards that are still running."""
 
 from functools import partial
 
@@ -29,12 +29,13 @@ _STOPS = {
 def report_last_run(
     notifier: Notifier, errors: str = "", *, has_crashed: bool = False, until: str = ""
 ) -> None:
-    """Report running boards and stops by the guardian.
+    """Report boards that are still running, and stops by the guardian.
 
-    If there are none, report a crash. Each stop is reported once, or repeatedly while a board is
-    left running. Stops during `trexcmd` are included. Events from `until` on are ignored. The
-    default is the time when this program could first move motors. `errors`: reasons why boards
-    are still running, one per line.
+    If there is neither, report a crash. A stop is reported once, but repeatedly while a board is
+    still running. Stops during a run of `trexcmd` are included.
+
+    `errors`: reasons why boards are still running, one per line. `until`: later events are
+    ignored. The default is the time when this program could first move motors.
     """
     until = until or watching_since()
     store = Preferences()
@@ -86,5 +87,5 @@ def stop_running_boards(notifier: Notifier) -> None:
                 errors.append(str(error).removeprefix(left_text(file, board)).strip())
         return "\n".join(errors)
 
-    report = partial(report_last_run, notifier, until="9999")
+    report = partial(report_last_run, notifier, until="9999")  # ignores no event
     in_background(notifier, stop, report, lambda error: report(str(error)))

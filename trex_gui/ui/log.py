@@ -19,7 +19,7 @@ MAX_EVENTS = 10_000  # per event log
 MAX_ENTRIES = 2000  # per message log
 _MAX_LENGTH = 2000  # characters per entry
 _REPEAT_TIME = 1.0  # seconds during which a repeated message is dropped
-_SIGN = "⚠"
+_WARNING_SIGN = "⚠"
 
 
 class EventLog(QObject):
@@ -46,7 +46,7 @@ class LogEntry:
     time: datetime  # local
     text: str  # one line, for the user
     is_problem: bool
-    line: str  # displayed line: time, warning sign if it is a problem, text
+    line: str  # displayed line: time, warning sign (only for a problem), text
 
 
 class Log(QObject):
@@ -60,7 +60,7 @@ class Log(QObject):
         events.happened.connect(self._on_happened)
 
     def add(self, text: str, *, is_problem: bool = False, at: float | None = None) -> None:
-        """Add a message. `at`: time on the session's clock, by default now."""
+        """Add a message. `at`: time on the session's clock. The default is now."""
         line = " ".join(text.split())
         line = line if len(line) <= _MAX_LENGTH else f"{line[:_MAX_LENGTH]} …"
         age = 0.0 if at is None else now() - at
@@ -70,7 +70,7 @@ class Log(QObject):
             is_repeated = (moment - last.time).total_seconds() < _REPEAT_TIME
             if is_repeated and last.is_problem >= is_problem:
                 return
-        sign = f"{_SIGN} " if is_problem else ""
+        sign = f"{_WARNING_SIGN} " if is_problem else ""
         full_line = f"{moment:%Y-%m-%d %H:%M:%S}  {sign}{line}"
         self.entries.append(LogEntry(moment, line, is_problem, full_line))
         log.info("%s%s", sign, line)

@@ -12,13 +12,15 @@ from trex_gui.ui.translations import error_sentence
 
 
 class Remedy(Enum):
+    """Action that a message offers as a button."""
+
     FIND = auto()  # scan for a board whose line settings are unknown
     RECONNECT = auto()  # reconnect to the last port
     PLUG_IN = auto()  # reconnect to a missing port; the message disappears when the port appears
     SET_UP_CRC = auto()  # enable error detection on the line
     CHECK_BOARD = auto()  # show the checklist for a board that does not respond
     STOP_THEM = auto()  # stop motors left running; the message stays until they are stopped
-    REPORT = auto()  # show the report for support; the message outlives connections
+    REPORT = auto()  # show the support report; the message stays when a connection starts
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +30,7 @@ class CopyCommand:
 
 @dataclass(frozen=True, slots=True)
 class ConnectWith:
-    """Button that connects to the current port with other settings."""
+    """Button that connects to the current port with these `settings`."""
 
     settings: PortSettings
 
@@ -45,7 +47,10 @@ Remedies = tuple[AnyRemedy, ...]
 
 
 def remedies_of(error: BaseException, *, may_be_found: bool = False) -> Remedies:
-    """Return the buttons for an error that closed a line."""
+    """Return the buttons for an error that closed a line.
+
+    `may_be_found`: a scan could find the board.
+    """
     if isinstance(error, InternalError):
         return (Remedy.REPORT,)
     if not isinstance(error, PortUnavailable):
@@ -56,7 +61,7 @@ def remedies_of(error: BaseException, *, may_be_found: bool = False) -> Remedies
 
 
 def never() -> bool:
-    """Return false, so that any message may replace a danger."""
+    """Return false: any message may replace the danger."""
     return False
 
 
@@ -66,13 +71,13 @@ class Notifier(QObject):
     danger = Signal(str)  # message about an immediate danger and its cure
     remedies_offered = Signal(object)  # the `Remedies` for the latest message
     resolved = Signal(object)  # an obsolete `Remedy`; clears messages that offer it
-    # Forwarded after the current event, since its handler may clear the banner.
+    # Emitted after the current event, since the event's handler may clear the banner.
     delayed_info = Signal(str)
     delayed_error = Signal(str)
     delayed_report = Signal(str, object)  # arguments of `report`
     cleared = Signal()
     shown_changed = Signal()
-    logged = Signal(str, bool)  # any message, and true for an error or a danger
+    logged = Signal(str, bool)  # any message; true if it is an error or a danger
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)

@@ -24,9 +24,8 @@ _ABANDONED_S = 600.0  # age of an abandoned lock or temporary file
 class Preferences:
     """Values by key. An invalid value is logged and counts as missing.
 
-    A user may edit the file, so a value may have any type or size. Only a regular file is
-    opened, since opening a pipe would block. Without a regular file, values last until the
-    program ends.
+    A user may edit the file, so a value may have any type or size. A pipe is never opened,
+    since that would block. If the file cannot be used, values last only until the program ends.
     """
 
     def __init__(self) -> None:
@@ -67,13 +66,13 @@ class Preferences:
 
 
 def _open() -> QSettings:
-    form = QSettings.defaultFormat()
-    if form is QSettings.Format.NativeFormat and sys.platform in {"win32", "darwin"}:
+    file_format = QSettings.defaultFormat()
+    if file_format is QSettings.Format.NativeFormat and sys.platform in {"win32", "darwin"}:
         return QSettings()  # the system stores the preferences
-    # `QSettings` opens the file whose name it returns, so use one that does not exist.
-    unused_settings = QSettings(form, QSettings.Scope.UserScope, "TReX Studio, no such file")
-    unused = Path(unused_settings.fileName())
-    folder, suffix = unused.parent, unused.suffix
+    # `QSettings` opens its file before it returns the file name. Opening a missing file is safe.
+    unused = QSettings(file_format, QSettings.Scope.UserScope, "TReX Studio, no such file")
+    unused_path = Path(unused.fileName())
+    folder, suffix = unused_path.parent, unused_path.suffix
     organization = QCoreApplication.organizationName()
     path = folder / organization / f"{QCoreApplication.applicationName()}{suffix}"
     lock = path.with_name(f"{path.name}.lock")
@@ -92,10 +91,7 @@ def _report(path: Path, problem: str) -> None:
 
 @cache
 def remove_stale_files(path: Path) -> None:
-    """Remove abandoned locks and temporary files beside `path`.
-
-    Killed programs leave such files.
-    """
+    """Remove locks and temporary files that killed programs left beside `path`."""
     stale = re.compile(re.escape(path.name) + r"\.(lock(\.rmlock)+|[A-Za-z]{6})")
     with contextlib.suppress(OSError):
         for file in path.parent.iterdir():
@@ -104,7 +100,7 @@ def remove_stale_files(path: Path) -> None:
 
 
 def _problem(path: Path) -> str:
-    """Return the reason not to open a file, or an empty string."""
+    """Return the reason why a file must not be opened, or an empty string."""
     try:
         status = path.stat()
     except OSError:

@@ -36,7 +36,7 @@ class Program:
             for plugin in sorted(plugins, key=lambda plugin: plugin.key != last)
         }
         self.device_manager = manager = DeviceManager(factories, scanner)
-        # Connect these slots before those of the window, which need the workspace.
+        # Connect these slots before the window's slots, which need the workspace.
         manager.changed.connect(self._add_current_workspace)
         manager.current_changed.connect(self._add_current_workspace)
         self._workspaces: dict[str, Workspace] = {}
@@ -58,7 +58,7 @@ class Program:
         return workspace
 
     def complete(self) -> None:
-        """Create the missing pages. Call this once the window is painted."""
+        """Create the missing pages. Call this after the window has been painted."""
         self._is_complete = True
         self._add_current_workspace()
 
@@ -87,7 +87,7 @@ class Program:
         self.device_manager.connect_to(self.ports.demo_of(device))
 
     def connect_to_port(self, url: str, device: str | None = None) -> None:
-        """Connect to a port, and assign it to the plugin `device` if given."""
+        """Connect to a port. If `device` is given, assign the port to this plugin first."""
         port = self.ports.add_typed(url)
         if device is not None:
             port = self.ports.assign(port, device)
@@ -96,7 +96,7 @@ class Program:
     def open_file(self, path: Path, *, connecting: bool) -> None:
         """Open a file from the command line in the workspace for its type.
 
-        While `connecting`, a file that needs the device waits for the connection.
+        While the program is `connecting`, a file that needs the device waits for the connection.
         """
         key, kind = self._file_kind(path)
         is_current = key == self.device_manager.current.plugin.key
@@ -117,9 +117,9 @@ class Program:
         return next((item for item in kinds if suffix in item[1].suffixes), kinds[0])
 
     def report_last_run(self, *, has_crashed: bool = False) -> None:
-        """Report running motors, stops by the guardian, or a crash.
+        """Report running boards, stops by the guardian, or a crash.
 
-        Motors and stops are reported again at each connection.
+        Boards and stops are reported again whenever a connection clears the messages.
         """
         report_last_run(self._notifier, has_crashed=has_crashed)
         self._notifier.cleared.connect(partial(report_last_run, self._notifier))
@@ -148,8 +148,8 @@ class Program:
     def destroy(self) -> None:
         """Destroy the window and its models. Call `shut_down` first.
 
-        Without `destroy`, Qt crashes at exit. The interpreter would destroy the objects in any
-        order, after disabling their event handlers.
+        Without this call, Qt crashes at exit, because the interpreter destroys the objects in
+        arbitrary order and after disabling their event handlers.
         """
         for workspace in self._workspaces.values():
             workspace.prepare_to_close()

@@ -32,7 +32,7 @@ class Runtime:
         QThread.start(thread, priority)
 
     def wait(self, thread: QThread, milliseconds: int) -> bool:
-        """Wait for a thread to end. Return whether it has ended. -1: wait forever."""
+        """Wait for a thread to end. Return whether it has ended. -1 ms waits forever."""
         return QThread.wait(thread, QDeadlineTimer(milliseconds))
 
     def process(self, parent: QObject) -> QProcess:

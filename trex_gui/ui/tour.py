@@ -19,15 +19,15 @@ _SIZE = QSize(1440, 800)  # fits a page beside the panel of the simulated device
 _SETTLE_MS = 2500
 _STEP_MS = 200
 _STOP_MS = 100  # time to send the stop
-_TIMEOUT_MS = 30_000  # for slow computers; a stop is confirmed only on a quiet line
+_TIMEOUT_MS = 30_000  # computers may be slow, and only a quiet line confirms a stop
 
-TourStep = Callable[[], object]  # part of the tour; repeated while it returns `False`
+TourStep = Callable[[], object]  # step of the tour; repeated while it returns `False`
 
 
 class Tour(QObject):
-    """Tour of all simulated devices, with steps from their plugins. Writes PNG files."""
+    """Tour of all simulated devices that writes PNG files. Their plugins define the steps."""
 
-    finished = Signal(bool)  # True if all pictures are written, false if a step failed
+    finished = Signal(bool)  # True if all pictures were written, false if a step failed
 
     def __init__(
         self,
@@ -122,7 +122,7 @@ class Tour(QObject):
 
     def write(self, widget: QWidget, name: str, scheme: Scheme) -> None:
         for leds in widget.findChildren(Leds):
-            leds.show_moment(0.0)  # when blinking LEDs are lit
+            leds.show_moment(0.0)  # the moment at which blinking LEDs are lit
         path = self._folder / f"{name}-{scheme}.png"
         if widget.grab().save(str(path)):
             sys.stdout.write(f"{path}\n")

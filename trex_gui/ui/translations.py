@@ -32,7 +32,7 @@ def select_language(code: str) -> None:
 def selected_locale() -> QLocale:
     """Return the locale of the selected language.
 
-    The system's locale takes precedence over a generic locale.
+    If the system uses that language, return the system's locale, which also names the country.
     """
     system, code = QLocale.system(), selected_language()
     is_system = code in {AS_THE_SYSTEM, system.name().partition("_")[0]}
@@ -40,10 +40,10 @@ def selected_locale() -> QLocale:
 
 
 def install_translations(app: QApplication, locale: QLocale) -> list[QTranslator]:
-    """Install English plural forms, and the language of `locale` if available.
+    """Install English plural forms, and the language of `locale` if it is available.
 
-    Numbers, dates and layout direction follow the installed language. Texts that are already
-    visible do not change. Remove the returned translators before the next call.
+    Numbers, dates and the layout direction follow the installed language. Visible texts do not
+    change. Remove the returned translators before the next call.
     """
     folder = str(resource("translations"))
     english, catalog, qt_catalog = (QTranslator(app) for _ in range(3))
@@ -73,7 +73,7 @@ def error_text(error: BaseException) -> str:
 
 
 def error_sentence(error: BaseException | None) -> str:
-    """Return the message of an error, ending in one full stop."""
+    """Return the message of an error, ending in one full stop. Empty without an error."""
     return f"{error_text(error).rstrip('. ')}." if error is not None else ""
 
 

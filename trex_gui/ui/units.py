@@ -1,4 +1,4 @@
-"""Order of physical values and the device's own numbers in texts."""
+"""Setting for the order of physical values and the device's own numbers in texts."""
 
 from functools import cache
 
@@ -10,7 +10,7 @@ _KEY = "units/own_first"
 
 
 class Units(QObject):
-    """Setting for the whole program. `units()` returns the only instance."""
+    """Setting for the whole program. `units()` returns its only instance."""
 
     changed = Signal()
 
