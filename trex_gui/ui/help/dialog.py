@@ -26,7 +26,8 @@ _HEADING_MARGIN = "margin-top:14px"
 _TAG = re.compile(r"<[^>]*>")
 _HEADING = re.compile(r"(<h[1-6][^>]*>)(.*?)(</h[1-6]>)", re.DOTALL)  # in Qt's HTML
 
-_SHOWN_SUFFIXES = {".md", ".py"}  # files shown in this window; the desktop might run a Python file
+# Files shown in this window. The desktop opens other files, but might run a Python file.
+_SHOWN_SUFFIXES = {".md", ".py"}
 
 
 def page_url(topic: str) -> QUrl:
@@ -38,8 +39,8 @@ def page_url(topic: str) -> QUrl:
 
 class HelpDialog(ReusedDialog):
     def __init__(self) -> None:
-        super().__init__()  # Windows would keep the dialog above its parent
-        self.setWindowFlags(Qt.WindowType.Window)  # can be maximised
+        super().__init__()  # no parent, because Windows keeps a dialog above its parent
+        self.setWindowFlags(Qt.WindowType.Window)  # can be maximized
         self.setWindowIcon(application_icon())
         self.setObjectName("helpDialog")
         self.setWindowTitle(f"{tr('Help')} – {tr('TReX Studio')} {__version__}")
@@ -64,7 +65,7 @@ class HelpDialog(ReusedDialog):
         splitter.setSizes([230, 950])
         heading = ui.label(self, text=tr("Help"), size="title")
         ui.column(heading, (splitter, 1), ui.row(*steps, 1, close, margins=0), into=self)
-        self._list.currentRowChanged.connect(self._on_chosen)
+        self._list.currentRowChanged.connect(self._on_page_selected)
         text.sourceChanged.connect(self._select)
 
     def show_topic(self, topic: str) -> None:
@@ -74,7 +75,7 @@ class HelpDialog(ReusedDialog):
         self._text.setFocus(Qt.FocusReason.PopupFocusReason)
 
     @Slot(int)
-    def _on_chosen(self, row: int) -> None:
+    def _on_page_selected(self, row: int) -> None:
         if row >= 0:
             self._text.setSource(page_url(self._names[row]))
 

@@ -14,7 +14,7 @@ _FIELD = re.compile(r"\{\w*(?::[^}]*)?\}")
 
 
 def heading_of(text: str) -> str:
-    """Return the first clause of a message, with … for each field."""
+    """Return the first clause of a message. Each field becomes …."""
     whole = re.sub(r"^(…: |… (?=[A-Z]))", "", _FIELD.sub("…", text))
     clause = re.split(r"[.:;](?:\s|$)", whole)[0].strip()
     return clause[:1].upper() + clause[1:] if clause != "…" else ""
@@ -40,7 +40,7 @@ class MessageHelp:
 
     def topic(self, message: str) -> str:
         """Return the topic for a message or log line. Empty if no text matches."""
-        # The longest of several matches contains the others.
+        # A longer match may contain shorter matches.
         return max(self._matches(message), default=(0, ""))[1]
 
     def _matches(self, message: str) -> Iterable[tuple[int, str]]:
@@ -53,7 +53,7 @@ class MessageHelp:
 
 @cache
 def _pattern(text: str) -> tuple[int, re.Pattern[str]]:
-    """Return a text's length without fields, and a pattern that finds the text."""
+    """Return the length of a text without its fields, and a pattern that finds the text."""
     parts = _FIELD.split(" ".join(text.split()).rstrip(". "))
     pattern = ".+?".join(map(re.escape, parts)).removeprefix(".+?").removesuffix(".+?")
     return sum(map(len, parts)), re.compile(pattern)
@@ -64,7 +64,7 @@ def texts_of(codes: Iterable[Enum]) -> list[str]:
 
 
 def topic_in_front(topics: Mapping[str, str], page: QWidget | None) -> str:
-    """Return the help topic of the focused widget, or else of the page.
+    """Return the help topic of the focused widget. Otherwise return the topic of the page.
 
     `topics`: object name → topic.
     """

@@ -78,9 +78,9 @@ def pages() -> Sequence[HelpPage]:
 def help_findables(
     headings: Mapping[str, str], show: Callable[[str], object]
 ) -> Iterator[Findable]:
-    """Yield search entries for the help. `show` opens a topic.
+    """Yield the search entries of the help.
 
-    `headings`: topic → translated heading of a message.
+    `headings`: topic → translated heading of a message. `show`: opens a topic.
     """
     for page in pages():
         for section in page.sections:

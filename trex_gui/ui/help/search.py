@@ -38,7 +38,7 @@ class Findable:
 
 @lru_cache(maxsize=2048)
 def _words(text: str) -> Sequence[str]:
-    """Return the words in lower case, without endings or accents."""
+    """Return the words of a text in lower case, without endings and accents."""
     decomposed = unicodedata.normalize("NFKD", text.casefold())
     plain = "".join(letter for letter in decomposed if not unicodedata.combining(letter))
     return [_ENDING.sub("", word) for word in re.findall(r"[^\W_]+", plain)]
@@ -46,7 +46,7 @@ def _words(text: str) -> Sequence[str]:
 
 @cache
 def _synonyms() -> Mapping[str, set[str]]:
-    """Return word → synonyms. The empty string maps to words to ignore."""
+    """Return word → synonyms. The empty string maps to the words that a search ignores."""
     synonyms: dict[str, set[str]] = defaultdict(set)
     for line in resource("search_words.txt").read_text(encoding="utf-8").splitlines():
         for word in _words(line) if line[:1] != "-" else [""]:
@@ -55,7 +55,7 @@ def _synonyms() -> Mapping[str, set[str]]:
 
 
 def _similarity(typed: str, word: str) -> float:
-    """Return the similarity of a word to the typed word, from 0 to 1."""
+    """Return the similarity of a word and the typed word, from 0 to 1."""
     if word.startswith(typed):
         return sqrt(len(typed) / len(word))
     if len(word) >= _MIN_LETTERS and typed.startswith(word):
@@ -83,7 +83,7 @@ class SearchIndex:
     def find(self, query: str) -> list[Findable]:
         """Return the matches, best first. An empty query matches all pages."""
         words: list[str] = []
-        for word in _words(query):  # synonyms count once
+        for word in _words(query):  # several synonyms count as one word
             variants = {word, *_synonyms().get(word, ())}
             if word not in _synonyms()[""] and variants.isdisjoint(words):
                 words.append(word)
@@ -104,7 +104,7 @@ class SearchIndex:
     def _new_match(self, typed: str) -> tuple[Mapping[int, float], Mapping[int, float]]:
         """Match the findables with a word.
 
-        Return the score and the best similarity for each index of a findable.
+        Return index of a findable → score, and index of a findable → best similarity.
         """
         synonyms, words = _synonyms().get(typed, {typed}), self._weights
         matches = {

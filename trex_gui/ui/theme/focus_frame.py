@@ -10,7 +10,7 @@ _TYPE = QEvent.Type
 _CHANGES = {_TYPE.Hide, _TYPE.Move, _TYPE.ParentChange, _TYPE.Resize, _TYPE.Show}
 
 
-# Not a `QFocusFrame`: PySide would treat its widget as a child and delete the widget.
+# Does not use `QFocusFrame`: PySide would treat the framed widget as its child and delete it.
 class FocusFrame(QObject):
     def __init__(self, app: QApplication) -> None:
         super().__init__(app)
@@ -65,7 +65,7 @@ class FocusFrame(QObject):
                 visible &= QRegion(_area_of(widget, window))
         frame.setGeometry(area)
         frame.setMask(visible.translated(-area.topLeft()))
-        # Qt ignores an empty mask, and a hidden button may have the focus.
+        # Qt ignores an empty mask, and even a hidden button may have the focus.
         frame.setVisible(self._watched[0].isVisible() and not visible.isEmpty())
         frame.raise_()
 

@@ -16,7 +16,7 @@ _BUTTON_ICON = 16  # pixels at a font size of 100 %, as in Fusion
 
 
 def icon(name: str, color: str = "icon") -> QIcon:
-    """Return an icon in a colour of the current theme. It does not follow later changes."""
+    """Return an icon in a colour of the current theme. The icon does not follow the theme."""
     colors = (theme().color(key).rgb() for key in (color, "muted", "highlighted_text"))
     return _render(name, *colors)
 
@@ -39,7 +39,7 @@ def set_icon(target: QAction | QAbstractButton, name: str, color: str = "icon") 
 
 
 def set_sign(label: QLabel, name: str, color: str, extra: int = 0) -> None:
-    """Show an icon that follows the theme, `extra` pixels higher than the text."""
+    """Show an icon that follows the theme and is `extra` pixels higher than the text."""
 
     def apply() -> None:
         side = label.fontMetrics().height() + extra

@@ -95,7 +95,7 @@ def read_colors(scheme: str) -> Colors:
 
 
 class Theme(QObject):
-    """Scheme and font size in use. `theme()` returns the only instance."""
+    """Scheme and font size in use. `theme()` returns its only instance."""
 
     changed = Signal()  # the colours or the font size have changed
 
@@ -127,8 +127,8 @@ class Theme(QObject):
             self._colors = previous
 
     def install(self, app: QApplication) -> None:
-        """Set the Fusion style and the palette. Follow changes in the system."""
-        if self._app is None:  # the palette is still the system's
+        """Set the Fusion style and the palette. Follow the system's scheme and contrast."""
+        if self._app is None:  # the application still has the system's palette and font
             self._system_was_dark = app.palette().window().color().lightnessF() < 0.5
             self._system_font = app.font()
         if self._app is not app:
@@ -192,7 +192,7 @@ class Theme(QObject):
 
 @cache
 def theme() -> Theme:
-    """Return the only theme of the application. It is light before `install`."""
+    """Return the only theme of the application. The scheme is light before `install`."""
     return Theme()
 
 
@@ -256,12 +256,12 @@ def fixed_font() -> QFont:
 
 
 def set_text_color(label: QLabel, name: str) -> None:
-    """Set a label's colour by its name in `style.qss`. Other names reset it."""
+    """Set a label's colour by its name in `style.qss`. Any other name resets the colour."""
     set_style_property(label, "textColor", name)
 
 
 def set_look(widget: QWidget, look: str) -> None:
-    """Set the look of a widget, as named in `style.qss`.
+    """Set the look of a widget by its name in `style.qss`.
 
     Buttons: primary, stop, link or compact. Spin boxes: bare. Cards: compact. Frames: card,
     actions, message or pill. Tab bars: choices. Vertical sliders: motor1, motor2 or auxiliary.
@@ -270,7 +270,7 @@ def set_look(widget: QWidget, look: str) -> None:
 
 
 def set_style_property(widget: QWidget, name: str, value: object) -> None:
-    """Set a property that `style.qss` uses. Restyle the widget and its children."""
+    """Set a property that `style.qss` uses. Restyle the widget and its child widgets."""
     if widget.property(name) == value:
         return
     widget.setProperty(name, value)
