@@ -16,7 +16,7 @@ log = logging.getLogger(__name__)
 
 _PROGRESS_INTERVAL = 0.05  # seconds
 
-# Seconds of work, and of the pause after it, in which session and GUI threads run. Python itself
+# Seconds of work, and seconds of a pause for the session threads and the GUI thread. Python
 # switches threads only every 5 ms, which would delay the many short tasks of these threads.
 _WORK, _PAUSE = 0.01, 0.001
 
@@ -58,7 +58,7 @@ class FileWorker(WorkerThread):
         except StudioError as error:
             self.outcome = Done(error=error)
         except Exception as error:
-            log.exception("work on a file")
+            log.exception("Internal error while processing a file")
             text = tr("Internal error while processing this file ({0}).")
             self.outcome = Done(error=StudioError(text.format(type(error).__name__)))
         else:

@@ -24,8 +24,8 @@ from trex_gui.ui.workers.threads import WorkerThread, adopt_orphan, release_orph
 
 log = logging.getLogger(__name__)
 
-_COMMIT_INTERVAL = 0.5  # seconds; the longest loss in a crash
-_SYNC_INTERVAL = 5.0  # seconds; the longest loss in a power failure
+_COMMIT_INTERVAL = 0.5  # seconds; a crash loses no more than this
+_SYNC_INTERVAL = 5.0  # seconds; a power failure loses no more than this
 _SHUTDOWN_TIMEOUT_MS = 3000
 
 
@@ -38,7 +38,7 @@ class RecordWorker(WorkerThread, Generic[RecordT]):
         open_writer: Callable[[], RecordingWriter[Any, RecordT]],
         parent: QObject | None = None,
     ) -> None:
-        """`open_writer` is called in the new thread."""
+        """`open_writer`: called in the new thread."""
         super().__init__(parent)
         self.setObjectName("RecordWorker")
         self.error = ""  # for the user; set before the thread ends
@@ -55,7 +55,7 @@ class RecordWorker(WorkerThread, Generic[RecordT]):
         except RecordingError as error:
             self.error = str(error)
         except Exception as error:
-            log.exception("recording")
+            log.exception("Internal error while recording")
             text = tr("Internal error while recording ({0}). The recording has ended.")
             self.error = text.format(type(error).__name__)
         finally:
@@ -80,7 +80,7 @@ class RecordWorker(WorkerThread, Generic[RecordT]):
 
 
 class RecordThread(QObject, Generic[RecordT]):
-    """Records one device into one file at a time.
+    """Recorder that writes the records of one device to one file at a time.
 
     A subclass defines `is_available`, calls `start_recording` and passes records to `put`.
     """
@@ -131,7 +131,10 @@ class RecordThread(QObject, Generic[RecordT]):
         first: Sequence[RecordT | Marker] = (),
         prepare: Callable[[], object] = lambda: None,
     ) -> None:
-        """Record into a new file. Calls `prepare` first, in the new thread."""
+        """Record into a new file.
+
+        `first`: written before later records. `prepare`: called first, in the new thread.
+        """
 
         def open_writer() -> RecordingWriter[HeaderT, RecordT]:
             prepare()

@@ -29,9 +29,9 @@ SessionFactory = Callable[[RequestQueue, Callable[[object], None]], Session]
 
 
 class LineWorker(WorkerThread):
-    """Thread of one line session.
+    """Thread of one line session. `submit` and `close` are thread-safe.
 
-    `submit` and `close` are thread-safe. The owner must retain the worker until the thread ends.
+    The owner must retain the worker until the thread ends.
     """
 
     reported = Signal(object)  # a report, emitted in the new thread; the last report is `Closed`
@@ -62,10 +62,10 @@ class SessionThread(QObject):
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.log = TrafficLog()  # filled if `traffic.logged` opens the line
+        self.log = TrafficLog()  # contains traffic if `traffic.logged` opens the line
         self._worker: LineWorker | None = None
-        self._late: LineWorker | None = None  # worker after `shut_down`, until its last report
-        self._ending: list[LineWorker] = []  # orphans, and workers after their last report
+        self._late: LineWorker | None = None  # worker from `shut_down` until its last report
+        self._ending: list[LineWorker] = []  # orphans, and workers that have sent `Closed`
         self.last: Closed | None = None
         self._may_move = False
         self._ids = itertools.count(1)
@@ -116,8 +116,8 @@ class SessionThread(QObject):
     def request(self, create: Callable[[int], object], then: Callable[[Outcome], None]) -> bool:
         """Queue a request. Pass its outcome to `then`.
 
-        `create` returns the request for an id. Return whether a session is open. If none is
-        open, `then` is not called.
+        `create` returns the request for an id. Return whether a session is open. Without an open
+        session, `then` is not called.
         """
         if not self.is_open:
             return False
@@ -135,9 +135,9 @@ class SessionThread(QObject):
     def shut_down(self) -> bool:
         """Close the session within a second. Return whether it ended in time.
 
-        Waits up to three seconds for pending writes, and delivers their outcomes. Other reports
+        With pending writes, wait up to three seconds and deliver their outcomes. Other reports
         are dropped, but `last` is set. A thread that does not end in time is orphaned, and
-        `closed` is emitted when it ends. Another call waits again.
+        `closed` is emitted when the thread ends. A repeated call waits again.
         """
         worker, self._worker = self._worker, None
         if worker is None:
@@ -177,7 +177,7 @@ class SessionThread(QObject):
             case Closed() if self._worker is None:
                 self.last = report
             case _ if self._worker is None:
-                pass  # sent before `shut_down`
+                pass  # reported before `shut_down`
             case Closed():
                 self._end(report)
             case _:

@@ -17,7 +17,7 @@ _COLLECT_INTERVAL_MS = 1000
 class WorkerThread(QThread):
     """Thread that the runtime starts.
 
-    The object belongs to the GUI thread. Only `run` executes in the new thread, so connect
+    The object lives in the GUI thread. Only `run` executes in the new thread, so connect
     signals with `Qt.ConnectionType.QueuedConnection`.
     """
 
@@ -27,7 +27,7 @@ class WorkerThread(QThread):
     def wait(self, milliseconds: int = FOREVER) -> bool:  # type: ignore[override]
         """Wait for the end of the thread. Return whether it ended in time.
 
-        A `QDeadlineTimer` is not allowed, since it does not use the runtime's clock.
+        A `QDeadlineTimer` is not accepted, since it does not use the runtime's clock.
         """
         return runtime().wait(self, milliseconds)
 
@@ -38,7 +38,7 @@ _orphans: list[WorkerThread] = []
 def adopt_orphan(thread: WorkerThread) -> None:
     """Retain a thread until it ends, independently of its owner.
 
-    Call this in the thread to which the object belongs.
+    Call this in the thread in which the object lives.
     """
     thread.setParent(None)
     if thread not in _orphans:
@@ -58,8 +58,8 @@ def have_orphans_ended() -> bool:
 class GuiThreadCollector(QObject):
     """Confines Python's garbage collector to the GUI thread.
 
-    Python collects garbage in any thread, usually the thread of a busy line. Destroying a widget
-    outside the GUI thread crashes the process.
+    Python collects garbage in any thread, usually in the thread of a busy line. The process
+    crashes if a widget is destroyed outside the GUI thread.
     """
 
     def __init__(self, parent: QObject | None = None) -> None:
