@@ -31,7 +31,7 @@ ViewT = TypeVar("ViewT", bound=View)
 
 
 class LogPage(View):
-    help_requested = Signal(str)  # help topic of the line at the cursor
+    help_requested = Signal(str)  # help topic of the line with the cursor
 
     def __init__(
         self, log: Log, key: str, message_help: MessageHelp, parent: QWidget | None = None
@@ -125,7 +125,7 @@ class Diagnostics(Place):
         workspace = self._workspace
 
         def create_problems(parent: QWidget) -> QWidget:
-            page = self._connected(problems(parent))
+            page = self._with_summary(problems(parent))
             page.page_requested.connect(self._show_problem)
             page.help_requested.connect(self._show_help)
             page.counted.connect(self._show_count)
@@ -134,12 +134,12 @@ class Diagnostics(Place):
 
         def create_log(parent: QWidget) -> QWidget:
             log, key, message_help = workspace.log, workspace.key, workspace.message_help
-            page = self._connected(LogPage(log, key, message_help, parent))
+            page = self._with_summary(LogPage(log, key, message_help, parent))
             page.help_requested.connect(self._show_help)
             return page
 
         def create_traffic(parent: QWidget) -> QWidget:
-            return self._connected(traffic(parent))
+            return self._with_summary(traffic(parent))
 
         return (
             PageInfo("errors", tr("Prob&lems"), create_problems, "pulse", self),
@@ -147,7 +147,7 @@ class Diagnostics(Place):
             PageInfo("transcript", tr("T&raffic"), create_traffic, "", self),
         )
 
-    def _connected(self, page: ViewT) -> ViewT:
+    def _with_summary(self, page: ViewT) -> ViewT:
         page.summarized.connect(self._head.show_state)
         return page
 

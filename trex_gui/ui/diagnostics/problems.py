@@ -20,8 +20,8 @@ from trex_gui.ui.widgets.labels import LiveLabel, Muted, Sign
 from trex_gui.ui.widgets.painted import Painted, Painter
 from trex_gui.ui.widgets.view import View
 
-_MINUTE, _SLOT = 60.0, 0.5  # seconds: widths of the plot and of a point
-_MAX_LATENESS = 5.0  # seconds until a row and its reply are in the log
+_MINUTE, _SLOT = 60.0, 0.5  # seconds: time span of the plot, time span of a point
+_MAX_LATENESS = 5.0  # seconds; after this delay, the log contains a request and its reply
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,9 +31,9 @@ class Problem:
     text: str  # meaning and remedy, for the user
     times: str  # count and time of the last occurrence, for the user
     is_active: bool = False
-    is_cleared: bool = False  # cleared by the user since the last occurrence
-    page: str = ""  # key of a page with details, or empty
-    topic: str = ""  # help topic, or empty
+    is_cleared: bool = False  # True if the user has cleared it since the last occurrence
+    page: str = ""  # key of a page with details; empty if there is none
+    topic: str = ""  # help topic; empty if there is none
     name: str = ""  # text of the problem in the traffic log
     seen_at: float = 0.0  # time of the last occurrence on the monotonic clock, in seconds
 
@@ -105,7 +105,7 @@ class ProblemCard(ui.Card):
         self._update_height()
 
     def _update_height(self) -> None:
-        # A small page must scroll rather than cut off the text.
+        # On a small page, the card must scroll instead of cutting off its text.
         self.setMinimumHeight(self.heightForWidth(self.width()))
 
 
@@ -163,7 +163,7 @@ class RoundTrips(Painted):
         return QSize(0, 3 * self.fontMetrics().height())
 
     def refresh(self) -> None:
-        """Add new rows, and earlier rows whose reply has arrived."""
+        """Add new requests, and earlier requests whose reply has arrived since."""
         since, self._refreshed = self._refreshed - _MAX_LATENESS, now()
         self._oldest = int(self._refreshed / _SLOT) - round(_MINUTE / _SLOT) + 1
         self._seconds = {
@@ -192,7 +192,7 @@ class RoundTrips(Painted):
 
 
 class ProblemsPage(View):
-    page_requested = Signal(object)  # the `Problem` whose page the user opens
+    page_requested = Signal(object)  # the `Problem` whose details the user wants to see
     help_requested = Signal(str)  # help topic
     counted = Signal(int)  # number of uncleared problems, after each update
 
@@ -221,12 +221,12 @@ class ProblemsPage(View):
         raise NotImplementedError
 
     def clear(self, key: str) -> None:
-        """Clear a problem until it occurs again."""
+        """Mark a problem as cleared until it occurs again."""
         raise NotImplementedError
 
     @Slot()
     def show_problems(self) -> None:
-        """Show active problems first. Otherwise the order of the cards does not change."""
+        """Update the cards. Active problems come first; otherwise the order does not change."""
         newest = {problem.key: problem for problem in self.problems()}
         before = [problem.key for problem in self._shown if problem.key in newest]
         order = [*(key for key in newest if key not in before), *before]

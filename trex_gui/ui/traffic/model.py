@@ -1,4 +1,4 @@
-"""Newest transactions on a line."""
+"""Newest transactions on a serial line."""
 
 import itertools
 import time
@@ -15,11 +15,11 @@ from trex_gui.ui.workers.file_worker import ProgressCallback
 from trex_gui.ui.workers.session_thread import SessionThread
 
 MAX_ROWS = 20_000  # per buffer; less than a minute of full telemetry
-_REPORTED = 2000  # rows per buffer in a report for support
+_REPORTED = 2000  # rows per buffer in a support report
 
 _CHUNK = 100  # rows written between two progress reports
-_TRIMMED = MAX_ROWS * 9 // 10  # rows that remain after the oldest are dropped
-_INTERVAL_MS = 100  # period of reading the log
+_TRIMMED = MAX_ROWS * 9 // 10  # rows that remain when a full buffer drops its oldest rows
+_INTERVAL_MS = 100  # interval between two readings of the log
 
 
 class RowBuffer:
@@ -35,7 +35,7 @@ class RowBuffer:
         return self._dropped + len(self.rows)
 
     def since(self, count: int) -> Sequence[Transaction]:
-        """Return the rows after the first `count`."""
+        """Return the rows that were added after the first `count` rows."""
         return self.rows[max(count - self._dropped, 0) :]
 
     def add(self, transaction: Transaction) -> None:
@@ -52,7 +52,7 @@ class RowBuffer:
 class TrafficModel(QObject):
     """Transactions of a session thread.
 
-    Telemetry soon displaces other rows, so a second buffer omits successful polls.
+    Telemetry soon displaces all other rows, so a second buffer omits successful polls.
     """
 
     changed = Signal()  # new rows, or new bytes in the last row
@@ -86,7 +86,7 @@ class TrafficModel(QObject):
         self._typed.append(data)
 
     def decode_again(self) -> None:
-        """Decode all rows again, after a change of the decoder's state."""
+        """Decode all rows again. Call this after a change of the decoder's state."""
         for transaction in (*self.everything.rows, *self.without_polling.rows):
             transaction.cached_meaning = None
         self.changed.emit()
@@ -99,7 +99,7 @@ class TrafficModel(QObject):
         return transcript.line_of(row, self.decoder, self._epoch)
 
     def newest_as_text(self) -> Callable[[], str]:
-        """Return a thread-safe function that formats the newest rows as text."""
+        """Return a thread-safe function that returns the newest rows as text."""
         self.pull()
         rows = {
             row.number: row
@@ -116,7 +116,7 @@ class TrafficModel(QObject):
     def write(
         self, file: TextIO, progress: ProgressCallback, *, rows: Sequence[Transaction]
     ) -> int:
-        """Write rows as tab-separated text. Return their number. Thread-safe."""
+        """Write rows as tab-separated text. Return the number of rows. Thread-safe."""
         file.write(transcript.header())
         for done, row in enumerate(rows):
             if done % _CHUNK == 0:

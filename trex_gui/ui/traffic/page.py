@@ -26,7 +26,7 @@ from trex_gui.ui.widgets.view import View, copy_lines
 
 _TYPING_MS = 200
 
-_MAX_CODE_ROWS = 1000  # rows copied as code; compilers are slow with more
+_MAX_CODE_ROWS = 1000  # maximum number of rows copied as code, since long code compiles slowly
 
 
 class TrafficPage(View):

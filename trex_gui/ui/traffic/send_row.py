@@ -12,14 +12,14 @@ from trex_gui.ui.widgets.labels import Note, Sign
 
 @dataclass(frozen=True, slots=True)
 class SendPreview:
-    text: str = ""  # meaning of the bytes; empty without bytes
-    blocker: str = ""  # reason why the bytes cannot be sent; empty if they can
+    text: str = ""  # meaning of the bytes; empty if the input has no bytes
+    blocker: str = ""  # reason why the bytes cannot be sent; empty if they can be sent
     is_risky: bool = False  # True if the bytes may start a motor or change stored values
     details: str = ""  # full text for a tool tip if `text` is shortened
 
 
 class PacketSender(QObject):
-    changed = Signal()  # previews may have changed
+    changed = Signal()  # `preview` may return another result
 
     hint = ""  # example input
 
@@ -27,7 +27,7 @@ class PacketSender(QObject):
         raise NotImplementedError
 
     def send(self, text: str) -> None:
-        """Send the bytes and report the result. Their preview must have no blocker."""
+        """Send the bytes and report the result. The preview of `text` must have no blocker."""
         raise NotImplementedError
 
 

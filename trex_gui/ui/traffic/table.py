@@ -52,11 +52,11 @@ class TrafficTable(QAbstractTableModel):
         self._decoder = traffic.decoder
         self.rows: list[Transaction] = []  # oldest first
         self._count = 0  # number of rows read from the source
-        self._last: Transaction | None = None  # incomplete last row
+        self._last: Transaction | None = None  # last row of the source if it is incomplete
         self._polling = False
         self._faults = False
         self._text = ""
-        self._paused_at: int | None = None
+        self._paused_at: int | None = None  # number of the newest row at the start of the pause
         self._headers = tr("Time"), tr("Sent"), tr("Received"), tr("Took (ms)"), tr("Meaning")
         follow_theme(self, "font", self._update_font)
         traffic.cleared.connect(self.rebuild)
@@ -66,14 +66,14 @@ class TrafficTable(QAbstractTableModel):
 
     @property
     def _source(self) -> RowBuffer:
-        # In the buffer of all rows, polls soon displace a fault.
+        # In the buffer of all rows, new polls soon displace a fault.
         with_polling = self._polling and not self._faults
         return self._traffic.everything if with_polling else self._traffic.without_polling
 
     def set_filter(self, *, polling: bool, faults: bool, text: str) -> None:
         """Select the visible rows.
 
-        `polling`: show polls. `faults`: show only faults. `text`: show only rows that contain it.
+        `polling`: show polls. `faults`: show only faults. `text`: show only rows with this text.
         """
         self._polling, self._faults, self._text = polling, faults, text.strip().casefold()
         self.rebuild()
@@ -87,7 +87,7 @@ class TrafficTable(QAbstractTableModel):
         newest = self._paused_at
         rows = [row for row in self._source.rows if newest is None or row.number <= newest]
         self.rows = [row for row in rows if self._matches(row)]
-        self._record_listed(self._source.count - len(self._source.rows) + len(rows), rows)
+        self._record_progress(self._source.count - len(self._source.rows) + len(rows), rows)
         self.endResetModel()
 
     def refresh(self) -> None:
@@ -100,9 +100,9 @@ class TrafficTable(QAbstractTableModel):
             self.beginInsertRows(QModelIndex(), first, first + len(new) - 1)
             self.rows += new
             self.endInsertRows()
-        self._record_listed(self._source.count, self._source.rows)
+        self._record_progress(self._source.count, self._source.rows)
 
-    def _record_listed(self, count: int, rows: Sequence[Transaction]) -> None:
+    def _record_progress(self, count: int, rows: Sequence[Transaction]) -> None:
         self._count = count
         self._last = rows[-1] if rows and not rows[-1].is_over else None
 
@@ -116,7 +116,7 @@ class TrafficTable(QAbstractTableModel):
             self.endRemoveRows()
 
     def _update(self, row: Transaction) -> None:
-        """Update a row with new bytes. It may start or stop matching the filter."""
+        """Update a row that has more bytes. The row may start or stop matching the filter."""
         is_listed = bool(self.rows) and self.rows[-1] is row
         matches = self._matches(row)
         last = len(self.rows) - 1
@@ -143,7 +143,7 @@ class TrafficTable(QAbstractTableModel):
     def row_near(self, time: float, text: str) -> int:
         """Return the index of the row nearest to `time`, or -1 in an empty table.
 
-        Prefer a row with `text` within a second.
+        If rows within a second of `time` contain `text`, return the nearest of these rows.
         """
 
         def rank(index: int) -> tuple[bool, float]:
