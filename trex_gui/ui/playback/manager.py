@@ -132,7 +132,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         FileDrop(frame, accepts).dropped.connect(lambda paths: self.open_file(paths[0]))
 
     def create_window(self, recording: Recording[Any, Any]) -> WindowT:
-        """Create a window. It loads the recording later."""
+        """Create a window that will load the recording later."""
         raise NotImplementedError
 
     def toggle(self) -> None:
@@ -160,7 +160,7 @@ class RecordingManager(QObject, Generic[WindowT]):
             self._notifier.error.emit(self._texts.unavailable)
 
     def select_and_open(self, title: str = "", folder: Path | None = None) -> None:
-        """Let the user select and open a recording. `folder`: by default the last folder."""
+        """Let the user select a recording, and open it. The default `folder` is the last folder."""
         path, _ = QFileDialog.getOpenFileName(
             self._window,
             title or title_of(tr("Ope&n recording…")),
@@ -199,7 +199,7 @@ class RecordingManager(QObject, Generic[WindowT]):
         self.windows.append(window)
         window.closed.connect(partial(self._remove, window))
         window.show()
-        # Draw the window first, since the loading thread slows this thread down.
+        # Load after the window has been drawn, since the loading thread slows this thread down.
         new_timer(window, 0, window.player.start_loading, single_shot=True).start()
 
     def _save_copy(self, window: WindowT) -> None:

@@ -23,13 +23,13 @@ from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.workers.file_worker import Done, FileTask, ProgressCallback
 
 _MAX_EVENT_LENGTH = 500  # characters
-_CLOSE_TIMEOUT_MS = 500  # less than `Timeouts.heartbeat`, since a late heartbeat stops the motors
+_CLOSE_TIMEOUT_MS = 500  # below `Timeouts.heartbeat`, since a late heartbeat stops the motors
 
 
 @dataclass(frozen=True, slots=True)
 class Curves(Generic[RecordT, StateT]):
     columns: int  # number of curves
-    # Updates the state from records. Returns rows: time in s, then a value for each curve.
+    # Updates a state from records. Returns rows with a time in s and a value for each curve.
     rows_of: Callable[[StateT, Iterable[RecordT]], list[tuple[float, ...]]]
     max_rows: int  # older rows are dropped
     max_gap: float  # seconds; a longer gap interrupts a curve
@@ -50,7 +50,7 @@ def load_recording(
     curves: Curves[RecordT, StateT],
     progress: ProgressCallback,
 ) -> LoadedRecording[HeaderT, RecordT, StateT]:
-    """Read a recording. Takes a few seconds per recorded hour.
+    """Read a recording. This takes a few seconds per recorded hour.
 
     Raises:
         RecordingError: the file cannot be read.
@@ -98,7 +98,7 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
     """Recording with a playback position.
 
     The position is between `start` and `end`, in seconds on the session's clock. A subclass
-    defines the curves of a device. Before loading, only the header is available.
+    defines the curves of a device. Before the recording is loaded, only its header is available.
     """
 
     progressed = Signal()  # `share`, `is_busy` or `end` has changed
@@ -115,7 +115,7 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
         curves: Curves[RecordT, StateT],
         parent: QObject | None = None,
     ) -> None:
-        """`recording` is open but not loaded. `initial`: state before the recording starts."""
+        """`recording`: open, not loaded. `initial`: state before the recording starts."""
         super().__init__(parent)
         self.start = self.end = self.position = recording.header.clock
         self.speed = 1.0  # 1 is real time
@@ -197,6 +197,7 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
 
     @property
     def drawn(self) -> tuple[int, int]:
+        """Number of drawn rows, and number of all rows."""
         return len(self._history), self._rows
 
     def state(self) -> StateT:
@@ -222,7 +223,7 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
         return {"device": self._recording.format.device, **self.header.values()}
 
     def export(self, path: Path, start: float, end: float) -> None:
-        """Write a span as CSV or MCAP. Emits `exported` or `failed` when done."""
+        """Write a span as CSV or MCAP. `exported` or `failed` is emitted at the end."""
         if self.is_loaded and not self.is_busy:
             span, header = (start, end), self.export_header(start)
             self._start(partial(_export, self._recording, path, span, header))

@@ -16,7 +16,7 @@ if TYPE_CHECKING:  # numpy takes as long to load as the window
 
 SPEEDS = (0.5, 1.0, 2.0, 4.0, 8.0, 16.0)
 
-_PER_SECOND = 100  # slider steps per second; about the sample rate
+_STEPS_PER_SECOND = 100  # slider steps per second, similar to the sample rate
 
 
 class _TimeSlider(QSlider, Spoken):
@@ -30,16 +30,16 @@ class _TimeSlider(QSlider, Spoken):
         return self._time_label.text()
 
     def spoken_range(self) -> SpokenRange:
-        return SpokenRange(0, self.value() / _PER_SECOND, self.maximum() / _PER_SECOND)
+        return SpokenRange(0, self.value() / _STEPS_PER_SECOND, self.maximum() / _STEPS_PER_SECOND)
 
     def set_spoken_value(self, value: float) -> None:
-        self.setValue(round(value * _PER_SECOND))
+        self.setValue(round(value * _STEPS_PER_SECOND))
 
 
 class TransportBar(QWidget):
     """Controls for the position and speed of a playback.
 
-    Arrow keys move the position by 1 s. Page keys move it by 10 s.
+    An arrow key moves the position by 1 s. A page key moves it by 10 s.
     """
 
     def __init__(
@@ -53,8 +53,8 @@ class TransportBar(QWidget):
         self._slider = ui.named(
             _TimeSlider(self._time, self), "timeSlider", accessible=tr("Time in the recording")
         )
-        self._slider.setSingleStep(_PER_SECOND)
-        self._slider.setPageStep(10 * _PER_SECOND)
+        self._slider.setSingleStep(_STEPS_PER_SECOND)
+        self._slider.setPageStep(10 * _STEPS_PER_SECOND)
         speeds, title = [(f"{Number(speed):g} ×", speed) for speed in SPEEDS], tr("Playback speed")
         self._speed = ui.combo_box(self, "speedCombo", title, tip=title, items=speeds)
         self._speed.setCurrentIndex(SPEEDS.index(1.0))
@@ -85,13 +85,13 @@ class TransportBar(QWidget):
         if value == self._slider.maximum():
             playback.set_position(playback.end)
         else:
-            playback.set_position(playback.start + value / _PER_SECOND)
+            playback.set_position(playback.start + value / _STEPS_PER_SECOND)
 
     @Slot()
     def _on_moved(self) -> None:
         playback = self._playback
         with QSignalBlocker(self._slider):
-            self._slider.setValue(round((playback.position - playback.start) * _PER_SECOND))
+            self._slider.setValue(round((playback.position - playback.start) * _STEPS_PER_SECOND))
         now = time_text(playback.position - playback.start, tenths=True)
         self._time.setText(f"{now} / {time_text(playback.end - playback.start, tenths=True)}")
 
@@ -100,7 +100,7 @@ class TransportBar(QWidget):
         length = self._playback.end - self._playback.start
         # A slider is limited to 2**31 - 1 steps, or 248 days.
         with QSignalBlocker(self._slider):
-            self._slider.setMaximum(min(2**31 - 1, round(length * _PER_SECOND)))
+            self._slider.setMaximum(min(2**31 - 1, round(length * _STEPS_PER_SECOND)))
         self._play.setEnabled(length > 0)
         self._on_moved()
 

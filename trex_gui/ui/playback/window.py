@@ -27,7 +27,7 @@ from trex_gui.ui.widgets.placement import fit_on_screen, restore_geometry, save_
 
 _REDRAW_DELAY_MS = 100
 
-_EVENT_MARGIN = 5.0  # seconds before and after a selected event, if the span was long
+_EVENT_MARGIN = 5.0  # seconds shown before and after a selected event if the span was long
 _CSV_SUFFIX = ".csv"
 
 
@@ -42,7 +42,7 @@ class RecordingWindow(QMainWindow):
     def __init__(
         self, playback: RecordingPlayer[Any, Any, Any], name: str, plot_name: str = ""
     ) -> None:
-        """`name`: prefix of object names and preferences. `plot_name`: for screen readers."""
+        """`name`: prefix of object names and preferences. `plot_name`: name for screen readers."""
         super().__init__()
         self.setObjectName(f"{name}Window")
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
@@ -58,14 +58,14 @@ class RecordingWindow(QMainWindow):
         self._heading = ui.label(self, "recordingHeading", wrap=True)
         whole = tr("Show the whole recording again")
         span = tr("Save every sample in the plot as CSV or MCAP")
-        keep = tr("Save a copy, since old recordings of faults and stops are removed")
+        copy = tr("Save a copy, since old recordings of faults and stops are removed")
         cancel = tr("Stop loading or exporting")
         self._show_all, self._export, self.copy_button, self._cancel = (
             ui.button(self, f"{key}Button", text, icon=icon, tip=tip, on_click=slot)
             for key, text, icon, tip, slot in (
                 ("showAll", tr("Show &all"), "", whole, self.show_all),
                 ("exportSpan", tr("&Export span…"), "save", span, self._on_export_clicked),
-                ("copyRecording", tr("Save a cop&y…"), "copy", keep, None),
+                ("copyRecording", tr("Save a cop&y…"), "copy", copy, None),
                 ("cancelRecording", tr("Cancel"), "", cancel, self._on_cancelled),
             )
         )
@@ -174,7 +174,7 @@ class RecordingWindow(QMainWindow):
     def _on_cancelled(self) -> None:
         if self.player.is_loaded:
             self.player.cancel()
-        else:  # the window is empty
+        else:  # the window has nothing to show
             self.close()
 
     @Slot()
@@ -242,7 +242,7 @@ class RecordingWindow(QMainWindow):
 
     @Slot()
     def _on_cursor_changed(self) -> None:
-        """Move the playback to a new mark. Without a cursor, show its position."""
+        """Move the playback to a new mark. Without a cursor, show the playback position."""
         mark = self.plot.mark_time
         if mark is not None and mark != self._last_mark:
             self.player.set_position(mark)
@@ -262,7 +262,7 @@ class RecordingWindow(QMainWindow):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._redraw.start()  # moves the event words above the plot
+        self._redraw.start()  # moves the words for events above the plot
 
     def closeEvent(self, event: QCloseEvent) -> None:
         self._redraw.stop()
