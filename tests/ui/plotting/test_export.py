@@ -23,7 +23,12 @@ def table(rows: list[tuple[float, ...]], events: list[tuple[float, str]]) -> lis
     file = io.StringIO(newline="")
     columns = np.array(rows, dtype=float).reshape(-1, 1 + len(COLUMNS)).T
     written = write_csv(
-        file, lambda _share: None, heads=COLUMNS, columns=list(columns), events=events, origin=100.0
+        file,
+        lambda _share: None,
+        headers=COLUMNS,
+        columns=list(columns),
+        events=events,
+        origin=100.0,
     )
     assert written == len(rows)
     return list(csv.reader(io.StringIO(file.getvalue())))

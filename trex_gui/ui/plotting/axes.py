@@ -15,10 +15,8 @@ _TIME_STEPS = (
 _MAX_TIME_LABELS = 7
 
 FULL_COUNTS = 127.0  # largest speed and largest value of a remapped channel
-_SMALLEST_END = 1.0
-_SHRINK_BELOW = (
-    0.8  # an axis shrinks if its values fit into this fraction of the next smaller range
-)
+_MIN_LIMIT = 1.0
+_SHRINK_BELOW = 0.8  # an axis shrinks if its values use no more of a smaller range than this
 MIN_SPAN = 0.05  # seconds; four samples of currents
 MAX_SPAN = 4 * 3600.0  # seconds; longer than a full history
 
@@ -37,18 +35,18 @@ def ticks(low: float, high: float, step: float) -> list[float]:
 
 
 def spread(
-    centres: Sequence[float], widths: Sequence[float], low: float, high: float, gap: float
+    centers: Sequence[float], widths: Sequence[float], low: float, high: float, gap: float
 ) -> list[float] | None:
     """Move labels apart. Return their centres, or `None` if the space is too small.
 
-    `centres` must be sorted. `low`, `high`: limits of the labels.
+    `centers` must be sorted. `low`, `high`: limits of the labels.
     """
     space = high - low - sum(widths) - gap * max(0, len(widths) - 1)
     if space < 0:
         return None
-    # Centres of labels packed from `low`. From label to label, shifts must not decrease.
+    # Centres of the labels packed from `low`. Shifts must not decrease from label to label.
     packed = [low + sum(widths[:n]) + gap * n + width / 2 for n, width in enumerate(widths)]
-    offsets = (centre - lowest for centre, lowest in zip(centres, packed, strict=True))
+    offsets = (center - lowest for center, lowest in zip(centers, packed, strict=True))
     shifts = [min(max(offset, 0), space) for offset in offsets]
     from_below = accumulate(shifts, max)
     from_above = reversed([*accumulate(reversed(shifts), min)])
@@ -59,29 +57,26 @@ def spread(
 class ValueAxis:
     """Axis for one unit, always including 0.
 
-    It grows at once and shrinks with hysteresis. Its limits are 1, 2 or 5 times a power of ten.
-    An axis of plain counts extends from -127 to 127, unless values exceed this range.
+    The axis grows at once and shrinks with hysteresis. Its limits are 1, 2 or 5 times a power of
+    ten. An axis of plain counts extends from -127 to 127, unless values exceed this range.
     """
 
     def __init__(self, unit: str, top: float | None = None) -> None:
         """`top`: fixed upper limit. By default, the axis fits the values."""
         self.unit = unit
         self._top = top
-        self._low, self._high = 0.0, top or _SMALLEST_END
+        self._low, self._high = 0.0, top or _MIN_LIMIT
         self._largest = top or 0.0  # largest magnitude of the values
 
     def fit(self, extremes: Sequence[tuple[float, float]]) -> None:
-        """Fit the axis to pairs of lowest and highest values.
-
-        Without pairs, the axis does not change.
-        """
+        """Fit the axis to pairs of lowest and highest values. Without pairs, do nothing."""
         if extremes and self._top is None:
             self._high = _fitted_end(self._high, max(high for _, high in extremes))
             lowest = min(low for low, _ in extremes)
             self._largest = max(-lowest, *(high for _, high in extremes))
             self._low = 0.0 - _fitted_end(-self._low, -lowest)  # avoids -0
             if self._high == self._low == 0:
-                self._high = _SMALLEST_END
+                self._high = _MIN_LIMIT
 
     @property
     def _is_fixed(self) -> bool:
@@ -100,9 +95,10 @@ class ValueAxis:
         return low - margin, high + margin
 
     def labels(self, limit: int) -> Labels:
-        """Return labels at round values, or at the ends.
+        """Return labels at round values. On a short axis, return labels only at the ends.
 
-        There are at most `limit` labels, and at most six. The last label has the unit.
+        `limit`: number of labels that fit. There are never more than six. The last label has the
+        unit.
         """
         low, high = self.ends
         if limit < 5 and (limit < 2 or self._is_fixed):
@@ -113,7 +109,7 @@ class ValueAxis:
         return value_labels(ticks(low, high, step), self.unit)
 
     def map_to(self, other: "ValueAxis", value: float) -> float:
-        """Return the value of another axis at the height of `value`."""
+        """Return the value on another axis at the height of `value`."""
         (low, high), (bottom, top) = self.reach, other.reach
         return bottom + (value - low) / (high - low) * (top - bottom)
 
@@ -122,8 +118,8 @@ def _fitted_end(current: float, needed: float) -> float:
     if needed <= 0:
         return 0.0
     if needed > current:
-        return max(_SMALLEST_END, round_up(needed))
-    return min(current, max(_SMALLEST_END, round_up(needed / _SHRINK_BELOW)))
+        return max(_MIN_LIMIT, round_up(needed))
+    return min(current, max(_MIN_LIMIT, round_up(needed / _SHRINK_BELOW)))
 
 
 def count_labels() -> Labels:
@@ -218,7 +214,10 @@ class Span:
         self._end = middle + self.length / 2
 
     def zoom(self, factor: float, around: float) -> None:
-        """Multiply the length. `around`, or the right edge of a live span, does not move."""
+        """Multiply the length. A live span keeps its right edge.
+
+        In a frozen span, the time `around` does not move.
+        """
         share = (self.end - around) / self.length
         self.set_length(self.length * factor)
         if not self.live:

@@ -1,6 +1,6 @@
 """Plot area in the theme's colours: axes, grid, shapes and mouse events.
 
-Only this module imports pyqtgraph, which takes as long to load as Qt. Import this module lazily.
+Only this module imports pyqtgraph, which takes as long to load as Qt. So import it lazily.
 """
 
 from typing import Any, TypeVar
@@ -17,7 +17,7 @@ from trex_gui.ui.widgets.behaviour import strokes
 from trex_gui.ui.widgets.builders import column
 from trex_gui.ui.widgets.painted import never_mirror
 
-_LABEL_MARGIN = 60  # pixels by which a label may extend beyond its axis
+_LABEL_MARGIN = 60  # pixels; a label may extend past the end of its axis by this much
 _ZOOM = 0.8  # factor per notch of the mouse wheel
 
 
@@ -117,7 +117,7 @@ class _MouseBox(pg.ViewBox):  # type: ignore[misc] # pyqtgraph has no types
 
 
 class PlotCanvas(QWidget):
-    """Plot whose axes the caller sets. Pixels are relative to `viewport`."""
+    """Plot whose axes the caller sets. Pixel coordinates are relative to `viewport`."""
 
     arranged = Signal()  # the size of the plot or the range of an axis has changed
     hovered = Signal(float)  # x pixel of the mouse
@@ -130,7 +130,7 @@ class PlotCanvas(QWidget):
     def __init__(
         self, name: str, parent: QWidget | None = None, *, is_navigable: bool = False
     ) -> None:
-        """`name`: for screen readers. A navigable plot handles drags and the mouse wheel."""
+        """`name`: for screen readers. `is_navigable`: handle drags and the mouse wheel."""
         super().__init__(parent)
         self.is_navigable = is_navigable
         self._box = _MouseBox(enableMouse=False, enableMenu=False, defaultPadding=0)
@@ -191,7 +191,7 @@ class PlotCanvas(QWidget):
         return self._add(Line(item, color, _pen(self.devicePixelRatioF(), style)))
 
     def add_band(self, color: str) -> Band:
-        """Add a filled range below all other items. It is hidden until `set_range` is called."""
+        """Add a filled range behind all other items. It is hidden until `set_range` is called."""
         item = pg.LinearRegionItem(movable=False, pen=QPen(Qt.PenStyle.NoPen))
         item.setZValue(-20)
         item.hide()
@@ -227,9 +227,9 @@ class PlotCanvas(QWidget):
         self.arranged.emit()
 
     def set_right_axis(self, labels: Labels) -> None:
-        """Set the right axis's labels, at values of the left axis.
+        """Set the labels of the right axis. Without labels, hide the right axis.
 
-        Without labels, hide the right axis.
+        The value of a label is its position on the left axis.
         """
         axis = self._axes["right"]
         if bool(labels) != self._has_right_axis:

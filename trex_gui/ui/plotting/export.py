@@ -1,6 +1,6 @@
 """Export of a plot as CSV or as a picture.
 
-Loads pyqtgraph, so import this module lazily.
+Importing this module loads pyqtgraph, so import it lazily.
 """
 
 import csv
@@ -117,9 +117,9 @@ class ExportButton(QToolButton):
         times, values = source.samples(start, end)
         write = partial(
             write_csv,
-            heads=[(trace.name, trace.unit) for trace in source.traces],
-            # Copied, since the history may change while the file is written. A million rows
-            # take 0.1 to 0.3 s.
+            headers=[(trace.name, trace.unit) for trace in source.traces],
+            # Copied, since the history may change while the file is written. Copying a million
+            # rows takes 0.1 to 0.3 s.
             columns=[column.copy() for column in (times, *values)],
             events=[(event.time, event.text) for event in source.events_between(start, end)],
             origin=self._plot.origin if self._plot.origin is not None else source.span[0],
@@ -154,19 +154,20 @@ def write_csv(
     file: TextIO,
     progress: ProgressCallback,
     *,
-    heads: Sequence[tuple[str, str]],
+    headers: Sequence[tuple[str, str]],
     columns: Sequence[Floats],
     events: Sequence[tuple[float, str]] = (),
     origin: float = 0.0,
 ) -> int:
     """Write curves as CSV (RFC 4180). Return the number of samples.
 
-    Each row has the time in seconds since `origin`, the values and the events since the previous
-    row. Unknown values are empty cells. `heads`: name and unit of each curve. `columns`: times,
-    then the values of each curve. `events`: times and texts. All times must be sorted.
+    A row contains the time in seconds since `origin`, the values, and the events since the
+    previous row. The cell of an unknown value is empty. `headers`: name and unit of each curve.
+    `columns`: times, then the values of each curve. `events`: times and texts. All times must be
+    sorted.
     """
     writer = csv.writer(file)
-    names = [f"{name} ({unit})" if unit else name for name, unit in heads]
+    names = [f"{name} ({unit})" if unit else name for name, unit in headers]
     writer.writerow(["time (s)", *names, "event"])
     pending = list(reversed(events))
     for time, *values in _rows(columns, progress):
@@ -176,7 +177,7 @@ def write_csv(
         numbers = (f"{value:.10g}" if math.isfinite(value) else "" for value in values)
         writer.writerow([f"{time - origin:.4f}", *numbers, csv_cell("; ".join(texts))])
     for time, text in reversed(pending):
-        writer.writerow([f"{time - origin:.4f}", *([""] * len(heads)), csv_cell(text)])
+        writer.writerow([f"{time - origin:.4f}", *([""] * len(headers)), csv_cell(text)])
     return len(columns[0])
 
 
@@ -199,6 +200,7 @@ def _paint_heading(painter: QPainter, heading: str) -> None:
 def draw_picture(
     plot: TracePlot, scheme: str, heading: str, *, as_svg: bool = False
 ) -> QImage | bytes:
+    """Draw a plot with a heading and statistics. Return an image, or the data of an SVG file."""
     with theme().painted_as(scheme):
         if not as_svg:
             image = QImage(SIZE * _SCALE, QImage.Format.Format_RGB32)

@@ -1,4 +1,4 @@
-"""Table of curves, which serves as a legend, and list of events."""
+"""Table of curves that serves as a legend, and list of events."""
 
 import math
 from enum import IntEnum, auto
@@ -35,8 +35,8 @@ _RIGHT = int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 
 _PADDING = 8  # pixels around the text of a cell in the Fusion style
 _ROW_PADDING = 6  # pixels added to the height of a line
-_MAX_EVENTS = 1000  # number of listed events
-_MIN_EVENT_WIDTH = 24  # visible characters of an event
+_MAX_EVENTS = 1000  # in the list
+_MIN_EVENT_WIDTH = 24  # minimum width of the list in average characters
 
 
 class TraceColumn(IntEnum):
@@ -63,7 +63,7 @@ _WIDEST = {TraceColumn.NOW: f"{WARNING_SIGN} 00.00 A", TraceColumn.CHARGE: "000.
 
 
 class TraceTable(QAbstractTableModel):
-    """Table with one row per curve. The user checks the curves to draw."""
+    """Table with one row per curve. Check boxes select the curves to draw."""
 
     def __init__(self, plot: TracePlot, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -280,7 +280,7 @@ class TraceTableView(QTableView):
 
     def sizeHint(self) -> QSize:
         width = self.horizontalHeader().length() + self.verticalScrollBar().sizeHint().width()
-        # Half a row indicates further rows below.
+        # Half a visible row indicates that more rows follow.
         return QSize(width + 2 * self.frameWidth() + 2, self._height_of(4.5))
 
     def minimumSizeHint(self) -> QSize:
@@ -288,7 +288,7 @@ class TraceTableView(QTableView):
 
 
 class EventList(QListWidget):
-    chosen = Signal(object)  # the chosen `Event`
+    chosen = Signal(object)  # the `Event` that the user chose
 
     def __init__(self, plot: TracePlot, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -330,7 +330,7 @@ class EventList(QListWidget):
         self.clear()
         for event in self._events:
             dot = swatch(theme().color(EVENT_LOOKS[event.kind][0]), QSize(8, 8))
-            # The event of the new connection precedes the first sample.
+            # The event of a new connection precedes the first sample.
             elapsed = max(0.0, event.time - (self._origin or 0.0))
             text = f"{clock_text(elapsed)}  {event.text}"
             item = QListWidgetItem(QIcon(dot), text, self)

@@ -1,7 +1,7 @@
 """Sample history in bounded memory, with fast plots and statistics of any span.
 
-`SampleColumn` stores the extremes of each block of rows. So plotting a million samples takes no
-longer than plotting ten thousand.
+`SampleColumn` stores the extremes of each block of rows. Therefore, plotting a million samples
+takes no longer than plotting ten thousand samples.
 """
 
 import itertools
@@ -29,9 +29,9 @@ _STEPS = 16  # parts of the capacity; one part is dropped at a time
 class SampleColumn:
     """Values of one column, with a summary of each complete block.
 
-    Extremes ignore NaN, unless a block consists of NaN only. Integrals use the trapezoidal
-    rule. The interval before a row belongs to the row. It counts as zero if it is longer than
-    `max_gap` seconds, or if one of its values is NaN.
+    Extremes ignore NaN, unless a block contains only NaN. Integrals use the trapezoidal rule.
+    The interval before a row belongs to that row. An interval counts as zero if it is longer
+    than `max_gap` seconds, or if the value at one of its ends is NaN.
     """
 
     def __init__(self, kind: str, max_gap: float) -> None:
@@ -59,7 +59,7 @@ class SampleColumn:
         self._blocks = stop
 
     def drop(self, rows: int, remaining: int) -> None:
-        """Drop the first `rows` rows. Their number is a multiple of `BLOCK`."""
+        """Drop the first `rows` rows. `rows` must be a multiple of `BLOCK`."""
         self.values[:remaining] = self.values[rows : rows + remaining].copy()
         dropped, blocks = rows // BLOCK, self._blocks
         self._blocks -= dropped
@@ -69,10 +69,10 @@ class SampleColumn:
     def extremes(
         self, first: int, stop: int, min_blocks: int
     ) -> tuple[NDArray[np.intp], Floats, Floats]:
-        """Split rows `first` to `stop` into parts. Return their first rows and extremes.
+        """Split rows `first` to `stop` into parts. Return the first row and extremes of each part.
 
-        Parts are complete blocks, and single rows at the ends. If there are fewer than
-        `min_blocks` blocks, all parts are single rows.
+        A part is a complete block, or a single row before or after the blocks. If there are
+        fewer than `min_blocks` complete blocks, every part is a single row.
         """
         start, end = self._complete_blocks(first, stop)
         if end - start < min_blocks * BLOCK:
@@ -85,7 +85,7 @@ class SampleColumn:
         return starts, low, high
 
     def integrals(self, times: Floats, first: int, stop: int) -> tuple[float, float, float]:
-        """Return seconds, integral and integral of squares for rows `first` to `stop`."""
+        """Return the seconds, integral and integral of squares for rows `first` to `stop`."""
         start, end = self._complete_blocks(first + 1, stop)
         total = self._integrals[:, start // BLOCK : end // BLOCK].sum(axis=1)
         for part in ((first + 1, start), (end, stop)):
@@ -135,7 +135,7 @@ class Statistics:
 
 
 class SampleHistory:
-    """The last `capacity` rows, in chronological order. NaN: unknown value.
+    """The last `capacity` rows, in chronological order. NaN stands for an unknown value.
 
     `columns`: number of columns, or numpy type of each column. "float16" stores integers up to
     2048 exactly. `max_gap`: seconds. Adding a row takes constant time on average.
@@ -147,7 +147,7 @@ class SampleHistory:
         self.capacity = capacity
         self._kinds = ["float64"] * columns if isinstance(columns, int) else columns
         self._max_gap = max_gap
-        # Rows beyond the capacity are dropped in steps of complete blocks.
+        # Excess rows are dropped in steps, and a step consists of complete blocks.
         self._step = max(1, capacity // (_STEPS * BLOCK)) * BLOCK
         self._max_rows = -(-capacity // self._step) * self._step + self._step
         self.clear()
@@ -269,10 +269,10 @@ class SampleHistory:
     def points(self, column: int, start: float, end: float, bins: int) -> Points:
         """Return the samples of a span, or two points per bin if there are many samples.
 
-        The two points are the lowest and the highest value, which rise or fall like the samples.
-        Bins start at multiples of their width, so that a scrolling plot does not flicker. An
-        additional sample at each end extends the curve to the edges. The last point is always a
-        sample.
+        The two points are the lowest and the highest value of the bin. They rise if the samples
+        rise, and fall if the samples fall. Bins start at multiples of their width, so that a
+        scrolling plot does not flicker. An additional sample at each end extends the curve to the
+        edges. The last point is always a sample.
         """
         first, stop = self._rows(start, end)
         first, stop = max(self._start, first - 1), min(self._size, stop + 1)

@@ -35,7 +35,7 @@ _READOUT_DISTANCE = 8  # pixels between cursor and readout
 
 
 def value_text(value: float, unit: str, *, mean: bool = False) -> str:
-    """Format a value with its unit, or a signed count. A `mean` has one more decimal."""
+    """Format a value with its unit, or a count with its sign. `mean`: add one decimal place."""
     if not math.isfinite(value):
         return NO_VALUE
     text = f"{value:+.0f}" if round(value) else "0"
@@ -56,7 +56,7 @@ def charge_text(statistics: Statistics) -> str:
 
 
 class EventMarks(Painted):
-    """Strip above the plot with a word for each event and its text as a tool tip."""
+    """Strip above the plot with a word for each event. A tool tip shows the event's text."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -131,13 +131,13 @@ class CurveTags(Painted):
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002 - the widget is small
         ends = sorted((y, name) for name, y in self._heights.items() if name in self._traces)
         height = self.fontMetrics().height() + 1.0
-        centres = spread([y for y, _ in ends], [height] * len(ends), 0, self.height(), 2)
-        if centres is None:
+        centers = spread([y for y, _ in ends], [height] * len(ends), 0, self.height(), 2)
+        if centers is None:
             return
         color = theme().color
         with Painter(self) as painter:
-            for (_, name), centre in zip(ends, centres, strict=True):
-                box = QRectF(1, centre - height / 2, self.width() - 2, height)
+            for (_, name), center in zip(ends, centers, strict=True):
+                box = QRectF(1, center - height / 2, self.width() - 2, height)
                 painter.setPen(Qt.PenStyle.NoPen)
                 painter.setBrush(color(self._traces[name].color))
                 painter.drawRoundedRect(box, 3, 3)

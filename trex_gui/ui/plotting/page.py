@@ -6,9 +6,9 @@ from PySide6.QtWidgets import QWidget
 
 
 class PlotPage(QWidget):
-    """Page that creates its plot when first shown, or soon after the start.
+    """Page that creates its plot when it is first shown, or soon after the program starts.
 
-    Subclasses import pyqtgraph in `add_plot`, since pyqtgraph takes as long to load as Qt.
+    A subclass imports pyqtgraph in `add_plot`, since pyqtgraph takes as long to load as Qt.
     """
 
     plot_added = Signal()
@@ -25,9 +25,9 @@ class PlotPage(QWidget):
         raise NotImplementedError
 
     def show_moment(self, time: float, text: str) -> None:
-        """Show the event with this text, or else the time.
+        """Show the event with this text. If there is none, show the time.
 
-        Pages without a time axis do nothing.
+        A page without a time axis does nothing.
         """
 
     def showEvent(self, event: QShowEvent) -> None:

@@ -1,6 +1,6 @@
 """Plot with controls, statistics, events and export.
 
-Loads pyqtgraph, so import this module lazily.
+Importing this module loads pyqtgraph, so import it lazily.
 """
 
 import math
@@ -43,13 +43,13 @@ _COLORS = {
     "grey": ("muted", tr_noop("Grey")),
     "foreground": ("plot_text", tr_noop("As text")),
 }
-"""Name in the preferences → name in the theme and name for the user."""
+"""Name in the preferences → name in the theme, name for the user."""
 
 _COLOR_NAMES = {color: name for name, (color, _) in _COLORS.items()}
 
 
 class TracePanel(QWidget):
-    """Plot with controls. Saves the selected curves, colours, time, range and layout.
+    """Plot with controls. Saves the selected curves, colours, time span, range and layout.
 
     While the source grows, its owner calls `draw_live` and, less often, `refresh_figures`.
     """
@@ -160,7 +160,7 @@ class TracePanel(QWidget):
 
     @Slot()
     def _update_widths(self) -> None:
-        """Fit the width of the table, unless the user has moved the handle."""
+        """Fit the width of the table, unless the user has moved the splitter."""
         if self._store.data(f"{self._key}figures_splitter").isEmpty():
             figures = self._view.sizeHint().width()
             self._below.setSizes([figures, max(0, self._below.width() - figures)])
@@ -261,7 +261,7 @@ class TracePanel(QWidget):
     def show_moment(self, time: float, text: str) -> None:
         """Show the last event with this text at or before a time.
 
-        Without such an event, show the time.
+        If there is no such event, show the time.
         """
         self.refresh()
         source = self.plot.source

@@ -1,6 +1,6 @@
 """Plot of traces, live or for a past span.
 
-Loads pyqtgraph, so import this module lazily.
+Importing this module loads pyqtgraph, so import it lazily.
 """
 
 import math
@@ -25,7 +25,7 @@ from trex_gui.ui.widgets.builders import column, named
 from trex_gui.ui.widgets.labels import Muted
 from trex_gui.ui.widgets.painted import Painted
 
-BINS = 500  # parts of the width, each with two points
+BINS = 500  # parts of the plot's width; each part has two points
 _PAN = 0.25  # fraction of the span per key press
 _ZOOM = 0.7  # factor per key press
 _FINE, _COARSE = 0.002, 0.05  # steps of the cursor, as fractions of the span
@@ -42,17 +42,17 @@ FloatsT = TypeVar("FloatsT", float, Floats)
 class TracePlot(Painted):
     """Curves on up to two axes, with limits, events, a cursor and a mark.
 
-    Curves with the source's first unit use the left axis. Other curves use the right axis. Their
-    values are converted to the left axis, because a second view box is as slow as a second plot.
-    x is relative to the right edge, so that only the curves of a live plot move.
+    Curves with the source's first unit use the left axis. Other curves use the right axis, and
+    their values are converted to the left axis, because a second view box is as slow as a second
+    plot. x is relative to the right edge, so that only the curves move in a live plot.
     """
 
     spoken_role = QAccessible.Role.Chart
 
     view_changed = Signal()  # the visible span or `span.live` has changed
     cursor_changed = Signal()  # `cursor_time` or `mark_time` has changed
-    shown_changed = Signal()
-    colors_changed = Signal()
+    shown_changed = Signal()  # `shown` has changed
+    colors_changed = Signal()  # the colour of a curve has changed
 
     def __init__(
         self, parent: QWidget | None = None, *, name: str = "", line_width: float = 1
@@ -180,7 +180,7 @@ class TracePlot(Painted):
         self.view_changed.emit()
 
     def draw(self) -> None:
-        """Draw a frame. The time does not depend on the number of samples."""
+        """Draw a frame. This takes no longer if there are more samples."""
         source, span = self.source, self.span
         if source is None:
             return

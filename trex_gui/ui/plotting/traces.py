@@ -57,7 +57,7 @@ class Traces:
 
     @property
     def right_unit(self) -> str:
-        """Unit of the right axis. Empty for plain counts or without a right axis."""
+        """Unit of the right axis. Empty for plain counts, or if there is no right axis."""
         return next((t.unit for t in self.traces if t.unit != self.left_unit), "")
 
     def points(self, name: str, start: float, end: float, bins: int) -> "Points":
@@ -71,9 +71,9 @@ class Traces:
         return self._history.value_at(self._columns[name], time)
 
     def samples(self, start: float, end: float) -> "tuple[Floats, Sequence[Floats]]":
-        """Return the times and each curve's values.
+        """Return the times, and the values of each curve.
 
-        The views are valid until a row is added.
+        The arrays are views and only valid until a row is added.
         """
         rows = self._history.rows(start, end)
         columns = [self._history.values(column)[rows] for column in range(len(self.traces))]
