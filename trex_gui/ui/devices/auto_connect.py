@@ -1,4 +1,4 @@
-"""Automatic connection to known boards and to adapters that return."""
+"""Automatic connection to known boards and to adapters that are plugged in again."""
 
 from collections import deque
 from collections.abc import Sequence
@@ -34,14 +34,14 @@ def set_automatic(enabled: bool) -> None:
 class AutoConnect(QObject):
     """Connects automatically, unless the user has disabled this.
 
-    - At the start and when adapters are plugged in: connects if a device was found there before
-      and only one device replies. The last used port is probed first. Each port is probed once,
-      only with the settings of the device found there. A visible problem prevents the connection.
-      So does *Disconnect*, until the user connects again.
-    - When an adapter returns that was missing or whose line was lost: connects even if the name of
-      its port has changed. Another adapter with the old name is not used.
+    - When the program starts or an adapter is plugged in: connects to a port at which a device was
+      found before, if only one device replies. The last used port is probed first. Each port is
+      probed once, only with the settings of the device found there. A visible problem prevents
+      the connection. *Disconnect* also prevents it, until the user connects again.
+    - When a missing adapter, or an adapter whose line was lost, is plugged in again: connects even
+      if the name of its port has changed. Another adapter with the old name is not used.
 
-    Ports that another program has open are skipped. The motors remain disarmed.
+    A port that another program has open is skipped. The motors remain disarmed.
     """
 
     def __init__(
@@ -57,16 +57,16 @@ class AutoConnect(QObject):
         self._notifier = notifier
         self._scanner: DeviceScanner = manager.scanner
         self._present: Sequence[Port] = ()  # ports at the last check
-        self._batches: deque[list[Port]] = deque()  # groups of ports to probe
+        self._batches: deque[list[Port]] = deque()  # groups of ports that will be probed
         self._is_probing = False
         self._tried: Port | None = None  # port of the last connection attempt
-        self._missing: Port | None = None  # connect to this port when it is plugged in
+        self._missing: Port | None = None  # the program connects to it when it is plugged in
         self._may_be_stale = False  # the system may still list the missing port
         self._notice = ""  # message for the next connection
         self._timer = new_timer(self, _SETTLE_MS, self._on_settled, single_shot=True)
 
     def start(self, *, at_once: bool = True) -> None:
-        """Start watching. `at_once`: treat present adapters as newly plugged in."""
+        """Start watching. `at_once`: treat present adapters as if they were just plugged in."""
         self._ports.changed.connect(self._on_ports_changed)
         self._manager.changed.connect(self._on_link_changed)
         self._scanner.finished.connect(self._on_scan_finished)
@@ -75,7 +75,7 @@ class AutoConnect(QObject):
         if not at_once:
             return
         last = self._ports.last_used
-        # A typed address may now lead elsewhere, for example a pseudo-terminal to a shell.
+        # A typed address may now belong to another target: a pseudo-terminal may run a shell.
         first = [last] if last is not None and last.kind is PortKind.SERIAL else []
         self._start_probing(first, [port for port in _adapters(self._present) if port != last])
 
@@ -87,7 +87,7 @@ class AutoConnect(QObject):
         if current.link is ConnectionState.CONNECTED:
             self._missing, self._may_be_stale = None, False
             if self._notice:
-                # After the messages of the device, which take precedence.
+                # Shown after the messages of the device, which take precedence.
                 QTimer.singleShot(0, self._show_notice)
 
     @Slot()
@@ -112,7 +112,7 @@ class AutoConnect(QObject):
             found = self._ports.find(missing.url)
         else:
             found = self._ports.now(missing)
-        # Never a typed address, because it is always listed.
+        # A typed address is always listed, so it cannot return.
         return found if found is not None and found.kind is PortKind.SERIAL else None
 
     def _reconnect(self) -> bool:

@@ -30,14 +30,14 @@ class ConnectionState(Enum):
 
 
 class DeviceConnection(SessionThread, Generic[SettingsT]):
-    """Base class of connections. A subclass adds its session and handles the reports.
+    """Base class of connections. A subclass creates the session and handles its reports.
 
-    `line_closed` precedes the change of `link`. `failed` follows `changed`.
+    `line_closed` is emitted before `link` changes. `failed` is emitted after `changed`.
     """
 
-    changed = Signal()  # `link` or `status`
-    # The data of the device is no longer valid. Emits `Closed`, or `None` if the program ends and
-    # the session does not end in time.
+    changed = Signal()  # `link` or `status` has changed
+    # `Closed`, or `None` if the program ends and the session does not end in time. The data of
+    # the device is no longer valid.
     line_closed = Signal(object)
     interfered = Signal(str, object)  # sentence about another program at the port, `Remedies`
     failed = Signal(object)  # the `StudioError` that closed the line
@@ -46,8 +46,8 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         super().__init__(parent)
         self.link = ConnectionState.DISCONNECTED
         self.status = tr("Not connected.")  # `link` as a sentence
-        self.settings: SettingsT | None = None  # of the open or last line
-        self._next: SettingsT | None = None
+        self.settings: SettingsT | None = None  # settings of the open or last line
+        self._next: SettingsT | None = None  # settings of the line to open after this one
         self.open_logged = logged(self.log.record, open_transport, now)
         self.traffic = TrafficModel(self, decoder)  # every byte on the line
         self.reported.connect(self.handle)
@@ -66,7 +66,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         self.start(create_session, may_move=may_move)
 
     def close(self) -> None:
-        """Stop the motors if possible and close the line. Does not wait."""
+        """Stop the motors if possible, and close the line. Does not wait."""
         self._next = None
         if self.is_open and self.link is not ConnectionState.DISCONNECTING:
             self.prepare_to_close()

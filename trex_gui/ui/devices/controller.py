@@ -19,7 +19,7 @@ SettingsT_contra = TypeVar("SettingsT_contra", bound=PortSettings, contravariant
 
 
 class DeviceModel(Protocol[SettingsT_contra]):
-    """Model of a device as seen by its controller. See `DeviceConnection`."""
+    """Part of a device's model that its controller uses. See `DeviceConnection`."""
 
     notifier: Notifier
 
@@ -39,7 +39,7 @@ class DeviceModel(Protocol[SettingsT_contra]):
 
 @dataclass(frozen=True, slots=True)
 class QualityReport:
-    """Quality of a line as text. `is_bad`: the user should act."""
+    """Quality of a line as text. `is_bad`: the user should improve the line."""
 
     text: str = ""  # empty if unknown
     is_bad: bool = False
@@ -71,8 +71,8 @@ class DeviceController(QObject, Generic[SettingsT]):
         self.port: Port | None = None  # connected or connecting
         self._chosen: Port | None = None
         self.starting = False  # the simulator is starting; the connection follows
-        # True from the connection to the simulated device until the user disconnects. It stays True
-        # when the line breaks, because the user repairs the line in the demo panel.
+        # True from the connection to the simulated device until the user disconnects. A broken
+        # line does not reset it, because the user repairs the line in the demo panel.
         self.demo_in_use = False
         self._after_scan: Port | None = None
         self.simulator = Simulator(plugin, self)
@@ -96,14 +96,14 @@ class DeviceController(QObject, Generic[SettingsT]):
         return self.settings.short
 
     def select(self, port: Port) -> None:
-        """Select a port. Use the settings of a device found at a new port."""
+        """Select a port. If the port is new, use the settings of the device found there."""
         if self._chosen is None or not self._chosen.is_same(port):
             self._chosen = port
             if port.settings:
                 self.set_packed(port.settings)
 
     def connect_to(self, port: Port) -> None:
-        """Connect to a port. First close an open line and end a scan of the port."""
+        """Connect to a port. Before that, close an open line and end a scan of the port."""
         self.select(port)
         if self._scanner.is_searching(port):
             self._after_scan = port
@@ -200,7 +200,7 @@ class DeviceController(QObject, Generic[SettingsT]):
     # --- For each device ----------------------------------------------------------------
 
     def set_packed(self, settings: str) -> None:
-        """Use the packed settings of a device that was found. Does nothing by default."""
+        """Use the packed settings of a found device. Does nothing by default."""
 
     @property
     def quality(self) -> QualityReport:
@@ -218,7 +218,7 @@ class DeviceController(QObject, Generic[SettingsT]):
 
     @property
     def may_move(self) -> bool:
-        """True if motors were driven and no stop has been confirmed since."""
+        """True if motors were driven and no stop has been confirmed since then."""
         return False
 
     @property
@@ -238,7 +238,8 @@ class DeviceController(QObject, Generic[SettingsT]):
         """Stop because of an event.
 
         `reason`: clause without a period, such as "The screen was locked". Return sentences about
-        the stop that begin with the reason. Return an empty text if there is nothing to stop.
+        the stop. The first sentence starts with the reason. If there is nothing to stop, return an
+        empty text.
         """
         raise NotImplementedError
 

@@ -1,4 +1,4 @@
-"""Dock of a simulated device: state, groups of controls, reset button."""
+"""Dock of a simulated device, with its state, groups of controls and a reset button."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -28,7 +28,7 @@ from trex_gui.ui.widgets.sliders import StickSlider
 
 _NAME, _SLIDER, _VALUE, _TICK = range(4)
 
-_EXTRA_WIDTH = 34  # pixels, partly for a scroll bar
+_EXTRA_WIDTH = 34  # pixels, including space for a scroll bar
 _NOISE_STEPS = 10  # slider positions per percent
 _MAX_NOISE = 5  # percent of the bytes; more noise makes the line unusable
 
@@ -85,7 +85,10 @@ class Rows(ui.Card, Generic[SnapshotT]):
         read: Callable[[SnapshotT], float],
         show: Callable[[float], object],
     ) -> None:
-        """Connect a slider and a value in both directions. `show` displays the value."""
+        """Connect a slider and a value in both directions.
+
+        `on_move` sets the value of the device. `read` returns it. `show` displays it.
+        """
         steps = slider.positions_per_unit
 
         def move(position: int) -> None:
@@ -102,7 +105,7 @@ class Rows(ui.Card, Generic[SnapshotT]):
     def add_note(
         self, name: str, lines: int, read: Callable[[SnapshotT], tuple[str, bool]]
     ) -> None:
-        """Add a note across all columns. `read` returns its text and True for an alarm."""
+        """Add a note across all columns. `read` returns its text, and True if it is an alarm."""
         note = ui.named(Note(lines, self), name)
 
         def update(snapshot: SnapshotT) -> None:
@@ -122,7 +125,7 @@ class Rows(ui.Card, Generic[SnapshotT]):
     def add_row(
         self, name: str, slider: QWidget, value: QLabel, ticks: Sequence[QWidget] = ()
     ) -> QLabel:
-        """Add a row. Return the label with the name."""
+        """Add a row. Return the label that shows `name`."""
         row_number = self._next()
         label = ui.label(self, text=name, buddy=slider)
         label.setTextFormat(Qt.TextFormat.AutoText)  # markup in `name` may set a number in bold
@@ -162,9 +165,9 @@ def add_cable(
 ) -> None:
     """Add controls that disturb the cable.
 
-    `prefix`: prefix of object names. `mute`, `noise`: tool tips. `faults`: texts and values for
-    `cause`. `choice`, `once`: object name, text and tool tip of the fault list and its button.
-    `before`: widgets on the left, with their stretch.
+    `prefix`: prefix of object names. `mute`, `noise`: tool tips. `faults`: texts in the fault
+    list, with values for `cause`. `choice`, `once`: object name, text and tool tip of the fault
+    list and of its button. `before`: widgets on the left, with their stretch.
     """
     mute_box = rows.check_box(
         f"{prefix}Mute",
@@ -211,27 +214,27 @@ class DemoDock(QDockWidget):
         name: str,
         key: str,
         use: DeviceController[Any],
-        make: Callable[[QWidget], QWidget],
+        create: Callable[[QWidget], QWidget],
         parent: QWidget | None = None,
     ) -> None:
-        """`key`: preference that stores `wanted`. `make`: creates the content when first shown."""
+        """`key`: preference that stores `wanted`. `create`: called when the dock is first shown."""
         super().__init__(parent)
         self.setObjectName(name)
         self._key = key
-        self._make = make
+        self._create = create
         self._use = use
         self._store = Preferences()
         self._width = self._width_before = 0  # window widths after and before it was widened
-        # True if the user wants to see the dock while the device is in use.
+        # True if the dock is visible whenever the device is in use.
         self.wanted = self._store.flag(key, default=True)
-        # Queued, because Qt sets its own icons after the signal.
+        # Queued, because Qt sets its own icons after it emits the signal.
         self.visibilityChanged.connect(self._show_icons, Qt.ConnectionType.QueuedConnection)
         use.changed.connect(self.show_if_wanted)
         self.hide()
 
     @Slot()
     def _show_icons(self) -> None:
-        """Replace the icons that the style sets whenever the dock is detached or docked."""
+        """Replace the icons. The style sets them again whenever the dock is detached or docked."""
         for name, sign in (("floatbutton", "float"), ("closebutton", "clear")):
             button = self.findChild(QAbstractButton, f"qt_dockwidget_{name}")
             if button is not None:
@@ -254,7 +257,7 @@ class DemoDock(QDockWidget):
         if is_shown and self.isHidden():
             if self.widget() is None:
                 # The content scrolls, because pages need the space on small screens.
-                self.setWidget(ScrollBox(self._make, self, sideways=True))
+                self.setWidget(ScrollBox(self._create, self, sideways=True))
             self._widen_window()
             self.show()
         elif not is_shown and not self.isHidden():
@@ -299,7 +302,7 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
         state_text: Callable[[SnapshotT], str],
         parent: QWidget | None = None,
     ) -> None:
-        """`state_name`: object name of the note with the state."""
+        """`state_name`: object name of the note that shows the state."""
         super().__init__(parent)
         self._device = device
         self._use = use
@@ -310,12 +313,12 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
         self._state = ui.named(Note(2, self), state_name)
 
     def arrange(
-        self, groups: Sequence[Rows[SnapshotT]], reset: QPushButton, *head: QWidget
+        self, groups: Sequence[Rows[SnapshotT]], reset: QPushButton, *header: QWidget
     ) -> None:
         """Lay out the panel. Tab visits the groups, then `reset`."""
         self._groups, self._reset = groups, reset
         right = (reset, 0, Qt.AlignmentFlag.AlignRight)
-        ui.column(*head, self._state, *groups, right, 1, into=self, margins=3, spacing=6)
+        ui.column(*header, self._state, *groups, right, 1, into=self, margins=3, spacing=6)
         ui.tab_order(*(control for group in groups for control in group.controls), reset)
         self._device.changed.connect(self.refresh)
         self._use.changed.connect(self.refresh)
@@ -326,7 +329,7 @@ class DemoPanelBody(QWidget, Generic[SnapshotT]):
         raise NotImplementedError
 
     def sizeHint(self) -> QSize:
-        """Return little more than the minimum width, because pages need the space."""
+        """Return a width close to the minimum, because the pages need the space."""
         return QSize(self.minimumSizeHint().width() + _EXTRA_WIDTH, super().sizeHint().height())
 
     def showEvent(self, event: QShowEvent) -> None:

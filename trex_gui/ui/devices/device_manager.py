@@ -17,12 +17,12 @@ Controller = DeviceController[Any]
 
 
 class DeviceManager(QObject):
-    """Connects to a device after disconnecting the previous device."""
+    """Connects to one device at a time. Disconnects the previous device first."""
 
     changed = Signal()  # any property of `current` may have changed
     progressed = Signal(int, int, str)  # completed steps, total steps, next step
-    current_changed = Signal()  # `current` is another kind of device
-    stop_reported = Signal(str)  # sentences about an automatic stop, with `stop_remedies`
+    current_changed = Signal()  # `current` is now another kind of device
+    stop_reported = Signal(str)  # sentences about an automatic stop; see `stop_remedies`
 
     def __init__(
         self, factories: Mapping[str, Callable[[], Controller]], scanner: DeviceScanner
@@ -32,8 +32,9 @@ class DeviceManager(QObject):
         self.scanner = scanner
         self._factories = dict(factories)
         self._controllers: dict[str, Controller] = {}
-        self.current = self.controller(next(iter(factories)))  # of the current or last connection
-        self._next: Callable[[], None] | None = None
+        # Controller of the current connection. Without a connection, controller of the last one.
+        self.current = self.controller(next(iter(factories)))
+        self._next: Callable[[], None] | None = None  # called once `current` is disconnected
         self.user_disconnected = False  # the user has disconnected and not yet reconnected
         self.stop_remedies: Remedies = ()  # offered with `stop_reported`
 
@@ -56,7 +57,7 @@ class DeviceManager(QObject):
         return self.current.link is ConnectionState.DISCONNECTED and not self.current.starting
 
     def select(self, port: Port) -> None:
-        """Use the settings of a port to which the user may connect next."""
+        """Use the settings of a port, since the user may connect to it next."""
         if self.is_idle and port.device == self.current.plugin.key:
             self.current.select(port)
 
@@ -73,15 +74,15 @@ class DeviceManager(QObject):
     def switch_to(self, device: str, then: Callable[[], object]) -> bool:
         """Make another kind of device current without connecting to it. Then call `then`.
 
-        A disconnecting device delays the call. Return False if a connected device prevents the
-        switch.
+        If a device is disconnecting, `then` is called later. Return False if a connected device
+        prevents the switch.
         """
         controller = self.controller(device)
         if controller is self.current:
             then()
             return True
-        is_leaving = self.current.link is ConnectionState.DISCONNECTING and self._next is None
-        is_possible = self.is_idle or is_leaving
+        is_closing = self.current.link is ConnectionState.DISCONNECTING and self._next is None
+        is_possible = self.is_idle or is_closing
         if is_possible:
             self._switch_to(controller, then)
         return is_possible
@@ -89,7 +90,7 @@ class DeviceManager(QObject):
     def _switch_to(self, controller: Controller, then: Callable[[], object]) -> None:
         self._next = None
         if controller is not self.current:
-            # Even if idle, because the controller may be waiting for the end of a scan.
+            # Even an idle controller may be waiting for the end of a scan.
             self.current.disconnect_device()
             if not self.is_idle:
                 self._next = lambda: self._switch_to(controller, then)
@@ -99,7 +100,7 @@ class DeviceManager(QObject):
         then()
 
     def when_connected(self, then: Callable[[], object]) -> None:
-        """Call `then` once, after the next report of a connection."""
+        """Call `then` once, after the next connection is reported."""
 
         def run_once() -> None:
             if self.current.link is ConnectionState.CONNECTED:
@@ -121,8 +122,8 @@ class DeviceManager(QObject):
     def stop_because(self, reason: str, remedies: Remedies = ()) -> None:
         """Stop every device because of an event.
 
-        `stop_reported` emits the texts of all devices, the current device first. If there is no
-        text but there are `remedies`, it emits the reason.
+        `stop_reported` emits the texts of all devices, starting with the current device. If there
+        are `remedies` but no texts, the signal emits the reason.
         """
         self.stop_remedies = remedies
         texts = {

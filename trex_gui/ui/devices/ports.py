@@ -40,7 +40,7 @@ class Port:
     settings: str = field(default="", compare=False)  # packed settings of the device found there
 
     def is_same(self, other: "Port") -> bool:
-        """Return whether both are the same port. The name or the device may differ."""
+        """Return whether both entries are the same port. The name or the device may differ."""
         if self.adapter is not None and other.adapter is not None:
             return self.adapter.is_same(other.adapter)
         if PortKind.DEMO in {self.kind, other.kind}:
@@ -52,12 +52,12 @@ class Ports(QObject):
     """List of ports that refreshes itself.
 
     Order: serial ports of this computer, typed addresses, boards served over the network, and a
-    simulated device of each kind. Pseudo-terminals and network ports have to be typed, because
-    systems do not list them. By default, a port leads to the first kind of device. A kind that was
-    found or selected at a port is saved with the adapter and the settings.
+    simulated device of each kind. The user types the addresses of pseudo-terminals and network
+    ports, because systems do not list them. By default, a port is assigned to the first kind of
+    device. If another kind was found or selected, it is saved with the adapter and the settings.
     """
 
-    changed = Signal()  # `entries`
+    changed = Signal()  # `entries` has changed
 
     def __init__(self, plugins: Sequence[DevicePlugin]) -> None:
         super().__init__()
@@ -81,7 +81,7 @@ class Ports(QObject):
 
     @property
     def preferred(self) -> Port | None:
-        """Last used port, otherwise the only USB adapter or the only serial port."""
+        """Last used port. Otherwise the only USB adapter, or else the only serial port."""
         serial = [port for port in self.entries if port.kind is PortKind.SERIAL]
         adapters = [port for port in serial if port.adapter is not None]
         only = next((ports[0] for ports in (adapters, serial) if len(ports) == 1), None)
@@ -94,10 +94,10 @@ class Ports(QObject):
         return self.now(newest) if newest is not None else None
 
     def now(self, port: Port) -> Port | None:
-        """Return the current entry of a port. `None` if it is missing.
+        """Return the current entry of a port, or `None` if the port is missing.
 
         The port may have another name now. If several adapters share a serial number, return the
-        adapter in the old USB socket.
+        entry of the adapter in the old USB socket.
         """
         entries = [entry for entry in self.entries if entry.is_same(port)]
         if len(entries) > 1:
@@ -126,7 +126,10 @@ class Ports(QObject):
             self.changed.emit()
 
     def add_typed(self, url: str) -> Port:
-        """Save a typed address. Return its entry, or the listed port behind a symbolic link."""
+        """Save a typed address, and return its entry.
+
+        For a symbolic link to a listed port, return that port and save nothing.
+        """
         url = url.strip()
         linked = self.find(os.path.realpath(url)) if Path(url).is_symlink() else None
         if linked is not None and linked.kind is PortKind.SERIAL:
@@ -143,9 +146,9 @@ class Ports(QObject):
         self.refresh()
 
     def assign(self, port: Port, device: str, settings: str = "") -> Port:
-        """Save the kind of device at a port. Return its entry.
+        """Assign a port to a kind of device, and save this. Return the new entry of the port.
 
-        `settings`: packed settings. Empty if the user only selected the kind.
+        `settings`: packed settings of the device found there. Empty if the user selected the kind.
         """
         known = replace(port, device=device, settings=settings)
         is_new = bool(settings) or device != port.device
@@ -189,7 +192,7 @@ def _line(port: Port) -> str:
 
 
 def _read(line: str) -> Port | None:
-    """Parse a saved line. `None` if invalid."""
+    """Parse a saved line. Return `None` if the line is invalid."""
     match line.split("\t"):
         case [device, settings, url]:
             return Port(PortKind.TYPED, url, url, device, None, settings)

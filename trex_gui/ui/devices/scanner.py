@@ -1,4 +1,4 @@
-"""Scan of the ports for boards with unknown line settings."""
+"""Scan of ports for boards with unknown line settings."""
 
 import threading
 from collections.abc import Callable, Sequence
@@ -51,7 +51,10 @@ class ScanWorker(WorkerThread):
             self.searched.emit(index, result)
 
     def cancel(self) -> None:
-        """End after the current probe. This takes up to half a second, or longer over a network."""
+        """End the scan after the current probe.
+
+        A probe takes up to half a second, or longer over a network.
+        """
         self._cancelled.set()
 
     def close(self, timeout_ms: int = 1000) -> bool:
@@ -61,7 +64,7 @@ class ScanWorker(WorkerThread):
 
 @dataclass(frozen=True, slots=True)
 class ScanFinding:
-    """Device found at a port, or the reason for finding none."""
+    """Device found at a port, or the reason why no device was found."""
 
     port: Port
     text: str  # for the user; may have a paragraph for each kind of device
@@ -73,24 +76,24 @@ class ScanFinding:
 class DeviceScanner(QObject):
     """Scans ports one after another. No probe moves a motor of a supported device."""
 
-    changed = Signal()  # `running`, `findings` or `summary`
-    progressed = Signal()  # `done`, `total` or `text`
+    changed = Signal()  # `running`, `findings` or `summary` has changed
+    progressed = Signal()  # `done`, `total` or `text` has changed
     finished = Signal()  # the scan has ended and its ports are free
-    simulators_changed = Signal()  # `can_search` of a simulated device
+    simulators_changed = Signal()  # a simulated device has started or ended
 
     def __init__(
         self, plugins: Sequence[DevicePlugin] = (), *, timeouts: Timeouts | None = None
     ) -> None:
-        """`plugins`: kinds of devices to search for. See `core.discovery.scan` for the order."""
+        """`plugins`: kinds of devices to search for. `core.discovery.scan` describes the order."""
         super().__init__()
         self._plugins = tuple(plugins)
         self._timeouts = timeouts or Timeouts()
         self._simulators: dict[str, Simulator] = {}
-        self.logs: list[TrafficLog] = []  # record every byte of the scans
+        self.logs: list[TrafficLog] = []  # each log records every byte of the scans
         self.line = ("", "")  # kind of device and packed settings of the next connection
         self._worker: ScanWorker | None = None
         self._ports: tuple[Port, ...] = ()
-        self.findings: tuple[ScanFinding, ...] = ()  # so far, in the order of the ports
+        self.findings: tuple[ScanFinding, ...] = ()  # in the order of the ports
         self._searched = 0  # number of scanned ports
         self._only_recall = False
         self.done = 0  # probes that are done or no longer needed
@@ -122,7 +125,11 @@ class DeviceScanner(QObject):
     def start(
         self, ports: Sequence[Port], *, full: bool = False, only_recall: bool = False
     ) -> None:
-        """Scan ports. `only_recall`: use only settings with which a device was found before."""
+        """Scan ports.
+
+        `full`: also try every CRC polynomial and every device number. `only_recall`: try only the
+        settings with which a device was found before.
+        """
         if self._worker is not None or not ports:
             return
         self._ports = tuple(ports)

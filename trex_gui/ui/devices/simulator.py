@@ -12,7 +12,7 @@ from trex_gui.core.plugin import DevicePlugin
 from trex_gui.core.translation import tr
 from trex_gui.ui.runtime import new_timer, runtime
 
-SIMULATOR_ARGUMENT = "--simulator"  # makes the program run the simulator instead of the window
+SIMULATOR_ARGUMENT = "--simulator"  # runs the simulator instead of the window
 
 _POLL_INTERVAL_MS = 125
 _STOP_TIMEOUT_MS = 1000
@@ -25,7 +25,7 @@ def simulator_command() -> tuple[str, list[str]]:
 
 
 class Simulator(QObject):
-    """Process of a simulated device. It keeps running between connections."""
+    """Process of a simulated device. The process keeps running between connections."""
 
     ready = Signal(str)  # address for the connection
     failed = Signal(str)  # reason for a failed start
@@ -35,7 +35,7 @@ class Simulator(QObject):
         super().__init__(parent)
         self._arguments = plugin.simulator_arguments
         self.label = tr("the Demo {0}").format(plugin.name)
-        self.url = ""  # empty if not running; changes whenever the cable is plugged in
+        self.url = ""  # empty without a process; changes whenever the cable is plugged in
         self.plugged = True  # state of the simulated cable
         self._ending = False
         self._reply_handlers: deque[Callable[[str], None] | None] = deque()
@@ -56,7 +56,8 @@ class Simulator(QObject):
     def send(self, line: str, then: Callable[[str], None] | None = None) -> None:
         """Send a control line, such as `channel 1 1500us`.
 
-        `then` receives the reply: `ok ...` or `error ...`. Replies arrive in the same order.
+        `then` receives the reply: `ok ...` or `error ...`. Replies arrive in the order of the
+        lines.
         """
         if self.url:
             self._reply_handlers.append(then)
@@ -110,7 +111,7 @@ class Simulator(QObject):
 
 @dataclass(frozen=True, slots=True)
 class DemoLine:
-    """State of the simulated line to this computer."""
+    """State of the simulated cable between the device and this computer."""
 
     plugged: bool
     mute: bool
@@ -130,12 +131,12 @@ SnapshotT = TypeVar("SnapshotT", bound=DeviceSnapshot)
 class DemoDevice(QObject, Generic[SnapshotT]):
     """Controls a simulated device and polls its state.
 
-    Polls only while watched and while the simulator runs. A slider may move faster than the
-    simulator replies. Therefore only one control line per key is in flight, and only the newest of
-    the waiting lines is sent next.
+    Polls only while a panel watches and the simulator runs. A slider may move faster than the
+    simulator replies. Therefore only one control line per key is in flight, and a newer waiting
+    line replaces an older one.
     """
 
-    changed = Signal()  # `snapshot`
+    changed = Signal()  # `snapshot` has changed
     rejected = Signal(str)  # the simulator's reason, as a sentence
 
     def __init__(
@@ -146,12 +147,12 @@ class DemoDevice(QObject, Generic[SnapshotT]):
         self._simulator = simulator
         self._read = read
         self.snapshot: SnapshotT | None = None  # `None` until the simulator replies
-        self._unsent: dict[str, str] = {}
-        self._in_flight: set[str] = set()
+        self._unsent: dict[str, str] = {}  # key → waiting control line
+        self._in_flight: set[str] = set()  # keys of control lines without a reply
         self._sent = 0  # number of control lines
         self._polling = False
         self._timer = new_timer(self, _POLL_INTERVAL_MS, self._poll)
-        simulator.ready.connect(self._poll)  # even if no panel watches
+        simulator.ready.connect(self._poll)  # polls once even if no panel watches
         simulator.ended.connect(self._on_simulator_ended)
 
     def watch(self, watched: bool) -> None:
@@ -188,7 +189,7 @@ class DemoDevice(QObject, Generic[SnapshotT]):
         self._simulator.send(line, on_reply)
 
     def _send_newest(self, key: str, line: str) -> None:
-        """Send a control line after the previous line with this key."""
+        """Send a control line once the previous line with this key has a reply."""
 
         def send_waiting() -> None:
             self._in_flight.discard(key)

@@ -20,7 +20,10 @@ _RUN_ID = 1  # Qt may merge commands with equal ids, but never with the id -1
 
 
 def undo_titles(undone: str, redone: str) -> tuple[str, str]:
-    """Return the menu texts of undo and redo. `undone`, `redone`: texts of their commands."""
+    """Return the menu texts of undo and redo.
+
+    `undone`: text of the command to undo. `redone`: text of the command to redo.
+    """
     return (
         tr("&Undo {0}").format(undone) if undone else tr("&Undo"),
         tr("&Redo {0}").format(redone) if redone else tr("&Redo"),
@@ -28,7 +31,7 @@ def undo_titles(undone: str, redone: str) -> tuple[str, str]:
 
 
 class Edit(QUndoCommand, Generic[KeyT, ValueT]):
-    """Command that sets a value. `put` receives the key and the value.
+    """Command that sets a value by calling `put` with the key and the value.
 
     Consecutive edits with the same key and `run` form one undo step.
     """
@@ -60,7 +63,7 @@ class Edit(QUndoCommand, Generic[KeyT, ValueT]):
         return -1 if self.run is None else _RUN_ID
 
     def mergeWith(self, other: QUndoCommand) -> bool:
-        """Merge the next edit of the run. An edit back to the first value removes the step."""
+        """Merge the next edit of the run. If it restores the first value, remove the step."""
         if not isinstance(other, Edit) or (other.run, other.key) != (self.run, self.key):
             return False
         self.after = other.after
