@@ -1,4 +1,4 @@
-"""Bar above the pages: connection state, port, line settings, search, help."""
+"""Bar above the pages, with connection state, port, line settings, search and help."""
 
 from collections.abc import Callable
 from typing import TYPE_CHECKING
@@ -35,13 +35,13 @@ _NOT_CONNECTED, _OTHER = "not connected", "other"
 
 # Widths in average characters
 _PORT, _MIN_PORT = 18, 10
-_STATE, _MIN_STATE = 26, 6  # below 26, the baud rate and the quality are hidden
+_STATE, _MIN_STATE = 26, 6  # with less than 26, the baud rate and the quality are hidden
 _QUALITY, _CONNECT, _MAX_BAR = 11, 14, 116
 
 
 class PortList(ui.ComboBox):
     def initStyleOption(self, option: QStyleOptionComboBox) -> None:
-        """Elide a long text. With a style sheet, Qt would cut it in the middle of a letter."""
+        """Elide a long text. With a style sheet, Qt would cut it off in the middle of a letter."""
         super().initStyleOption(option)
         combo, field = QStyle.ComplexControl.CC_ComboBox, QStyle.SubControl.SC_ComboBoxEditField
         width = self.style().subControlRect(combo, option, field, self).width() - 2
@@ -53,7 +53,7 @@ class ConnectionBar(QFrame):
     """Bar with a list of ports, and a button that connects or disconnects.
 
     Selecting a port does not connect to it. The list shows the port that was last connected or
-    selected. At first it shows the preferred port.
+    selected. At first, the list shows the preferred port.
     """
 
     connecting = Signal()  # emitted before each connection attempt
@@ -136,7 +136,8 @@ class ConnectionBar(QFrame):
         self._progress = ui.progress_bar(self, "progressBar", tr("Progress"))
         self._progress.setFixedWidth(40)
         self._progress.hide()
-        # A part that appears takes the space of the baud rate and quality first, then of the state.
+        # A part that appears takes space from the baud rate and the quality. If that is not
+        # enough, it also takes space from the state.
         self._parts = ui.row(
             self._lamp,
             (self._status, 1),
@@ -195,7 +196,7 @@ class ConnectionBar(QFrame):
         return is_other or self._manager.is_idle
 
     def disconnect_device(self) -> None:
-        """Disconnect. Ask first while settings are being written."""
+        """Disconnect. If settings are being written, ask the user first."""
         self._unless_busy(self._manager.disconnect_device)
 
     def _unless_busy(self, then: Callable[[], object]) -> None:
@@ -213,7 +214,7 @@ class ConnectionBar(QFrame):
             then()
 
     def connect_shown(self) -> None:
-        """Connect to the port shown in the list. Without a port, open the list."""
+        """Connect to the port shown in the list. If it shows no port, open the list."""
         if not self.would_connect:
             return
         shown = self._combo.currentData()
@@ -232,7 +233,7 @@ class ConnectionBar(QFrame):
             self.connect_to(self._ports.now(self._last) or self._last)
 
     def connect_with(self, remedy: ConnectWith) -> None:
-        """Connect to the shown port with other settings. Without a port, open the list."""
+        """Connect to the shown port with other settings. If there is no port, open the list."""
         port = self._port_to_show() or self._last
         if port is None:
             self._offer_ports()
@@ -290,7 +291,7 @@ class ConnectionBar(QFrame):
             self._on_ports_changed()
 
     def connect_to(self, port: Port) -> None:
-        """Connect to a port. Ask first while settings are being written."""
+        """Connect to a port. If settings are being written, ask the user first."""
 
         def connect() -> None:
             self._chosen, self._none_selected = port, False
@@ -313,7 +314,7 @@ class ConnectionBar(QFrame):
                     combo.setCurrentIndex(combo.count() - 1)
             combo.insertSeparator(combo.count())
             combo.addItem(tr("Other port or address…"), _OTHER)
-            combo.setToolTip(ui.plain(combo.currentText()))  # may be elided
+            combo.setToolTip(ui.plain(combo.currentText()))  # the list may elide the text
         self._show_button()
 
     def _port_to_show(self) -> Port | None:

@@ -58,7 +58,7 @@ class RecentFiles(QObject):
 
 
 class FileOpener(QObject):
-    """Opens files in their workspaces. Adds all workspaces if none can open a file."""
+    """Opens files in their workspaces. Adds all workspaces if no workspace can open a file."""
 
     def __init__(
         self,
@@ -79,7 +79,7 @@ class FileOpener(QObject):
         self.recent_menu.setToolTipsVisible(True)
         self.recent.changed.connect(self._fill_menu)
         self._fill_menu()
-        # Queued, because a question must not block the program from which a file is dragged.
+        # Queued, because a question must not block the program from which the user drags a file.
         drop = FileDrop(window)
         drop.dropped.connect(self._on_dropped, Qt.ConnectionType.QueuedConnection)
 
@@ -119,7 +119,7 @@ class FileOpener(QObject):
             self._notifier.error.emit(text.format(name, kind, device))
 
     def open_recent(self, file: RecentFile) -> None:
-        """Open a recent file. If it no longer exists, remove it from the list."""
+        """Open a recent file. If the file no longer exists, remove it from the list."""
 
         def then(exists: bool) -> None:
             if exists:

@@ -42,7 +42,7 @@ class FindDialog(ReusedDialog):
         unless_busy: Callable[[Callable[[], object]], object],
         parent: QWidget | None = None,
     ) -> None:
-        """`unless_busy` calls a function that disconnects. It may ask the user first."""
+        """`unless_busy`: calls a function that disconnects, possibly after asking the user."""
         super().__init__(parent)
         self.setObjectName("findDialog")
         self.setWindowTitle(title_of(tr("&Find a board…")))
@@ -90,12 +90,12 @@ class FindDialog(ReusedDialog):
             tr("&Start"),
             icon="find",
             default=True,
-            on_click=lambda: self._scanner.start(self._chosen, full=self._full.isChecked()),
+            on_click=lambda: self._scanner.start(self._selected_ports, full=self._full.isChecked()),
         )
         text, cancel = tr("C&ancel"), self._scanner.cancel
         self._cancel = ui.button(self, "findCancelButton", text, default=False, on_click=cancel)
         self._progress = ui.progress_bar(self, "findProgress", tr("Progress of the search"))
-        self._tried = ui.named(Note(2, self), "findProgressText")
+        self._progress_note = ui.named(Note(2, self), "findProgressText")
         self._results = ui.named(QWidget(self), "findResults", accessible=tr("Found devices"))
         self._rows = ui.column(1, into=self._results, margins=0)
         about = tr(
@@ -122,7 +122,7 @@ class FindDialog(ReusedDialog):
             ui.row((self._busy, 1), self._disconnect),
             self._full,
             ui.row(self._start, self._cancel, (self._progress, 1)),
-            self._tried,
+            self._progress_note,
             (ScrollBox(self._results, self), 1),
             ui.row(self._check, 1, close),
             into=self,
@@ -134,7 +134,7 @@ class FindDialog(ReusedDialog):
         self._on_ports_changed()
         self.show_in_front()
         self._start.setFocus()
-        if at_once and selected in self._chosen and not self._scanner.running:
+        if at_once and selected in self._selected_ports and not self._scanner.running:
             self._scanner.start([selected])
 
     def hideEvent(self, event: QHideEvent) -> None:
@@ -143,7 +143,7 @@ class FindDialog(ReusedDialog):
             self._scanner.cancel()
 
     @property
-    def _chosen(self) -> list[Port]:
+    def _selected_ports(self) -> list[Port]:
         items = [self._list.item(row) for row in range(self._list.count())]
         return [
             item.data(_PORT)
@@ -194,13 +194,13 @@ class FindDialog(ReusedDialog):
             self._cancel.setEnabled(True)
         self._list.setEnabled(not running)
         self._full.setEnabled(not running)
-        self._start.setEnabled(not running and bool(self._chosen))
+        self._start.setEnabled(not running and bool(self._selected_ports))
         if not running and self.focusWidget() is self._cancel:  # the focus moves to the first board
             next(iter(self._connect_buttons), self._start).setFocus()
         self._cancel.setEnabled(running)
         self._check.setVisible(self._manager.current.has_line_settings)
-        for connect, its_port in self._connect_buttons.items():
-            connect.setEnabled(its_port != port)
+        for connect, found_at in self._connect_buttons.items():
+            connect.setEnabled(found_at != port)
 
     @Slot()
     def _on_progressed(self) -> None:
@@ -209,7 +209,7 @@ class FindDialog(ReusedDialog):
         hint = tr(
             "The likely settings come first; a port without a reply takes about half a minute."
         )
-        self._tried.setText(self._scanner.text or self._scanner.summary or hint)
+        self._progress_note.setText(self._scanner.text or self._scanner.summary or hint)
 
     @Slot()
     def _on_scanner_changed(self) -> None:
@@ -221,7 +221,7 @@ class FindDialog(ReusedDialog):
 
     @Slot()
     def _on_finished(self) -> None:
-        """Save the device found at each port. Several boards on a line are not saved."""
+        """Save the device found at each port. If several boards share a line, save none of them."""
         boards = [finding for finding in self._scanner.findings if finding.found is not None]
         ports = [finding.port for finding in boards]
         for board in boards:

@@ -54,7 +54,7 @@ _DEVICE = "window/device"
 
 
 def last_device() -> str:
-    """Return the key of the device whose workspace was last visible. Empty at first."""
+    """Return the key of the device whose workspace was last visible. Empty at the first start."""
     return Preferences().text(_DEVICE)
 
 
@@ -68,7 +68,7 @@ class MainWindow(QMainWindow):
         notifier: Notifier,
         add_all_workspaces: Callable[[], object],
     ) -> None:
-        """`add_all_workspaces` adds the workspaces of devices that have not been used yet."""
+        """`add_all_workspaces`: adds the workspaces of devices that have not been used yet."""
         super().__init__()
         restore_choices()  # before fonts are measured
         self.setObjectName("mainWindow")
@@ -144,7 +144,7 @@ class MainWindow(QMainWindow):
         preferences = self._actions["preferences"]
         preferences.setMenuRole(QAction.MenuRole.PreferencesRole)
         self._current_menus[0].insertMenu(preferences, self.files.recent_menu)
-        # These work in every window of the program.
+        # These actions work in every window of the program.
         for key in ("stop", "help", "search"):
             self._actions[key].setShortcutContext(Qt.ShortcutContext.ApplicationShortcut)
         self._actions["stop"].setAutoRepeat(False)  # Esc may still be held after it closed a menu
@@ -174,7 +174,10 @@ class MainWindow(QMainWindow):
         return next(workspace for workspace in self._workspaces if workspace.key == key)
 
     def _menus(self, workspaces: Sequence[Menus]) -> Iterator[tuple[str, Entries]]:
-        """Yield each menu's title and entries. Menus of a single workspace precede Window."""
+        """Yield the title and the entries of each menu.
+
+        The menus of a single workspace precede the Window menu.
+        """
         bar, stop = self.connection, partial(stop_or_close_dialog, self._manager)
 
         def shared(menu: Menu) -> Entries:
@@ -350,7 +353,7 @@ class MainWindow(QMainWindow):
         self.seen_changed.emit(any(window.visibility() not in unseen for window in windows))
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if self._manager.is_armed:  # before the user is asked anything
+        if self._manager.is_armed:  # stop before asking the user anything
             self._manager.stop_because(tr("The window was to be closed"))
         if not self._warning.is_shown and not all(
             workspace.may_close(self.close) for workspace in self._workspaces

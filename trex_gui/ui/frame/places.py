@@ -12,7 +12,7 @@ from trex_gui.ui.widgets.builders import column, named
 from trex_gui.ui.widgets.painted import Painter
 
 _NARROW = 1100  # pixels; narrower workspaces show only icons
-_ICON, _AROUND = 20, 8  # pixels
+_ICON, _PADDING = 20, 8  # pixels
 _KEYS = {Qt.Key.Key_Up: -1, Qt.Key.Key_Left: -1, Qt.Key.Key_Down: 1, Qt.Key.Key_Right: 1}
 
 
@@ -22,7 +22,7 @@ class PlaceBar(QTabBar):
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self.icons: Sequence[str] = ()  # icon names, in the order of the tabs
-        self._counts: dict[int, int] = {}  # index of a tab → number on it
+        self._counts: dict[int, int] = {}  # index of a tab → displayed count
         self.setMouseTracking(True)
         self.setExpanding(False)
         self.setUsesScrollButtons(False)
@@ -41,7 +41,7 @@ class PlaceBar(QTabBar):
             self._update_name(index)
 
     def set_count(self, index: int, count: int) -> None:
-        """Show a count on a tab. 0 hides it. The tabs do not move."""
+        """Show a count on a tab without moving the tabs. A count of 0 is hidden."""
         if count != self._counts.get(index, 0):
             self._counts[index] = count
             self._update_name(index)
@@ -56,18 +56,18 @@ class PlaceBar(QTabBar):
         metrics = self.fontMetrics()
         height = max(round(1.6 * metrics.height()), _ICON + 12)
         if self.is_narrow:
-            return QSize(_ICON + 3 * _AROUND, height)
+            return QSize(_ICON + 3 * _PADDING, height)
         name = metrics.horizontalAdvance(self.tabText(index))
-        padding = _ICON + 6 * _AROUND + metrics.height()  # includes space for a count
+        padding = _ICON + 6 * _PADDING + metrics.height()  # includes space for a count
         return QSize(round(1.1 * name) + padding, height)  # Qt gives all tabs the largest width
 
     def minimumTabSizeHint(self, index: int) -> QSize:  # noqa: N802 - Qt's name
         return self.tabSizeHint(index)
 
     def minimumSizeHint(self) -> QSize:
-        """Return the size without names, which allows a narrow window."""
+        """Return the size of the tabs without names, which allows a narrow window."""
         height = sum(self.tabSizeHint(index).height() for index in range(self.count()))
-        return QSize(_ICON + 3 * _AROUND, height)
+        return QSize(_ICON + 3 * _PADDING, height)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         step = _KEYS.get(Qt.Key(event.key()))
@@ -86,7 +86,7 @@ class PlaceBar(QTabBar):
         with Painter(self) as painter:
             for index in filter(self.isTabVisible, range(self.count())):
                 is_current = index == self.currentIndex()
-                rect = self.tabRect(index).adjusted(_AROUND, 2, -_AROUND, -2)
+                rect = self.tabRect(index).adjusted(_PADDING, 2, -_PADDING, -2)
                 if is_current or index == hovered:
                     painter.setPen(Qt.PenStyle.NoPen)
                     painter.setBrush(theme().color("selected" if is_current else "window"))
@@ -95,7 +95,7 @@ class PlaceBar(QTabBar):
                     painter.setBrush(theme().color("accent"))
                     bar = QRectF(rect.left(), rect.top() + 6, 3, rect.height() - 12)
                     painter.drawRoundedRect(bar, 1.5, 1.5)
-                left = rect.left() + _AROUND + 4
+                left = rect.left() + _PADDING + 4
                 icon_rect = QRect(left, rect.center().y() - _ICON // 2 + 1, _ICON, _ICON)
                 if self.is_narrow:
                     icon_rect.moveCenter(rect.center())
@@ -170,7 +170,7 @@ class Place(QWidget):
         self.title = title
 
     def add_tabs(self, *above: QWidget) -> None:
-        """Add the tabs below the widgets in `above`. The Tab key visits them in this order."""
+        """Add the tabs below the widgets `above`. The Tab key visits the widgets first."""
         name = self.objectName().replace("Page", "Tabs")
         self.tabs = named(QTabWidget(self), name, accessible=self.title)
         self.tabs.setDocumentMode(True)

@@ -20,7 +20,7 @@ from trex_gui.ui.widgets.labels import Muted
 from trex_gui.ui.widgets.placement import resize_with_font
 
 _FILE = Qt.ItemDataRole.UserRole
-_AROUND_ROW = 4  # pixels, as in the style sheet
+_ROW_PADDING = 4  # pixels, as in the style sheet
 
 
 class ReportDialog(ReusedDialog):
@@ -69,7 +69,10 @@ class ReportDialog(ReusedDialog):
         self._list.itemChanged.connect(self._enable)
 
     def open_report(self, parts: Mapping[str, Callable[[], str]]) -> None:
-        """Collect the files in another thread. `parts`: file name → function for its content."""
+        """Collect the files in another thread.
+
+        `parts`: file name → function that returns the content of the file.
+        """
         self._list.clear()
         self._text.clear()
         self._enable()
@@ -85,14 +88,14 @@ class ReportDialog(ReusedDialog):
             item.setFlags(item.flags() | Qt.ItemFlag.ItemIsUserCheckable)
             item.setCheckState(Qt.CheckState.Checked)
             self._list.addItem(item)
-        padding = 2 * (self._list.frameWidth() + _AROUND_ROW)
+        padding = 2 * (self._list.frameWidth() + _ROW_PADDING)
         self._list.setMinimumWidth(self._list.sizeHintForColumn(0) + padding)
         self._list.setCurrentRow(0)
         self._enable()
         self._save.setFocus()
 
     @property
-    def _chosen(self) -> tuple[ReportFile, ...]:
+    def _selected(self) -> tuple[ReportFile, ...]:
         items = (self._list.item(row) for row in range(self._list.count()))
         return tuple(
             item.data(_FILE) for item in items if item.checkState() is Qt.CheckState.Checked
@@ -100,7 +103,7 @@ class ReportDialog(ReusedDialog):
 
     @Slot()
     def _enable(self) -> None:
-        self._save.setEnabled(bool(self._chosen))
+        self._save.setEnabled(bool(self._selected))
 
     @Slot()
     def _show_current(self) -> None:
@@ -119,7 +122,7 @@ class ReportDialog(ReusedDialog):
     def save(self, path: Path) -> None:
         file_questions.remember_folder(path)
         saved = tr("The report was written to {0}.").format(path)
-        work = partial(save_report, path, self._chosen)
+        work = partial(save_report, path, self._selected)
         in_background(self, work, lambda _: self._on_saved(saved), self._notifier.report_error)
 
     def _on_saved(self, text: str) -> None:

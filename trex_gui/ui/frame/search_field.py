@@ -30,12 +30,12 @@ class SearchField(QLineEdit):
     """Search field with a list of hits. Enter opens the selected hit. Esc closes the list."""
 
     def __init__(self, findables: Callable[[], Iterable[Findable]], parent: QWidget) -> None:
-        """`findables` is called at the start of each search."""
+        """`findables`: called at the start of each search."""
         super().__init__(parent)
         ui.named(self, "searchField", accessible=title_of(tr("Search every&thing")))
         self.setPlaceholderText(tr("Search everything (Ctrl+K)"))
         self._findables = findables
-        self._index: SearchIndex | None = None  # during a search
+        self._index: SearchIndex | None = None  # exists during a search
         self._focus_before: QWidget | None = None  # focused widget before the search
         self._model = QStandardItemModel(0, 2, self)
         self._hits = ui.named(QTreeView(), "searchHits", accessible=tr("Hits"))

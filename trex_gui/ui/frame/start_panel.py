@@ -1,4 +1,4 @@
-"""Page shown while nothing is connected: wiring, ports, search, demo, files."""
+"""Page shown while nothing is connected, with wiring, ports, search, demo and files."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -33,11 +33,11 @@ class StartWay:
 @dataclass(frozen=True, slots=True)
 class StartTexts:
     title: str
-    hint: str  # first step, in one line
+    hint: str  # first step for the user, in one line
     ways: Sequence[StartWay]
-    none: str  # heading of the card about the demo
+    demo_heading: str  # heading of the card about the demo
     demo: str  # button text with a free mnemonic
-    files: Sequence[tuple[str, str]]  # key of an action that opens a file, text of its button
+    files: Sequence[tuple[str, str]]  # key of an action that opens a file, text of the button
     prefix: str = ""  # prefix of object names
 
 
@@ -89,7 +89,7 @@ class StartPanel(QWidget):
         tip = tr("Search every port and baud rate; no motor moves")
         find = ui.button(silent, f"{prefix}startFind", tr("Find &my board…"))
         find.clicked.connect(partial(workspace.trigger, "find"))
-        other = ui.Card(texts.none, self)
+        other = ui.Card(texts.demo_heading, self)
         demo = ui.button(other, f"{prefix}startDemo", texts.demo)
         demo.clicked.connect(lambda: frame.connection.connect_to(frame.ports.demo_of(self._device)))
         about = tr("A simulated board: nothing can be damaged")
@@ -159,13 +159,13 @@ class StartPanel(QWidget):
 
     @Slot()
     def _on_connecting(self) -> None:
-        """Focus the places. Otherwise Qt would move the focus from this page to any widget."""
+        """Focus the bar of places. Otherwise Qt would move the focus to an arbitrary widget."""
         focused = self._frame.focusWidget()
         if focused is not None and self.isAncestorOf(focused):
             self._frame.pages.tabBar().setFocus()
 
     def _on_port_clicked(self, index: int) -> None:
-        """Connect to a port. A device known there has priority over this workspace's device."""
+        """Connect to a port. A device known at the port precedes the device of this workspace."""
         port, ports = self._ports[index], self._frame.ports
         is_known = port.device != ports.plugins[0].key
         self._frame.connection.connect_to(port if is_known else ports.assign(port, self._device))

@@ -1,4 +1,4 @@
-"""Stop by Esc in every window, and a warning about an unconfirmed stop."""
+"""Stop by Esc in every window, and warning about an unconfirmed stop."""
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Slot
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QWindow
@@ -11,11 +11,14 @@ from trex_gui.ui.runtime import now
 from trex_gui.ui.widgets.behaviour import ReusedDialog
 from trex_gui.ui.widgets.messages import InlinePrompt
 
-_LOG_OUT_S = 60.0  # seconds in which closing the window is attributed to a log-out
+_LOG_OUT_S = 60.0  # seconds in which a log-out counts as the reason for closing the window
 
 
 def stop_or_close_dialog(device_manager: DeviceManager) -> None:
-    """Stop the motors and close the active dialog. With a dialog, stop only if motors may move."""
+    """Stop the motors and close the active dialog.
+
+    If a dialog is active, stop the motors only if they may be moving.
+    """
     dialog, needs_stop = QApplication.activeWindow(), device_manager.needs_stop
     if needs_stop or not isinstance(dialog, QDialog):
         device_manager.press_stop()
@@ -78,7 +81,7 @@ class UnconfirmedStopWarning(QObject):
     """Warns about an unconfirmed stop when the user closes the window.
 
     The warning does not block, so other events can still end the program. The window closes once
-    the stop is confirmed or the user closes it again. A log-out shows no warning.
+    the stop is confirmed or the user closes it again. At a log-out, no warning is shown.
     """
 
     def __init__(
@@ -113,10 +116,10 @@ class UnconfirmedStopWarning(QObject):
             text,
             Answer("closeUnstopped", tr("Close the window"), self._window.close),
             still=lambda: self._manager.unconfirmed_stop == text,
-            otherwise=self._on_over,
+            otherwise=self._on_withdrawn,
         )
 
-    def _on_over(self) -> None:
+    def _on_withdrawn(self) -> None:
         if self._manager.is_idle and not self._manager.unconfirmed_stop:
             QTimer.singleShot(0, self._window.close)
         else:

@@ -20,9 +20,9 @@ from trex_gui.ui.widgets.circuit import (
 )
 from trex_gui.ui.widgets.painted import Painted, Painter
 
-_COLORS = ("window_text", "accent", "outline")  # of the wires from top to bottom
-_FIRST_WIRE = 3.6  # position in line heights
-_SMALLEST, _LARGEST, _LARGEST_TEXT = 0.85, 2.0, 1.2  # scales; 1 fits the font
+_COLORS = ("window_text", "accent", "outline")  # theme colours of the wires from top to bottom
+_FIRST_WIRE = 3.6  # y position in line heights
+_MIN_SCALE, _MAX_SCALE, _MAX_TEXT_SCALE = 0.85, 2.0, 1.2  # at 1, the drawing fits the font
 
 
 @dataclass(frozen=True, slots=True)
@@ -52,7 +52,7 @@ class WiringSketch(Painted):
         return QSize(round(body.right()) + 2, round(body.bottom()) + 2)
 
     def minimumSizeHint(self) -> QSize:
-        return self.sizeHint() * _SMALLEST
+        return self.sizeHint() * _MIN_SCALE
 
     def _boxes(self) -> tuple[QRectF, QRectF]:
         wiring, font, line = self._wiring, self.font(), self.fontMetrics().height()
@@ -75,14 +75,14 @@ class WiringSketch(Painted):
         hint, line = self.sizeHint(), self.fontMetrics().height()
         (adapter, body), (left, right) = self._boxes(), self._pin_widths()
         height = self.height() - line  # without the space above and below
-        scale = min(self.width() / hint.width(), height / hint.height(), _LARGEST)
+        scale = min(self.width() / hint.width(), height / hint.height(), _MAX_SCALE)
         with Painter(self) as painter:
             painter.translate(
                 (self.width() - scale * hint.width()) / 2,
                 (self.height() - scale * hint.height()) / 2,
             )
             painter.scale(scale, scale)
-            painter.setFont(scaled_font(self.font(), min(1.0, _LARGEST_TEXT / scale)))
+            painter.setFont(scaled_font(self.font(), min(1.0, _MAX_TEXT_SCALE / scale)))
             painter.setPen(QPen(theme().color("outline"), 1.5))
             painter.setBrush(theme().color("track"))
             painter.drawRoundedRect(adapter, 8, 8)

@@ -43,7 +43,7 @@ Entries = Sequence[Entry | str]  # actions and separators of one menu
 
 
 class Menu(Enum):
-    """Menus that the window and the workspaces share, in their order."""
+    """Menus that the window and the workspaces share, in the order of the menu bar."""
 
     FILE = auto()
     EDIT = auto()
@@ -53,7 +53,7 @@ class Menu(Enum):
 
 
 Menus = Mapping[Menu | str, Entries]
-"""Menu, or title of an extra menu → entries of a workspace."""
+"""Menu (or title of an extra menu) → entries of a workspace."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,7 +69,7 @@ class FileKind:
 class PageInfo:
     key: str  # the action of the page has the key `{workspace}_{key}`
     title: str  # with the mnemonic of the menu entry
-    make: Callable[[QWidget], QWidget]  # creates the page in a parent when shown or after start-up
+    create: Callable[[QWidget], QWidget]  # creates the page in a parent widget
     icon: str = "info"
     place: Place | None = None  # place shared with adjacent pages
 
@@ -91,21 +91,24 @@ class Workspace(QWidget):
         # Object names of pages, docks and dialogs → help topics.
         self.help_topics: Mapping[str, str] = {}
         self.message_help = MessageHelp({})
-        # Files that this workspace opens when they are dropped or named on the command line.
+        # Files that the user can drop on this workspace or name on the command line.
         self.file_kinds: Sequence[FileKind] = ()
         # Keys of file kinds → functions that open a recent file.
         self.openers: Mapping[str, Callable[[Path], object]] = {}
         self.docks: Sequence[QDockWidget] = ()  # shown and hidden by the workspace
-        # Keys of entries that move motors. A search hit only opens their menu.
+        # Keys of menu entries that move motors. A search hit only opens the menu.
         self.moving: Collection[str] = ()
         self.pages = Places(self)
         self._actions: Mapping[str, QAction] = {}  # key → action; set with the menus
         self._infos: tuple[PageInfo, ...] = ()
         self._tabs: list[tuple[QTabWidget, int]] = []  # tab widget and tab index of each page
-        self._missing: set[int] = set()  # indices of pages that are not created yet
+        self._missing: set[int] = set()  # indices of pages that have not been created
 
     def add_pages(self, infos: Sequence[PageInfo]) -> None:
-        """Add pages. Pages that share a place get tabs in it."""
+        """Add pages. Each page is created when it is first shown, or in `create_pages`.
+
+        Pages that share a place become its tabs.
+        """
         self._infos = tuple(infos)
         self._missing = set(range(len(infos)))
         icons = []
@@ -158,15 +161,15 @@ class Workspace(QWidget):
         self._missing.remove(number)
         tabs, index = self._tabs[number]
         current, placeholder = tabs.currentIndex(), tabs.widget(index)
-        parent = tabs.findChild(QStackedWidget) or self  # the parent after `insertTab`
-        box = ScrollBox(self._infos[number].make, parent)
+        parent = tabs.findChild(QStackedWidget) or self  # the parent that `insertTab` sets
+        box = ScrollBox(self._infos[number].create, parent)
         page = box.content
         follow_theme(page, "messages", partial(_reserve_space, page))
         with QSignalBlocker(tabs):  # the current page does not change
             tabs.insertTab(index, box, tabs.tabText(index))
             tabs.removeTab(index + 1)
             tabs.setCurrentIndex(current)
-        # The page and its plots are created after the widgets below the pages.
+        # By default, Tab visits the page last, since the page and its plots are created last.
         order = partial(ui.tab_order, tabs.tabBar(), box)
         order()
         if isinstance(page, PlotPage):
@@ -189,7 +192,7 @@ class Workspace(QWidget):
             self.pages.setCurrentWidget(place)
 
     def set_page_count(self, key: str, count: int) -> None:
-        """Show a count on the tab of a page and on its place. 0 hides it."""
+        """Show a count on the tab of a page and on its place. A count of 0 is hidden."""
         number = self._number_of(key)
         (tabs, index), info = self._tabs[number], self._infos[number]
         if info.place is not None:
@@ -216,9 +219,9 @@ class Workspace(QWidget):
         return ()
 
     def report_parts(self) -> dict[str, Callable[[], str]]:
-        """Return functions that create the files of a support report.
+        """Return the functions that create the files of a support report.
 
-        They may be called in any thread.
+        The functions may be called in any thread.
         """
         lines = "".join(f"{entry.line}\n" for entry in self.log.entries)
         return {"log.txt": lambda: lines}
@@ -250,7 +253,7 @@ class Workspace(QWidget):
     def may_close(self, leave: Callable[[], object]) -> bool:
         """Return True if nothing would be lost. Otherwise ask the user.
 
-        `leave`: called if the user agrees.
+        `leave`: called later if the user agrees to close the workspace.
         """
         del leave
         return True
@@ -311,9 +314,9 @@ def fill_menu_bar(
 
 
 def _add_icons(actions: Mapping[str, QAction], entries: Entries) -> None:
-    """Add the icons of a menu that opens.
+    """Add the icons of a menu when it opens.
 
-    Creating them with the window would take a tenth of its creation time.
+    Creating all icons together with the window would take a tenth of the window's creation time.
     """
     for entry in entries:
         if isinstance(entry, Entry) and entry.icon:
@@ -323,7 +326,7 @@ def _add_icons(actions: Mapping[str, QAction], entries: Entries) -> None:
 def menu_findables(
     window: QMainWindow, pages: Collection[str], moving: Collection[str]
 ) -> Iterator[Findable]:
-    """Yield search entries for the menus. Entries with keys in `pages` have the kind "page".
+    """Yield search entries for the menus. An entry whose key is in `pages` has the kind "page".
 
     A hit triggers its menu entry. If the entry is disabled or its key is in `moving`, the hit
     opens the menu at the entry.

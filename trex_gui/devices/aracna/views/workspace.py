@@ -137,7 +137,7 @@ class AracnaWorkspace(Workspace):
                     ),
                 ),
             ),
-            none=tr("No robot at hand?"),
+            demo_heading=tr("No robot at hand?"),
             demo=tr("Tr&y the demo"),
             files=(
                 ("aracna_open", tr("Open pose fi&le…")),

@@ -46,7 +46,7 @@ def start_texts() -> StartTexts:
             StartWay(rs_232, scale, tr("RS-&232 adapter"), danger),
             StartWay(receiver, f"{set_up_first} {scale}", tr("RC recei&ver")),
         ),
-        none=tr("No board at hand?"),
+        demo_heading=tr("No board at hand?"),
         demo=tr("&Try the demo"),
         files=(("open", tr("Open &settings file…")), ("open_recording", tr("&Open recording…"))),
     )
