@@ -19,8 +19,8 @@ class SpokenRange(NamedTuple):
 class Spoken:
     """Mixin whose texts are computed when a screen reader requests them.
 
-    Qt's own properties would send an event for every sample. The announced description consists
-    of the state and the `accessibleDescription` or the tool tip.
+    Qt's own properties would send an event for every sample. As the description, a screen reader
+    announces the state, then the `accessibleDescription` or the tool tip.
     """
 
     spoken_role = QAccessible.Role.Graphic
@@ -33,7 +33,7 @@ class Spoken:
         return ""
 
     def spoken_range(self) -> SpokenRange | None:
-        """Return the displayed value and its limits. `None` for text only."""
+        """Return the displayed value and its limits, or `None` if the widget shows no number."""
         return None
 
     def set_spoken_value(self, value: float) -> None:

@@ -12,7 +12,7 @@ NO_VALUE = "\N{EN DASH}"
 MINUS = "\N{MINUS SIGN}"
 
 WARNING_SIGN = "⚠"
-_NEAR = 0.8  # fraction of the limit from which a value is near it
+_NEAR = 0.8  # fraction of the limit; from this fraction on, a value is near its limit
 
 
 class LimitState(Enum):
@@ -24,7 +24,7 @@ class LimitState(Enum):
 
 
 def limit_state(value: float | None, limit: float | None) -> LimitState:
-    """Return the state of a non-negative value. `BELOW` without a limit."""
+    """Return the state of a non-negative value. Without a limit, the state is `BELOW`."""
     if not limit or value is None or value < _NEAR * limit:
         return LimitState.BELOW
     return LimitState.NEAR if value <= limit else LimitState.OVER

@@ -27,7 +27,7 @@ from trex_gui.ui.widgets.placement import fit_on_screen
 ENTER = {Qt.Key.Key_Return, Qt.Key.Key_Enter}
 _KEY_EVENTS = {QEvent.Type.KeyPress, QEvent.Type.KeyRelease}
 _POLL_MS = 50
-_LOSS_EVENTS = {
+_INPUT_LOSS_EVENTS = {
     QEvent.Type.FocusOut,
     QEvent.Type.Hide,
     QEvent.Type.TouchCancel,
@@ -103,11 +103,11 @@ def paint_placeholder(view: QAbstractItemView, text: str, *, short: str = "") ->
 def strokes(painter: QPainter) -> Iterator[None]:
     """Yield once for each offset at which to draw a thin line.
 
-    Together the lines are one logical pixel wide. With a two-pixel pen, a noisy curve would take a
-    hundred times as long.
+    Together, the lines are one logical pixel wide. With a two-pixel pen, drawing a noisy curve
+    would take a hundred times as long.
     """
     base = painter.worldTransform()
-    if not base.m22():  # the device cannot be painted on, as seen under Wine
+    if not base.m22():  # painting on the device is impossible, which was seen under Wine
         return
     ratio = painter.deviceTransform().m22() / base.m22()
     for pixel in range(max(1, round(ratio))):
@@ -137,7 +137,7 @@ class PressMonitor(QObject):
     or key without any event.
     """
 
-    lost = Signal()  # the focus or mouse is lost, or the widget is hidden, disabled or covered
+    lost = Signal()  # the focus or the mouse is lost, or the widget is hidden, disabled or covered
 
     def __init__(self, widget: QWidget) -> None:
         super().__init__(widget)
@@ -156,15 +156,15 @@ class PressMonitor(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         is_disabled = event.type() == QEvent.Type.EnabledChange and not self._widget.isEnabled()
-        if watched is self._widget and (event.type() in _LOSS_EVENTS or is_disabled):
+        if watched is self._widget and (event.type() in _INPUT_LOSS_EVENTS or is_disabled):
             self._lose()
         return False
 
     @Slot()
     def _on_poll(self) -> None:
         is_covered = QApplication.activePopupWidget() or QApplication.activeModalWidget()
-        is_left = self._was_active and not self._widget.isActiveWindow()
-        if is_covered or is_left or not self._widget.isVisible():
+        is_inactive = self._was_active and not self._widget.isActiveWindow()
+        if is_covered or is_inactive or not self._widget.isVisible():
             self._lose()
 
     def _lose(self) -> None:
@@ -202,7 +202,7 @@ class ConfirmButton(QPushButton):
 
 
 class RedButton(QPushButton):
-    """Stop button that acts on press, not on release. Never a default button."""
+    """Stop button that acts on press, not on release. It is never a default button."""
 
     def __init__(
         self, name: str, text: str, stop: Callable[[], object], parent: QWidget | None
@@ -219,8 +219,8 @@ class RedButton(QPushButton):
 class HoldButton(QPushButton):
     """Button held with the mouse, a finger, the space bar or Enter.
 
-    The hold ends when the input is lost (`PressMonitor`) or the mouse leaves the button. The user
-    then has to press again, even if the mouse returns with its button down.
+    The hold ends when the input is lost (`PressMonitor`) or the mouse leaves the button. Then the
+    user must press again, even if the mouse returns while its own button is still pressed.
     """
 
     hold_started = Signal()
@@ -279,7 +279,7 @@ WidgetT = TypeVar("WidgetT", bound=QWidget)
 
 
 def focused_wheel(turn: Callable[[WidgetT, QWheelEvent], None]) -> Callable[..., None]:
-    """Return a `wheelEvent` that works only with the focus. Otherwise the page scrolls."""
+    """Return a `wheelEvent` that acts only on a focused widget. Otherwise the page scrolls."""
 
     def wheel_event(widget: WidgetT, event: QWheelEvent) -> None:
         if widget.hasFocus():
@@ -291,7 +291,7 @@ def focused_wheel(turn: Callable[[WidgetT, QWheelEvent], None]) -> Callable[...,
 
 
 def only_when_visible(slot: Callable[[WidgetT], None]) -> Callable[[WidgetT], None]:
-    """Run a slot only while its widget is visible. `showEvent` has to call the slot."""
+    """Run a slot only while its widget is visible. `showEvent` must also call the slot."""
 
     @wraps(slot)
     def guarded(widget: WidgetT) -> None:
@@ -304,8 +304,8 @@ def only_when_visible(slot: Callable[[WidgetT], None]) -> Callable[[WidgetT], No
 def commit_typed() -> None:
     """Commit the text typed into the focused spin box or cell.
 
-    An editor commits its text when it loses the focus. Shortcuts, menus and, on a Mac, buttons do
-    not take the focus.
+    An editor commits its text when it loses the focus. A shortcut or a menu does not take the
+    focus, and on a Mac, neither does a button.
     """
     box = QApplication.focusWidget()
     viewport = box.parentWidget() if box is not None else None

@@ -72,7 +72,7 @@ class SpinBox(QSpinBox):
     wheelEvent = focused_wheel(QSpinBox.wheelEvent)
 
 
-_BESIDE_TEXT = QMargins(0, 0, 4, 0)
+_TEXT_MARGIN = QMargins(0, 0, 4, 0)
 
 
 class ComboBox(QComboBox):
@@ -85,11 +85,11 @@ class ComboBox(QComboBox):
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
 
     def sizeHint(self) -> QSize:
-        """Add pixels that Qt does not reserve for large text under a style sheet."""
-        return super().sizeHint().grownBy(_BESIDE_TEXT)
+        """Add pixels, because under a style sheet Qt reserves too few for large text."""
+        return super().sizeHint().grownBy(_TEXT_MARGIN)
 
     def minimumSizeHint(self) -> QSize:
-        return super().minimumSizeHint().grownBy(_BESIDE_TEXT)
+        return super().minimumSizeHint().grownBy(_TEXT_MARGIN)
 
 
 Handler = Callable[..., object] | SignalInstance  # target of a signal
@@ -110,7 +110,7 @@ WidgetT = TypeVar("WidgetT", bound=QWidget)
 def plain(text: str) -> str:
     """Return a text that Qt shows literally.
 
-    Tool tips and message boxes guess the format of a text, and open files that its markup names.
+    Tool tips and message boxes guess the format of a text. They open files named in its markup.
     """
     return Qt.convertFromPlainText(text) if Qt.mightBeRichText(text) else text
 
@@ -225,7 +225,7 @@ def label(
     if expand:
         widget.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
     if wrap:
-        widget.setWordWrap(True)  # after the size policy, because it sets height-for-width
+        widget.setWordWrap(True)  # after `setSizePolicy`, which would reset height-for-width
     if bold:
         set_bold(widget)
     if buddy is not None:
@@ -315,14 +315,14 @@ def _set_up_spin_box(widget: SpinT, suffix: str, on_change: Handler | None) -> S
     return widget
 
 
-_AROUND_NUMBER = 16  # pixels beside a number in a spin box without buttons
+_NUMBER_PADDING = 16  # pixels beside a number in a spin box without buttons
 
 
 def strip_style(box: QAbstractSpinBox, widest: str) -> None:
     """Hide the buttons of a spin box. Its minimum width fits the text `widest`."""
 
     def update_space() -> None:
-        box.setMinimumWidth(box.fontMetrics().horizontalAdvance(widest) + _AROUND_NUMBER)
+        box.setMinimumWidth(box.fontMetrics().horizontalAdvance(widest) + _NUMBER_PADDING)
 
     set_look(box, "bare")
     follow_theme(box, "space", update_space)
@@ -382,7 +382,7 @@ def flat_table(table: TableT, name: str, accessible: str) -> TableT:
 
 
 def set_row_height(table: QTableView, padding: int) -> None:
-    """Set the row height to the line height plus `padding` pixels. It follows the font."""
+    """Set the row height to the line height plus `padding` pixels. The height follows the font."""
     header, line = table.verticalHeader(), table.fontMetrics
     follow_theme(table, "rows", lambda: header.setDefaultSectionSize(line().height() + padding))
 
@@ -390,7 +390,7 @@ def set_row_height(table: QTableView, padding: int) -> None:
 def splitter(
     parent: QWidget, name: str, orientation: Qt.Orientation, *parts: tuple[QWidget, int]
 ) -> QSplitter:
-    """Create a splitter. `parts`: widgets and their stretch. No widget can collapse."""
+    """Create a splitter that collapses no widget. `parts`: widgets and their stretch."""
     result = named(QSplitter(orientation, parent), name)
     result.setChildrenCollapsible(False)
     for index, (widget, stretch) in enumerate(parts):
@@ -430,7 +430,7 @@ def action(
 
 
 def tab_order(*parts: QWidget) -> None:
-    """Set the Tab order of widgets. Their children follow in the order of creation."""
+    """Set the Tab order of widgets. The children of a widget follow in the order of creation."""
     for before, after in pairwise(stop for part in parts for stop in _tab_stops(part)):
         QWidget.setTabOrder(before, after)
 
@@ -460,14 +460,14 @@ def set_large(*buttons: QPushButton) -> None:
 
 
 def set_bold(widget: QWidget, bold: bool = True) -> None:
-    """Set bold text by style sheet. The font of a widget would not survive a new parent."""
+    """Set bold text by style sheet, since a widget loses its own font with a new parent."""
     set_style_property(widget, "bold", bold)
 
 
 def row(
     *items: Item, into: QWidget | None = None, margins: Margins = None, spacing: int | None = None
 ) -> QHBoxLayout:
-    """Create a horizontal layout of the widget `into`, or for use in another layout."""
+    """Create a horizontal layout for the widget `into`, or for another layout by default."""
     return _filled(QHBoxLayout(into) if into else QHBoxLayout(), items, margins, spacing)
 
 
@@ -484,7 +484,7 @@ def grid(
     spacing: tuple[int, int] | None = None,
     stretch: Iterable[tuple[int, int]] = (),
 ) -> QGridLayout:
-    """Create an empty grid. `spacing`: horizontal, vertical. `stretch`: column → factor."""
+    """Create an empty grid. `spacing`: horizontal, vertical. `stretch`: columns and factors."""
     layout = QGridLayout(into) if into else QGridLayout()
     _set_margins(layout, margins)
     if spacing is not None:

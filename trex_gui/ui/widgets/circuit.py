@@ -7,7 +7,7 @@ from PySide6.QtGui import QFont, QFontMetrics, QPainter, QPen, QPolygonF
 
 from trex_gui.ui.theme.theme import scaled_font, theme
 
-_HOLE, _INSET = 5, 12  # pixels: radius of a hole, distance of its centre from the edges
+_HOLE, _INSET = 5, 12  # pixels: radius of a hole, distance from its centre to the edges
 _ROW = 2.4  # line heights from one jumper to the next
 _UNLIMITED = 10_000  # pixels, more than any text needs
 _LEFT = Qt.AlignmentFlag.AlignLeft
@@ -61,7 +61,7 @@ def jumper_size(line: float) -> tuple[float, float]:
 
 
 def paint_jumper(painter: QPainter, rect: QRectF, is_on: bool | None) -> None:
-    """Paint two pins with or without a jumper. An unknown state (`None`) is dashed."""
+    """Paint two pins with or without a jumper. An unknown state (`None`) has a dashed outline."""
     style = Qt.PenStyle.DashLine if is_on is None else Qt.PenStyle.SolidLine
     painter.setPen(QPen(theme().color("outline"), 1.5, style))
     painter.setBrush(theme().color("mark") if is_on else Qt.BrushStyle.NoBrush)
@@ -133,7 +133,7 @@ def write_lines(painter: QPainter, rect: QRectF, lines: Sequence[str], *, alarm:
 
 
 def text_width(font: QFont, *texts: str) -> int:
-    """Return the width of the widest text, in bold."""
+    """Return the width of the widest text in bold type."""
     return max(map(QFontMetrics(_font(font, bold=True)).horizontalAdvance, texts))
 
 

@@ -36,7 +36,7 @@ class _QueuedSave:
 
 
 class DocumentSaver(QObject):
-    """Saves a document in the background. Asks before changes are lost.
+    """Saves a document in the background. Asks the user before changes are lost.
 
     Edits made during a save remain unsaved. A second save of a file waits for the first. A save to
     another file does not wait, because a disk may hang.
@@ -53,14 +53,14 @@ class DocumentSaver(QObject):
         self._last_started = self._last_recorded = 0  # numbers of saves
         self._leave: Callable[[], object] | None = None
 
-    def save(self, path: Path, make: Callable[[], Content], *, ask: bool = False) -> bool:
-        """Save the content that `make` returns. Return False if `make` fails.
+    def save(self, path: Path, create: Callable[[], Content], *, ask: bool = False) -> bool:
+        """Save the content that `create` returns. Return False if `create` fails.
 
-        `failed` emits a `StudioError` raised by `make`. `ask`: ask before overwriting changes that
-        another program made in the file.
+        `failed` emits a `StudioError` that `create` raises. `ask`: ask the user before overwriting
+        changes that another program made in the file.
         """
         try:
-            content = make()
+            content = create()
         except StudioError as error:
             self._leave = None
             self.failed.emit(error)
@@ -87,7 +87,7 @@ class DocumentSaver(QObject):
             written = content.text.encode("utf-8")
             for queued in self._running[path]:
                 queued.expected = None if queued.expected is None else written
-            if number > self._last_recorded:  # otherwise a later save finished first
+            if number > self._last_recorded:  # otherwise a later save has already ended
                 self._last_recorded = number
                 content.record_saved(path)
             self.saved.emit(path)
@@ -112,7 +112,7 @@ class DocumentSaver(QObject):
     def may_leave(
         self, answer: SaveAnswer, save: Callable[[], bool], leave: Callable[[], object]
     ) -> bool:
-        """Return whether the document may be left. On `SAVE`, save it and then call `leave`."""
+        """Return whether the document may be left now. On `SAVE`, save it, then call `leave`."""
         if answer is SaveAnswer.SAVE:
             self.save_and_leave(save, leave)
         return answer is SaveAnswer.DISCARD

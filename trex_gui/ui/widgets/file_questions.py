@@ -61,7 +61,7 @@ def may_rewrite(window: QWidget, reason: str) -> bool:
 
 
 def may_replace(window: QWidget, name: str, why: str) -> bool:
-    """Ask before replacing a file. `why`: rest of a sentence that begins with `name`."""
+    """Ask before replacing a file. `why`: rest of the sentence that begins with `name`."""
     return _confirm(window, tr("Replace the file"), tr("{0} {1} Replace it?").format(name, why))
 
 
@@ -107,8 +107,8 @@ def prompt_to_save(
 ) -> Path | None:
     """Open a file dialog for saving. Return the selected file.
 
-    `title` may be a menu text. A name without a suffix gets `suffix`. If `required`, a name with
-    another suffix also gets `suffix`.
+    `title` may be a menu text. `suffix` is added to a name without a suffix. If `required`, it is
+    also added to a name with another suffix.
     """
     title, kinds = title_of(title), filters or file_filter()
     chosen, _ = QFileDialog.getSaveFileName(window, title, str(proposal), kinds)

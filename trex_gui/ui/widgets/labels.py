@@ -31,7 +31,7 @@ _LONG_TITLE = 48  # characters
 
 
 class Note(QLabel):
-    """Wrapped text with space for `lines` lines. With 0 lines, it is hidden while empty."""
+    """Wrapped text with space for `lines` lines. With 0 lines, an empty note is hidden."""
 
     def __init__(self, lines: int, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -57,7 +57,7 @@ class Note(QLabel):
 
 
 class ElidedLabel(QLabel):
-    """Plain text with a tool tip. Elided, but never narrower than the text `at_least`."""
+    """Elided plain text with a tool tip. The label is never narrower than the text `at_least`."""
 
     def __init__(self, at_least: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -90,7 +90,7 @@ class ElidedLabel(QLabel):
 
 
 class Sign(QLabel):
-    """Small icon that follows the theme. It takes its space even without an icon."""
+    """Small icon that follows the theme. Without an icon, the sign takes the same space."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -140,7 +140,8 @@ class LinkLabel(QLabel):
 class LiveLabel(QLabel, Spoken):
     """Label of a live value. Screen readers read its accessible name and its text.
 
-    A plain label would send an event for every text, or hide its text behind an accessible name.
+    A plain label would send an event for every new text, or hide its text behind an accessible
+    name.
     """
 
     spoken_role = QAccessible.Role.StaticText
@@ -192,9 +193,9 @@ class PageHead(QWidget):
 
 
 class LegendKey(ElidedLabel):
-    """Sample and name of a curve. `style`: pen of the sample. `None` for a dot.
+    """Sample and name of a curve. `style`: pen of the sample, or `None` for a dot.
 
-    The name is elided only if the size policy ignores its width.
+    The name is elided only if the size policy ignores the width of the label.
     """
 
     def __init__(

@@ -38,7 +38,7 @@ def is_lit(pattern: str, seconds: float, *, second: bool = False) -> bool:
 def paint_lamp(
     painter: QPainter, middle: QPointF, radius: float, color: str, *, is_known: bool = True
 ) -> None:
-    """Paint an LED. Without a colour it is dark. An unknown state is dashed."""
+    """Paint an LED. Without a colour, it is dark. An unknown state has a dashed outline."""
     style = Qt.PenStyle.SolidLine if is_known else Qt.PenStyle.DashLine
     painter.setPen(QPen(theme().color(color or "track_edge"), 1.5, style))
     painter.setBrush(theme().color(color or "track_off"))
@@ -89,7 +89,7 @@ class Leds(QWidget):
     def show_patterns(
         self, patterns: tuple[str, str], words: Sequence[str] = ("", ""), meaning: str = ""
     ) -> None:
-        """Show a pattern and a description for each LED. Tool tips show `meaning` if given."""
+        """Show a pattern and a description for each LED. If given, the tool tips show `meaning`."""
         self._patterns = patterns
         names = tr("Red"), tr("Green")
         for lamp, label, name, text in zip(self.lamps, self._labels, names, words, strict=True):

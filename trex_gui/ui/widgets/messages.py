@@ -92,7 +92,7 @@ class _MessageRow(QFrame):
             self._layout.removeWidget(button)
             button.hide()
             button.setParent(None)
-            button.deleteLater()  # later, because its click may have called this method
+            button.deleteLater()  # not at once, because its click may have called this method
 
 
 class Banner(_MessageRow):
@@ -236,7 +236,7 @@ class MessageSpace(QWidget):
     """
 
     def __init__(self, parent: QWidget, *messages: QWidget, floats: bool = False) -> None:
-        """`floats`: take no height, because the widget above reserves space at its bottom."""
+        """`floats`: take no height, because the widget above reserves space at the bottom."""
         super().__init__(parent)
         self._cover = QWidget(parent)  # not in the layout
         self._cover.setAutoFillBackground(True)
@@ -274,7 +274,8 @@ class MessageSpace(QWidget):
 class InlinePrompt(_MessageRow):
     """Question with a button for each answer and a Cancel button.
 
-    Unlike a dialog, it does not cover the stop button. A new question cancels the current one.
+    Unlike a dialog, a question does not cover the stop button. A new question cancels the
+    current question.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:

@@ -11,16 +11,16 @@ from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.accessible import Spoken
 
 _FRAME_MS = 40
-_LONGEST_FRAME = 0.2  # limit in seconds, so that nothing jumps after a delay
+_MAX_FRAME = 0.2  # seconds; limits the step after a delay, so that nothing jumps
 
 
 def never_mirror(target: QWidget | QGraphicsWidget | QPainter) -> None:
-    """Disable mirroring in right-to-left languages, for sliders and signed numbers."""
+    """Disable mirroring in right-to-left languages. Used for sliders and signed numbers."""
     target.setLayoutDirection(Qt.LayoutDirection.LeftToRight)
 
 
 class Animation:
-    """Frame timer for a drawing. Stops when the motion ends or the widget is hidden."""
+    """Frame timer for a drawing. The timer stops when the motion ends or the widget is hidden."""
 
     def __init__(self, widget: QWidget, step: Callable[[float], object]) -> None:
         """`step` receives the seconds since the previous frame."""
@@ -34,7 +34,7 @@ class Animation:
         return self._widget.style().styleHint(duration, None, self._widget) > 0
 
     def run(self, moves: bool) -> None:
-        """Start or stop the timer. Call again when the widget is shown."""
+        """Start or stop the timer. Call this again when the widget is shown."""
         if not (moves and self.is_enabled and self._widget.isVisible()):
             self._timer.stop()
         elif not self._timer.isActive():
@@ -44,13 +44,13 @@ class Animation:
     def _on_frame(self) -> None:
         seconds, self._frame_time = now() - self._frame_time, now()
         if self._widget.isVisible():
-            self._step(min(seconds, _LONGEST_FRAME))
+            self._step(min(seconds, _MAX_FRAME))
         else:
             self._timer.stop()
 
 
 class Painter(QPainter):
-    """Painter without mirroring, by default with smooth edges."""
+    """Painter without mirroring. By default, edges are smooth."""
 
     def __init__(self, device: QPaintDevice, *, smooth: bool = True) -> None:
         super().__init__(device)

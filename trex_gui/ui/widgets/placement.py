@@ -8,7 +8,7 @@ from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.theme.theme import theme
 
 _FRAME = QMargins(8, 40, 8, 8)
-"""Pixels for the title bar and the borders, which are unknown until a window is shown.
+"""Pixels for the title bar and the borders. Their real sizes are unknown until a window is shown.
 
 Windows 11 uses 31 pixels at the top and 8 at the sides. At the top, GNOME uses 37, KDE 30 and
 macOS 28.
@@ -40,7 +40,7 @@ def restore_geometry(window: QWidget, key: str, width: int, height: int) -> None
 
 
 def resize_with_font(window: QWidget, width: int, height: int) -> None:
-    """Resize a window. The size is in pixels at a font size of 100 %. Larger fonts enlarge it."""
+    """Resize a window. The size is in pixels at a font size of 100 % and grows with the font."""
     scale = max(theme().font_size, 100) / 100
     window.resize(round(width * scale), round(height * scale))
 
@@ -64,7 +64,7 @@ class _Placement(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         window = self._window
-        # Checked before any call of the window, which receives events even during its destruction.
+        # Checked before any use of the window, which receives events even while it is destroyed.
         if watched is not window or event.spontaneous():
             return False
         if not window.isMaximized() and not window.isFullScreen():

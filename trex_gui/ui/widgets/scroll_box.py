@@ -8,15 +8,15 @@ from PySide6.QtWidgets import QFrame, QScrollArea, QWidget
 
 _LINES = 4  # minimum height in lines of text
 _CHARACTERS = 24  # minimum width if the area scrolls sideways, in average characters
-_WIDEST = 664
-"""Largest minimum width in pixels. The places and the demo panel need the rest of a screen that is
-1024 pixels wide."""
+_MAX_MINIMUM_WIDTH = 664
+"""Maximum of the minimum width in pixels. The places and the demo panel need the rest of a screen
+that is 1024 pixels wide."""
 
 
 class ScrollBox(QScrollArea):
     """Scroll area that scrolls only if its content cannot shrink further.
 
-    With `widgetResizable`, Qt would scroll earlier, because it gives wrapped text its preferred
+    With `widgetResizable`, Qt would scroll earlier, because it gives wrapped text the preferred
     height.
     """
 
@@ -27,9 +27,9 @@ class ScrollBox(QScrollArea):
         *,
         sideways: bool = False,
     ) -> None:
-        """Create the area for `content`: a widget, or a function that creates it in a parent.
+        """Create the area. `sideways`: the area may be narrower than its content.
 
-        `sideways`: the area may be narrower than the content.
+        `content`: a widget, or a function that creates the widget in a parent.
         """
         super().__init__(parent)
         if not isinstance(content, QWidget):
@@ -56,7 +56,7 @@ class ScrollBox(QScrollArea):
         content = self.content.minimumSizeHint()
         lines = _LINES * self.fontMetrics().lineSpacing()
         bar = self.verticalScrollBar().sizeHint().width()
-        widest = _WIDEST
+        widest = _MAX_MINIMUM_WIDTH
         if self._sideways:
             widest = _CHARACTERS * self.fontMetrics().averageCharWidth()
         return QSize(min(content.width(), widest) + bar, min(content.height(), lines))

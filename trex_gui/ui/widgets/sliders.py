@@ -95,7 +95,7 @@ class PressSlider(PaintedSlider):
             self.grabbed.emit()
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Ignore all but the left button. On a middle click, Qt would move the handle."""
+        """Ignore all buttons except the left. On a middle click, Qt would move the handle."""
         event.ignore()
         if event.button() is Qt.MouseButton.LeftButton:
             self.grab_handle()
@@ -115,16 +115,16 @@ class PressSlider(PaintedSlider):
 
 
 class StickSlider(PaintedSlider):
-    """Slider filled from `rest` to its value. `valueChanged` reports only changes by the user."""
+    """Slider filled from `neutral` to its value. `valueChanged` only reports the user's changes."""
 
     def __init__(
-        self, lowest: int, highest: int, rest: int, color: str, parent: QWidget | None = None
+        self, lowest: int, highest: int, neutral: int, color: str, parent: QWidget | None = None
     ) -> None:
         super().__init__(lowest, highest, parent)
-        self._rest = rest
+        self._neutral = neutral
         self._color = color
         self.value_label: QLabel | None = None  # shows the value with its unit
-        self.setValue(rest)
+        self.setValue(neutral)
 
     def spoken_state(self) -> str:
         return "" if self.value_label is None else self.value_label.text()
@@ -144,7 +144,7 @@ class StickSlider(PaintedSlider):
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         if event.button() is Qt.MouseButton.LeftButton:
             self.setSliderDown(False)
-            self.setValue(self._rest)
+            self.setValue(self._neutral)
             event.accept()
 
     def paint_groove(self, painter: QPainter, handle: QRect) -> None:
@@ -154,9 +154,9 @@ class StickSlider(PaintedSlider):
         painter.setPen(QPen(color("track_edge")))
         painter.setBrush(color("track" if self.isEnabled() else "track_off"))
         painter.drawRoundedRect(QRect(left, middle - 2, right - left, 5), 2, 2)
-        rest_x, handle_x = self.x_of(self._rest, handle), handle.center().x()
+        neutral_x, handle_x = self.x_of(self._neutral, handle), handle.center().x()
         if self.isEnabled():
-            start, end = max(min(rest_x, handle_x), left + 2), max(rest_x, handle_x)
+            start, end = max(min(neutral_x, handle_x), left + 2), max(neutral_x, handle_x)
             painter.fillRect(start, middle - 1, max(end - start, 0), 4, color(self._color))
-        if self.minimum() < self._rest < self.maximum():
-            painter.fillRect(rest_x, middle - 6, 1, 13, color("mark"))
+        if self.minimum() < self._neutral < self.maximum():
+            painter.fillRect(neutral_x, middle - 6, 1, 13, color("mark"))

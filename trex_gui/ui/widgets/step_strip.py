@@ -12,11 +12,11 @@ from trex_gui.ui.widgets.circuit import write
 from trex_gui.ui.widgets.painted import Painted, Painter
 
 _GAP = 8  # pixels between a circle, its title and the line to the next circle
-_MIN_LINE = 16  # pixels, length of the shortest line between two circles
+_MIN_LINE = 16  # pixels; minimum length of a line between two circles
 
 
 class StepStrip(Painted):
-    """Row of steps. Names only the current step if space is short."""
+    """Row of steps. If space is short, only the current step has its name beside it."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
