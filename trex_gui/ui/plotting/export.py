@@ -188,15 +188,6 @@ def _rows(columns: Sequence[Floats], progress: ProgressCallback) -> Iterator[lis
         yield from np.column_stack([column[first : first + _CHUNK] for column in columns]).tolist()
 
 
-def _paint_heading(painter: QPainter, heading: str) -> None:
-    font = QFont(painter.font())
-    font.setPixelSize(_FONT_PIXELS)
-    font.setBold(True)
-    painter.setFont(font)
-    painter.setPen(theme().color("text"))
-    painter.drawText(QRectF(_LEFT, 0, SIZE.width() - _LEFT, _HEADING_HEIGHT), _ALIGNMENT, heading)
-
-
 def draw_picture(
     plot: TracePlot, scheme: str, heading: str, *, as_svg: bool = False
 ) -> QImage | bytes:
@@ -226,7 +217,11 @@ def _paint(painter: QPainter, plot: TracePlot, heading: str, line_width: float) 
     font = QFont(painter.font())
     font.setPixelSize(_FONT_PIXELS)
     painter.fillRect(QRectF(0, 0, SIZE.width(), SIZE.height()), theme().color("base"))
-    _paint_heading(painter, heading)
+    bold = QFont(font)
+    bold.setBold(True)
+    painter.setFont(bold)
+    painter.setPen(theme().color("text"))
+    painter.drawText(QRectF(_LEFT, 0, SIZE.width() - _LEFT, _HEADING_HEIGHT), _ALIGNMENT, heading)
     painter.setFont(font)
     traces = [trace for trace in source.traces if trace.name in plot.shown]
     line = QFontMetricsF(font).height()
