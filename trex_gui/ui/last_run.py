@@ -31,7 +31,7 @@ def report_last_run(
 ) -> None:
     """Report boards that are still running, and stops by the guardian.
 
-    If there is neither, report a crash. A stop is reported once, but repeatedly while a board is
+    If there is neither, report a crash. Each stop is reported only once, except while a board is
     still running. Stops during a run of `trexcmd` are included.
 
     `errors`: reasons why boards are still running, one per line. `until`: later events are

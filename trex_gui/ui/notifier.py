@@ -68,7 +68,7 @@ def never() -> bool:
 class Notifier(QObject):
     info = Signal(str)  # message about a result
     error = Signal(str)  # message about a failure and its cause
-    danger = Signal(str)  # message about an immediate danger and its cure
+    danger = Signal(str)  # message about an immediate danger and its remedy
     remedies_offered = Signal(object)  # the `Remedies` for the latest message
     resolved = Signal(object)  # an obsolete `Remedy`; clears messages that offer it
     # Emitted after the current event, since the event's handler may clear the banner.
@@ -104,7 +104,7 @@ class Notifier(QObject):
         self.error.emit(error_sentence(error))
 
     def warn(self, text: str, remedies: Remedies = (), lasts: Callable[[], bool] = never) -> None:
-        """Emit `danger` with buttons. While `lasts()` is true, only another danger replaces it."""
+        """Emit `danger` with buttons. Only another danger replaces it while `lasts()` is true."""
         self.danger.emit(text)
         self.remedies_offered.emit(remedies)
         self.danger_lasts = lasts

@@ -17,8 +17,8 @@ T = TypeVar("T")
 
 log = logging.getLogger(__name__)
 
-_MAX_FILE_SIZE = 4 * 1024 * 1024  # bytes; a typical file has 3000
-_ABANDONED_S = 600.0  # age of an abandoned lock or temporary file
+_MAX_FILE_SIZE = 4 * 1024 * 1024  # bytes; a typical file has 3000 bytes
+_ABANDONED_S = 600.0  # minimum age of an abandoned lock or temporary file
 
 
 class Preferences:

@@ -19,13 +19,13 @@ _SIZE = QSize(1440, 800)  # fits a page beside the panel of the simulated device
 _SETTLE_MS = 2500
 _STEP_MS = 200
 _STOP_MS = 100  # time to send the stop
-_TIMEOUT_MS = 30_000  # computers may be slow, and only a quiet line confirms a stop
+_TIMEOUT_MS = 30_000  # enough for slow computers; a stop is confirmed only on a quiet line
 
 TourStep = Callable[[], object]  # step of the tour; repeated while it returns `False`
 
 
 class Tour(QObject):
-    """Tour of all simulated devices that writes PNG files. Their plugins define the steps."""
+    """Tour of all simulated devices that writes PNG files. The plugins define its steps."""
 
     finished = Signal(bool)  # True if all pictures were written, false if a step failed
 

@@ -20,7 +20,7 @@ _KEY = "connection/automatic"
 
 _SETTLE_MS = 700
 """Delay before the program opens a port that has appeared. The system lists a port before it grants
-access, and may list the port of an unplugged adapter for a moment."""
+access, and may still list the port of an unplugged adapter for a moment."""
 
 
 def connects_automatically() -> bool:
@@ -60,7 +60,7 @@ class AutoConnect(QObject):
         self._batches: deque[list[Port]] = deque()  # groups of ports that will be probed
         self._is_probing = False
         self._tried: Port | None = None  # port of the last connection attempt
-        self._missing: Port | None = None  # the program connects to it when it is plugged in
+        self._missing: Port | None = None  # connect to this port when it is plugged in
         self._may_be_stale = False  # the system may still list the missing port
         self._notice = ""  # message for the next connection
         self._timer = new_timer(self, _SETTLE_MS, self._on_settled, single_shot=True)

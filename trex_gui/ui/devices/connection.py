@@ -47,7 +47,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         self.link = ConnectionState.DISCONNECTED
         self.status = tr("Not connected.")  # `link` as a sentence
         self.settings: SettingsT | None = None  # settings of the open or last line
-        self._next: SettingsT | None = None  # settings of the line to open after this one
+        self._next: SettingsT | None = None  # settings of the line that will be opened next
         self.open_logged = logged(self.log.record, open_transport, now)
         self.traffic = TrafficModel(self, decoder)  # every byte on the line
         self.reported.connect(self.handle)
@@ -82,7 +82,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
             self._set_state(ConnectionState.DISCONNECTED, tr("Not connected."))
         return in_time
 
-    # --- For each device ----------------------------------------------------------------
+    # --- Defined by subclasses ------------------------------------------------------------
 
     def new_session(self, settings: SettingsT, *, may_move: bool) -> SessionFactory:
         """Reset the data of the last session. Return a function that creates the next session."""

@@ -68,7 +68,7 @@ class DeviceController(QObject, Generic[SettingsT]):
         self._scanner = scanner
         # Settings of the next connection, without a port address.
         self.settings = self._demo_settings = default
-        self.port: Port | None = None  # connected or connecting
+        self.port: Port | None = None  # port that is connected or being connected
         self._chosen: Port | None = None
         self.starting = False  # the simulator is starting; the connection follows
         # True from the connection to the simulated device until the user disconnects. A broken
@@ -197,7 +197,7 @@ class DeviceController(QObject, Generic[SettingsT]):
             self.port = None
         self.changed.emit()
 
-    # --- For each device ----------------------------------------------------------------
+    # --- Defined by subclasses ------------------------------------------------------------
 
     def set_packed(self, settings: str) -> None:
         """Use the packed settings of a found device. Does nothing by default."""

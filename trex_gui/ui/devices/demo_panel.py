@@ -87,7 +87,7 @@ class Rows(ui.Card, Generic[SnapshotT]):
     ) -> None:
         """Connect a slider and a value in both directions.
 
-        `on_move` sets the value of the device. `read` returns it. `show` displays it.
+        `on_move` sets the value in the device, `read` returns it, and `show` displays it.
         """
         steps = slider.positions_per_unit
 
@@ -207,7 +207,7 @@ def add_cable(
 class DemoDock(QDockWidget):
     """Dock that is visible while the simulated device is in use."""
 
-    wanted_changed = Signal(bool)  # `wanted`
+    wanted_changed = Signal(bool)  # new value of `wanted`
 
     def __init__(
         self,
@@ -224,7 +224,8 @@ class DemoDock(QDockWidget):
         self._create = create
         self._use = use
         self._store = Preferences()
-        self._width = self._width_before = 0  # window widths after and before it was widened
+        # Widths of the window after and before the dock widened it.
+        self._width = self._width_before = 0
         # True if the dock is visible whenever the device is in use.
         self.wanted = self._store.flag(key, default=True)
         # Queued, because Qt sets its own icons after it emits the signal.

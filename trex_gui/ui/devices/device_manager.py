@@ -32,7 +32,7 @@ class DeviceManager(QObject):
         self.scanner = scanner
         self._factories = dict(factories)
         self._controllers: dict[str, Controller] = {}
-        # Controller of the current connection. Without a connection, controller of the last one.
+        # Controller of the current connection. If there is none, controller of the last connection.
         self.current = self.controller(next(iter(factories)))
         self._next: Callable[[], None] | None = None  # called once `current` is disconnected
         self.user_disconnected = False  # the user has disconnected and not yet reconnected
@@ -44,7 +44,7 @@ class DeviceManager(QObject):
             controller.changed.connect(self._on_changed)
             controller.progressed.connect(self.progressed)
             controller.stop_reported.connect(partial(self._on_stop_reported, controller))
-            # A new dictionary, because `stop_now` may iterate over the old one in another thread.
+            # Replaced, because `stop_now` may iterate over the old dictionary in another thread.
             self._controllers = {**self._controllers, device: controller}
         return self._controllers[device]
 

@@ -17,7 +17,7 @@ from trex_gui.ui.runtime import new_timer
 
 _INTERVAL_MS = 1500
 _MAX_TYPED = 8
-_MAX_KNOWN = 20  # saved ports and adapters
+_MAX_KNOWN = 20  # maximum number of saved ports and adapters
 _TYPED = "ports/typed"
 _KNOWN = "ports/known"
 
@@ -54,7 +54,7 @@ class Ports(QObject):
     Order: serial ports of this computer, typed addresses, boards served over the network, and a
     simulated device of each kind. The user types the addresses of pseudo-terminals and network
     ports, because systems do not list them. By default, a port is assigned to the first kind of
-    device. If another kind was found or selected, it is saved with the adapter and the settings.
+    device. If a kind was found or selected, it is saved with the adapter and the settings.
     """
 
     changed = Signal()  # `entries` has changed
@@ -146,9 +146,9 @@ class Ports(QObject):
         self.refresh()
 
     def assign(self, port: Port, device: str, settings: str = "") -> Port:
-        """Assign a port to a kind of device, and save this. Return the new entry of the port.
+        """Assign a port to a kind of device, and save the assignment. Return the port's new entry.
 
-        `settings`: packed settings of the device found there. Empty if the user selected the kind.
+        `settings`: packed settings of the found device. Empty if the user only selected the kind.
         """
         known = replace(port, device=device, settings=settings)
         is_new = bool(settings) or device != port.device

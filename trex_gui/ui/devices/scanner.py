@@ -103,7 +103,7 @@ class DeviceScanner(QObject):
         self.was_cancelled = False
 
     def add_simulator(self, device: str, simulator: Simulator) -> None:
-        """Include the simulated device of a kind in scans while it runs."""
+        """Include a simulated device in scans while it runs."""
         self._simulators[device] = simulator
         simulator.ready.connect(self.simulators_changed)
         simulator.ended.connect(self.simulators_changed)

@@ -35,7 +35,7 @@ _NOT_CONNECTED, _OTHER = "not connected", "other"
 
 # Widths in average characters
 _PORT, _MIN_PORT = 18, 10
-_STATE, _MIN_STATE = 26, 6  # with less than 26, the baud rate and the quality are hidden
+_STATE, _MIN_STATE = 26, 6  # if less than 26 is free, the baud rate and the quality are hidden
 _QUALITY, _CONNECT, _MAX_BAR = 11, 14, 116
 
 

@@ -159,7 +159,7 @@ class FindDialog(ReusedDialog):
                 if self._scanner.can_search(port):
                     self._list.addItem(self._item(port))
         rows = min(max(self._list.count(), 2), 6)
-        height = self._list.sizeHintForRow(0)  # negative without rows
+        height = self._list.sizeHintForRow(0)  # negative if the list is empty
         height = height if height > 0 else self.fontMetrics().height() + 4
         self._list.setFixedHeight(rows * height + 2 * self._list.frameWidth() + 4)
         self._on_actions_changed()

@@ -29,7 +29,7 @@ _MIN_SCALE, _MAX_SCALE, _MAX_TEXT_SCALE = 0.85, 2.0, 1.2  # at 1, the drawing fi
 class Wires:
     board: str  # name of the board
     adapter: str  # name of the adapter or receiver
-    wires: Sequence[tuple[str, str]]  # pins of adapter and board from the top; at most 3
+    wires: Sequence[tuple[str, str]]  # (adapter pin, board pin), from the top; at most 3
     jumpers: Sequence[Jumper] = ()
 
 

@@ -95,7 +95,7 @@ class Workspace(QWidget):
         self.file_kinds: Sequence[FileKind] = ()
         # Keys of file kinds → functions that open a recent file.
         self.openers: Mapping[str, Callable[[Path], object]] = {}
-        self.docks: Sequence[QDockWidget] = ()  # shown and hidden by the workspace
+        self.docks: Sequence[QDockWidget] = ()  # docks that the workspace shows and hides
         # Keys of menu entries that move motors. A search hit only opens the menu.
         self.moving: Collection[str] = ()
         self.pages = Places(self)

@@ -14,7 +14,7 @@ _FIELD = re.compile(r"\{\w*(?::[^}]*)?\}")
 
 
 def heading_of(text: str) -> str:
-    """Return the first clause of a message. Each field becomes …."""
+    """Return the first clause of a message. Each field becomes `…`."""
     whole = re.sub(r"^(…: |… (?=[A-Z]))", "", _FIELD.sub("…", text))
     clause = re.split(r"[.:;](?:\s|$)", whole)[0].strip()
     return clause[:1].upper() + clause[1:] if clause != "…" else ""

@@ -104,7 +104,7 @@ class SearchIndex:
     def _new_match(self, typed: str) -> tuple[Mapping[int, float], Mapping[int, float]]:
         """Match the findables with a word.
 
-        Return index of a findable → score, and index of a findable → best similarity.
+        Return the scores and the best similarities, both by the index of the findable.
         """
         synonyms, words = _synonyms().get(typed, {typed}), self._weights
         matches = {

@@ -16,7 +16,7 @@ _MAX_TIME_LABELS = 7
 
 FULL_COUNTS = 127.0  # largest speed and largest value of a remapped channel
 _MIN_LIMIT = 1.0
-_SHRINK_BELOW = 0.8  # an axis shrinks if its values use no more of a smaller range than this
+_SHRINK_BELOW = 0.8  # an axis shrinks if its values fit into this fraction of a smaller range
 MIN_SPAN = 0.05  # seconds; four samples of currents
 MAX_SPAN = 4 * 3600.0  # seconds; longer than a full history
 
@@ -39,7 +39,7 @@ def spread(
 ) -> list[float] | None:
     """Move labels apart. Return their centres, or `None` if the space is too small.
 
-    `centers` must be sorted. `low`, `high`: limits of the labels.
+    `centers` must be sorted. `low`, `high`: limits for the edges of the labels.
     """
     space = high - low - sum(widths) - gap * max(0, len(widths) - 1)
     if space < 0:
@@ -225,7 +225,7 @@ class Span:
             self._limit_end()
 
     def pan(self, seconds: float) -> None:
-        """Freeze the view and move it. Negative: to earlier times."""
+        """Freeze the view and move it. A negative number moves it to earlier times."""
         self.freeze()
         self._end += seconds
         self._limit_end()

@@ -1,6 +1,7 @@
 """Plot area in the theme's colours: axes, grid, shapes and mouse events.
 
-Only this module imports pyqtgraph, which takes as long to load as Qt. So import it lazily.
+Import this module lazily. It is the only module that imports pyqtgraph, which takes as long to
+load as Qt.
 """
 
 from typing import Any, TypeVar

@@ -35,7 +35,7 @@ _RIGHT = int(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 
 _PADDING = 8  # pixels around the text of a cell in the Fusion style
 _ROW_PADDING = 6  # pixels added to the height of a line
-_MAX_EVENTS = 1000  # in the list
+_MAX_EVENTS = 1000  # maximum number of events in the list
 _MIN_EVENT_WIDTH = 24  # minimum width of the list in average characters
 
 

@@ -248,7 +248,7 @@ class SampleHistory:
         return self._start + first, self._start + max(first, stop)
 
     def value_at(self, column: int, time: float) -> float:
-        """Return the last value at or before a time. NaN in a gap and before the first value."""
+        """Return the last value at or before a time, or NaN in a gap or before the first value."""
         _, stop = self._rows(-math.inf, time)
         if stop == self._start or time - self._times[stop - 1] > self._max_gap:
             return math.nan

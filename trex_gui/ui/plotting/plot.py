@@ -180,7 +180,7 @@ class TracePlot(Painted):
         self.view_changed.emit()
 
     def draw(self) -> None:
-        """Draw a frame. This takes no longer if there are more samples."""
+        """Draw a frame. The drawing time does not depend on the number of samples."""
         source, span = self.source, self.span
         if source is None:
             return

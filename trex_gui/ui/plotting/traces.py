@@ -73,7 +73,7 @@ class Traces:
     def samples(self, start: float, end: float) -> "tuple[Floats, Sequence[Floats]]":
         """Return the times, and the values of each curve.
 
-        The arrays are views and only valid until a row is added.
+        The arrays are views, which are valid until a row is added.
         """
         rows = self._history.rows(start, end)
         columns = [self._history.values(column)[rows] for column in range(len(self.traces))]

@@ -71,7 +71,7 @@ class FocusFrame(QObject):
 
 
 def _area_of(widget: QWidget, window: QWidget) -> QRect:
-    """Return the area of a widget, or of a tab bar's current tab, in the window."""
+    """Return the area of a widget in the window. For a tab bar, return the current tab's area."""
     area = QRect(QPoint(), widget.size())
     if isinstance(widget, QTabBar):
         area = widget.tabRect(widget.currentIndex())

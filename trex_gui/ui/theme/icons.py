@@ -11,7 +11,8 @@ from trex_gui.core.resource_files import resource
 from trex_gui.ui.theme.theme import follow_theme, theme
 
 _SIZES = (16, 24, 32, 48, 64)  # pixels; Qt scales down the next larger size
-_CELLS = tuple((sum(_SIZES[:index]), size) for index, size in enumerate(_SIZES))  # left, size
+# Left edge and size of each icon in the picture from `_shapes`.
+_CELLS = tuple((sum(_SIZES[:index]), size) for index, size in enumerate(_SIZES))
 _BUTTON_ICON = 16  # pixels at a font size of 100 %, as in Fusion
 
 

@@ -1,4 +1,4 @@
-"""Traffic table: model with filter, view, and details of the selected row."""
+"""Traffic table: model with a filter, view, and details of the selected row."""
 
 from bisect import bisect_right
 from collections.abc import Sequence

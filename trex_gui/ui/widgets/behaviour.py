@@ -176,7 +176,7 @@ class PressMonitor(QObject):
 class ConfirmButton(QPushButton):
     """Button that ignores clicks for a double-click interval after it appears.
 
-    A double click that makes the button appear under the pointer cannot press it.
+    Therefore, a double click cannot press a button that its first click makes appear.
     """
 
     def __init__(self, text: str = "", parent: QWidget | None = None) -> None:

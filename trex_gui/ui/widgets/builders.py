@@ -390,7 +390,7 @@ def set_row_height(table: QTableView, padding: int) -> None:
 def splitter(
     parent: QWidget, name: str, orientation: Qt.Orientation, *parts: tuple[QWidget, int]
 ) -> QSplitter:
-    """Create a splitter that collapses no widget. `parts`: widgets and their stretch."""
+    """Create a splitter whose widgets cannot collapse. `parts`: widgets and their stretch."""
     result = named(QSplitter(orientation, parent), name)
     result.setChildrenCollapsible(False)
     for index, (widget, stretch) in enumerate(parts):
@@ -438,10 +438,10 @@ def tab_order(*parts: QWidget) -> None:
 def _tab_stops(part: QWidget) -> Iterator[QWidget]:
     if part.focusPolicy() & Qt.FocusPolicy.TabFocus:
         yield part
-    if isinstance(part, QTabWidget):  # its tab bar is its last child
+    if isinstance(part, QTabWidget):  # the tab bar is the last child
         pages = (part.widget(index) for index in range(part.count()))
         children = [part.tabBar(), *(page for page in pages if page)]
-    elif isinstance(part, QSplitter):  # reorders its children
+    elif isinstance(part, QSplitter):  # a splitter reorders its children
         children = [child for index in range(part.count()) if (child := part.widget(index))]
     else:
         children = part.findChildren(QWidget, options=Qt.FindChildOption.FindDirectChildrenOnly)

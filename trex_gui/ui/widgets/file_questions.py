@@ -107,8 +107,8 @@ def prompt_to_save(
 ) -> Path | None:
     """Open a file dialog for saving. Return the selected file.
 
-    `title` may be a menu text. `suffix` is added to a name without a suffix. If `required`, it is
-    also added to a name with another suffix.
+    `title` may be a menu text. `suffix` is added to a name without a suffix. If `required`,
+    `suffix` is also added to a name with another suffix.
     """
     title, kinds = title_of(title), filters or file_filter()
     chosen, _ = QFileDialog.getSaveFileName(window, title, str(proposal), kinds)

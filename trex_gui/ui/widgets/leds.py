@@ -89,7 +89,7 @@ class Leds(QWidget):
     def show_patterns(
         self, patterns: tuple[str, str], words: Sequence[str] = ("", ""), meaning: str = ""
     ) -> None:
-        """Show a pattern and a description for each LED. If given, the tool tips show `meaning`."""
+        """Show a pattern and a description for each LED. `meaning`: description for tool tips."""
         self._patterns = patterns
         names = tr("Red"), tr("Green")
         for lamp, label, name, text in zip(self.lamps, self._labels, names, words, strict=True):

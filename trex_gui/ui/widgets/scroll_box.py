@@ -16,8 +16,8 @@ that is 1024 pixels wide."""
 class ScrollBox(QScrollArea):
     """Scroll area that scrolls only if its content cannot shrink further.
 
-    With `widgetResizable`, Qt would scroll earlier, because it gives wrapped text the preferred
-    height.
+    With `widgetResizable`, Qt would scroll earlier, because it would use the preferred height of
+    wrapped text.
     """
 
     def __init__(

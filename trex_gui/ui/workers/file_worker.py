@@ -16,8 +16,9 @@ log = logging.getLogger(__name__)
 
 _PROGRESS_INTERVAL = 0.05  # seconds
 
-# Seconds of work, and seconds of a pause for the session threads and the GUI thread. Python
-# switches threads only every 5 ms, which would delay the many short tasks of these threads.
+# Seconds of work before a pause, and seconds of the pause, in which the session threads and the
+# GUI thread can run. Python switches threads only every 5 ms, which would delay the many short
+# tasks of these threads.
 _WORK, _PAUSE = 0.01, 0.001
 
 ProgressCallback = Callable[[float], None]  # receives the completed share, 0 to 1

@@ -56,8 +56,8 @@ class LineWorker(WorkerThread):
 class SessionThread(QObject):
     started = Signal()
     reported = Signal(object)  # a report other than `Outcome` and `Closed`
-    # `Closed`, once the port is closed. After an internal error `may_move` is true if any motor
-    # was driven. Not emitted for a session that ends within `shut_down`.
+    # `Closed`. Emitted once the port is closed, except for a session that ends within `shut_down`.
+    # After an internal error, `may_move` is true if any motor was driven.
     closed = Signal(object)
 
     def __init__(self, parent: QObject | None = None) -> None:
