@@ -58,14 +58,14 @@ class RecordingWindow(QMainWindow):
         self._heading = ui.label(self, "recordingHeading", wrap=True)
         whole = tr("Show the whole recording again")
         span = tr("Save every sample in the plot as CSV or MCAP")
-        copy = tr("Save a copy, since old recordings of faults and stops are removed")
+        keep = tr("Save a copy, since old recordings of faults and stops are removed")
         cancel = tr("Stop loading or exporting")
         self._show_all, self._export, self.copy_button, self._cancel = (
             ui.button(self, f"{key}Button", text, icon=icon, tip=tip, on_click=slot)
             for key, text, icon, tip, slot in (
                 ("showAll", tr("Show &all"), "", whole, self.show_all),
                 ("exportSpan", tr("&Export span…"), "save", span, self._on_export_clicked),
-                ("copyRecording", tr("Save a cop&y…"), "copy", copy, None),
+                ("copyRecording", tr("Save a cop&y…"), "copy", keep, None),
                 ("cancelRecording", tr("Cancel"), "", cancel, self._on_cancelled),
             )
         )
