@@ -17,7 +17,7 @@ _LOG_OUT_S = 60.0  # seconds in which a log-out counts as the reason for closing
 def stop_or_close_dialog(device_manager: DeviceManager) -> None:
     """Stop the motors and close the active dialog.
 
-    If a dialog is active, stop the motors only if they may be moving.
+    If a dialog is active, stop the motors only if a device `needs_stop`.
     """
     dialog, needs_stop = QApplication.activeWindow(), device_manager.needs_stop
     if needs_stop or not isinstance(dialog, QDialog):
