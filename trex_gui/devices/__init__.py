@@ -1,1 +1,1 @@
-"""One package for each supported device. They never import each other."""
+"""One package for each supported device. These packages never import each other."""

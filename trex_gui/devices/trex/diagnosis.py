@@ -1,9 +1,9 @@
 """Diagnosis of a line on which no TReX replies.
 
-After a failed connection, probes are sent at the settings in use, with each other error detection,
-and at the factory settings. No probe moves a motor. The replies reveal a board at other settings,
-its boot loader, or a qik. A board in learning mode stays silent, because the jumper connects its
-transmit line (SO) to ground.
+After a failed connection, the program sends probes at the settings in use, with every other kind of
+error detection, and at the factory settings. No probe moves a motor. The replies reveal a board at
+other settings, a boot loader, or a qik. A board in learning mode stays silent, because the jumper
+connects its transmit line (SO) to ground.
 """
 
 import contextlib
@@ -54,8 +54,8 @@ def diagnose(
 ) -> StudioError:
     """Probe the line, and return the error to report.
 
-    A silent local line takes a second. On a line with CRC, `quick` skips the other polynomials,
-    which takes seven seconds. Restores the line settings at the end.
+    This takes one second on a silent local line. With CRC, the probes of the other polynomials take
+    seven seconds. `quick` skips these probes. The line settings are restored at the end.
     """
     settings, wire = client.settings, client.transport
     explanation = explain(settings, echo=client.echo, error=error)
@@ -74,12 +74,12 @@ def diagnose(
             flush(wire, settings.timeouts.extra)
             wire.reconfigure(settings.line)
     if prober.found:
-        return _elsewhere(settings, prober.found[0])
-    return prober.recognised or explanation
+        return _found_error(settings, prober.found[0])
+    return prober.recognized or explanation
 
 
 def _plans(settings: ConnectionSettings, *, quick: bool) -> list[list[Attempt]]:
-    """Return a plan of the likely probes. With CRC, a second plan adds all other polynomials."""
+    """Return a plan of the likely probes. With CRC, add a plan of all others unless `quick`."""
     line = settings.line
     likely = [
         Attempt.at(settings),
@@ -97,7 +97,7 @@ def _plans(settings: ConnectionSettings, *, quick: bool) -> list[list[Attempt]]:
     return [[probe for probe in plan if not probe.is_unsafe] for plan in plans]
 
 
-def _elsewhere(settings: ConnectionSettings, board: FoundBoard) -> StudioError:
+def _found_error(settings: ConnectionSettings, board: FoundBoard) -> StudioError:
     used, actual = settings.line, board.settings.line
     number = settings.device_number
     names = settings.label, board.name

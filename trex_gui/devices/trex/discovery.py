@@ -12,7 +12,7 @@ from trex_gui.core.translation import tr
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import agreed, board_at, is_several, read_signature
+from trex_gui.devices.trex.client.reading import agreed, board_at, read_signature, several_reply
 from trex_gui.devices.trex.probe import Attempt, ReplyKind, checksum, send_probe
 from trex_gui.devices.trex.protocol.commands import GetParameter, Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -21,11 +21,13 @@ from trex_gui.devices.trex.protocol.framing import DEFAULT_POLYNOMIAL
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number
 
-_LIKELY = (19200, 115200, 9600, 38400, 57600)
+_LIKELY_RATES = (19200, 115200, 9600, 38400, 57600)  # bit/s, in probing order
 
 _LAST_PROBES = 5
-"""Number of probes at the default settings at the end of a scan. A line may lose replies.
-The other likely settings are probed once more. On a silent line, these probes take two seconds."""
+"""Number of probes at the default settings at the end of a scan, since a line may lose replies.
+
+The other likely settings are probed once more. On a silent line, all these probes take two seconds.
+"""
 
 NUMBERS = 128  # device numbers are 0 to 127
 
@@ -41,9 +43,9 @@ _MAX_QUOTED = 12  # bytes of an unknown reply in a message
 def attempts(*, full: bool = False) -> Iterator[Attempt]:
     """Yield every probe, likely settings first.
 
-    `full` adds all other CRC-7 polynomials, which takes some minutes. `UNSAFE` probes are left out.
+    `full` adds all other CRC-7 polynomials. They take some minutes. `UNSAFE` probes are omitted.
     """
-    rates = [*_LIKELY, *sorted({*baud_rates()} - {*_LIKELY}, reverse=True)]
+    rates = [*_LIKELY_RATES, *sorted({*baud_rates()} - {*_LIKELY_RATES}, reverse=True)]
     for stop_bits in (1, 2):
         for detection in (Detection.NONE, Detection.EVEN, Detection.ODD):
             for baud in rates:
@@ -65,7 +67,7 @@ def attempts(*, full: bool = False) -> Iterator[Attempt]:
 
 @dataclass(frozen=True, slots=True)
 class FoundBoard:
-    settings: ConnectionSettings  # with a device number only if boards share the line
+    settings: ConnectionSettings  # contains a device number only if boards share the line
     signature: Signature
     device_number: int | None = None  # stored number; `None` if it was not read
     echo: bool = False
@@ -81,8 +83,8 @@ def boards_by_number(
 ) -> list[FoundBoard]:
     """Probe each device number, and return the boards in numerical order.
 
-    `progress` is called with each number before its probe. Boards that share a number are left
-    out.
+    `progress` is called with each number before it is probed. Boards that share a number are
+    omitted.
     """
     boards: list[FoundBoard] = []
     for number in range(NUMBERS):
@@ -98,7 +100,7 @@ def boards_by_number(
 
 
 class TrexProber:
-    """Prober for one line. `found` contains several boards only if they share the line."""
+    """Prober for one line. `found` contains several boards if they share the line."""
 
     def __init__(
         self,
@@ -110,9 +112,9 @@ class TrexProber:
     ) -> None:
         """Prepare the probes in `plans`. By default, all settings are probed.
 
-        `full` adds every polynomial, and every device number even if one board replies.
+        `full` adds every polynomial. It also probes every device number, even if one board replies.
         """
-        del known  # no probe moves a motor
+        del known  # irrelevant, because no probe moves a motor
         self.found: list[FoundBoard] = []
         self._settings = ConnectionSettings.on(settings)
         self._full = full
@@ -121,12 +123,12 @@ class TrexProber:
         self._is_loader = False
         self._several: LineSettings | None = None  # settings at which several boards reply
         self._skipped: list[LineSettings] = []  # settings that the port does not support
-        self._probes_numbers = not plans  # whether several boards are probed by number
-        self._is_fixed = False  # whether the other end sets the rate, so only one probe is possible
+        self._probes_numbers = not plans  # whether to probe device numbers if several boards reply
+        self._is_fixed = False  # whether the other end sets the rate and allows only one probe
         plan = list(attempts(full=full))
-        likely = plan[: len(_LIKELY)]
+        likely = plan[: len(_LIKELY_RATES)]
         last_probes = likely + likely[:1] * (_LAST_PROBES - 1)
-        self._plans = plans or (likely, plan[len(_LIKELY) :], last_probes)
+        self._plans = plans or (likely, plan[len(_LIKELY_RATES) :], last_probes)
 
     @property
     def parts(self) -> tuple[int, ...]:
@@ -179,7 +181,7 @@ class TrexProber:
         reply = send_probe(wire, attempt, extra)
         self.echo = self.echo or reply.echo
         if reply.kind is ReplyKind.BOARD_WITHOUT_CRC:
-            # The reply to the probe without a checksum was lost.
+            # The reply to the earlier probe without a checksum was lost.
             attempt = Attempt(replace(attempt.line, detection=Detection.NONE))
         is_board = reply.kind in {ReplyKind.BOARD, ReplyKind.BOARD_WITHOUT_CRC}
         is_one_of_several = number is not None and reply.kind is ReplyKind.SEVERAL
@@ -195,7 +197,7 @@ class TrexProber:
             self._strange.append((attempt.line, reply.data))
 
     def _confirm(self, wire: Transport, attempt: Attempt, number: int | None) -> FoundBoard | None:
-        """Read the board that replied. `None` if this fails."""
+        """Return the board that replied, or `None` if it cannot be read."""
         for polynomial in attempt.polynomials or (DEFAULT_POLYNOMIAL,):
             settings = self._settings_at(attempt.line, polynomial, number)
             client = TrexClient(wire, settings, echo=self.echo)
@@ -209,7 +211,7 @@ class TrexProber:
                 )
             except (NoReply, BadReply):
                 continue
-            if is_several(client, stored_number):
+            if several_reply(client, stored_number):
                 self._several = attempt.line
                 return None
             note = _line_hint(attempt.line, signature, stored)
@@ -244,8 +246,8 @@ class TrexProber:
     # --- Diagnosis ----------------------------------------------------------------------
 
     @property
-    def recognised(self) -> TrexBadReplyError | None:
-        """Error for a known device to which the program cannot connect."""
+    def recognized(self) -> TrexBadReplyError | None:
+        """Error about a recognized device to which the program cannot connect."""
         url = self._settings.label
         if self._is_loader:
             return TrexBadReplyError(ErrorCode.BOOT_LOADER, url)
@@ -267,8 +269,8 @@ class TrexProber:
 
     def _evidence(self) -> tuple[Evidence, str]:
         url = self._settings.label
-        if (recognised := self.recognised) is not None:
-            return Evidence.KNOWN, str(recognised)
+        if (recognized := self.recognized) is not None:
+            return Evidence.KNOWN, str(recognized)
         if self._strange:
             return self._strange_evidence(url)
         if self.echo:
@@ -305,11 +307,11 @@ class TrexProber:
         return Evidence.STRANGE, text
 
 
-def _line_hint(used: LineSettings, signature: Signature, wire: int) -> str:
+def _line_hint(used: LineSettings, signature: Signature, wire_value: int) -> str:
     try:
-        stored = LineSettings.from_wire(wire)
+        stored = LineSettings.from_wire(wire_value)
     except BadRequest:
-        return tr("Its UART settings have the unknown value {0:#04x}.").format(wire)
+        return tr("Its UART settings have the unknown value {0:#04x}.").format(wire_value)
     if stored == used:
         return ""
     real = stored.real_baud(signature.firmware)
@@ -325,7 +327,7 @@ def _line_hint(used: LineSettings, signature: Signature, wire: int) -> str:
 
 
 def recall(wire: Transport, settings: PortSettings, packed: str) -> FoundBoard | None:
-    """Probe for a board at the settings where it was found before. See `core.discovery.Recall`."""
+    """Probe for a board at the settings of an earlier scan. See `prober.Recall`."""
     prober = TrexProber(settings)
     with contextlib.suppress(BadRequest):
         prober.recall(wire, ConnectionSettings.on(settings).unpacked(packed))

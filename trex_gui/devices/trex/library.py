@@ -1,7 +1,7 @@
 """Library for programs that read, set up and drive boards. See `Trex`.
 
-A session in its own thread owns the line. It polls, confirms stops, and has a guardian process that
-stops the motors if the program is killed.
+A session in its own thread owns the line. It polls the boards and confirms stops. Its guardian
+process stops the motors if the program is killed.
 """
 
 import logging
@@ -60,9 +60,9 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 log = logging.getLogger(__name__)
 
-_STATUS_TIMEOUT = 5.0  # seconds until a sample of each kind arrives; 2 s at 1200 baud
-_LEASE_TIMEOUT = 3.0  # seconds until the server replies
-_WRITE_TIMEOUT = 60.0  # seconds until all settings are written, even at 1200 baud
+_STATUS_TIMEOUT = 5.0  # maximum seconds for a sample of each kind; 1200 baud needs 2 s
+_LEASE_TIMEOUT = 3.0  # maximum seconds until the server replies
+_WRITE_TIMEOUT = 60.0  # seconds; enough to write all settings, even at 1200 baud
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,7 +80,7 @@ class BoardStatus:
 
     product: str
     firmware: str
-    mode: str  # description, a sentence
+    mode: str  # description of the mode, as a sentence
     serial_controls: bool  # whether motor commands reach the motors
     currents: tuple[float, float]  # motors 1 and 2, in amperes
     channels: Mapping[int, ChannelStatus]  # channel number (1 to 5) → status
@@ -123,17 +123,17 @@ class Trex:
 
         Args:
             url: `/dev/ttyUSB0`, `COM3`, `socket://host:port`, `rfc2217://host:port`,
-                `trex://user@host/name` for a board that another computer serves.
+                or `trex://user@host/name` for a board that another computer serves.
             baud: rate in bit/s.
             detection: parity, or CRC-7 with this `polynomial`.
             stop_bits: 1 or 2.
             device_number: 0 to 127 for one board of several; `None` for the compact protocol.
             polynomial: CRC-7 polynomial, 0x80 to 0xFF.
-            reserved: numbers of other devices on the line. Needs a `device_number`.
+            reserved: numbers of other devices on the line. Requires a `device_number`.
             timeout: seconds added to the deadline of each reply.
         """
         if detection.upper() not in Detection.__members__:
-            raise BadRequest(f"detection is none, even, odd or crc7, not {detection}")
+            raise BadRequest(f"detection must be none, even, odd or crc7, not {detection}")
         line = LineSettings(baud, Detection[detection.upper()], stop_bits)
         line.to_wire()
         reserved_numbers, timeouts = frozenset(reserved), Timeouts(extra=timeout)
@@ -153,7 +153,7 @@ class Trex:
         return self
 
     def __exit__(self, _kind: object, error: BaseException | None, _traceback: object) -> None:
-        """Stop the motors and close the port. NoReply if a stop was not confirmed."""
+        """Stop the motors and close the port. Raise NoReply if the stop is not confirmed."""
         if self._opened is not None:
             self._opened.session.end(error)
 
@@ -172,12 +172,12 @@ class Trex:
 
     @property
     def state(self) -> DeviceState:
-        """Stored values. The session updates them."""
+        """Values that the board stores. The session updates them."""
         return self._board.state
 
     @property
     def is_responding(self) -> bool:
-        """True if the board replied to the last request. `wait` updates this."""
+        """True while the board responds. `wait` and other calls update this."""
         return self._opened is not None and self._opened.mirror.is_responding
 
     def status(self) -> BoardStatus:
@@ -226,24 +226,24 @@ class Trex:
         return motor_setpoint(motor, board.drive_inputs(), board.mirror.newest, sent)
 
     def events(self) -> tuple[Event, ...]:
-        """Return the events since the last call, as in the log of the window."""
+        """Return the events since the last call. The window shows the same events in its log."""
         events = tuple(self._board.events)
         self._board.events.clear()
         return events
 
     @property
     def line_quality(self) -> ConnectionQuality:
-        """Quality of the line. `is_noisy` is `None` until enough was measured."""
+        """Quality of the line. `is_noisy` is `None` until the first measurement is complete."""
         return self._board.mirror.quality
 
     def measurements(self, seconds: float) -> Iterator[Row]:
         """Yield a row for each new pair of motor currents.
 
-        The rows equal those of `trexcmd stream`. Their keys contain units: `time_s`,
+        The rows are the same as in `trexcmd stream`. Their keys contain units: `time_s`,
         `motor_1_current_A`, `channel_1_us`, …
 
         Raises:
-            NoReply: the board stops replying, or never replies.
+            NoReply: the board does not reply, or stops replying.
         """
         table = MeasurementTable(self.state.mode, self.state.signature.model.current_unit)
         board = self._board
@@ -276,12 +276,12 @@ class Trex:
     def set_parameters(self, *, force: bool = False, **values: int | str) -> tuple[str, ...]:
         """Store and verify parameters. Return the changed keys.
 
-        A value is the wire value or a text with its unit, such as `"0.5 s"`. `force` also sends
+        Each value is a wire value, or a text with its unit, such as `"0.5 s"`. `force` also sends
         a wire value that only an inferred limit forbids. Before the change, a snapshot of the
         stored values is saved in the history that the window shows.
 
         Raises:
-            Rejected: the board does not accept a value. The values before it are stored.
+            Rejected: the board does not accept a value. Other values may have been stored.
         """
         wires = {}
         for key, value in values.items():
@@ -319,7 +319,7 @@ class Trex:
         """Return the differences from a settings file.
 
         In each row, `before` is the board's value. Calibrations of the inactive input source are
-        left out, because the board hides them.
+        omitted, because the board hides them.
 
         Raises:
             StudioError: the file cannot be used, or is for another model.
@@ -334,7 +334,7 @@ class Trex:
     def lost_settings(self) -> tuple[ComparisonRow, ...]:
         """Return the differences from the settings last applied on this computer.
 
-        A board with the factory device number and without applied settings counts as the previous
+        A board that has the factory device number, but no applied settings, counts as the previous
         board on this adapter. Check `device_number` before you apply the result.
         """
         self._board.keeper.load()
@@ -371,9 +371,9 @@ class Trex:
         self._write(((spec.key, spec.maximum),))
 
     def set_note(self, key: str, text: str) -> None:
-        """Save a note on a setting on this computer. Empty text removes the note.
+        """Save a note about a setting on this computer. Empty text removes the note.
 
-        `key` is a parameter, or a calibration such as `rc_channel_2`.
+        `key` is the key of a parameter, or of a calibration such as `rc_channel_2`.
         """
         notes = {**self._notes(), key: clean_note(text)[:LONGEST_NOTE].rstrip()}
         self._board.keeper.memory.set_notes({key: note for key, note in notes.items() if note})
@@ -391,7 +391,7 @@ class Trex:
         if not parameters and not calibrations:
             return
         reason = f"library: {', '.join(key for key, _ in (*parameters, *calibrations))}"
-        self._board.pump(self._board.session.clock())  # the board may have stopped replying
+        self._board.pump(self._board.session.clock())  # raises if the board has stopped responding
         board, state = self._board, self.state
         transaction = board.keeper.prepare(state, self.settings, reason, parameters, calibrations)
         written = board.session.result(
@@ -413,10 +413,11 @@ class Trex:
         return "" if lease is None else lease.driver
 
     def request_lease(self, seconds: float = 0.0, *, take: bool = False) -> None:
-        """Request a network board from the user who drives it.
+        """Request the lease of a network board from the user who drives it.
 
         The motors are stopped first. The call waits `seconds` for the handover. An owner may `take`
-        the lease. A free lease needs no call, because `drive` and changes to settings request it.
+        the lease. A free lease needs no call, because `drive` and every write of settings request
+        it.
 
         Raises:
             TrexRequestError: this user may not drive, or the board was not handed over.
@@ -462,9 +463,9 @@ class Trex:
         auxiliary: int | None = None,
         accelerate: bool = False,
     ) -> None:
-        """Set motor speeds, -127 to 127. `None` changes nothing.
+        """Set motor speeds, -127 to 127. `None` leaves a motor unchanged.
 
-        The auxiliary motor has speeds of 0 to 127. The motors run until `stop`, the end of the
+        The speed of the auxiliary motor is 0 to 127. The motors run until `stop`, the end of the
         block, or half a second without a call. `accelerate` uses the board's acceleration.
 
         Raises:
@@ -478,7 +479,7 @@ class Trex:
             if speed is not None
         ]
         if auxiliary is not None and not 0 <= index(auxiliary) <= 127:
-            raise BadRequest(f"the auxiliary motor's speed is 0 to 127, not {auxiliary}")
+            raise BadRequest(f"the auxiliary motor's speed must be 0 to 127, not {auxiliary}")
         board = self._board
         board.pump(board.session.clock())  # newer reports may forbid driving
         board.session.require_drivable()
@@ -522,8 +523,8 @@ class LineOptions(TypedDict, total=False):
 class TrexLine:
     """Boards on one line that are driven together. Use it in a `with` statement.
 
-    Arming and stopping apply to all boards. If a board stops replying, restarts, stops by itself or
-    returns to channel control, all boards stop, and the error names this board. `line[9]` is the
+    Arming and stopping apply to all boards. If one board stops replying, restarts, stops by itself
+    or returns to channel control, all boards stop, and the error names that board. `line[9]` is the
     `Trex` of board 9. Its `stop`, `wait` and lease apply to all boards.
     """
 
@@ -550,7 +551,7 @@ class TrexLine:
         return self
 
     def __exit__(self, _kind: object, error: BaseException | None, _traceback: object) -> None:
-        """Stop every motor and close the port. NoReply if a stop was not confirmed."""
+        """Stop every motor and close the port. Raise NoReply if a stop is not confirmed."""
         if self._session is not None:
             self._session.end(error)
 
@@ -572,7 +573,7 @@ class TrexLine:
         auxiliary: int | None = None,
         accelerate: bool = False,
     ) -> None:
-        """Set the same speeds on every board, or on none. See `Trex.drive`."""
+        """Set the same speeds on every board, or on no board. See `Trex.drive`."""
         for board in self:
             board.drive(motor_1, motor_2, auxiliary=auxiliary, accelerate=accelerate)
 
@@ -589,7 +590,7 @@ class TrexLine:
         return {number: board.motor_status() for number, board in self._boards.items()}
 
     def stop(self) -> None:
-        """Stop every board. NoReply if a board does not confirm the stop."""
+        """Stop every board. Raise NoReply if a board does not confirm the stop."""
         next(iter(self)).stop()
 
     def wait(self, seconds: float) -> None:

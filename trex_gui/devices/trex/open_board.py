@@ -41,13 +41,16 @@ from trex_gui.devices.trex.settings.board_records import utc_now
 log = logging.getLogger(__name__)
 
 NOT_OPEN = "The line is not open: use a Trex inside its `with` block."
-_LATE = "The program did not call the board for more than half a second while motors were driven."
-_STOP_TIMEOUT = 10.0  # seconds until the stop is confirmed
-_MAX_QUEUED = 1000  # reports, and events of a board, that the program has not read
+_LATE = (
+    "The program did not call the board's methods for more than half a second while motors were "
+    "driven."
+)
+_STOP_TIMEOUT = 10.0  # maximum seconds until a stop is confirmed
+_MAX_QUEUED = 1000  # unread reports of a line, and unread events of a board
 
 
 class MotorsStoppedError(StudioError):
-    """The motors stopped without a `stop` by the program."""
+    """The motors stopped, although the program did not call `stop`."""
 
 
 class OpenSession:
@@ -72,7 +75,7 @@ class OpenSession:
         self._join = computer.start_thread(session.run)
 
     def _put_report(self, report: Report) -> None:
-        """Queue a report of the session. If the queue is full, only status bits are queued."""
+        """Queue a report. If the queue is full, drop all samples except status bits."""
         batch = report.report if isinstance(report, OfBoard) else report
         if isinstance(batch, Batch) and len(self._reports) >= _MAX_QUEUED:
             latched = tuple(s for s in batch.samples if isinstance(s, LatchedStatus))
@@ -94,12 +97,12 @@ class OpenSession:
             raise
 
     def result(self, request: Callable[[int], object], seconds: float) -> object:
-        """Send `request(number)`, and return the value of its outcome."""
-        number = next(self._ids)
+        """Send `request(id)`. Return the value of its outcome, or raise its error."""
+        request_id = next(self._ids)
         self.require_open()
-        self.put(request(number))
-        self.wait_for(lambda: number in self._outcomes, seconds)
-        outcome = self._outcomes.pop(number)
+        self.put(request(request_id))
+        self.wait_for(lambda: request_id in self._outcomes, seconds)
+        outcome = self._outcomes.pop(request_id)
         if outcome.error is not None:
             raise outcome.error
         return outcome.value
@@ -115,7 +118,7 @@ class OpenSession:
         return self.lease is None or self.lease.is_mine
 
     def require_drivable(self) -> None:
-        """Raise NoReply or BadRequest if a board ignores serial commands."""
+        """Raise NoReply if a board is silent, or BadRequest if it ignores serial commands."""
         for board in self.boards.values():
             if not board.mirror.is_responding:
                 raise NoReply(board.named(Reason(DriveBlocker.SILENT).text()))
@@ -137,13 +140,14 @@ class OpenSession:
         end = self.clock() + seconds
         while not condition():
             if self.clock() >= end:
-                raise NoReply(f"The board did not answer within {seconds:g} s.")
+                raise NoReply(f"The board did not reply within {seconds:g} s.")
             self.pump(end)
 
     def pump(self, end: float) -> list[tuple["OpenBoard", Sample]]:
-        """Handle the next report and all queued reports.
+        """Wait for a report, then handle all queued reports.
 
-        Returns each sample with its board. Sends a heartbeat if motors are armed.
+        Returns each sample with its board. Sends a heartbeat if the motors are armed. Waits until
+        `end` (on the session's clock), but no longer than `HEARTBEAT_INTERVAL`.
         """
         if self.is_armed:
             self.put(Heartbeat())
@@ -167,7 +171,7 @@ class OpenSession:
         match report:
             case Connected(settings=settings) if self._group not in {(), settings.group}:
                 served = ", ".join(map(str, settings.group)) or str(settings.device_number)
-                raise BadRequest(f"The server of this line drives the boards {served}.")
+                raise BadRequest(f"The server of this line drives these boards: {served}.")
             case Outcome(id=number):
                 self._outcomes[number] = report
             case Closed():
@@ -184,7 +188,7 @@ class OpenSession:
         return self.closed
 
     def end(self, error: BaseException | None) -> None:
-        """Close the line. An unconfirmed stop raises NoReply, or adds a note to `error`."""
+        """Close the line. If a stop is unconfirmed, raise NoReply or add a note to `error`."""
         closed = self.close()
         if closed is not None and closed.may_move:
             text = "The stop is not confirmed. If a motor still turns, cut its power."
@@ -203,14 +207,14 @@ class OpenBoard:
         self.keeper = Keeper(log.info, log.warning)
         self.mirror = BoardMirror(self.keeper.memory)
         self.mirror.adapter = adapter_key(settings.url)
-        self.driven: dict[int, int] = {}  # motor → speed since the last confirmed stop
-        self.errors: dict[str, None] = {}  # names of the bits since the last status
+        self.driven: dict[int, int] = {}  # motor → last speed sent since the last confirmed stop
+        self.errors: dict[str, None] = {}  # names of the error bits since the last status
         self.events = deque[Event](maxlen=_MAX_QUEUED)  # since the program last read them
         self._number = number  # device number in a group; `None` for a single board
 
     @property
     def state(self) -> DeviceState:
-        assert self.mirror.state is not None  # noqa: S101 - it was read
+        assert self.mirror.state is not None  # noqa: S101 - `OpenSession.open` waits for it
         return self.mirror.state
 
     def addressed(self, request: Any) -> Any:
@@ -221,7 +225,12 @@ class OpenBoard:
         return [sample for board, sample in self.session.pump(end) if board is self]
 
     def handle(self, report: Report) -> Iterator[Sample]:
-        """Handle a report and yield its samples. Raise if the board or its motors stopped."""
+        """Handle a report and yield its samples.
+
+        Raises:
+            NoReply: the board has stopped responding.
+            MotorsStoppedError: the motors were stopped.
+        """
         for event in self.mirror.handle(report, self.session.clock(), utc_now()):
             match event:
                 case LatchedStatus():
@@ -259,7 +268,7 @@ class OpenBoard:
             self._fail(f"{reason} The motors were stopped.")
 
     def _fail(self, text: str, *, is_named: bool = False) -> None:
-        """Raise MotorsStoppedError. `is_named`: the text names the board."""
+        """Raise MotorsStoppedError. `is_named`: True if the text already names the board."""
         self.session.is_armed = False
         raise MotorsStoppedError(text if is_named else self.named(text))
 

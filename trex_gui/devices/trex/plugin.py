@@ -36,7 +36,7 @@ TREX = DevicePlugin(
         "diff": _command("files:diff", "Compare settings files, or a file with the board."),
         "audit": _command("files:audit", "Check the board against a settings file."),
         "provision": _command(
-            "provision:provision", "Set up one board after another, on the same cable."
+            "provision:provision", "Set up several boards, one after another, on the same cable."
         ),
         "history": _command(
             "history:history", "List the snapshots of settings saved before each change."
@@ -46,13 +46,13 @@ TREX = DevicePlugin(
         "restore-defaults": _command(
             "parameters:restore_defaults", "Reset all parameters to factory defaults."
         ),
-        "motor": _command("motor:motor", "Run a motor until Ctrl-C or for a time, then stop it."),
+        "motor": _command("motor:motor", "Run a motor for a time or until Ctrl-C, then stop it."),
         "stop": _command("motor:stop", "Stop all motors and wait for confirmation."),
         "serve": _command("serve:serve", "Serve the board to other computers over the network."),
         "robots": _command("serve:robots", "List the boards that are served on the network."),
         "raw": _command("packets:raw", "Send bytes and show the reply."),
         "decode": _command("packets:decode", "Decode packets without a board."),
-        "report": _command("report:report", "Save a zip for support, without personal data."),
+        "report": _command("report:report", "Save a ZIP file for support, without personal data."),
         "survey": _command("survey:survey", "Write facts about a board's firmware to a file."),
         "replay": _command(
             "replay:replay", "Compare a traffic log with the replies of a simulated board."

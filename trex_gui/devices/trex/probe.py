@@ -1,11 +1,11 @@
 """Probe for a TReX at unknown line settings, without moving a motor.
 
-A board at another rate misreads the bytes, and may see the start of a packet. Two harmless probes
-could then form a motor command. Two rules prevent this.
+A board at another rate misreads the bytes, and may mistake them for the start of a packet. Two
+harmless probes could then form a motor command. Two rules prevent this.
 
 - The only probe is 81 (get signature), alone or with its checksum. It changes nothing.
-- Before each probe, `core.discovery.flush` ends every packet that may have started. The effect of a
-  probe then depends neither on earlier bytes nor on the order of the rates.
+- Before each probe, `prober.flush` ends every packet that may have started. The effect of a probe
+  then depends neither on earlier bytes nor on the order of the rates.
 
 The tests send every probe to boards with every rate, polynomial and device number. No board
 receives a motor command.
@@ -24,13 +24,13 @@ from trex_gui.devices.trex.protocol.framing import Framing, crc7
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 
 QUIET = 0.13
-"""Seconds of silence after a probe. A board may reply to a misread probe, and receives nothing
-during its reply. Eleven bytes of eleven bits take 0.1 s at 1200 baud."""
+"""Seconds of silence after a probe. A board may reply to a misread probe. During its reply, it
+receives nothing. Eleven bytes of eleven bits take 0.1 s at 1200 baud."""
 
 UNSAFE = frozenset(product((14400, 28800), (0x2E, 0x4E)))
-"""Pairs of rate and checksum that are not probed at unknown settings. A board at 8/3 of the rate
-(38400, 76800 baud) with odd parity may receive 81 2E as F0 0E, which starts the auxiliary motor.
-81 4E can have the same effect."""
+"""Pairs of baud rate and checksum that are not probed at unknown settings. A board at 8/3 of the
+rate (38400, 76800 baud) with odd parity may receive 81 2E as F0 0E, which starts the auxiliary
+motor. 81 4E can have the same effect."""
 
 _PROBE = GetSignature().opcode.to_bytes()
 _NAME = b"TReX"
@@ -44,7 +44,7 @@ def checksum(polynomial: int) -> int:
 
 @dataclass(frozen=True, slots=True)
 class Attempt:
-    """Probe at line settings. All `polynomials` result in the same checksum."""
+    """Probe at certain line settings. All `polynomials` result in the same checksum."""
 
     line: LineSettings
     polynomials: tuple[int, ...] = ()
@@ -83,7 +83,7 @@ class ProbeReply:
 
 
 def send_probe(wire: Transport, attempt: Attempt, extra: float = 0.0) -> ProbeReply:
-    """Probe a flushed and configured line, and classify the reply."""
+    """Probe a flushed and configured line, and classify the reply. `extra`: additional wait (s)."""
     with contextlib.suppress(BadReply):
         wire.discard()
     wire.write(attempt.data)

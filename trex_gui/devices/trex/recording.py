@@ -207,7 +207,7 @@ def sample_kinds(source: InputSource, current_unit: float) -> tuple[SampleKind, 
         SampleKind(
             "settings",
             SettingsSnapshot,
-            (Column("text", "TEXT", "settings file: what the board stores from now on"),),
+            (Column("text", "TEXT", "settings file with the values stored from this time on"),),
             lambda r: (r.text,),
             SettingsSnapshot,
         ),
@@ -269,7 +269,7 @@ class MeasurementTable:
         self.mode = mode
         kinds = sample_kinds(mode.source, unit)
         self._kinds: dict[type[Any], SampleKind] = {kind.type: kind for kind in kinds}
-        # Polled values except the mode, which only changes with a power cycle.
+        # All polled values except the mode, which changes only with a power cycle.
         measured = [kind for kind in kinds if kind.held and kind.type is not ModeSample]
         self._missing = {kind.type for kind in measured} - {Currents}
         columns = [name for kind in measured for name in kind.exported]
@@ -290,7 +290,7 @@ class MeasurementTable:
         return isinstance(sample, Currents) and not self._missing
 
     def finish(self, time: float) -> Row:
-        """Return the row at `time` (s). Each status bit appears in one row only."""
+        """Return the row at `time` (s). Each latched bit is set in one row only."""
         row = {**self.row, "time_s": round(time, 4)}
         self._clear_status()
         return row
@@ -302,7 +302,7 @@ class BoardSnapshot(Newest):
 
     settings: str = ""
     setpoints: Mapping[int, Drive] = field(default_factory=dict)  # motor (1 or 2) → setpoint
-    auxiliary: int | None = None
+    auxiliary: int | None = None  # setpoint of the auxiliary motor, 0-127
 
     @classmethod
     def at_start(cls, header: Header) -> Self:

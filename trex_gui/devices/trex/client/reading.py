@@ -152,7 +152,7 @@ def board_at(client: TrexClient, number: int, *, attempts: int = 1) -> Signature
     return signature if has_number else None
 
 
-def is_several(client: TrexClient, stored_number: int) -> bool:
+def several_reply(client: TrexClient, stored_number: int) -> bool:
     """True if several boards reply at once to commands without a number.
 
     Equal replies from boards of the same model look like a single reply. Replies with different

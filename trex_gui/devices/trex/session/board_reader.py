@@ -5,7 +5,12 @@ import math
 
 from trex_gui.core.errors import BadReply, NoReply
 from trex_gui.devices.trex.client.client import TrexClient
-from trex_gui.devices.trex.client.reading import DeviceState, agreed, is_several, read_everything
+from trex_gui.devices.trex.client.reading import (
+    DeviceState,
+    agreed,
+    read_everything,
+    several_reply,
+)
 from trex_gui.devices.trex.client.telemetry import Currents, LatchedStatus, ModeSample, poll
 from trex_gui.devices.trex.driving.motor_output import OutputEvent
 from trex_gui.devices.trex.driving.requests import MotorsStopped
@@ -47,15 +52,13 @@ class BoardReader:
         Except after a reload, stop the motors. They must be armed again, because the window may
         still send setpoints for the previous state or board.
         """
-        line = self._line
+        line, client = self._line, self._line.client
         if occasion.power_cycled:
             line.motors.handle(OutputEvent.STOP, line.now())
-        self.state = read_everything(
-            line.request, line.report_progress, has_crc=line.client.has_crc
-        )
+        self.state = read_everything(line.request, line.report_progress, has_crc=client.has_crc)
         number = self.state.parameters.get(ParameterKey.DEVICE_NUMBER)
-        if occasion is ReadReason.OPENED and number is not None and is_several(line.client, number):
-            settings = line.client.settings
+        if occasion is ReadReason.OPENED and number is not None and several_reply(client, number):
+            settings = client.settings
             raise TrexBadReplyError(ErrorCode.SEVERAL_BOARDS, settings.label, settings.line.text())
         self._stale_reads = 0
         self.signature = self.state.signature
@@ -70,7 +73,6 @@ class BoardReader:
         line.report_guardian()
         if occasion is not ReadReason.SELECTED:  # else, pending samples are from the new board
             line.flush()
-        client = line.client
         line.emit(
             Connected(
                 self.state,
