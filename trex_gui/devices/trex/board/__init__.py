@@ -1,4 +1,4 @@
-"""State of one board and writes to it. No Qt, no threads."""
+"""State of one board, and writes of its settings. No Qt, no threads."""
 
 from trex_gui.devices.trex.client.writing import WriteResult
 

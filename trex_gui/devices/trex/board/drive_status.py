@@ -18,20 +18,22 @@ from trex_gui.devices.trex.driving.timeout_stop import turning_text
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DriveInputs:
+    """Inputs of `drive_statuses`."""
+
     board: BoardInputs | None = None  # reports of the board; `None` if unknown
     link: DriveBlocker | None = None  # state of the connection; `None` while the board responds
     may_move: bool = False  # True if motors were driven and no stop was confirmed since
-    driven: frozenset[int] = frozenset()  # motors that were driven, as far as known
+    driven: frozenset[int] = frozenset()  # numbers of the driven motors; empty if unknown
     lost_board: str = ""  # warning that the previous board may still be driven
-    silence_remedy: str = ""  # remedy for a board that is lost while driven
+    silence_remedy: str = ""  # remedy if the board is lost while motors are driven
     other_driver: str = ""  # another user who drives this served board
     other_speeds: tuple[int, int, int] = (0, 0, 0)  # setpoints of the other user
-    lacks_board: int | None = None  # number of a board in the group that cannot be driven
+    undrivable: int | None = None  # number of a board in the group that cannot be driven
     reaches_several: bool = False  # True if a command would reach several boards
     locked_for: float = 0.0  # remaining lock-out time in seconds
-    is_available: bool = True
+    is_available: bool = True  # False if the motors cannot be armed now
     armed: bool = False
-    stop_reason: str = ""
+    stop_reason: str = ""  # reason for the last stop; empty if the user pressed stop
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +59,7 @@ class SetpointSource(Enum):
 class MotorSetpoint:
     source: SetpointSource
     speed: int = 0  # -127 to 127
-    may_turn: bool = False  # True if no stop was confirmed since the motors were driven
+    may_turn: bool = False  # True if a disarmed motor may turn, since no stop was confirmed
 
 
 AUXILIARY = 3  # motor of channel 3
@@ -117,8 +119,8 @@ def _program_reasons(now: DriveInputs, *, by_serial: bool) -> Iterator[Reason]:
         yield Reason(DriveBlocker.OTHER_DRIVES, (now.other_driver,))
     elif now.reaches_several:
         yield Reason(DriveBlocker.SEVERAL_BOARDS)
-    elif now.lacks_board is not None:
-        yield Reason(DriveBlocker.GROUP, (now.lacks_board,))
+    elif now.undrivable is not None:
+        yield Reason(DriveBlocker.GROUP, (now.undrivable,))
     elif not now.is_available:
         yield Reason(DriveBlocker.NOT_ALLOWED)
     elif now.stop_reason:

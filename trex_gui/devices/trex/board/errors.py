@@ -30,7 +30,7 @@ class ErrorEntry:
     meaning: str
     remedy: str
     count: int = 0
-    last: datetime | None = None  # date and time of the last report, if any
+    last: datetime | None = None  # local date and time of the last report
     seen_at: float = -math.inf  # time of the last report on the monotonic clock, in seconds
     is_doubtful: bool = False  # True if the last report may be a corrupted reply
     is_uncleared: bool = False  # True if reported since the user last cleared the error
@@ -38,7 +38,7 @@ class ErrorEntry:
 
 
 def error_names(entries: Sequence[ErrorEntry]) -> str:
-    """Return the names of errors, with a mark if all are doubtful."""
+    """Return the names of errors, marked if all of them are doubtful."""
     names = ", ".join(tr(entry.name) for entry in entries)
     is_doubtful = all(entry.is_doubtful for entry in entries)
     return tr("{0} (doubtful)").format(names) if is_doubtful else names
@@ -166,7 +166,7 @@ class ErrorCounts:
     def clear(self, bit: Status | UartError) -> None:
         """Mark an error as cleared. An active error is reported again."""
         general_bit = Status.UART_ERROR if isinstance(bit, UartError) else bit
-        self.entries = tuple(  # compare by identity: bits of both bytes have equal numbers
+        self.entries = tuple(  # compare by identity: bits of the two bytes have equal values
             replace(entry, is_uncleared=False)
             if entry.bit is bit or entry.bit is general_bit
             else entry
@@ -181,7 +181,7 @@ class ErrorCounts:
 
 # --- Events for the log -----------------------------------------------------------------
 
-_EVENT_GAP = 1.0  # minimum seconds between two reports of a bit for a new event
+_EVENT_GAP = 1.0  # seconds without a report of a bit until its next report is a new event
 
 _KINDS = {
     **dict.fromkeys(MOTOR_FAULTS.values(), EventKind.FAULT),
@@ -229,7 +229,7 @@ def _earlier(latched: LatchedStatus) -> Event:
     return Event(latched.time, EventKind.LINK, text.format(names))
 
 
-def read_event(report: Connected, now: float) -> Event | None:
+def connected_event(report: Connected, now: float) -> Event | None:
     is_problem = report.occasion is ReadReason.SETTING_CHANGED
     match report.occasion:
         case ReadReason.OPENED:

@@ -1,4 +1,4 @@
-"""Files of a board and writes to the board, for programs without a window."""
+"""Saved records of a board and writes to it, for programs without a window."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -42,7 +42,7 @@ def read_record(board: BoardIdentity, warn: Notify) -> BoardRecord | None:
 
 
 class Keeper:
-    """Snapshots, record and accepted values of a board. Files are read when first needed."""
+    """Snapshots, record and accepted values of a board. Its files are read when first needed."""
 
     def __init__(self, inform: Notify, warn: Notify) -> None:
         """`inform` receives messages about saved files, `warn` about failures."""
@@ -68,7 +68,7 @@ class Keeper:
         """Save a snapshot, then clear the expected values.
 
         Raises:
-            SettingsError: the snapshot cannot be saved, so nothing must be written.
+            SettingsError: the snapshot cannot be saved, so nothing may be written.
         """
         self.load()
         values = tuple(parameters), tuple(calibrations)
@@ -145,7 +145,7 @@ class Keeper:
                 self._inform("`trexcmd diff --last` shows the differences.")
                 self._inform("The snapshot contains the previous settings.")
 
-    # --- For the memory -----------------------------------------------------------------
+    # --- Requests of the memory (`Files`) -----------------------------------------------
 
     def find(self, board: BoardIdentity) -> None:
         self._requested = board

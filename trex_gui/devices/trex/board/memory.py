@@ -29,7 +29,7 @@ class Files(Protocol):
         """Read the record of a board, then call `handle_record`."""
 
     def find_lost(self, board: BoardIdentity, adapter: str) -> None:
-        """Find the newest record at this adapter under another number, and call `set_lost`."""
+        """Find the newest record for this adapter and another number, then call `set_lost`."""
 
     def save(self, board: BoardIdentity, record: BoardRecord | None, /) -> None:
         """Replace the record of a board. `None` removes it."""
@@ -43,7 +43,7 @@ class Files(Protocol):
         """
 
     def add_accepted(self, kind: Signature, values: Mapping[str, int], /) -> None:
-        """Save values beyond inferred limits that a board of this kind accepted."""
+        """Save values outside inferred limits that a board of this kind has accepted."""
 
     def warn_doubtful(self, record: BoardRecord) -> None:
         """Warn that the record is from another adapter, so it may belong to another board."""
@@ -64,8 +64,8 @@ class BoardMemory:
     def __init__(self, files: Files) -> None:
         self._files = files
         self.record: BoardRecord | None = None  # `None` until the record is found
-        # Differences between the board (before) and the last applied settings (after). A simulated
-        # board has none, because each start creates a new board.
+        # Differences between the board (before) and the last applied settings (after). They are
+        # empty for a simulated board, because each start creates a new board.
         self.differing = Comparison(())
         self._board: BoardIdentity | None = None
         self._stored: Settings | None = None  # settings of the board while it is connected
@@ -73,14 +73,15 @@ class BoardMemory:
         self._adapter = ""
         self._lost: BoardRecord | None = None  # record of the board that may have lost its number
         self._is_doubted = False  # True if the record may belong to another board
-        self._is_renamed = False  # True if the next start of the board resets its number
-        self._pending: list[_Change] = []  # changes before the record was found
+        self._resets_number = False  # True if the next start of the board resets its number
+        self._pending: list[_Change] = []  # changes made before the record was found
 
     # --- Known settings -----------------------------------------------------------------
 
     def hidden_calibration(
         self, channel: int, source: InputSource
     ) -> tuple[Calibration | None, Known | None]:
+        """Return a calibration from the record, and the time when it was written or read."""
         if self.record is None:
             return None, None
         calibration = self.record.settings.calibrations.get(CalibrationKey.of(source, channel))
@@ -91,8 +92,8 @@ class BoardMemory:
     def expected(self) -> BoardRecord | None:
         """Record of the settings that the board should store. `None` if unknown.
 
-        A board that lost its settings also lost its device number. Therefore, a board without
-        applied settings may be the previous board at the same adapter.
+        A board that has lost its settings has also lost its device number. Therefore, a board
+        without applied settings may be the previous board at the same adapter.
         """
         is_new = self.record is not None and self.record.applied is None
         return self._lost if is_new and self._lost is not None else self.record
@@ -105,7 +106,7 @@ class BoardMemory:
         return self.expected.applied_to(self._stored)
 
     def with_hidden(self, stored: Settings) -> tuple[Settings, list[str]]:
-        """Return `stored` with hidden calibrations added, and remarks on the calibrations' age."""
+        """Return `stored` with hidden calibrations added, and remarks on their age."""
         if self.record is None:
             return stored, []
         return self.record.with_hidden(stored, self._source)
@@ -124,14 +125,14 @@ class BoardMemory:
     ) -> None:
         """Set the board that was read. If it is new or newly opened, find its record.
 
-        `adapter` is the key of the board's adapter, or empty if unknown.
+        `adapter` is the key of the board's adapter. It is empty if unknown.
         """
         self._stored, self._source, self._adapter = stored, source, adapter
         board = BoardIdentity.of(stored, is_simulated=is_simulated)
         is_same = self._board is not None and board.product == self._board.product
-        if self._is_renamed and is_same and not opened and board != self._board:
+        if self._resets_number and is_same and not opened and board != self._board:
             self._rename(board)
-        self._is_renamed = False
+        self._resets_number = False
         if opened or board != self._board:
             if board != self._board:
                 self._files.show_notes(None, board)
@@ -178,12 +179,12 @@ class BoardMemory:
 
     def record_reset(self) -> None:
         """Expect the factory defaults after the next start of the board."""
-        self._is_renamed = True
+        self._resets_number = True
         self._lost = None
         self._change(BoardRecord.after_reset)
 
     def record_accepted(self, kind: Signature, values: Mapping[str, int]) -> None:
-        """Record values beyond inferred limits. Ignore a simulated board."""
+        """Record accepted values outside inferred limits, except those of a simulated board."""
         if values and self._board is not None and not self._board.is_simulated:
             self._files.add_accepted(kind, values)
 

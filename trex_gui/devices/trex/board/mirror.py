@@ -9,7 +9,7 @@ from operator import or_
 from trex_gui.core.events import Event, EventKind
 from trex_gui.core.session import Closed, Outcome
 from trex_gui.core.translation import Number, tr
-from trex_gui.devices.trex.board.errors import ErrorCounts, StatusEvents, read_event
+from trex_gui.devices.trex.board.errors import ErrorCounts, StatusEvents, connected_event
 from trex_gui.devices.trex.board.memory import BoardMemory
 from trex_gui.devices.trex.board.quality import ConnectionQuality, SpikeFilter
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
@@ -71,7 +71,7 @@ class BoardRead:
 
 @dataclass(frozen=True, slots=True)
 class MotorsShutDown:
-    """The board has stopped its motors by itself.
+    """The board has stopped its motors on its own.
 
     The next motor command would restart the motors, so only the user may send it.
     """
@@ -142,6 +142,8 @@ def _commands(state: DeviceState, newest: Newest, *, joint: bool) -> tuple[int, 
 
 
 class BoardMirror:
+    """State of a board. `handle` updates it."""
+
     def __init__(
         self, memory: BoardMemory, errors_changed: Callable[[], None] = lambda: None
     ) -> None:
@@ -155,10 +157,10 @@ class BoardMirror:
         self.is_responding = False
         self.is_joint = False  # active motor mode, which may differ from the stored mode
         self.echo = False  # True if sent bytes come back, as on the board's RS-232 side
-        self.connected_at: float | None = None  # time of opening the line, as `now` in `handle`
-        self.connected_utc: datetime | None = None  # time of opening the line, in UTC
+        self.connected_at: float | None = None  # time when the line was opened; see `handle`
+        self.connected_utc: datetime | None = None  # time when the line was opened
         self.restarts = 0  # number of detected restarts since the line was opened
-        self.returns = 0  # number of silences that ended since the line was opened
+        self.returns = 0  # number of recoveries from silence since the line was opened
         self.lease: LeaseChanged | None = None  # lease of a served board
         self.other_speeds = SetpointsChanged().speeds  # setpoints of another driver
         self.is_network_silent = False  # True if the server of the board does not respond
@@ -219,7 +221,7 @@ class BoardMirror:
 
     @property
     def timeout_stop(self) -> TimeoutStop:
-        """Expected effect of the serial timeout, also after the board was lost."""
+        """Expected effect of the serial timeout, even after the board was lost."""
         record = self.memory.record
         trial = None if record is None else record.trial
         return timeout_stop({} if self.last is None else self.last.parameters, trial)
@@ -367,7 +369,7 @@ class BoardMirror:
             self._currents = SpikeFilter()
         self.newest.update(Control(now, state.serial_controls))
         yield BoardRead(report, is_changed, is_other, is_new)
-        if (event := read_event(report, now)) is not None:
+        if (event := connected_event(report, now)) is not None:
             yield event
         self.memory.set_board(
             settings_of(state),
@@ -379,7 +381,7 @@ class BoardMirror:
         )
 
     def _handle_batch(self, batch: Batch, now: float, utc: datetime) -> Iterator[BoardEvent]:
-        """Yield events and samples. A stop by the board precedes its samples."""
+        """Yield events and samples. `MotorsShutDown` precedes the samples of its batch."""
         self.counters = batch.counters
         has_failed = self.quality.has_failed_lately(now, batch.counters)
         has_crc = self.settings is not None and self.settings.line.has_crc
@@ -411,7 +413,7 @@ class BoardMirror:
     def _stop_reason(self, latched: LatchedStatus) -> str:
         """Return the reason why the board stopped its motors, or "" if it did not.
 
-        A timeout always stops the motors. Other serial errors require UART-Error Shutdown (0x08).
+        A timeout always counts as a stop. Other serial errors require UART-Error Shutdown (0x08).
         """
         if latched.uart & UartError.TIMEOUT:
             return tr(

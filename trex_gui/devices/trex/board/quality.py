@@ -11,15 +11,15 @@ from trex_gui.devices.trex.driving.board_reasons import NOISE_COUNTS
 
 _MINIMUM_SECONDS = 10.0  # minimum length of a measurement
 
-# Minimum number of transactions in a measurement, which take 3 s at 19200 baud. The three failures
-# after which a board counts as silent are a smaller fraction of them than `_NOISY`.
+# Minimum number of transactions in a measurement. They take 3 s at 19200 baud. A board counts as
+# silent after three failures, which are a smaller fraction of this number than `_NOISY`.
 _MINIMUM_TRANSACTIONS = 500
 
-_INTERVAL = 2.0  # seconds between two results, so that the text remains readable
+_INTERVAL = 2.0  # minimum seconds between two results, so that the text remains readable
 
 # A line that damages 1 % of the bytes loses 1.3 % of the transactions (measured with the simulated
-# board), because most damaged replies without CRC look valid. It damages one in 25 motor commands
-# of four bytes. A single wrong bit can turn one command into another.
+# board), because most damaged replies without CRC look valid. Such a line damages one in 25
+# motor commands of four bytes. A single wrong bit can turn one command into another.
 _NOISY = 0.01  # fraction of failures at which a line is noisy
 _GOOD = 0.005  # fraction of failures below which a noisy line is good again
 
@@ -30,10 +30,12 @@ _DOUBTFUL_FOR = 5.0  # seconds after a failure during which replies without CRC 
 
 @dataclass(frozen=True, slots=True)
 class _Mark:
+    """Counters at one time."""
+
     time: float
     requests: int
-    lost: int
-    stray: int
+    lost: int  # missing and corrupted replies
+    stray: int  # unexpected bytes
 
 
 class ConnectionQuality:
@@ -43,10 +45,11 @@ class ConnectionQuality:
         self.seconds = 0.0  # length of the measurement, initially less than 10
         self.rate = 0.0  # transactions per second; 0 if unknown
         self._marks = deque[_Mark]()
-        self._failures = 0  # number of failures last reported
+        self._failures = 0  # total number of failures, as of the last check
         self._failed_at = -math.inf
 
     def reset(self) -> bool:
+        """Clear the measurement. Return whether it had a result."""
         changed = self.is_noisy is not None
         self.is_noisy, self.lost, self.seconds, self.rate = None, 0.0, 0.0, 0.0
         self._marks.clear()
@@ -91,7 +94,7 @@ class ConnectionQuality:
 
 
 class SpikeFilter:
-    """Filter for currents that no adjacent sample confirms."""
+    """Filter for jumps of the currents that the next sample does not confirm."""
 
     def __init__(self) -> None:
         self._last: Currents | None = None

@@ -35,7 +35,7 @@ def drive_inputs(device: Device) -> DriveInputs:
         silence_remedy=device.board.silence_remedy,
         other_driver=device.main.board.other_driver,
         other_speeds=device.board.other_speeds,
-        lacks_board=device.main.driving.lacking(),
+        undrivable=device.main.driving.lacking(),
         reaches_several=device.driving.reaches_several,
         locked_for=motors.locked_for,
         is_available=motors.is_available,
