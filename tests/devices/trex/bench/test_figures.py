@@ -3,7 +3,7 @@
 import pytest
 
 from tests.devices.trex.bench.runs import run_of
-from trex_gui.devices.trex.bench.run import LONGEST_GAP, End, Figures, Profile, Shape, figures
+from trex_gui.devices.trex.bench.run import MAX_GAP, End, Figures, Profile, Shape, figures
 
 RATE = 80
 
@@ -42,7 +42,7 @@ def test_mean_and_charge_cover_only_driven_time() -> None:
 
 
 def test_gap_in_readings_adds_no_charge() -> None:
-    gap = LONGEST_GAP + 0.1
+    gap = MAX_GAP + 0.1
     found = figures(run_of([(0.0, 3.6), (0.5, 3.6), (0.5 + gap, 3.6), (1.0 + gap, 3.6)]))
     assert found.charge == pytest.approx(1.0)
     assert found.mean == pytest.approx(3.6)

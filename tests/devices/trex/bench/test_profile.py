@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from trex_gui.devices.trex.bench.run import LONGEST, SHORTEST, Profile, Shape
+from trex_gui.devices.trex.bench.run import MAX_SECONDS, MIN_SECONDS, Profile, Shape
 
-SECONDS = st.floats(SHORTEST, LONGEST)
+SECONDS = st.floats(MIN_SECONDS, MAX_SECONDS)
 PROFILES = st.builds(
     Profile,
     shape=st.sampled_from(Shape),

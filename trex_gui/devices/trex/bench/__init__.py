@@ -1,1 +1,1 @@
-"""Bench tests: speed profile, measured current, figures."""
+"""Bench tests: speed profiles, measured currents and figures."""

@@ -1,6 +1,6 @@
 """Bench tests as text files for spreadsheets.
 
-Facts come first, one `# name: value` per line. A table follows:
+Facts about the test come first, one `# name: value` per line. A table follows:
 
 ```
 time_s,setpoint,current_a
@@ -8,8 +8,8 @@ time_s,setpoint,current_a
 0.0113,40,5.85
 ```
 
-Each row is a setpoint (without a current) or a reading. Rows are sorted by time. Speeds are -127 to
-127. Times are in seconds since the first setpoint.
+Each row is a setpoint (without a current) or a reading. Rows are sorted by time. Times are in
+seconds since the first setpoint. Speeds are -127 to 127.
 """
 
 import csv
@@ -35,7 +35,7 @@ ValueT = TypeVar("ValueT")
 
 
 class BenchFileError(StudioError):
-    """The file is not a bench test. The text names the line and the reason."""
+    """The file is not a bench test. The text gives the reason and, if known, the line."""
 
 
 def load_run(path: Path) -> Run:
@@ -86,7 +86,7 @@ def _facts(run: Run) -> Iterable[tuple[str, str]]:
 
 
 def from_csv(text: str) -> Run:
-    """Return the test that `to_csv` wrote. BenchFileError for any other text."""
+    """Return the test that `to_csv` wrote. Raise BenchFileError for any other text."""
     lines = text.removeprefix("\ufeff").splitlines()
     if not lines or lines[0].strip() != _TITLE:
         raise BenchFileError(tr("line 1: a bench test begins with {0!r}").format(_TITLE))

@@ -14,13 +14,13 @@ from trex_gui.core.texts import signed_text
 from trex_gui.core.translation import Number, tr, tr_noop
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 
-SHORTEST = 0.2  # minimum seconds of a test or a period, ten steps of the profile
-LONGEST = 120.0  # maximum seconds of a test, during which the user holds a button
-LONGEST_GAP = 0.5  # maximum seconds between readings; longer gaps do not count as charge
-BAND = 0.1  # fraction of the steady current; a settled current stays within it
-_TAIL = 0.3  # final fraction of a constant setpoint, whose current counts as steady
-_MIN_PLATEAU = 0.4  # seconds of a constant setpoint, with ten readings in its tail
-_NOISE_COUNTS = 2  # minimum reading of a current; a single count may be noise
+MIN_SECONDS = 0.2  # of a test or a period; ten steps of the profile
+MAX_SECONDS = 120.0  # of a test; the user holds a button during the test
+MAX_GAP = 0.5  # seconds between readings; longer gaps do not count as charge
+BAND = 0.1  # maximum difference of a settled current, as a fraction of the steady current
+_TAIL = 0.3  # final fraction of a constant setpoint; its mean current is the steady current
+_MIN_PLATEAU = 0.4  # seconds of a constant setpoint; its tail contains ten readings
+_NOISE_COUNTS = 2  # lowest reading that shows a current; a single count may be noise
 
 
 class Shape(Enum):
@@ -56,20 +56,20 @@ class Profile:
     period: float = 1.0  # seconds; see `shape`
 
     def __post_init__(self) -> None:
-        """Raise `ValueError` with the limits if a value exceeds them."""
-        limits = Number(SHORTEST), Number(LONGEST)
+        """Raise `ValueError` if a value is out of range. The text gives the limits."""
+        limits = Number(MIN_SECONDS), Number(MAX_SECONDS)
         if self.speed == 0 or not -FULL_SCALE <= self.speed <= FULL_SCALE:
             text = tr("the speed of a bench test is −{0} to {0} and not 0, not {1}")
             raise ValueError(text.format(FULL_SCALE, self.speed))
-        if not SHORTEST <= self.duration <= LONGEST:
+        if not MIN_SECONDS <= self.duration <= MAX_SECONDS:
             text = tr("a bench test lasts {0:g} to {1:g} s, not {2:g} s")
             raise ValueError(text.format(*limits, Number(self.duration)))
-        if self.shape.has_period and not SHORTEST <= self.period <= LONGEST:
+        if self.shape.has_period and not MIN_SECONDS <= self.period <= MAX_SECONDS:
             text = tr("the period of a bench test is {0:g} to {1:g} s, not {2:g} s")
             raise ValueError(text.format(*limits, Number(self.period)))
 
     def speed_at(self, seconds: float) -> int:
-        """Return the speed at a time. 0 before the start and after the end."""
+        """Return the speed at a time. It is 0 before the start and after the end."""
         if not 0 <= seconds < self.duration:
             return 0
         return round(self.speed * self._fraction(seconds))
@@ -86,7 +86,7 @@ class Profile:
                 return math.sin(2 * math.pi * seconds / self.period)
 
     def limited(self, ceiling: int) -> "Profile":
-        """Limit the speed to `ceiling`, 1 to 127."""
+        """Return the profile with its speed limited to `ceiling` (1 to 127)."""
         if abs(self.speed) <= ceiling:
             return self
         return replace(self, speed=ceiling if self.speed > 0 else -ceiling)
@@ -102,7 +102,7 @@ class Profile:
         return (first, last) if last > first else None
 
     def course(self, points: int = 600) -> Sequence[tuple[float, int]]:
-        """Return times and speeds to draw, with both sides of every jump."""
+        """Return times and speeds for a plot, with both sides of every jump."""
         steps = {self.duration * index / points for index in range(points)}
         if self.shape is Shape.REVERSE:
             half = self.period / 2
@@ -116,9 +116,9 @@ class Profile:
 class Plan:
     motor: int = 1  # 1 or 2
     profile: Profile = field(default_factory=Profile)
-    accelerate: bool = True  # whether to use the board's ramp, brake duration and limit
+    accelerate: bool = True  # True to use the board's ramp, brake duration and current limit
     abort_current: float = 10.0  # A; a single reading above it stops all motors
-    abort_at_limit: bool = False  # whether the board's current limit also stops them
+    abort_at_limit: bool = False  # True if reaching the board's current limit also stops them
 
 
 class End(Enum):
@@ -135,16 +135,16 @@ class Run:
 
     motor: int  # 1 or 2
     profile: Profile
-    accelerate: bool  # whether the speeds went through the board's ramp
+    accelerate: bool  # True if the board's ramp applied to the speeds
     abort_current: float  # A; a single reading above it aborts the test
     ampere: float  # A per count of the current measurement
     started: datetime  # local date and time
     end: End
-    reason: str = ""  # reason of an abort, for the user
+    reason: str = ""  # reason for an abort, for the user
     ended: float  # when the motor started to brake
     setpoints: Sequence[tuple[float, int]]  # time and signed speed
     currents: Sequence[tuple[float, float]]  # time and A, also after the end
-    settings: Sequence[tuple[str, str]] = ()  # the motor's stored parameters as texts
+    settings: Sequence[tuple[str, str]] = ()  # names and texts of the motor's parameters
 
     @property
     def title(self) -> str:
@@ -166,7 +166,7 @@ class Run:
 
 @dataclass(frozen=True, slots=True)
 class Figures:
-    """Figures of a test. `None` if the readings are not sufficient."""
+    """Figures of a test. A figure is `None` if the readings are insufficient."""
 
     peak: float | None = None  # highest reading, A
     mean: float | None = None  # A, from the first setpoint until the motor began to brake
@@ -207,10 +207,10 @@ def figures(run: Run) -> Figures:
 
 
 def _flow(readings: Sequence[tuple[float, float]]) -> tuple[float | None, float]:
-    """Return the mean in A and the charge in mAh. Gaps are left out of both."""
+    """Return the mean in A and the charge in mAh. Gaps count in neither."""
     seconds = coulombs = 0.0
     for (start, before), (end, after) in pairwise(readings):
-        if end - start <= LONGEST_GAP:
+        if end - start <= MAX_GAP:
             seconds += end - start
             coulombs += (before + after) / 2 * (end - start)
     return (coulombs / seconds if seconds else None), coulombs / 3.6

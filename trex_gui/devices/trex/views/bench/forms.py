@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QDoubleSpinBox, QFormLayout, QLabel, QSizePolicy, 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr
-from trex_gui.devices.trex.bench.run import LONGEST, SHORTEST, Profile, Shape
+from trex_gui.devices.trex.bench.run import MAX_SECONDS, MIN_SECONDS, Profile, Shape
 from trex_gui.devices.trex.model.bench import Bench
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
@@ -50,7 +50,7 @@ class PlanForm(ui.Card):
         combo = partial(ui.combo_box, self, accessible="", on_change=self._on_edited)
         spin = partial(ui.double_spin_box, self, accessible="", decimals=2, step=0.5)
         number = partial(spin, on_change=self._on_edited)
-        seconds = partial(number, lowest=SHORTEST, highest=LONGEST, suffix=tr(" s"))
+        seconds = partial(number, lowest=MIN_SECONDS, highest=MAX_SECONDS, suffix=tr(" s"))
 
         def add(text: str, field: WidgetT) -> WidgetT:
             field.setAccessibleName(text.replace("&", ""))
