@@ -9,9 +9,9 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE, Calibration, 
 from trex_gui.devices.trex.protocol.flags import channels_in
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
-_SWITCHES = (4, 5)  # channels
+_SWITCHES = (4, 5)  # channels that act as switches: flip and override
 
-_MAX_DIFFERENCE = 10  # between two readings while a stick moves
+_MAX_DIFFERENCE = 10  # maximum difference between two successive readings while a stick moves
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,16 +50,16 @@ class ChannelCurve:
         )
 
     def corners(self, low: int, high: int) -> tuple[tuple[int, ...], tuple[int, ...]]:
-        """Return the raw counts and outputs on both sides of each change of the output."""
+        """Return the raw counts and their outputs on both sides of each change of the output."""
         return _corners(self, low, high)
 
     def threshold(self, channel: int) -> float | None:
-        """Return the count at which a switch (4 flip, 5 override) switches.
+        """Return the raw count at which a switch (channel 4 or 5) changes its state.
 
-        `None` for other channels and for an ignored channel.
+        Returns `None` for other channels and for an ignored channel.
 
         Ref: User's Guide 4.a: a switch is active below a threshold. Inferred: the position of the
-        threshold, and that a reversed channel counts from the other end.
+        threshold, and that the threshold of a reversed channel is measured from the other end.
         """
         if channel not in _SWITCHES or self.ignored:
             return None
@@ -89,7 +89,7 @@ def is_mixed(outputs: tuple[int, int], reported: tuple[int, int]) -> bool | None
     """Return whether channels 1 and 2 were mixed. `None` if unknown, such as at neutral.
 
     No command reads the mix jumper, so the outputs of the curves are compared with the values that
-    the board reports. Returns `None` if these values fit neither case.
+    the board reports. The result is also `None` if these values fit neither case.
 
     Ref: a user's measurement (Pololu forum, viewtopic 9053): the jumper also alters the
     remapped values in serial mode. Inferred: the sums.

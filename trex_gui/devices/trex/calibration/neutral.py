@@ -12,30 +12,30 @@ from trex_gui.devices.trex.protocol.calibration import DEFAULT_CALIBRATION
 from trex_gui.devices.trex.protocol.flags import InputSource
 
 SAMPLING_SECONDS = 1.5  # about 75 values at 50 updates a second
-_MIN_SAMPLES = 15  # on a slow line, they take longer than `SAMPLING_SECONDS`
+_MIN_SAMPLES = 15  # on a slow line, these take longer than `SAMPLING_SECONDS`
 _MIN_SECONDS_LEFT = 0.1  # minimum remaining seconds to show while samples are missing
 _MIN_JUDGED = 5  # samples; with fewer, no problem is reported
 _MAX_INVALID = 0.05  # fraction of samples without a signal; the board itself bridges 100 ms
 _MAX_SPIKES = 0.03  # fraction of lone wild values
-_SPIKE_LENGTH = 2  # maximum samples of a wild pulse, which may be read twice
-_NEIGHBOURS = 3  # on each side of a compared value; more than the samples of a spike
+_SPIKE_LENGTH = 2  # maximum samples of a wild pulse, since a pulse may be read twice
+_NEIGHBORS = 3  # on each side of a compared value; more than `_SPIKE_LENGTH`
 
 _MIN_STUCK = 0.3
-"""Minimum fraction of lost pulses to report. Inferred: the estimate from 75 values errs by 0.1, so
-it sometimes misses a third, but not 45 %."""
+"""Minimum fraction of lost pulses to report. Inferred: the estimate from 75 values errs by 0.1. A
+loss of one third is sometimes missed, but not a loss of 45 %."""
 
 _STUCK_MIN_NOISE = 2.0
-"""Minimum noise in counts (0.8 us) to distinguish a repeated value from an equal new value. A
-quieter signal hides its lost pulses until 100 ms are missing."""
+"""Minimum noise in counts (0.8 us). It distinguishes a repeated value from an equal new value. A
+quieter signal hides lost pulses until 100 ms are missing."""
 
 _STUCK_MAX_INTERVAL = 0.03  # seconds between samples; a longer interval hides repeats
-_RANGE_OF_NOISE = 10.0  # standard deviations; 75 normal values span 4.8, rarely 6.5
+_RANGE_OF_NOISE = 10.0  # standard deviations; 75 normally distributed values span 4.8, rarely 6.5
 _DRIFT_OF_NOISE = 6.0  # standard deviations; noise alone never moves a median this far
 _MEDIAN_ERROR = 1.25  # standard error of the median of n normal values, times √n
 _MAD_TO_DEVIATION = 1.4826  # ratio for a normal distribution (MAD: median absolute deviation)
 _MIN_DEVIATION = 1.0  # counts; a converter that rounds to whole counts cannot show less
 
-_STILL = 0.75  # minimum fraction of equal neighbours at standstill; polling may read a value twice
+_STILL = 0.75  # minimum fraction of equal neighbours at standstill; a poll may repeat a value
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,7 +57,7 @@ LIMITS = {
     InputSource.RC: InputLimits(moved=25, drifted=12, noisy=312),  # 10, 5 and 125 us
     InputSource.ANALOG: InputLimits(moved=8, drifted=4, noisy=128),  # 39, 20 and 626 mV
 }
-"""Inferred: a hand moves a stick further than this, and a spring returns it closer."""
+"""Inferred: a hand moves a stick further than this. A spring returns it closer to rest."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +75,7 @@ class Neutral:
 
     @property
     def seconds_left(self) -> float:
-        """Estimated remaining sampling time. 0 when the measurement is complete."""
+        """Estimated remaining sampling time. It is 0 when the measurement is complete."""
         time_left = max(0.0, SAMPLING_SECONDS - self.seconds)
         if self.samples >= _MIN_SAMPLES:
             return time_left
@@ -162,7 +162,7 @@ def _without_spikes(counts: Sequence[int], limit: float) -> tuple[Sequence[int],
     Values are compared with their neighbours, because a drifting stick is far from its own median.
     """
     wild = [
-        abs(count - median(counts[max(0, index - _NEIGHBOURS) : index + _NEIGHBOURS + 1])) > limit
+        abs(count - median(counts[max(0, index - _NEIGHBORS) : index + _NEIGHBORS + 1])) > limit
         for index, count in enumerate(counts)
     ]
     lone: set[int] = set()
@@ -172,7 +172,7 @@ def _without_spikes(counts: Sequence[int], limit: float) -> tuple[Sequence[int],
         if is_wild and len(run) <= _SPIKE_LENGTH:
             lone.update(run)
             spikes += run[-1] + 1 < len(counts)  # the last sample may start a movement
-    # If there are only two values and they differ much, both are wild.
+    # If there are only two values and they differ greatly, both are wild, and both are returned.
     return [count for index, count in enumerate(counts) if index not in lone] or counts, spikes
 
 
@@ -212,11 +212,11 @@ def _jitter(invalid: float, spikes: int, total: int) -> CalibrationProblem | Non
 
 
 def _stuck(counts: Sequence[int], spread: float, interval: float) -> tuple[CalibrationProblem, ...]:
-    """Estimate the fraction of lost pulses, for which the board repeats the last value.
+    """Report a high fraction of lost pulses.
 
-    Two neighbours may be equal by chance or because a value was read twice. So only the third and
-    later equal values in a row count. If the fraction of equal neighbours is `p`, the fraction of
-    these values is `p * p`.
+    The board repeats the last value for a lost pulse. Two neighbours may also be equal by chance,
+    or because a value was read twice. So only the third and later equal values in a row count. If
+    the fraction of equal neighbours is `p`, the fraction of these values is `p * p`.
     """
     if spread < _STUCK_MIN_NOISE or interval > _STUCK_MAX_INTERVAL:
         return ()

@@ -11,7 +11,7 @@ from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibratio
 
 _INSIDE = 0.01  # fraction of the travel between the proposed and the measured end
 _INSIDE_DEVIATIONS = 3.0  # standard deviations of the noise, added to `_INSIDE`
-_MIN_IDLE = 1 / 3  # minimum distance of an unreached end, as a fraction of the other distance
+_MIN_IDLE = 1 / 3  # minimum distance of an unreached end, as a fraction of the reached travel
 
 WHY_THESE_VALUES = tr_noop(
     "The ends are 1 % of the travel and three times the noise inside the measured ones, so that "
@@ -59,8 +59,8 @@ def _margin(length: int, neutral: Neutral) -> int:
 def _distance(neutral: Neutral, travel: Travel, way: Way) -> int:
     """Return the distance of the proposed end from rest, in counts.
 
-    If a switch or a throttle rests at an end, this end is the limit of the input. The auxiliary
-    motor turns for both signs, and a changed trim must not command full speed.
+    If a switch or a throttle rests at an end, the limit of the input replaces this end. Otherwise,
+    a changed trim could command full speed, since the auxiliary motor turns for either sign.
     """
     length = travel.length(way)
     if travel.reached(way):

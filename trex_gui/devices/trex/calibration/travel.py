@@ -19,28 +19,30 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.flags import InputSource
 
 HELD = 6
-"""Number of consecutive samples that must agree. They take longer than 100 ms, for which the board
-repeats a wild value if the next pulses are lost."""
+"""Number of consecutive samples that must agree. They take longer than 100 ms. For that time, the
+board repeats a wild value if the next pulses are lost."""
 
 _SLOW_HELD = 3  # `HELD` on a slow line, where three samples take longer than 100 ms
-WINDOW = 2 * HELD - 1  # samples per median, which ignores up to five wild samples
+WINDOW = 2 * HELD - 1  # samples per median; the median ignores up to five wild samples
 
 _SLOW = 0.05
-"""Maximum seconds between samples on a fast line. A wild pulse lasts 20 ms, so a slow line never
-reads it twice. But it may read a short push of the stick only once."""
+"""Maximum seconds between samples on a fast line. A wild pulse lasts 20 ms, so it is never read
+twice on a slow line. However, a short push of the stick may be read only once, too."""
 
 _HELD_FRACTION = 0.02  # samples agree within this fraction of the travel plus `_DEVIATIONS`
 _DEVIATIONS = 6.0  # limit for a still channel, in standard deviations of the noise
-_SILENT_AFTER = 0.5  # seconds without a valid sample, in which the channel may have moved
+_SILENT_AFTER = 0.5  # seconds without a valid sample; the channel may have moved meanwhile
 _MANY_INVALID = 0.1  # minimum fraction of samples without a signal to report
-_MIN_SAMPLES = 25  # for a meaningful fraction of invalid samples
+_MIN_SAMPLES = 25  # needed for a meaningful fraction of invalid samples
 _TIMES = 16  # number of samples for measuring their interval
-_MIN_HOLD = 0.3  # seconds; a user cannot hold a stick for a shorter time on purpose
+_MIN_HOLD = 0.3  # seconds; a user cannot deliberately hold a stick for a shorter time
 _RAIL = 5  # counts; a voltage within 24 mV of a range limit is at this limit (inferred)
 
 _MOSTLY = 0.75
-"""Fraction of the travel. The direction that covers it first is the first direction. Inferred: a
-push of a two-axis stick along one axis moves the other axis by a third of its travel, rarely more.
+"""Fraction of the travel. The first direction is the one in which the channel first covers it.
+
+Inferred: a push of a two-axis stick along one axis moves the other axis by a third of its travel,
+rarely more.
 """
 
 _SETTLED_SECONDS = 0.4  # seconds of standstill until a channel is settled
@@ -81,7 +83,7 @@ class _End:
     """Furthest position of a channel to one side.
 
     An end is held when enough consecutive samples agree with the furthest position. On a slow line,
-    one sample beyond this position cancels the hold.
+    one sample further out cancels the hold.
     """
 
     def __init__(self, way: Way, neutral: Neutral) -> None:
@@ -151,7 +153,7 @@ class Travel:
 
     @property
     def rest(self) -> int:
-        """Count at which the released channel settled, else `neutral`."""
+        """Count at which the channel settled after its release. Otherwise `neutral`."""
         settled = self.settled
         if settled is None or self.task is Task.SWITCH:
             return self.neutral
@@ -214,7 +216,7 @@ class Travel:
 
     @property
     def idle(self) -> Way | None:
-        """Direction without travel, because a switch or a throttle rests at this end."""
+        """Direction without travel. A switch or a throttle rests at this end."""
         ways = [way for way in Way if not self.reached(way)]
         return ways[0] if self.task is not Task.STICK and len(ways) == 1 else None
 
@@ -227,7 +229,7 @@ class Travel:
 
     @property
     def interval(self) -> float:
-        """Median time between two samples, in seconds. 0 before it is known."""
+        """Median time between two samples, in seconds. It is 0 until it is known."""
         steps = [b - a for a, b in pairwise(self._times)]
         return median(steps) if steps else 0.0
 
