@@ -31,7 +31,7 @@ from trex_gui.devices.trex.driving.requests import (
     SetMotor,
     Stop,
 )
-from trex_gui.devices.trex.driving.setpoints import LONGEST_REPEATING, LineQuality, SetpointRefresh
+from trex_gui.devices.trex.driving.setpoints import MAX_RETRY_SECONDS, LineQuality, SetpointRefresh
 from trex_gui.devices.trex.protocol.commands import STOP, DriveAuxiliary, DriveMotor, GetRawChannels
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.flags import Status, UartError
@@ -327,7 +327,7 @@ def test_setpoint_repetition_ends_at_time_limit() -> None:
         if step % 10 == 0:
             pulses(harness, 1.01 + step * 0.02, 1.01 + step * 0.02)
         harness.script.at(1.01 + step * 0.02, damage)
-    middle = seen_at(harness, 1.2 + LONGEST_REPEATING, lambda: len(harness.transport.sent))
+    middle = seen_at(harness, 1.2 + MAX_RETRY_SECONDS, lambda: len(harness.transport.sent))
     run_for(harness, 8.9)
     setpoint = DriveMotor(1, Drive.at(50))
     assert moving(harness.transport.sent[: middle[0]]).count(setpoint) > 10

@@ -83,7 +83,7 @@ def test_trial_decides_expected_stop(
         assert timeout_stop(stored, trial) is stop
         warning = timeout_warning_on(line, 0.5, stop, is_guarded=True)
         assert (warning is None) is stop.is_reliable
-        assert bool(warning and warning.seconds) is stop.may_be_mended
+        assert bool(warning and warning.seconds) is stop.is_fixable
 
 
 @pytest.mark.parametrize(

@@ -27,7 +27,7 @@ WINDOW = 2 * HELD - 1  # samples per median; the median ignores up to five wild 
 
 _SLOW = 0.05
 """Maximum seconds between samples on a fast line. A wild pulse lasts 20 ms, so it is never read
-twice on a slow line. However, a short push of the stick may be read only once, too."""
+twice on a slow line. A short push of the stick may also be read only once."""
 
 _HELD_FRACTION = 0.02  # samples agree within this fraction of the travel plus `_DEVIATIONS`
 _DEVIATIONS = 6.0  # limit for a still channel, in standard deviations of the noise

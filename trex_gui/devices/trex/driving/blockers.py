@@ -166,7 +166,7 @@ class DriveBlocker(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Reason:
-    """Blocker with the values for its placeholders. A tuple contains names to translate."""
+    """Blocker with the values for its placeholders. A tuple value holds names to translate."""
 
     blocker: DriveBlocker
     fields: tuple[object, ...] = ()

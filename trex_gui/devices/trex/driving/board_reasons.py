@@ -17,7 +17,7 @@ from trex_gui.devices.trex.protocol.flags import (
     channels_in,
 )
 
-NOISE_COUNTS = 1  # highest reading that may be noise while a motor draws no current
+NOISE_COUNTS = 1  # highest current reading that may be noise while a motor draws no current
 
 _OVERRIDE_CHANNEL = 5
 _NO_ERROR = UartError(0)
@@ -31,10 +31,10 @@ class BoardInputs:
     by_serial: bool = True  # True if serial commands reach the motors
     joint: bool = False  # True if both drivers work as one motor
     safe_start: tuple[Reason, ...] = ()  # see `safe_start_reasons`
-    is_held: bool = False  # True if safe-start may hold the motors; no flag of the board reports it
-    faults: tuple[int, ...] = ()  # motors whose driver shut down recently
+    is_held: bool = False  # True if safe-start may hold the motors; the board has no flag for it
+    faults: tuple[int, ...] = ()  # motors whose driver recently shut down
     doubtful: tuple[int, ...] = ()  # motors in `faults` whose report may have been corrupted
-    over_limit: tuple[int, ...] = ()  # motors whose current passed its limit recently
+    over_limit: tuple[int, ...] = ()  # motors whose current recently exceeded its limit
     uart: UartError = _NO_ERROR  # recent UART errors
     error_shutdown: bool = False  # True if the board stops its motors at a UART error
     timeout: str = "off"  # text of the board's serial timeout
@@ -77,7 +77,7 @@ def held_by_safe_start(now: BoardInputs) -> tuple[Reason, ...]:
 
     Call this only while channels control the motors.
     """
-    # It is inferred that OVERRIDE_AT_START is certain.
+    # Inferred: OVERRIDE_AT_START is certain.
     certain = {DriveBlocker.CHANNEL_SILENT, DriveBlocker.OVERRIDE_AT_START}
     if not now.is_held and not any(reason.blocker in certain for reason in now.safe_start):
         return ()
@@ -94,11 +94,10 @@ def safe_start_reasons(
 ) -> tuple[Reason, ...]:
     """Return the reasons why safe-start would not end.
 
-    Assumes that channels control the motors.
-
-    Safe-start ends when all required channels have a signal (RC), all driving channels are near
-    neutral, and channel 5 does not override. Ref: TReX Jr User's Guide 4.e. The distance from
-    neutral and the threshold of channel 5 are inferred.
+    The result assumes that channels control the motors. Safe-start ends when all required channels
+    have a signal (RC), all driving channels are near neutral, and channel 5 does not override.
+    Ref: TReX Jr User's Guide 4.e. The distance from neutral and the threshold of channel 5 are
+    inferred.
 
     `curves`: channel → stored curve. `raw`: counts of channels 1-5. `required`: channel mask.
     """
@@ -147,7 +146,7 @@ LED_TEXTS = {
     PACKETS: tr_noop("flickers with each packet", "LED"),
     SAFE_START_FLASH: tr_noop("flashes fast", "LED"),
 }
-"""Texts with the translation comment `LED`."""
+"""Texts for the user. Their translation comment is `LED`."""
 
 
 SAFE_START_NOTE = tr_noop("If the green LED is steady instead, safe-start is over.")

@@ -29,7 +29,7 @@ log = logging.getLogger(__name__)
 
 DRIVE_INTERVAL = 0.02  # minimum seconds between motor packets; the board acts every 10 ms
 
-_LONGEST_DRIVE = 11  # bytes of expanded packets with CRC for both motors and the auxiliary
+_DRIVE_BYTES = 11  # maximum: expanded packets with CRC for both motors and the auxiliary motor
 
 # Maximum rounds of a stop, and of its retry
 _ATTEMPTS = 20
@@ -45,12 +45,12 @@ it misses entirely. So it can miss one round, but not the round after its reply.
 _CAREFUL_ROUNDS = 8
 """Consecutive clean rounds that confirm a stop on a line that damages bytes.
 
-Used for a stop that cannot wait for a quiet line. Undetected damage may still turn the last packet
-into a speed. The probability is 2p/9 * (1 - p)**56 for a damage probability p per byte, at most
-0.14 %. See `LineQuality` for a stronger confirmation.
+They apply to a stop that cannot wait for a quiet line. Undetected damage may still turn the last
+packet into a speed. The probability is 2p/9 * (1 - p)**56 for a damage probability p per byte, at
+most 0.14 %. See `LineQuality` for a stronger confirmation.
 """
 
-# Limits of the stop before the port is closed. The window waits one second for it.
+# Limits of the stop before the port is closed. The window waits one second for this stop.
 _CLOSING_ATTEMPTS = 6
 _CAREFUL_CLOSING_ATTEMPTS = 16  # on a line that damages bytes
 _CLOSING_SECONDS = 0.5  # time after which no further round starts
@@ -66,11 +66,11 @@ class StopRun:
     is_final: bool  # True if the stop does not wait for a quiet line
     aborts: Callable[[], bool]  # called after a round that was not clean; True ends the stop
     stops: Sequence[Stop]  # requests that this stop serves; queued again if the line is gone
-    end: Callable[[bool], None]  # called with True if the board has confirmed the stop
+    end: Callable[[bool], None]  # called at the end, with True if the board confirmed the stop
     clean: int = 0  # consecutive clean rounds
     latched: list[LatchedStatus] = field(default_factory=list)
     was_sent: bool = False
-    most_unanswered: int = _ATTEMPTS  # consecutive unanswered rounds that end the stop
+    max_unanswered: int = _ATTEMPTS  # consecutive unanswered rounds that end the stop
     unanswered: list[NoReply] = field(default_factory=list)  # errors of the last unanswered rounds
 
     @property
@@ -109,7 +109,7 @@ class MotorDriver:
         end: Callable[[bool], None] = lambda _: None,
     ) -> StopRun:
         self.output.retry.clear()
-        self.output.refresh.clear()  # a refresh while a reply is late must not drive the motors
+        self.output.refresh.clear()  # a refresh during a late reply must not drive the motors
         is_careful = is_careful or (is_final and not self._is_quiet())
         rounds = _CAREFUL_ROUNDS if is_careful else _CLEAN_ROUNDS
         return StopRun(self, attempts, rounds, is_final, aborts or self._is_closing, stops, end)
@@ -138,7 +138,7 @@ class MotorDriver:
             run.unanswered.clear()
             run.latched += [status] if status else []
             run.clean = run.clean if status.is_clean else 0
-        is_over = not run.attempts or len(run.unanswered) >= run.most_unanswered
+        is_over = not run.attempts or len(run.unanswered) >= run.max_unanswered
         return run.is_confirmed or is_over or (not run.clean and run.aborts())
 
     def finish_stop(self, run: StopRun) -> None:
@@ -271,8 +271,8 @@ class MotorDriver:
 
     @property
     def _interval(self) -> float:
-        # Motor packets may occupy the line for at most half of the time.
-        return max(DRIVE_INTERVAL, 2 * self.client.settings.line.seconds(_LONGEST_DRIVE))
+        # Motor packets may occupy the line at most half of the time.
+        return max(DRIVE_INTERVAL, 2 * self.client.settings.line.seconds(_DRIVE_BYTES))
 
     def avoids_risky_polls(self) -> bool:
         """True if a damaged query could drive a motor."""

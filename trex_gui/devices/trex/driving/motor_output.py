@@ -1,7 +1,7 @@
 """State machine of the motor output.
 
-It does no I/O, see `motor_driver`. `now` is the time in seconds on the line's clock. `Arming` and
-`Motion` change independently, each by its own transition table.
+It does no I/O, because `motor_driver` sends the packets. `now` is the time in seconds on the line's
+clock. `Arming` and `Motion` change independently. Each has its own transition table.
 """
 
 import math
@@ -185,8 +185,8 @@ class MotorOutput:
 
     # --- Next actions -------------------------------------------------------------------
 
-    # `seconds_to_…` return seconds from `now`, infinite if nothing is due. `interval` is the
-    # shortest time in seconds between motor packets.
+    # Each `seconds_to_…` method counts from `now` and returns infinity if nothing is due.
+    # `interval` is the minimum time in seconds between motor packets.
 
     def seconds_to_heartbeat_timeout(self, now: float) -> float:
         return self._heartbeat_at + self._timeouts.heartbeat - now if self.is_armed else math.inf
@@ -212,7 +212,7 @@ class MotorOutput:
         return due
 
     def record_refresh(self) -> None:
-        """Report `CommandsRepeated` once, until the line is quiet."""
+        """Report `CommandsRepeated`, but only once until the line is quiet."""
         if not self.is_repeating:
             self.is_repeating = True
             self.report(CommandsRepeated())
@@ -249,7 +249,7 @@ class MotorOutput:
     def record_stop(
         self, now: float, statuses: Sequence[LatchedStatus], *, confirmed: bool, final: bool
     ) -> None:
-        """Record the result of a stop, after which all setpoints are idle.
+        """Record the result of a stop. All setpoints are idle after a stop.
 
         `confirmed`: True if enough clean statuses followed. `final`: True if the stop does not
         wait for a quiet line.

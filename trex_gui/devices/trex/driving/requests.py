@@ -56,9 +56,9 @@ class Arm:
 
 @dataclass(frozen=True, slots=True)
 class Heartbeat:
-    """Signal from a responsive window, due every `HEARTBEAT_INTERVAL` seconds."""
+    """Sign that the window or program responds. Due every `HEARTBEAT_INTERVAL` seconds."""
 
-    sent: float | None = None  # time on the line's clock, `None` for the time of receipt
+    sent: float | None = None  # time on the line's clock; `None` for the time of receipt
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,7 +75,7 @@ class CommandsRepeated:
 class MotorsStopped:
     """The motors were stopped automatically, or a stop was confirmed late."""
 
-    reason: ErrorCode | None  # reason for the stop, `None` for a late confirmation
+    reason: ErrorCode | None  # reason for the stop; `None` for a late confirmation
     confirmed: bool  # True if a status of the board confirmed the stop
     board: int | None = None  # number of the board that caused the stop, if several are driven
 

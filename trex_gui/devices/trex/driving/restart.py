@@ -9,11 +9,11 @@ from trex_gui.devices.trex.driving.requests import SetMotor, Setpoint, is_idle
 from trex_gui.devices.trex.driving.setpoints import LineQuality
 from trex_gui.devices.trex.protocol.flags import Status, UartError
 
-_DRAWING_COUNTS = 3  # counts that confirm a current; inferred: a motor without load draws more
+_DRAWING_COUNTS = 3  # reading that confirms a current; inferred: an unloaded motor draws more
 _SETTLING_SECONDS = 0.1  # time until the current follows a new setpoint
 
-# Time without a current that indicates a restart. A robot that rolls downhill seldom draws no
-# current for longer.
+# Seconds without a current that indicate a restart. The motors of a robot that rolls downhill
+# seldom lack a current for longer.
 _FALL_SECONDS = 1.0
 _FALL_SECONDS_AFTER_LOSS = 0.06  # after a lost reply
 
@@ -28,7 +28,7 @@ class RestartWatch:
 
     def __init__(self, quality: LineQuality) -> None:
         self._quality = quality
-        self._running: dict[int, tuple[SetMotor, float]] = {}  # motor → setpoint, time it settles
+        self._running: dict[int, tuple[SetMotor, float]] = {}  # motor → setpoint, settling time
         self._drawing: set[int] = set()  # motors that drew a current
         self.clear()
 
@@ -44,7 +44,7 @@ class RestartWatch:
 
     @property
     def is_checking(self) -> bool:
-        """True if the board may have restarted, so that no speed may be refreshed."""
+        """True if the board may have restarted. No speed may then be refreshed."""
         return bool(self._drawing) and (self._is_reply_lost or self._fallen_at < math.inf)
 
     def record_setpoints(self, setpoints: Sequence[Setpoint], now: float) -> None:

@@ -25,16 +25,16 @@ Except on slow lines, the next status arrives before the first retry. A status w
 restarts the sequence at once.
 """
 
-LONGEST_REPEATING = 5.0  # seconds after which no further retry is scheduled
+MAX_RETRY_SECONDS = 5.0  # time after which no further retry is scheduled
 
 _CLEAN_STATUSES = 2
-"""Clean statuses, each after a packet, that confirm a setpoint. See `motor_driver`.
+"""Number of clean statuses, each after a packet, that confirm a setpoint. See `motor_driver`.
 
 One status is enough if a retry could do harm. A speed without acceleration bypasses the current
 limiter.
 """
 
-_REFRESHED = 1000  # consecutive undamaged replies after which refreshes end
+_REFRESH_REPLIES = 1000  # consecutive undamaged replies after which refreshes end
 
 
 class SetpointSlots:
@@ -90,7 +90,7 @@ class SetpointRetry:
         self.due = math.inf
 
     def _schedule(self, setpoints: list[Setpoint], now: float) -> None:
-        is_late = now >= self._set_at + LONGEST_REPEATING
+        is_late = now >= self._set_at + MAX_RETRY_SECONDS
         if is_late or self._repeated >= len(REPEATS):
             self.clear()
             return
@@ -188,9 +188,9 @@ class SetpointRefresh:
     another program may drive the board.
     """
 
-    def __init__(self, quality: LineQuality, holds_speeds: Callable[[], bool]) -> None:
+    def __init__(self, quality: LineQuality, may_have_restarted: Callable[[], bool]) -> None:
         self._quality = quality
-        self._is_held = holds_speeds
+        self._may_have_restarted = may_have_restarted
         self.stops_on_error = True  # True if the board stops its motors on a UART error
         self._is_active = False
         self._setpoints: dict[int, Setpoint] = {}
@@ -230,7 +230,7 @@ class SetpointRefresh:
         self._is_active = self._is_active or armed
         if self._quality.is_quiet:
             self._watch_auxiliary()
-        if self._quality.is_quiet_for(_REFRESHED):
+        if self._quality.is_quiet_for(_REFRESH_REPLIES):
             return math.inf
         return self._sent_at + interval if self._is_active else math.inf
 
@@ -253,8 +253,11 @@ class SetpointRefresh:
         return [command for setpoint in idle for command in packets([setpoint])]
 
     def speeds(self) -> list[Command[None]]:
-        """Return a packet for each running motor. Empty if the board may have stopped motors."""
-        if self.holds_speeds or self._is_held():
+        """Return a packet for each running motor. Empty if the board may have stopped motors.
+
+        A board that may have restarted counts as stopped.
+        """
+        if self.holds_speeds or self._may_have_restarted():
             return []
         return [
             command

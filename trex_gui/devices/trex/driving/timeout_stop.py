@@ -1,7 +1,7 @@
 """Automatic stop by a board whose line falls silent.
 
 Ref: command document: the serial timeout (0x07) stops the motors. Guide of the twin, qik 2s12v10,
-5.a: it does so only with shutdown on serial errors. The behavior of the TReX is unknown, so
+5.a: it does so only with shutdown on serial errors. The behaviour of the TReX is unknown, so
 UART-Error Shutdown (0x08) counts as necessary until the user has pulled the cable of a driven
 board.
 """
@@ -31,7 +31,7 @@ class TimeoutStop(Enum):
         return self in {TimeoutStop.EXPECTED, TimeoutStop.TRIED}
 
     @property
-    def may_be_mended(self) -> bool:
+    def is_fixable(self) -> bool:
         """True if other values of both parameters may make the timeout effective."""
         return self in {TimeoutStop.OFF, TimeoutStop.DOUBTFUL, TimeoutStop.REFUTED}
 

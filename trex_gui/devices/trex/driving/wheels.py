@@ -46,14 +46,14 @@ def unpacked(text: str) -> tuple[Wheel, ...]:
     matches = [_WHEEL.fullmatch(word) for word in text.split()]
     wheels = [Wheel(int(m[1]), int(m[2]), int(m[3]), m[4] == "-") for m in matches if m is not None]
     if len(wheels) < len(matches):
-        raise ValueError(f"{text!r} describes no wheels")
+        raise ValueError(f"{text!r} is not a list of wheels")
     return tuple(wheels)
 
 
 def setpoints_of(
     wheels: Sequence[Wheel], request: SetpointRequest
 ) -> dict[int, SetMotor | SetMotors]:
-    """Return the request for each board. In `request`, motors 1 and 2 are the sides."""
+    """Return the request for each board. In `request`, motors 1 and 2 stand for the sides."""
     by_side = {setpoint.motor: setpoint for setpoint in setpoints_in(request)}
     by_board: dict[int, list[SetMotor]] = {}
     for wheel in wheels:

@@ -125,7 +125,7 @@ class OpenLine:
             others = [board for board in self.boards if board not in runs]
             added = {board: run for board in others for run in board.due_stops()}
             for run in added.values():
-                run.most_unanswered = _UNANSWERED_LIMIT
+                run.max_unanswered = _UNANSWERED_LIMIT
             runs.update(added)
             return list(added.values())
 
@@ -133,7 +133,7 @@ class OpenLine:
             stop_together(list(runs.values()))
             return
         for run in runs.values():
-            run.most_unanswered = _UNANSWERED_LIMIT
+            run.max_unanswered = _UNANSWERED_LIMIT
         stop_together(list(runs.values()), newly_due)
         for board, run in runs.items():
             for error in run.unanswered:  # the group is not driven until this board responds

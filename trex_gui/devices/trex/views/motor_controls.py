@@ -31,7 +31,7 @@ def arm(device: Device, window: QWidget) -> None:
         motors.arm()  # only requests permission to drive
         return
     is_real = device.settings is not None and not device.settings.name
-    lacks_stop = device.board.timeout_stop.may_be_mended
+    lacks_stop = device.board.timeout_stop.is_fixable
     can_offer = is_real and lacks_stop and motors.can_arm and not device.writer.is_rejected
     if can_offer and warning and warning.seconds and not motors.arms_without_timeout:
         ArmDialog(device, warning.text, warning.seconds, window).open()
@@ -86,7 +86,7 @@ class ArmDialog(QDialog):
     def _on_applied(self) -> None:
         if not self.isVisible():
             return
-        if self._device.board.timeout_stop.may_be_mended:
+        if self._device.board.timeout_stop.is_fixable:
             self._show_state(tr("The board did not store the serial timeout."))
         else:
             self._device.motors.arm()
