@@ -1,1 +1,1 @@
-"""Client for a TReX: transactions, and reads and writes of its settings."""
+"""Client for a TReX: transactions, and access to its settings."""

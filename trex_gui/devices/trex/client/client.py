@@ -1,7 +1,7 @@
 """Transactions with a board, one at a time.
 
-A TReX cannot receive while it replies, so a request waits for the previous reply. A deadline is the
-delay of the board plus the time of the bytes on the wire. Every use of the line raises
+A TReX cannot receive while it replies, so a request waits for the previous reply. The deadline of a
+reply is the delay of the board plus the time of the bytes on the wire. Every use of the line raises
 `PortUnavailable` if the line is gone.
 """
 
@@ -48,11 +48,11 @@ Inferred, except for the response delay.
 """
 
 LONGEST_REPLY = 16  # in bytes: ten for five raw channels, a CRC, and the echo of the request
-_ECHO_PROBES = 2  # so that one corrupted byte does not hide an echo
+_ECHO_PROBES = 2  # two, so that one corrupted byte does not hide an echo
 
 
 class Requester(Protocol):
-    """Callable that runs transactions. A session also handles stops in between."""
+    """Function that runs a transaction. In a session, it first sends due stops and setpoints."""
 
     def __call__(self, command: Command[ReplyT_co]) -> ReplyT_co: ...
 
@@ -77,6 +77,8 @@ class _Wire:
 
 
 class TrexClient:
+    """Client for one board on an open line."""
+
     def __init__(
         self,
         transport: Transport,
@@ -86,8 +88,8 @@ class TrexClient:
         wire: _Wire | None = None,
     ) -> None:
         self.echo = echo  # True if sent bytes are echoed, as on the RS-232 side of the board
-        # True to send a null command before waiting for a late reply, so that the board's serial
-        # timeout does not stop driven motors
+        # True to send a null command before waiting for a late reply. Otherwise, the board's serial
+        # timeout could stop driven motors.
         self.keepalive_while_waiting = False
         self.counters = Counters()
         self.transport = transport
@@ -124,7 +126,7 @@ class TrexClient:
         return reply
 
     def send_packet(self, packet: Packet | Malformed) -> Reply[object]:
-        """Send bytes typed by the user. Return the reply.
+        """Send bytes that the user typed. Return the reply.
 
         If the bytes are not a packet, all received bytes count as the reply.
 
@@ -226,7 +228,7 @@ class TrexClient:
         return self.echo
 
     def _drain_late_reply(self) -> bytes:
-        """Wait for a late reply and return it, so that it is not taken for the next reply."""
+        """Wait for a late reply and return it, so that it is not mistaken for the next reply."""
         if not self._wire.is_unanswered:
             return b""
         self._wire.is_unanswered = False
@@ -282,7 +284,7 @@ class TrexClient:
 
     @property
     def has_crc(self) -> bool:
-        """True if replies have a CRC. Only the board checks the parity."""
+        """True if replies have a CRC. Parity does not count, because only the board checks it."""
         return self.settings.line.has_crc
 
     @property

@@ -1,4 +1,4 @@
-"""Reads of the settings that a board stores.
+"""Functions that read the settings of a board.
 
 Every function raises `PortUnavailable` if the line is gone.
 """
@@ -48,7 +48,7 @@ Progress = Callable[[int, int, str], None]  # called with steps done, total step
 ATTEMPTS = 3  # attempts of a transaction on a line that corrupts bytes
 
 CONNECTING_ATTEMPTS = 7
-"""Attempts of the first request. A newly opened line may lose some replies.
+"""Attempts of the first request, since a newly opened line may lose some replies.
 
 On a silent local line, the last four attempts take half a second.
 """
@@ -58,6 +58,8 @@ _DISAGREEMENTS = 3  # consecutive differing readings after which a value counts 
 
 @dataclass(frozen=True, slots=True)
 class DeviceState:
+    """Mode and settings of a board, as last read."""
+
     signature: Signature
     mode: Mode
     serial_controls: bool
@@ -85,7 +87,7 @@ class DeviceState:
         return self.mode.source
 
     def active_parameters(self, connection: ConnectionSettings | None) -> dict[str, int]:
-        """Return the known active wire values of parameters that need a power cycle."""
+        """Return the active wire values of parameters that need a power cycle, as far as known."""
         active: dict[str, int] = {}
         if connection is not None:
             active[ParameterKey.UART_SETTINGS] = connection.line.to_wire()
@@ -112,9 +114,10 @@ def may_be_same_board(first: DeviceState, second: DeviceState) -> bool:
 def other_board(
     request: Requester, signature: Signature, number: int | None = None
 ) -> Signature | None:
-    """Return the signature of the replying board if its signature or number differs.
+    """Return the signature of the board that replies. `None` if it is the expected board.
 
-    Queries twice, because a corrupted reply can look like another model or number.
+    The signature and, if given, the device number must be equal. The board is queried twice,
+    because a corrupted reply can look like another model or number.
 
     Raises:
         NoReply, BadReply: as for `query`.
@@ -130,7 +133,7 @@ def other_board(
 def board_at(client: TrexClient, number: int, *, attempts: int = 1) -> Signature | None:
     """Return the signature of the board with a device number. `None` without a reply.
 
-    The board must also report this number, since a reply to another master does not count.
+    The board must also report this number, because a reply to another master does not count.
     Reserved numbers are not queried. A missing reply does not count as a fault of the line.
 
     Raises:
@@ -171,7 +174,8 @@ def require_free_number(
     """Check that no board uses this device number. `before` is called before each query.
 
     Raises:
-        BadRequest: a board has the number, or every reply is unreadable, as from several boards.
+        BadRequest: the number is reserved, or a board has it, or every reply is unreadable. Several
+            boards with this number cause unreadable replies.
     """
     unreadable = 0
     for _ in range(ATTEMPTS):
@@ -214,12 +218,12 @@ def agreed(
 ) -> ReplyT_co:
     """Read a stored value until two consecutive readings are equal. With a CRC, read it once.
 
-    One corrupted byte can damage two replies. It turns the request into a request with a longer
-    reply, whose remaining bytes are taken for the next reply. So a different query separates two
-    readings. `earlier`: first reading, if there is one.
+    One corrupted byte can damage two replies. It can turn the request into a request with a longer
+    reply. The remaining bytes of this reply are then mistaken for the next reply. Therefore, a
+    different query separates two readings. `earlier`: first reading; `None` to read it.
 
     Raises:
-        BadReply: three consecutive readings differ from the previous reading.
+        BadReply: three consecutive readings each differ from the previous reading.
         NoReply: as for `query`.
     """
     readings = [query(request, command) if earlier is None else earlier]
@@ -250,7 +254,7 @@ def read_everything(
     """Read signature, mode, parameters and the calibrations of the active input source.
 
     Without a CRC, everything is read in two passes, since interference often lasts longer than one
-    transaction. After a missing reply, everything is read again once.
+    transaction. If a reply is missing, everything is read once more.
 
     Raises:
         NoReply: the board does not reply.

@@ -1,4 +1,4 @@
-"""Polled values: samples, table of polls, and reader of latched bits."""
+"""Polled values: their samples, the table of polls, and the reader of latched bits."""
 
 import contextlib
 from collections.abc import Callable, Mapping
@@ -33,7 +33,7 @@ from trex_gui.devices.trex.protocol.flags import (
 
 @dataclass(frozen=True, slots=True)
 class Sample:
-    """Polled value. False if there is nothing to report."""
+    """Polled value. A sample is false if it has nothing to report."""
 
     time: float  # arrival of the reply in seconds on the session's clock
 
@@ -64,11 +64,11 @@ class Currents(Sample):
 
 @dataclass(frozen=True, slots=True)
 class LatchedStatus(Sample):
-    """Status and UART error bits latched since the last reading. False without bits."""
+    """Status and UART error bits latched since the last reading. It is false without bits."""
 
     status: Status
     uart: UartError
-    is_earlier: bool = False  # True if latched by the scan, or before the board was selected
+    is_earlier: bool = False  # True if latched during the scan, or before the board was selected
     is_whole: bool = True  # False if unread errors may be latched
 
     def __bool__(self) -> bool:
@@ -90,7 +90,7 @@ class LatchedStatus(Sample):
         return (*bit_names(self.status), *bit_names(self.uart))
 
     def stops_motors(self, *, on_error: bool = False) -> bool:
-        """True if the board has stopped motors. `on_error`: with UART-Error Shutdown."""
+        """Return True if the board has stopped motors. `on_error`: UART-Error Shutdown is set."""
         latched = self.status, self.uart
         return any(stops_motors(bits, errors_stop=on_error) for bits in latched)
 
@@ -110,6 +110,8 @@ SampleT = TypeVar("SampleT", bound=Sample)
 
 @dataclass(slots=True)
 class Newest:
+    """Newest sample of each kind."""
+
     samples: dict[type[Sample], Any] = field(default_factory=dict)
 
     def __copy__(self) -> Self:
@@ -285,11 +287,11 @@ class StatusReader:
         self.reset()
 
     def reset(self) -> None:
-        """Mark the next bits as earlier. Called after a scan or selection."""
+        """Mark the next bits as earlier. Call this after a scan or a selection."""
         self._is_first = self.uart_due = True  # the status may not announce latched errors
 
     def read(self, request: Requester) -> LatchedStatus:
-        """Read and clear the status, and any UART errors.
+        """Read and clear the status and any UART errors.
 
         Raises:
             NoReply, BadReply: no valid status arrived.

@@ -1,7 +1,7 @@
 """Writes of one value, verified by reading the value back.
 
 Every function raises `PortUnavailable` if the line is gone. `has_crc` is True if a CRC protects the
-line, see `agreed`.
+line. See `agreed`.
 """
 
 from collections.abc import Callable
@@ -60,7 +60,7 @@ def write_calibration(
     """Store a calibration for the active input source. Return the value read back.
 
     Each source has its own calibrations, and a short power loss may change the active source.
-    Nothing is written for another source.
+    Nothing is written if another source is active.
 
     Raises:
         BadRequest: minimum, neutral and maximum are not in order. Nothing was sent.

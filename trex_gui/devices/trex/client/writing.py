@@ -96,9 +96,9 @@ def write_all(
     If power fails during a write, the written value becomes the factory default. The board must
     still start with settings that a scan tries: the old, the new or the default settings. So the
     polynomial is changed while the stored line settings have no CRC: first if CRC is switched on,
-    last if CRC is switched off. If CRC stays on and the line settings change, the default line
-    settings are stored in between. If only the polynomial changes, a power cut during its 4 ms
-    write leaves the default polynomial, which a scan also tries.
+    last if CRC is switched off. If CRC stays on while both the polynomial and the line settings
+    change, the default line settings are stored in between. If only the polynomial changes, a power
+    cut during its 4 ms write leaves the default polynomial, which a scan also tries.
 
     If the line is gone, or the board does not respond or is not in serial mode, no further writes
     are attempted, since they would also fail. `cancelled` also ends writing, but never between the
@@ -166,11 +166,11 @@ class _Work:
     has_crc: bool
     cancelled: Callable[[], bool]
     stored: Callable[[WriteResult], None]
-    before: DeviceState | None  # expected state of the board; `None`: not checked
+    before: DeviceState | None  # expected state of the board; `None` to skip the check
     results: list[WriteResult] = field(default_factory=list)
     fatal_error: StudioError | None = None  # error that ends writing
     doubtful: list[int] = field(default_factory=list)  # indexes of repeated or failed writes
-    repeated: int = 0  # repeats and failures, each of which may have changed another setting
+    repeated: int = 0  # repeats and failures; each may have changed another setting
     unknown: set[str] = field(default_factory=set)  # keys of failed writes
     has_sent: bool = False  # True if any write was sent
     _sent: int = 0  # packets of the current write
@@ -248,7 +248,7 @@ class _Work:
         """Restore other settings that corrupted writes have changed.
 
         If this fails, the last repeated or failed write counts as failed. Nothing is restored if
-        more settings differ than corruption can explain: another board may be connected.
+        more settings differ than corruption can explain, because another board may be connected.
         """
         doubtful = self.doubtful
         error = self.fatal_error
@@ -408,7 +408,7 @@ class _Work:
 
 
 def _stores_crc(wire: int) -> bool:
-    """True if packets carry a CRC with these line settings. False if they are invalid."""
+    """Return True if packets have a CRC at these line settings. False for invalid settings."""
     try:
         return LineSettings.from_wire(wire).detection is Detection.CRC7
     except BadRequest:
