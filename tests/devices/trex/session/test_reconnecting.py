@@ -37,7 +37,7 @@ from trex_gui.devices.trex.session.reconnecting import (
     after_power_cycle,
     client_at,
     reconnect_candidates,
-    reconnect_places,
+    settings_to_probe,
 )
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.motors import MotorDirection
@@ -348,7 +348,7 @@ def test_stop_retry_at_old_settings_starts_no_motor(lines: list[LineSettings]) -
 
 def test_factory_settings_are_probed_last() -> None:
     old, new = replace(OLD, line=CRC, name="here"), ConnectionSettings("", LineSettings(9600))
-    assert reconnect_places(old, [new]) == (
+    assert settings_to_probe(old, [new]) == (
         old,
         replace(new, url="virtual", name="here"),
         replace(old, line=LineSettings()),
@@ -357,11 +357,11 @@ def test_factory_settings_are_probed_last() -> None:
 
 def test_reconnect_candidates_are_unique() -> None:
     new = replace(OLD, line=CRC)
-    assert reconnect_places(OLD, [new, OLD, new]) == (OLD, new)
+    assert settings_to_probe(OLD, [new, OLD, new]) == (OLD, new)
 
 
 def test_polynomial_is_ignored_without_crc() -> None:
-    assert reconnect_places(OLD, [replace(OLD, polynomial=0x91)]) == (OLD,)
+    assert settings_to_probe(OLD, [replace(OLD, polynomial=0x91)]) == (OLD,)
 
 
 def test_probe_readable_as_motor_command_is_skipped() -> None:
@@ -369,14 +369,14 @@ def test_probe_readable_as_motor_command_is_skipped() -> None:
     unsafe = next(
         polynomial
         for polynomial in range(0x80, 0x100)
-        if reconnect_places(
+        if settings_to_probe(
             replace(OLD, line=LineSettings(14400, Detection.CRC7), polynomial=polynomial),
             [replace(OLD, line=LineSettings(38400, Detection.ODD))],
         )[0].line.baud
         != 14400
     )
     old = replace(OLD, line=LineSettings(14400, Detection.CRC7), polynomial=unsafe)
-    assert old in reconnect_places(old, [replace(OLD, line=LineSettings(9600))])
+    assert old in settings_to_probe(old, [replace(OLD, line=LineSettings(9600))])
 
 
 def test_unsupported_line_settings_are_skipped() -> None:

@@ -1,1 +1,1 @@
-"""Session loop of a line to a TReX."""
+"""Session of a line: the loop that runs all transactions with its boards."""

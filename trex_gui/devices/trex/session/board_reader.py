@@ -21,7 +21,7 @@ from trex_gui.devices.trex.session.messages import Connected, ReadReason
 from trex_gui.devices.trex.session.open_line import OpenLine
 from trex_gui.devices.trex.session.polling import SAFETY_PARAMETERS, Polling, Topic
 
-_STALE_READS = 3
+_STALE_READS = 3  # readings after a failed write
 _STALE_READ_INTERVAL = 2.0  # seconds
 
 # Each of the four safety parameters is read once a second. At 1200 baud, this takes a tenth of the
@@ -30,6 +30,8 @@ _SAFETY_READ_INTERVAL = 0.25  # seconds
 
 
 class BoardReader:
+    """Reads and reports the settings and polled values of one board."""
+
     state: DeviceState  # set by the first reading
 
     def __init__(self, line: OpenLine) -> None:
@@ -49,8 +51,8 @@ class BoardReader:
     def read_everything(self, occasion: ReadReason) -> None:
         """Read and report all settings.
 
-        Except after a reload, stop the motors. They must be armed again, because the window may
-        still send setpoints for the previous state or board.
+        Stop the motors, except after a reload. They must then be armed again, because the window
+        may still send setpoints for the previous state or board.
         """
         line, client = self._line, self._line.client
         if occasion.power_cycled:
@@ -71,7 +73,7 @@ class BoardReader:
         line.motors.handle(OutputEvent.BOARD_READ, line.now())
         line.transport.wait_for_guardian()
         line.report_guardian()
-        if occasion is not ReadReason.SELECTED:  # else, pending samples are from the new board
+        if occasion is not ReadReason.SELECTED:  # after a selection, samples are new
             line.flush()
         line.emit(
             Connected(
@@ -133,8 +135,8 @@ class BoardReader:
     def check_safety_parameter(self, now: float) -> None:
         """Read the next safety parameter.
 
-        An unexpected value indicates a power cycle that was too short to lose a reply. In this
-        case, everything is read, and the motors must be armed again.
+        An unexpected value indicates a power cycle that was too short for a reply to be lost. In
+        this case, everything is read, and the motors must be armed again.
         """
         line = self._line
         self.safety_read_at = now + _SAFETY_READ_INTERVAL

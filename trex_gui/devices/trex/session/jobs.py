@@ -79,7 +79,7 @@ class JobServer:
         """Select another board after the current board has confirmed its stop.
 
         Setpoints are dropped. Arming has no effect until everything is read. After that, an `Arm`
-        must carry the new `selection`.
+        must contain the new `selection`.
         """
         line = self._line
         line.require_alone()
@@ -115,10 +115,7 @@ class JobServer:
         self._reader.read_everything(ReadReason.SELECTED)
 
     def _stop_all(self, job: SelectBoard) -> None:
-        """Stop all boards on the line.
-
-        Commands without a device number have driven them.
-        """
+        """Stop all boards that commands without a device number have driven."""
         for number in job.sharing:
             self._line.client.settings = replace(self._line.client.settings, device_number=number)
             self._line.motors.handle(OutputEvent.DIRECT_COMMAND_SENT, self._line.now())
@@ -178,7 +175,7 @@ class JobServer:
         """Write all values. After `Close`, only complete the current value.
 
         A `Close` first stops motors that may be moving. If another board replies, that board is
-        read. No value counts as written then.
+        read, and no value counts as written.
         """
         line = self._line
         state, stop_is_due = self._reader.state, True

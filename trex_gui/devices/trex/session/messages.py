@@ -93,19 +93,19 @@ class SetReconnectCandidates:
 class SetWatched:
     """Set the polling rate. No outcome.
 
-    The rate is full while samples are watched, or motors are armed or may be moving. Otherwise it
-    is low.
+    Polling runs at the full rate while samples are watched, or while motors are armed or may be
+    moving. Otherwise, it runs at a low rate.
     """
 
     watched: bool  # True if samples are shown or recorded
-    traffic: bool = False  # True if a server also sends the bytes on its line
+    traffic: bool = False  # True if a server must also send the bytes on its line
 
 
 @dataclass(frozen=True, slots=True)
 class AskLease:
     """Request the lease of a served board. A `LeaseChanged` follows.
 
-    Lease requests have no effect on a line of this computer.
+    Lease requests have no effect on the lines of this computer.
     """
 
 
@@ -177,7 +177,7 @@ class Connected:
 
 @dataclass(frozen=True, slots=True)
 class GuardianChanged:
-    is_ready: bool
+    is_ready: bool  # True if the guardian process can stop the motors
 
 
 @dataclass(frozen=True, slots=True)
@@ -268,7 +268,7 @@ BoardReport = (
 
 @dataclass(frozen=True, slots=True)
 class OfBoard:
-    """Report from a board of a group, other than the first."""
+    """Report from any board of a group except the first."""
 
     number: int
     report: BoardReport

@@ -26,12 +26,14 @@ from trex_gui.devices.trex.session.polling import Topic
 from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 from trex_gui.devices.trex.session.request_queue import BoardQueue, TrexRequestQueue
 
-# In a group, a board is silent after this number of unanswered stops in a row. Each attempt to
-# reconnect repeats the stop.
+# In a group, a board counts as silent after this number of unanswered stops in a row. Each attempt
+# to reconnect repeats the stop.
 _UNANSWERED_LIMIT = 3
 
 
 class SampleBatcher:
+    """Collector of samples, which it reports in batches."""
+
     def __init__(self, report: Callable[[Batch], None]) -> None:
         self._report = report
         self._samples: list[Sample] = []
@@ -70,7 +72,7 @@ class OpenLine:
     emit: Callable[[BoardReport], None]
     boards: list["OpenLine"]  # all boards of the session
     reserved: frozenset[int]  # numbers of devices outside the session
-    has_driven: bool = False  # True from driving until all boards on the line are stopped
+    has_driven: bool = False  # True after driving, until all boards on the line are stopped
     is_guarded: bool = False  # value last reported
 
     @property
@@ -118,7 +120,7 @@ class OpenLine:
         return run.is_confirmed
 
     def _stop(self, runs: dict["OpenLine", StopRun]) -> None:
-        """Stop these boards, and others whose stop becomes due."""
+        """Stop these boards, and other boards whose stops become due meanwhile."""
 
         def newly_due() -> list[StopRun]:
             self.requests.collect()

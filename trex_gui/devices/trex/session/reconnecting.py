@@ -78,8 +78,8 @@ class LivenessMonitor:
     def is_scanning(self, client: TrexClient) -> bool:
         """True if a silent board may be at other settings.
 
-        In this state, only stops and probes may be sent. After the first probe, it lasts until the
-        board responds, because a board at another baud rate may have misread the probe.
+        In this state, only stops and probes may be sent. After the first probe, the state lasts
+        until the board responds, because a board at another baud rate may have misread the probe.
         """
         can_probe = client.transport.is_configurable
         return self.silent and can_probe and (self._has_probed or bool(self.candidates))
@@ -88,7 +88,7 @@ class LivenessMonitor:
         """Send one probe. Return a client if the board replied."""
         self._has_probed = True
         if not self._untried:
-            self._untried.extend(reconnect_places(client.settings, self.candidates))
+            self._untried.extend(settings_to_probe(client.settings, self.candidates))
         new_client = _probe(client, self._untried.popleft())
         if new_client is None:
             self.retry_at = client.transport.clock() + (0.0 if self._untried else self._retry)
@@ -167,16 +167,16 @@ def after_power_cycle(
     return replace(link, line=line, polynomial=polynomial, device_number=number)
 
 
-def reconnect_places(
+def settings_to_probe(
     used: ConnectionSettings, expected: Iterable[ConnectionSettings]
 ) -> tuple[ConnectionSettings, ...]:
     """Return the settings to probe for a silent board, present settings first.
 
-    The factory default is last. A board has it after a power cut while UART settings are being
-    stored. The number of stop bits does not prevent a reply, so a candidate that differs only
-    in stop bits replaces the present settings. Settings are omitted if a board at other
-    settings could read their probe as a motor command. On a line with other devices, only the
-    present settings are probed.
+    The factory default is last. A board has it if power fails while the UART settings are being
+    stored. The number of stop bits does not prevent a reply, so a candidate that differs only in
+    stop bits replaces the present settings. Settings are omitted if a board at other settings could
+    read their probe as a motor command. On a line with other devices, only the present settings are
+    probed.
     """
     if used.reserved:
         return (used,)
@@ -204,7 +204,7 @@ def _differ_only_in_stop_bits(first: ConnectionSettings, second: ConnectionSetti
 
 
 def _may_misread(line: LineSettings, candidates: Iterable[ConnectionSettings]) -> bool:
-    """True if a board at one of the candidates may misread a probe on this line."""
+    """Return True if a board at a candidate's settings may misread a probe on this line."""
     return any(
         candidate.line.detection is Detection.ODD and candidate.line.baud * 3 == line.baud * 8
         for candidate in candidates

@@ -23,6 +23,8 @@ from trex_gui.devices.trex.session.reconnecting import LivenessMonitor
 
 @dataclass(slots=True, eq=False)
 class BoardQueue:
+    """Requests to one board."""
+
     output: MotorOutput
     _liveness: LivenessMonitor
     report: Callable[[Outcome], None]
@@ -31,7 +33,7 @@ class BoardQueue:
     selection: int = 0  # id of the last `SelectBoard`
 
     def add(self, request: BoardRequest, *, is_closing: bool) -> None:
-        """Queue a request. `is_closing` drops motor commands.
+        """Queue a request. While the session `is_closing`, drop setpoints and arming.
 
         A stop drops all setpoints until the next `Arm`, because the sender of a setpoint may not
         know about the stop.
@@ -43,7 +45,7 @@ class BoardQueue:
             case SetReconnectCandidates(settings=settings):
                 self._liveness.expect(settings)
             case Arm(selection=selection) if selection != self.selection:
-                pass  # meant for another board
+                pass  # for another board
             case _ if isinstance(request, Job):
                 self.jobs.append(request)
             case _ if isinstance(request, Heartbeat) or not is_closing:
@@ -57,7 +59,7 @@ class BoardQueue:
                 self.report(Outcome(job.id, error=error))
 
     def abandon(self) -> list[int]:
-        """Drop all requests. Return the ids without an outcome."""
+        """Drop all requests. Return the ids of requests without an outcome."""
         ids = [request.id for request in (*self.output.pop_stops(), *self.jobs)]
         self.output.setpoints.clear()
         self.jobs.clear()
@@ -66,18 +68,18 @@ class BoardQueue:
 
 @dataclass(slots=True, eq=False)
 class TrexRequestQueue:
-    """Requests to all boards of a line. `ToBoard` explains their addresses."""
+    """Requests to all boards of a line. See `ToBoard` for their addresses."""
 
     _inbox: Inbox[Request]
     _boards: Mapping[int | None, BoardQueue]  # by device number, in group order
-    is_ready: bool = True  # True if every board was read
+    is_ready: bool = True  # True if every board has been read
     is_closing: bool = False  # True if a `Close` was received
     is_watched: bool = True  # True if samples are shown or recorded
     _awaited: Counter[int] = field(default_factory=Counter)  # id of a stop → missing outcomes
     _failed: dict[int, Outcome] = field(default_factory=dict)  # id of a stop → first error
 
     def collect(self, seconds: float = 0.0) -> None:
-        """Queue received requests, waiting up to `seconds` for the first."""
+        """Queue the received requests. Wait up to `seconds` for the first one."""
         boards = list(self._boards.values())
         request = self._inbox.get(max(seconds, 0.0))
         while request is not None:
@@ -93,7 +95,7 @@ class TrexRequestQueue:
                 case ToBoard(number=number, request=board_request):
                     self._dispatch(number, board_request)
                 case Arm() if not self.is_ready:
-                    pass  # at least one board was not read yet
+                    pass  # at least one board has not been read yet
                 case Stop() | Arm() | Heartbeat():
                     if isinstance(request, Stop):
                         self._awaited[request.id] += len(boards)
@@ -126,7 +128,7 @@ class TrexRequestQueue:
         return self._failed.pop(stop_id, outcome)
 
     def sees_close(self) -> bool:
-        """Queue received requests. Return whether a `Close` was received."""
+        """Queue received requests. Return True if a `Close` was received."""
         self.collect()
         return self.is_closing
 

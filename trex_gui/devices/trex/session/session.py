@@ -71,7 +71,8 @@ class TrexSession:
         inbox: requests to the session.
         emit: receives every report, in the thread of `run`.
         open_transport: opens the port.
-        may_move: motors may still be moving from an earlier session. A stop is sent first.
+        may_move: True if motors may still be moving from an earlier session. The session then
+            sends a stop first.
     """
 
     def __init__(
@@ -116,7 +117,7 @@ class TrexSession:
         return _Board(number, settings, motors, liveness, queue, emit)
 
     def run(self) -> None:
-        """Serve the line until it is lost or closed. Then report `Closed`.
+        """Serve the line until it is lost or closed, then report `Closed`.
 
         Never raises. Driven motors are always stopped, the port is closed, and every request has an
         outcome.
