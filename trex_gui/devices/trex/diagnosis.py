@@ -2,7 +2,7 @@
 
 After a failed connection, the program sends probes at the settings in use, with every other kind of
 error detection, and at the factory settings. No probe moves a motor. The replies reveal a board at
-other settings, a boot loader, or a qik. A board in learning mode stays silent, because the jumper
+other settings, a boot loader, or a qik. A board in learning mode stays silent, because a jumper
 connects its transmit line (SO) to ground.
 """
 
@@ -54,8 +54,8 @@ def diagnose(
 ) -> StudioError:
     """Probe the line, and return the error to report.
 
-    This takes one second on a silent local line. With CRC, the probes of the other polynomials take
-    seven seconds. `quick` skips these probes. The line settings are restored at the end.
+    This takes one second on a silent local line. With CRC, probes with the other polynomials
+    take seven seconds. `quick` skips these probes. The line settings are restored at the end.
     """
     settings, wire = client.settings, client.transport
     explanation = explain(settings, echo=client.echo, error=error)
@@ -79,7 +79,10 @@ def diagnose(
 
 
 def _plans(settings: ConnectionSettings, *, quick: bool) -> list[list[Attempt]]:
-    """Return a plan of the likely probes. With CRC, add a plan of all others unless `quick`."""
+    """Return a plan of the likely probes.
+
+    With CRC, a second plan contains the other polynomials, unless `quick` is True.
+    """
     line = settings.line
     likely = [
         Attempt.at(settings),

@@ -60,7 +60,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 log = logging.getLogger(__name__)
 
-_STATUS_TIMEOUT = 5.0  # maximum seconds for a sample of each kind; 1200 baud needs 2 s
+_STATUS_TIMEOUT = 5.0  # maximum seconds for a sample of each kind; at 1200 baud, they take 2 s
 _LEASE_TIMEOUT = 3.0  # maximum seconds until the server replies
 _WRITE_TIMEOUT = 60.0  # seconds; enough to write all settings, even at 1200 baud
 
@@ -316,7 +316,7 @@ class Trex:
         save(Path(file), write_settings(settings, title_lines=["Read from the board by a program"]))
 
     def compare_settings(self, file: str | Path) -> tuple[ComparisonRow, ...]:
-        """Return the differences from a settings file.
+        """Return the differences between the board and a settings file.
 
         In each row, `before` is the board's value. Calibrations of the inactive input source are
         omitted, because the board hides them.
@@ -343,10 +343,10 @@ class Trex:
     def apply_settings(
         self, wanted: str | Path | Iterable[ComparisonRow], *, force: bool = False
     ) -> tuple[str, ...]:
-        """Store a settings file, or the `after` values of rows. Return the changed keys.
+        """Store the values of a settings file, or the `after` values of rows.
 
-        Values that the board already stores are not written. Raises the errors of `set_parameters`
-        and `compare_settings`.
+        Returns the changed keys. Values that the board already stores are not written. Raises the
+        errors of `set_parameters` and `compare_settings`.
         """
         rows = self.compare_settings(wanted) if isinstance(wanted, str | Path) else wanted
         settings = settings_of(self.state)

@@ -54,7 +54,7 @@ class MotorsStoppedError(StudioError):
 
 
 class OpenSession:
-    """Session of a line for a program. Use it from one thread."""
+    """Session of a line that one thread of a program uses."""
 
     def __init__(self, settings: ConnectionSettings) -> None:
         computer = host()
@@ -209,7 +209,7 @@ class OpenBoard:
         self.mirror.adapter = adapter_key(settings.url)
         self.driven: dict[int, int] = {}  # motor → last speed sent since the last confirmed stop
         self.errors: dict[str, None] = {}  # names of the error bits since the last status
-        self.events = deque[Event](maxlen=_MAX_QUEUED)  # since the program last read them
+        self.events = deque[Event](maxlen=_MAX_QUEUED)  # events since the program last read them
         self._number = number  # device number in a group; `None` for a single board
 
     @property

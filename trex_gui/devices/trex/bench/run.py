@@ -17,7 +17,7 @@ from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 MIN_SECONDS = 0.2  # of a test or a period; ten steps of the profile
 MAX_SECONDS = 120.0  # of a test; the user holds a button during the test
 MAX_GAP = 0.5  # seconds between readings; longer gaps do not count as charge
-BAND = 0.1  # maximum difference of a settled current, as a fraction of the steady current
+BAND = 0.1  # maximum deviation of a settled current, as a fraction of the steady current
 _TAIL = 0.3  # final fraction of a constant setpoint; its mean current is the steady current
 _MIN_PLATEAU = 0.4  # seconds of a constant setpoint; its tail contains ten readings
 _NOISE_COUNTS = 2  # lowest reading that shows a current; a single count may be noise
@@ -207,7 +207,7 @@ def figures(run: Run) -> Figures:
 
 
 def _flow(readings: Sequence[tuple[float, float]]) -> tuple[float | None, float]:
-    """Return the mean in A and the charge in mAh. Gaps count in neither."""
+    """Return the mean in A and the charge in mAh. Both exclude long gaps."""
     seconds = coulombs = 0.0
     for (start, before), (end, after) in pairwise(readings):
         if end - start <= MAX_GAP:

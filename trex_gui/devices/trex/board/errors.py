@@ -181,7 +181,7 @@ class ErrorCounts:
 
 # --- Events for the log -----------------------------------------------------------------
 
-_EVENT_GAP = 1.0  # seconds without a report of a bit until its next report is a new event
+_EVENT_GAP = 1.0  # seconds; a bit that is reported again after a longer gap causes a new event
 
 _KINDS = {
     **dict.fromkeys(MOTOR_FAULTS.values(), EventKind.FAULT),

@@ -45,7 +45,7 @@ class Keeper:
     """Snapshots, record and accepted values of a board. Its files are read when first needed."""
 
     def __init__(self, inform: Notify, warn: Notify) -> None:
-        """`inform` receives messages about saved files, `warn` about failures."""
+        """`inform` receives messages about saved files. `warn` receives messages about failures."""
         self._inform, self._warn = inform, warn
         self._records = BoardRecords()
         self._is_failing = False

@@ -32,20 +32,20 @@ class WriteTransaction:
         *,
         reason: str,
     ) -> None:
-        """`state` is from before the write. `reason` is the heading of the snapshot."""
+        """`state` is the state before the write. `reason` is the heading of the snapshot."""
         self.state = state
         self.values = values
         self._memory = memory
         self._reason = reason
         self._adapter = "" if link is None else link.label
-        # Read here, because a thread may save the snapshot while the memory changes.
+        # The memory is read here, because it may change while a thread saves the snapshot.
         self._stored, self._remarks = memory.with_hidden(settings_of(state))
 
     def save_snapshot(self, history: SettingsHistory) -> Snapshot:
         """Save all stored settings, with hidden calibrations.
 
         Raises:
-            SettingsError: saving failed, so nothing must be written.
+            SettingsError: saving failed, so nothing may be written.
         """
         return history.save(
             self._stored, adapter=self._adapter, reason=self._reason, remarks=self._remarks

@@ -92,7 +92,7 @@ def is_mixed(outputs: tuple[int, int], reported: tuple[int, int]) -> bool | None
     the board reports. The result is also `None` if these values fit neither case.
 
     Ref: a user's measurement (Pololu forum, viewtopic 9053): the jumper also alters the
-    remapped values in serial mode. Inferred: the sums.
+    remapped values in serial mode. Inferred: the sums that form the mixed values.
     """
     turn, forward = outputs
     mixed = _clipped(forward + turn), _clipped(forward - turn)

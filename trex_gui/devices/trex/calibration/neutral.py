@@ -25,8 +25,8 @@ _MIN_STUCK = 0.3
 loss of one third is sometimes missed, but not a loss of 45 %."""
 
 _STUCK_MIN_NOISE = 2.0
-"""Minimum noise in counts (0.8 us). It distinguishes a repeated value from an equal new value. A
-quieter signal hides lost pulses until 100 ms are missing."""
+"""Minimum noise in counts (0.8 us). With less noise, a repeated value looks like an equal new
+value, and lost pulses are hidden until 100 ms are missing."""
 
 _STUCK_MAX_INTERVAL = 0.03  # seconds between samples; a longer interval hides repeats
 _RANGE_OF_NOISE = 10.0  # standard deviations; 75 normally distributed values span 4.8, rarely 6.5

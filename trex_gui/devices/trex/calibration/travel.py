@@ -39,7 +39,7 @@ _MIN_HOLD = 0.3  # seconds; a user cannot deliberately hold a stick for a shorte
 _RAIL = 5  # counts; a voltage within 24 mV of a range limit is at this limit (inferred)
 
 _MOSTLY = 0.75
-"""Fraction of the travel. The first direction is the one in which the channel first covers it.
+"""Fraction of the travel. `Travel.first` is the direction that covers this fraction first.
 
 Inferred: a push of a two-axis stick along one axis moves the other axis by a third of its travel,
 rarely more.

@@ -116,8 +116,8 @@ def other_board(
 ) -> Signature | None:
     """Return the signature of the board that replies. `None` if it is the expected board.
 
-    The signature and, if given, the device number must be equal. The board is queried twice,
-    because a corrupted reply can look like another model or number.
+    The expected board has this signature and, if given, this device number. The board is queried
+    twice, because a corrupted reply can look like another model or number.
 
     Raises:
         NoReply, BadReply: as for `query`.

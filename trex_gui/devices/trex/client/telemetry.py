@@ -287,7 +287,7 @@ class StatusReader:
         self.reset()
 
     def reset(self) -> None:
-        """Mark the next bits as earlier. Call this after a scan or a selection."""
+        """Mark the next bits as latched earlier. Call this after a scan or a selection."""
         self._is_first = self.uart_due = True  # the status may not announce latched errors
 
     def read(self, request: Requester) -> LatchedStatus:

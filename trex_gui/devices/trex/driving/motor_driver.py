@@ -29,7 +29,7 @@ log = logging.getLogger(__name__)
 
 DRIVE_INTERVAL = 0.02  # minimum seconds between motor packets; the board acts every 10 ms
 
-_DRIVE_BYTES = 11  # maximum: expanded packets with CRC for both motors and the auxiliary motor
+_DRIVE_BYTES = 11  # size of expanded packets with CRC for both motors and the auxiliary motor
 
 # Maximum rounds of a stop, and of its retry
 _ATTEMPTS = 20

@@ -48,7 +48,8 @@ def timeout_stop(parameters: Mapping[str, int], trial: TimeoutTrial | None = Non
     if not parameters.get(_TIMEOUT):
         return TimeoutStop.OFF
     shutdown = bool(parameters.get(_SHUTDOWN, 0) & 1)  # bit 0 of a mask on the twin
-    # One trial may apply to both settings. Motors that stop without shutdown also stop with it.
+    # One trial may apply to both values of UART-Error Shutdown. Motors that stop without shutdown
+    # also stop with it.
     if trial is not None and shutdown in {trial.shutdown, trial.stopped}:
         if trial.stopped:
             return TimeoutStop.TRIED

@@ -45,7 +45,7 @@ class BoardReader:
         self._safety_keys = itertools.cycle(SAFETY_PARAMETERS)
 
     def expect_changes(self) -> None:
-        """Schedule further readings: a failed write may have been stored."""
+        """Schedule further readings, since a failed write may have been stored."""
         self._stale_reads = _STALE_READS
 
     def read_everything(self, occasion: ReadReason) -> None:
@@ -73,7 +73,8 @@ class BoardReader:
         line.motors.handle(OutputEvent.BOARD_READ, line.now())
         line.transport.wait_for_guardian()
         line.report_guardian()
-        if occasion is not ReadReason.SELECTED:  # after a selection, samples are new
+        # After a selection, the pending samples are from the new board.
+        if occasion is not ReadReason.SELECTED:
             line.flush()
         line.emit(
             Connected(
