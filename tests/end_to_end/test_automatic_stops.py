@@ -10,7 +10,7 @@ from tests.support.causes import Causes, watched
 from tests.support.pages.motors import is_stopped
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import TIMEOUT_MS, WindowDriver
-from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
+from trex_gui.devices.trex.protocol.descriptions import STOP_WITHOUT_EFFECT
 from trex_gui.ui.devices.connection import ConnectionState
 
 LOCKED = "The screen was locked"
@@ -151,6 +151,6 @@ def test_no_stop_is_reported_without_stoppable_motors(
         lambda: window.device.link is ConnectionState.CONNECTED and not window.motors.is_available
     )
     causes.lock_the_screen()
-    wait_for_banner(window, causes, f"{LOCKED}. {BEYOND_A_STOP}")  # channels drive
+    wait_for_banner(window, causes, f"{LOCKED}. {STOP_WITHOUT_EFFECT}")  # channels drive
     for line in ("jumper mode serial", "power off", "power on"):
         quick_simulator.do(line)

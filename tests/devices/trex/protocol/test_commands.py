@@ -38,7 +38,7 @@ TYPICAL_BYTES = "44 13 26 1d 08 27 4b 00 55 2a"
 REVERSE_100 = Drive(Direction.REVERSE, 100)
 FORWARD_127 = Drive(Direction.FORWARD, 127)
 FULL_BRAKE = Drive(Direction.BRAKE, 127)
-OTHER_BRAKE = Drive(Direction.BRAKE_TOO, 1)
+OTHER_BRAKE = Drive(Direction.BRAKE_ALTERNATIVE, 1)
 
 PACKETS: list[tuple[Command[object], str, str]] = [
     (GetSignature(), "81", "80 07 01"),

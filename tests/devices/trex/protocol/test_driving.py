@@ -36,7 +36,7 @@ def test_signed_speeds_round_trip() -> None:
 
 def test_braking_has_signed_speed_0() -> None:
     assert Drive.brake(100).signed == 0
-    assert Drive(Direction.BRAKE_TOO, 100).signed == 0
+    assert Drive(Direction.BRAKE_ALTERNATIVE, 100).signed == 0
 
 
 @pytest.mark.parametrize("duty", [-1, 128])

@@ -156,4 +156,4 @@ def test_write_reply_is_a_result_code(command: Command[ResultCode]) -> None:
 
 
 def test_writes_have_their_documented_time_to_answer() -> None:
-    assert [command.seconds_to_answer for command in WRITES] == pytest.approx([0.05, 0.1])
+    assert [command.max_reply_delay for command in WRITES] == pytest.approx([0.05, 0.1])

@@ -34,7 +34,7 @@ from trex_gui.devices.trex.driving.requests import CommandsRepeated
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop, remedy_for_silence, timeout_stop
 from trex_gui.devices.trex.protocol.calibration import NEARLY_NEUTRAL
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.descriptions import who_controls
+from trex_gui.devices.trex.protocol.descriptions import describe_control
 from trex_gui.devices.trex.protocol.flags import (
     MOTOR_FAULTS,
     OVER_LIMITS,
@@ -189,7 +189,7 @@ class BoardMirror:
     def control_text(self) -> str:
         if self.state is None or self.serial_controls is None:
             return ""
-        return who_controls(self.state.mode, self.serial_controls, joint=self.is_joint)
+        return describe_control(self.state.mode, self.serial_controls, joint=self.is_joint)
 
     @property
     def silence(self) -> DriveBlocker:

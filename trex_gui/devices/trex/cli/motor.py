@@ -54,7 +54,7 @@ from trex_gui.devices.trex.driving.requests import (
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop, turning_text
 from trex_gui.devices.trex.protocol.commands import GetSerialControl
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
+from trex_gui.devices.trex.protocol.descriptions import STOP_WITHOUT_EFFECT
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.protocol.flags import UartError
@@ -211,7 +211,7 @@ def _stop_problem(client: TrexClient, run: StopRun) -> str:
             "still turns, cut its power."
         )
     try:
-        return "" if query(client.request, GetSerialControl()) else BEYOND_A_STOP
+        return "" if query(client.request, GetSerialControl()) else STOP_WITHOUT_EFFECT
     except (NoReply, BadReply) as error:
         return str(error)
 

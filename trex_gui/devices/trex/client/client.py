@@ -158,7 +158,7 @@ class TrexClient:
         self.transport.write(packet)
         # The board replies after all bytes have left the port. `write` may block until then.
         self._wire.free_at = max(started + line.seconds(len(packet)), self.transport.clock())
-        deadline = self._wire.free_at + self._allowance + command.seconds_to_answer
+        deadline = self._wire.free_at + self._allowance + command.max_reply_delay
         received = b""
         state = parser.feed()
         while isinstance(state, NeedData):

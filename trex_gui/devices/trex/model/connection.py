@@ -21,7 +21,7 @@ from trex_gui.devices.trex.protocol.errors import (
     BoardElsewhere,
     ErrorCode,
     TrexError,
-    needs_a_look,
+    suggests_inspection,
     suggests_scan,
 )
 from trex_gui.devices.trex.session.messages import (
@@ -244,4 +244,4 @@ def remedies_for(error: StudioError) -> Remedies:
     if isinstance(error, TrexError) and error.code is ErrorCode.REPLIES_LOST:
         return (Remedy.RECONNECT,)
     remedies = remedies_of(error, may_be_found=suggests_scan(error))
-    return (*remedies, Remedy.CHECK_BOARD) if needs_a_look(error) else remedies
+    return (*remedies, Remedy.CHECK_BOARD) if suggests_inspection(error) else remedies

@@ -16,7 +16,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.group import BoardGroup
 from trex_gui.devices.trex.model.loss_while_driven import LossWhileDriven
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings, numbers_in
-from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
+from trex_gui.devices.trex.protocol.descriptions import STOP_WITHOUT_EFFECT
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
 from trex_gui.devices.trex.protocol.framing import check_polynomial
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
@@ -270,7 +270,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         if serial_controls is None:  # not read yet, or not responding
             return tr("{0}. The board has confirmed the stop.").format(reason)
         if not serial_controls:
-            return f"{reason}. {tr(BEYOND_A_STOP)}"
+            return f"{reason}. {tr(STOP_WITHOUT_EFFECT)}"
         return tr("{0}, so the motors were stopped.").format(reason)
 
     def _unreachable_text(self, reason: str) -> str:

@@ -30,7 +30,7 @@ from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
+from trex_gui.devices.trex.protocol.descriptions import STOP_WITHOUT_EFFECT
 from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.protocol.raw_packets import RawPacket
@@ -247,7 +247,7 @@ class DriveController(QObject):
         if outcome.error is None:
             self._on_confirmed()
             if self._is_connected and not self._mirror.serial_controls:
-                self._notifier.error.emit(tr(BEYOND_A_STOP))
+                self._notifier.error.emit(tr(STOP_WITHOUT_EFFECT))
         elif self._connection.link is not ConnectionState.DISCONNECTING:
             self._notifier.error.emit(str(outcome.error))
 

@@ -1,1 +1,1 @@
-"""The TReX on the wire: pure functions and frozen data. No I/O, no clock, no Qt."""
+"""Serial protocol of the TReX: pure functions, frozen data and parsers. No I/O, clock or Qt."""

@@ -1,7 +1,7 @@
 """Channel calibrations and the remapping of raw inputs.
 
 Ref: Pololu TReX User's Guide 4.b (regions); TReX 1.0 command documentation 0x87, 0x90-0x94,
-0xA0-0xA4. The arithmetic between the region limits is inferred: no source gives it.
+0xA0-0xA4. The arithmetic between the region limits is inferred, because no source specifies it.
 """
 
 import re
@@ -17,7 +17,7 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 INVALID_RAW = 0xFFFF  # reply to 0x86 for a channel without a valid pulse
 CALIBRATION_FIELDS = ("minimum", "neutral", "maximum", "deadband")
 FULL_SCALE = 127
-NEARLY_NEUTRAL = 8  # largest output that ends safe-start; inferred from "near neutral"
+NEARLY_NEUTRAL = 8  # maximum stick output at which safe-start ends; inferred from "near neutral"
 HIGHEST_CODED = 0x3FFF  # 14 bits
 
 
@@ -69,9 +69,9 @@ class Calibration:
     deadband: int
 
     def problem(self, text: Callable[[int], str] = str) -> str | None:
-        """Return why the board would reject the values, or `None`.
+        """Return the reason the board would reject the values, or `None`.
 
-        `text` formats a count.
+        `text` formats a count for the reason.
         """
         for name in self.__slots__:
             if not 0 <= (value := getattr(self, name)) <= HIGHEST_CODED:
@@ -90,31 +90,31 @@ class Calibration:
         return None
 
     def encode(self) -> bytes:
-        """Return the eight data bytes of 0xA0-0xA4. BadRequest for invalid values."""
+        """Return the eight data bytes of 0xA0-0xA4. Raise BadRequest if a value is invalid."""
         if problem := self.problem():
             raise BadRequest(tr("calibration: {0}").format(problem))
         return b"".join(map(encode_14_bits, astuple(self)))
 
     @classmethod
     def from_data(cls, data: bytes) -> "Calibration":
-        """Decode the eight data bytes of 0xA0-0xA4, without validation."""
+        """Decode the eight data bytes of 0xA0-0xA4 without validating them."""
         return cls(*(data[i] & 0x7F | (data[i + 1] & 0x7F) << 7 for i in range(0, 8, 2)))
 
 
 def read_count(text: str) -> tuple[int, InputSource | None]:
     """Parse a count such as `3750`, `1500us` or `2.5 V`.
 
-    Return the count and the input source implied by the unit, or `None` without a unit. Counts are
-    integers. Voltages have no thousands separators.
+    Return the count, and the input source that the unit implies. The source is `None` if the text
+    has no unit. Counts are integers. Voltages have no thousands separators.
 
     Raises:
-        AmbiguousNumber: a separator may be a thousands separator.
+        AmbiguousNumber: a separator may be either a decimal or a thousands separator.
         BadRequest: the text is not a count.
     """
     number = re.sub(r"(counts?|#)$", "", text.strip().casefold()).strip()
     if number.isdecimal() and len(number) < 10:
         return int(number), None
-    if re.search(r"[^\d.,]$", number):  # a unit is required: 1.5 alone may be ms
+    if re.search(r"[^\d.,]$", number):  # a decimal needs a unit: 1.5 may mean ms
         if (seconds := quantity(number, "s")) is not None:
             return InputSource.RC.counts(seconds * 1e6), InputSource.RC
         if (volts := quantity(number, "V", thousands=False)) is not None:
@@ -123,18 +123,18 @@ def read_count(text: str) -> tuple[int, InputSource | None]:
 
 
 def encode_14_bits(value: int) -> bytes:
-    """Encode 0-16383 as two data bytes: low seven bits, high seven bits.
+    """Encode 0-16383 as two data bytes: the low seven bits, then the high seven bits.
 
     Inferred: the documentation says "low byte, high byte", but no data byte may exceed 127.
-    Only this encoding obeys the limit, and other Pololu controllers use it.
+    Only this encoding observes that limit, and other Pololu controllers use it.
     """
     return bytes([value & 0x7F, value >> 7])
 
 
 DEFAULT_CALIBRATION = {
-    # Inferred: the guide names 1, 1.5 and 2 ms as typical; 30 us of deadband is a guess.
+    # Inferred: the guide calls 1, 1.5 and 2 ms typical; the deadband of 30 us is a guess.
     InputSource.RC: Calibration(2500, 3750, 5000, 75),
-    # Inferred: the full range of the converter; the deadband is a guess.
+    # Inferred: these limits are the full range of the converter; the deadband is a guess.
     InputSource.ANALOG: Calibration(0, 512, 1023, 20),
 }
 
@@ -149,10 +149,10 @@ def remap(
 ) -> int:
     """Return the output, -127 to 127, before mixing and flip.
 
-    The output is 0 for an ignored channel, and for `None` and 0xFFFF, which mean no valid signal
-    (inferred). It is also 0 within `deadband` counts of neutral. At minimum and maximum, it is
-    full. In between, it grows with the distance from the deadband, or with the square of that
-    distance (parabolic). It is rounded down.
+    The output is 0 for an ignored channel, and for a channel without a valid signal (`None` or
+    0xFFFF, inferred). The output is also 0 within `deadband` counts of neutral, and full at or past
+    minimum and maximum. Between these regions, the output grows linearly with the distance from
+    the deadband, or with the square of that distance if `parabolic`. It is rounded towards 0.
     """
     if raw is None or raw == INVALID_RAW or ignored:
         return 0

@@ -1,6 +1,6 @@
 """TReX commands and their replies.
 
-Opcodes are bytes of the compact protocol (0x81-0xFF). framing.py encodes complete packets.
+Opcodes are bytes of the compact protocol (0x81-0xFF). `framing` encodes complete packets.
 
 Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 5.b, 5.c.
 """
@@ -39,31 +39,31 @@ class Command(ABC, Generic[ReplyT_co]):
 
     opcodes: ClassVar[Sequence[int]]  # all command bytes of this class
     data_size: ClassVar[int] = 0  # data bytes after the command byte, without the CRC byte
-    fixed_reply: ClassVar[int] = 0  # size of the reply in bytes, if it is constant
+    fixed_reply: ClassVar[int] = 0  # size of the reply in bytes, if all replies have the same size
     moves: ClassVar[bool] = False  # True if the command may start or stop a motor
-    seconds_to_answer: ClassVar[float] = 0.0  # maximum reply delay, without transmission
-    has_crc: ClassVar[bool] = True  # True if the packet carries a CRC while CRC is enabled
+    max_reply_delay: ClassVar[float] = 0.0  # seconds, without the transmission time
+    has_crc: ClassVar[bool] = True  # True if the packet has a CRC byte while CRC is enabled
 
     @property
     def opcode(self) -> int:
         return self.opcodes[0]
 
     def data(self) -> bytes:
-        """Return the data bytes. BadRequest for a value outside its limits."""
+        """Return the data bytes. Raise BadRequest if a value is outside its limits."""
         return b""
 
     @classmethod
     def from_packet(cls, _opcode: int, _data: bytes, /) -> Self:
-        """Decode a command. BadRequest if the data does not fit."""
+        """Decode a command. Raise BadRequest if the data is invalid."""
         return cls()
 
     def reply_size(self, _start: bytes = b"", /) -> int:
-        """Return the size of a reply that starts with these bytes. 0 means no reply."""
+        """Return the size in bytes of a reply with this start. 0 means no reply."""
         return self.fixed_reply
 
     @abstractmethod
     def parse(self, reply: bytes) -> ReplyT_co:
-        """Parse a reply of `reply_size` bytes. BadReply if no TReX sends such a reply."""
+        """Parse a reply of `reply_size` bytes. Raise BadReply if no TReX sends such a reply."""
 
 
 def _motor_index(motor: int) -> int:
@@ -99,7 +99,7 @@ class Signature:
 
 @dataclass(frozen=True, slots=True)
 class GetSignature(Command[Signature]):
-    """0x81: model and firmware. 7 bytes from a TReX, 9 from a TReX Jr."""
+    """0x81: model and firmware. The reply has 7 bytes (TReX) or 9 bytes (TReX Jr)."""
 
     opcodes = (0x81,)
 
@@ -118,7 +118,7 @@ class GetSignature(Command[Signature]):
 
 @dataclass(frozen=True, slots=True)
 class GetMode(Command[Mode]):
-    """0x82: the mode that the mode jumper set at power-up."""
+    """0x82: mode that the mode jumper selected at power-up."""
 
     opcodes = (0x82,)
     fixed_reply = 1
@@ -147,7 +147,7 @@ class GetSerialControl(Command[bool]):
 
 @dataclass(frozen=True, slots=True)
 class GetStatus(Command[Status]):
-    """0x84: the status bits. Reading clears them."""
+    """0x84: status bits. Reading clears them."""
 
     opcodes = (0x84,)
     fixed_reply = 1
@@ -160,7 +160,7 @@ class GetStatus(Command[Status]):
 
 @dataclass(frozen=True, slots=True)
 class GetUartErrors(Command[UartError]):
-    """0x85: the UART error bits. Reading clears them."""
+    """0x85: UART error bits. Reading clears them."""
 
     opcodes = (0x85,)
     fixed_reply = 1
@@ -171,7 +171,7 @@ class GetUartErrors(Command[UartError]):
 
 @dataclass(frozen=True, slots=True)
 class _ChannelQuery(Command[ReplyT_co]):
-    """Query with a channel mask. Bit n is channel n+1."""
+    """Query with a channel mask. Bit n selects channel n+1."""
 
     data_size = 1
     bytes_per_channel: ClassVar[int] = 1  # reply bytes for each channel
@@ -201,7 +201,7 @@ class _ChannelQuery(Command[ReplyT_co]):
 
 @dataclass(frozen=True, slots=True)
 class GetRawChannels(_ChannelQuery[Mapping[int, int | None]]):
-    """0x86: channel → raw count. `None` without a valid pulse."""
+    """0x86: channel → raw count, or `None` without a valid pulse."""
 
     opcodes = (0x86,)
     bytes_per_channel = 2
@@ -221,8 +221,9 @@ class GetRemappedChannels(_ChannelQuery[Mapping[int, int]]):
     opcodes = (0x87,)
 
     def parse(self, reply: bytes) -> Mapping[int, int]:
-        # Bit 7 is the direction. The documentation says "lower six bits" for channel 3 and
-        # seven for the other channels. A magnitude of 0 to 127 needs seven bits.
+        # Bit 7 is the direction. The documentation says that the magnitude of channel 3 is in the
+        # "lower six bits", and that the other channels have seven bits. A magnitude of 0 to 127
+        # needs seven bits.
         return {
             channel: -(byte & FULL_SCALE) if byte & 0x80 else byte
             for channel, byte in zip(self.channels, reply, strict=True)
@@ -278,7 +279,7 @@ class GetCalibration(_ChannelCommand[Calibration]):
 
 @dataclass(frozen=True, slots=True)
 class GetCalibratedChannels(Command[int]):
-    """0x95: mask of channels with changed calibrations ("learned")."""
+    """0x95: mask of channels whose calibration was changed ("learned")."""
 
     opcodes = (0x95,)
     fixed_reply = 1
@@ -291,7 +292,7 @@ class GetCalibratedChannels(Command[int]):
 
 @dataclass(frozen=True, slots=True)
 class GetParameter(Command[int]):
-    """0x9F: read one configuration parameter, 0-127."""
+    """0x9F: value of one configuration parameter, 0-127."""
 
     opcodes = (0x9F,)
     data_size = 1
@@ -314,7 +315,7 @@ class GetParameter(Command[int]):
 
 # --- Writes to EEPROM, 0xA0 to 0xAF, in serial mode only --------------------------------
 
-FORMAT_BYTES = b"\x55\x2a"  # last data bytes of every write, so that noise cannot imitate it
+FORMAT_BYTES = b"\x55\x2a"  # end of every write; protects the EEPROM from line noise
 
 
 def _result(reply: bytes) -> ResultCode:
@@ -338,7 +339,7 @@ class SetCalibration(_ChannelCommand[ResultCode]):
     opcodes = range(0xA0, 0xA5)
     data_size = 10
     fixed_reply = 1
-    seconds_to_answer = 0.1  # usually 32 ms; the documentation allows less than 100 ms
+    max_reply_delay = 0.1  # usually 32 ms; the documentation specifies less than 100 ms
 
     calibration: Calibration
 
@@ -361,7 +362,7 @@ class SetParameter(Command[ResultCode]):
     opcodes = (0xAF,)
     data_size = 4
     fixed_reply = 1
-    seconds_to_answer = 0.05  # usually 4 ms; the documentation allows less than 50 ms
+    max_reply_delay = 0.05  # usually 4 ms; the documentation specifies less than 50 ms
 
     number: int
     value: int
@@ -394,7 +395,7 @@ class _MotorCommand(Command[None]):
 
 @dataclass(frozen=True, slots=True)
 class DriveMotor(_MotorCommand):
-    """0xC0-0xCF: set, or accelerate, motor 1 or 2."""
+    """0xC0-0xCF: set or accelerate motor 1 or 2."""
 
     opcodes = range(0xC0, 0xD0)
     data_size = 1
@@ -419,10 +420,10 @@ class DriveMotor(_MotorCommand):
 
 @dataclass(frozen=True, slots=True)
 class DriveBoth(_MotorCommand):
-    """0xD0-0xEF: set, or accelerate, both motors in one packet.
+    """0xD0-0xEF: set or accelerate both motors in one packet.
 
-    The formula in the documentation yields 0xD0 for acceleration. The heading in the documentation
-    and working programs use 0xE0.
+    For acceleration, the formula in the documentation yields 0xD0. The heading of that section and
+    working programs use 0xE0.
     """
 
     opcodes = range(0xD0, 0xF0)
@@ -448,7 +449,7 @@ class DriveBoth(_MotorCommand):
 
 @dataclass(frozen=True, slots=True)
 class DriveAuxiliary(_MotorCommand):
-    """0xF0, 0xF1: set, or accelerate, the auxiliary motor to 0-127."""
+    """0xF0, 0xF1: set or accelerate the auxiliary motor to a speed of 0-127."""
 
     opcodes = (0xF0, 0xF1)
     data_size = 1
@@ -471,13 +472,13 @@ class DriveAuxiliary(_MotorCommand):
 STOP: tuple[Command[None], ...] = (DriveBoth(Drive.brake(), Drive.brake()), DriveAuxiliary(0))
 """Full brake on both motors, auxiliary motor off.
 
-These are set commands: no acceleration or reversal delays them.
+Both are set commands, which neither acceleration nor reversal delays.
 """
 
 
 @dataclass(frozen=True, slots=True)
 class Null(Command[None]):
-    """0xFF: no operation. Only an echo confirms it."""
+    """0xFF: no operation. Only an echo confirms that the packet was sent."""
 
     opcodes = (0xFF,)
     has_crc = False  # inferred

@@ -12,7 +12,7 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 
 
 def numbers_in(text: str) -> frozenset[int]:
-    """Parse device numbers such as `0,1`. ValueError for any other text."""
+    """Parse device numbers such as `0,1`. Raise ValueError for any other text."""
     words = text.replace(",", " ").split()
     return frozenset(seven_bits(int(word), tr("device number")) for word in words)
 
@@ -21,7 +21,8 @@ def numbers_in(text: str) -> frozenset[int]:
 class ConnectionSettings(PortSettings):
     """Port, line and address of a board.
 
-    Numbers in `reserved` forbid compact packets, packets to these numbers and other baud rates.
+    If `reserved` contains numbers, compact packets, packets to these numbers and other baud rates
+    are forbidden.
     """
 
     line: LineSettings = field(default_factory=LineSettings)
@@ -32,7 +33,7 @@ class ConnectionSettings(PortSettings):
 
     @classmethod
     def on(cls, port: PortSettings) -> "ConnectionSettings":
-        """Add default board settings to a port that has none."""
+        """Add the default board settings to a port without board settings."""
         if isinstance(port, ConnectionSettings):
             return port
         return cls(port.url, name=port.name, timeouts=port.timeouts)
@@ -47,7 +48,7 @@ class ConnectionSettings(PortSettings):
         return unshared + shared
 
     def unpacked(self, text: str) -> "ConnectionSettings":
-        """Parse a `packed` text. BadRequest if it is invalid.
+        """Parse a `packed` text. Raise BadRequest if it is invalid.
 
         If the text has no reserved numbers, `reserved` is unchanged.
         """
@@ -63,7 +64,7 @@ class ConnectionSettings(PortSettings):
                 polynomial=check_polynomial(int(polynomial, 16)),
                 reserved=numbers_in(reserved) if is_shared else self.reserved,
             )
-            _ = settings.framing
+            _ = settings.framing  # raises if the device number is missing or reserved
         except (KeyError, ValueError) as error:
             raise BadRequest(tr("{0!r} are no settings of a board").format(text)) from error
         return settings
@@ -71,14 +72,14 @@ class ConnectionSettings(PortSettings):
     def at(self, line: SerialFormat) -> PortSettings:
         """Return the settings with another serial format.
 
-        These are plain `PortSettings` unless `line` is `LineSettings`.
+        The result is a plain `PortSettings` unless `line` is a `LineSettings`.
         """
         if isinstance(line, LineSettings):
             return replace(self, line=line)
         return PortSettings(self.url, line, name=self.name, timeouts=self.timeouts)
 
     def with_group(self, numbers: Iterable[int]) -> "ConnectionSettings":
-        """Return settings that drive these boards together.
+        """Return the settings for driving these boards together.
 
         Raises:
             BadRequest: there are fewer than two numbers, or one is repeated or reserved.
@@ -89,6 +90,7 @@ class ConnectionSettings(PortSettings):
         return replace(self, device_number=group[0], group=group)
 
     def of_board(self, number: int) -> "ConnectionSettings":
+        """Return the settings for one board of the group. The other numbers are reserved."""
         others = self.reserved | (frozenset(self.group) - {number})
         return replace(self, device_number=number, reserved=others)
 

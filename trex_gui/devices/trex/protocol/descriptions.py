@@ -1,4 +1,4 @@
-"""Commands, replies and states of a TReX in words."""
+"""Descriptions of the commands, replies and states of a TReX."""
 
 from typing import Any
 
@@ -27,7 +27,7 @@ _FIELD_TEXTS = {
     "deadband": tr_noop("deadband"),
 }
 
-_QUERIES: dict[type[c.Command[Any]], str] = {
+_FIXED_TEXTS: dict[type[c.Command[Any]], str] = {
     c.GetSignature: tr_noop("get signature"),
     c.GetMode: tr_noop("get mode"),
     c.GetSerialControl: tr_noop("get whether serial controls the motors"),
@@ -38,7 +38,7 @@ _QUERIES: dict[type[c.Command[Any]], str] = {
     c.Null: tr_noop("null command: nothing"),
 }
 
-_MODES = {
+_MODE_NAMES = {
     Mode.RC: tr_noop("RC mode"),
     Mode.ANALOG: tr_noop("analog mode"),
     Mode.SERIAL_RC: tr_noop("serial mode, RC inputs"),
@@ -59,7 +59,7 @@ MODE_TEXT = {
     Mode.SERIAL_ANALOG: tr_noop("Serial mode, with inputs read as voltages."),
 }
 
-CHANNEL_ROLES = {  # in RC and analog mode; in serial mode, channels are only measured
+CHANNEL_ROLES = {  # in RC and analog mode; in serial mode, the channels are only measured
     1: tr_noop("motor 1 (mixed: turn)"),
     2: tr_noop("motor 2 (mixed: forward)"),
     3: tr_noop("auxiliary motor"),
@@ -67,7 +67,7 @@ CHANNEL_ROLES = {  # in RC and analog mode; in serial mode, channels are only me
     5: tr_noop("serial override switch"),
 }
 
-BEYOND_A_STOP = tr_noop(
+STOP_WITHOUT_EFFECT = tr_noop(
     "The stop was sent, but the channels control the motors: it takes effect "
     "only when channel 5 gives control to serial commands. Release the "
     "sticks, or cut the power."
@@ -75,8 +75,8 @@ BEYOND_A_STOP = tr_noop(
 
 
 def describe(command: c.Command[Any], board: c.Signature | None = None) -> str:
-    """Describe a command, by default in units of the newest TReX."""
-    if (text := _QUERIES.get(type(command))) is not None:
+    """Describe a command in units of `board`, by default a TReX with the newest firmware."""
+    if (text := _FIXED_TEXTS.get(type(command))) is not None:
         return tr(text)
     match command:
         case c.GetRawChannels():
@@ -110,12 +110,12 @@ def describe(command: c.Command[Any], board: c.Signature | None = None) -> str:
 
 
 def describe_reply(command: c.Command[Any], value: Any, board: c.Signature | None = None) -> str:
-    """Describe a parsed reply. Empty for a command without a reply."""
+    """Describe a parsed reply. The text is empty for a command without a reply."""
     match command, value:
         case _, c.Signature():
             return str(value)
         case _, Mode():
-            return tr(_MODES[value])
+            return tr(_MODE_NAMES[value])
         case _, ResultCode():
             return tr(_RESULTS[value])
         case _, (Status() | UartError()):
@@ -141,7 +141,7 @@ def describe_reply(command: c.Command[Any], value: Any, board: c.Signature | Non
     return "" if value is None else str(value)
 
 
-def who_controls(mode: Mode, by_serial: bool, *, joint: bool) -> str:
+def describe_control(mode: Mode, by_serial: bool, *, joint: bool) -> str:
     if mode.is_serial and by_serial:
         text = tr("Serial commands control the motors (serial mode).")
     elif by_serial:

@@ -1,6 +1,7 @@
-"""Boards, clocks and rates in the device table.
+"""Board models, PWM clock and baud rates from the device table.
 
-`resources/trex_parameters.toml` is the only source of these facts and marks inferred facts.
+The table `resources/trex_parameters.toml` is the only source of these facts. Inferred facts are
+marked there.
 """
 
 import tomllib
@@ -24,7 +25,7 @@ class Model:
     signature_size: int
     current_unit: float  # amperes per count
     firmware: tuple[str, ...]
-    highest_pwm: int | None
+    highest_pwm: int | None  # Hz; `None` if no limit is known
     guide: str  # URL of the user's guide
 
 
@@ -32,7 +33,7 @@ class Model:
 class PwmClock:
     """Formula for the PWM frequency.
 
-    Inferred. It yields both documented frequencies.
+    The formula is inferred. It yields both documented frequencies.
     """
 
     clock: int
@@ -44,7 +45,7 @@ class PwmClock:
         return self.scale * wire + self.offset
 
     def frequency(self, prescaler: int, maximum_wire: int) -> float:
-        """Return the frequency in Hz. BadRequest for an unknown prescaler."""
+        """Return the frequency in Hz. Raise BadRequest for an unknown prescaler."""
         if not 0 <= prescaler < len(self.divisors):
             raise BadRequest(
                 tr("PWM prescaler is 0 to {0}, not {1}").format(len(self.divisors) - 1, prescaler)
@@ -52,9 +53,10 @@ class PwmClock:
         return self.clock / (self.divisors[prescaler] * (self.maximum(maximum_wire) + 1))
 
     def choices(self, highest: float) -> tuple[tuple[int, int], ...]:
-        """Return (prescaler, maximum) pairs up to `highest` Hz, lowest frequency first.
+        """Return (prescaler, maximum) pairs up to `highest` Hz, sorted by frequency.
 
-        Each frequency uses the lowest prescaler that reaches it, for the finest speed steps.
+        Both are wire values. Each frequency uses the lowest prescaler that reaches it, because this
+        gives the finest speed steps.
         """
         pairs = [
             (prescaler, maximum)
@@ -73,10 +75,10 @@ class PwmClock:
 class DeviceTable:
     models: tuple[Model, ...]
     baud_rates: tuple[int, ...]
-    half_rates: tuple[int, ...]
-    half_rate_fixed_in: str
+    half_rates: tuple[int, ...]  # rates that old firmware halves
+    half_rate_fixed_in: str  # first firmware version without this bug
     pwm: PwmClock
-    rows: tuple[dict[str, Any], ...]  # parameter entries, which parameters.py parses
+    rows: tuple[dict[str, Any], ...]  # parameter entries, which `parameters` parses
 
     def model(self, key: str) -> Model:
         for model in self.models:

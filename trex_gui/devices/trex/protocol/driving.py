@@ -19,7 +19,7 @@ class Direction(IntEnum):
     BRAKE = 0b00
     REVERSE = 0b01
     FORWARD = 0b10
-    BRAKE_TOO = 0b11
+    BRAKE_ALTERNATIVE = 0b11
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +31,7 @@ class Drive:
 
     @classmethod
     def at(cls, speed: int) -> "Drive":
-        """Return the setpoint for a speed, -127 to 127. 0 is forward.
+        """Return the setpoint for a speed, -127 to 127. Speed 0 counts as forward.
 
         Raises:
             BadRequest: the speed is outside its limits.
@@ -47,11 +47,11 @@ class Drive:
 
     @property
     def signed(self) -> int:
-        """Speed. Negative in reverse, 0 while braking."""
+        """Speed, negative in reverse and 0 while braking."""
         if self.is_brake:
             return 0
         return -self.speed if self.direction is Direction.REVERSE else self.speed
 
     @property
     def is_brake(self) -> bool:
-        return self.direction in {Direction.BRAKE, Direction.BRAKE_TOO}
+        return self.direction in {Direction.BRAKE, Direction.BRAKE_ALTERNATIVE}

@@ -18,7 +18,7 @@ class ResultCode(IntEnum):
 
 @unique
 class ErrorCode(Enum):
-    """Code of an error. The value is its message, with placeholders."""
+    """Code of an error. The value is the message, with placeholders for the fields."""
 
     # Connecting
     NO_BOARD = tr_noop(
@@ -175,11 +175,11 @@ class TrexRequestError(TrexError, BadRequest):
 
 
 class TrexNoReplyError(TrexError, NoReply):
-    """The board does not respond or confirm."""
+    """The board does not respond, or does not confirm a stop."""
 
 
 class BoardElsewhere(TrexNoReplyError):  # noqa: N818 - nothing went wrong with the board
-    """A board responds, but with other settings than the connection's."""
+    """A board responds, but not with the settings of the connection."""
 
     @property
     def settings(self) -> PortSettings:
@@ -190,11 +190,11 @@ class BoardElsewhere(TrexNoReplyError):  # noqa: N818 - nothing went wrong with 
 
 
 class TrexBadReplyError(TrexError, BadReply):
-    """The reply is invalid, or the board reads back another value."""
+    """The reply is invalid, or the stored value differs from the written value."""
 
 
 class TrexInternalError(TrexError, InternalError):
-    """The session failed. The field describes the error."""
+    """The session failed. The only field describes the bug."""
 
 
 class OtherBoard(TrexError):  # noqa: N818 - nothing went wrong with the line
@@ -202,7 +202,7 @@ class OtherBoard(TrexError):  # noqa: N818 - nothing went wrong with the line
 
 
 class Skipped(TrexError):  # noqa: N818 - nothing went wrong
-    """The write was cancelled before this setting, which is unchanged."""
+    """The write was cancelled before this setting was written."""
 
 
 class Rejected(TrexError):  # noqa: N818 - reads as a result, like `Outcome`
@@ -214,12 +214,12 @@ class Rejected(TrexError):  # noqa: N818 - reads as a result, like `Outcome`
 
 
 def is_unsteady(error: BaseException) -> bool:
-    """True if each reading of a stored value was different."""
+    """True if repeated readings of a stored value differed."""
     return isinstance(error, TrexError) and error.code is ErrorCode.READINGS_DIFFER
 
 
-def needs_a_look(error: BaseException) -> bool:
-    """True if wires, jumpers or LEDs may show the cause."""
+def suggests_inspection(error: BaseException) -> bool:
+    """True if the wires, jumpers or LEDs may show the cause."""
     return isinstance(error, TrexError) and error.code in {
         ErrorCode.NO_BOARD,
         ErrorCode.ECHO_ONLY,
@@ -229,4 +229,4 @@ def needs_a_look(error: BaseException) -> bool:
 
 def suggests_scan(error: BaseException) -> bool:
     is_shared = isinstance(error, TrexError) and error.code is ErrorCode.SEVERAL_BOARDS
-    return is_shared or needs_a_look(error)
+    return is_shared or suggests_inspection(error)

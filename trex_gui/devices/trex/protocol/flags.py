@@ -42,9 +42,9 @@ OVER_LIMITS = {1: Status.MOTOR1_OVER_LIMIT, 2: Status.MOTOR2_OVER_LIMIT}
 
 
 def stops_motors(bits: Status | UartError, *, errors_stop: bool = False) -> bool:
-    """True if any of these bits stops motors.
+    """True if the board stops motors because of these bits.
 
-    `errors_stop` is the board's UART-Error Shutdown (parameter 0x08).
+    `errors_stop` is the board's UART-Error Shutdown setting (parameter 0x08).
     """
     if isinstance(bits, UartError):
         return bool(bits & UartError.TIMEOUT or (bits and errors_stop))
@@ -187,7 +187,7 @@ class Mode(Enum):
 
     @property
     def source(self) -> InputSource:
-        rc = self is Mode.RC or self is Mode.SERIAL_RC  # a set would slow the simulator
+        rc = self is Mode.RC or self is Mode.SERIAL_RC  # a set would slow the simulator down
         return InputSource.RC if rc else InputSource.ANALOG
 
 
@@ -208,7 +208,7 @@ def channel_mask(channels: Iterable[int]) -> int:
 
 
 def seven_bits(value: int, what: str) -> int:
-    """Return `value`, or raise BadRequest naming `what` if it exceeds 0-127."""
+    """Return `value`, or raise BadRequest with the name `what` if it is not 0-127."""
     if not 0 <= value <= 0x7F:
         raise BadRequest(tr("{0} is 0 to 127, not {1}").format(what, value))
     return value

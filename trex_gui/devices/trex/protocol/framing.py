@@ -1,4 +1,4 @@
-"""Packet encoder, and parsers for packets and replies.
+"""Encoder of packets, and parsers for packets and replies.
 
 Ref: Pololu TReX User's Guide 5.b (sub-protocols), 5.e (CRC).
 """
@@ -53,7 +53,7 @@ EXPANDED_START = 0x80
 
 @dataclass(frozen=True, slots=True)
 class Framing:
-    """Packet format. Raises BadRequest for a number outside its range."""
+    """Packet format. The constructor raises BadRequest if a number is outside its range."""
 
     # 0-127: expanded ("Pololu") packets to one board. `None`: compact packets to every board.
     device_number: int | None = None
@@ -66,7 +66,7 @@ class Framing:
             check_polynomial(self.polynomial)
 
     def encode(self, command: Command[object]) -> bytes:
-        """Return the packet. BadRequest if a value is outside its range."""
+        """Return the packet. Raise BadRequest if a value is outside its range."""
         if self.device_number is None:
             packet = bytes([command.opcode]) + command.data()
         else:
@@ -93,7 +93,7 @@ class Packet:
 
 @dataclass(frozen=True, slots=True)
 class Malformed:
-    """Bytes that are neither a packet nor a reply."""
+    """Bytes that are neither a valid packet nor a valid reply."""
 
     raw: bytes
     reason: str
@@ -114,7 +114,7 @@ class PacketParser:
     """Parser for packets from a host. `polynomial` is `None` without CRC.
 
     A command byte inside a packet makes that packet malformed and starts a new packet. Inferred:
-    the documentation calls it an error, but does not say where the board resumes.
+    the documentation calls such a byte an error, but does not say where the board resumes.
     """
 
     def __init__(self, polynomial: int | None = None) -> None:
@@ -155,7 +155,7 @@ class PacketParser:
             opcode = buffer[2] | 0x80
         cls = COMMANDS.get(opcode)
         if cls is None:
-            # The packet size is unknown. Each data byte will be reported as outside a packet.
+            # The packet size is unknown, so every data byte that follows is reported as malformed.
             return self._reject(tr("{0:#04x} is not a TReX command").format(opcode))
         has_crc = self._polynomial is not None and opcode != 0xFF
         if len(buffer) < header_size + cls.data_size + has_crc:

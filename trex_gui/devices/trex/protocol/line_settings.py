@@ -51,7 +51,7 @@ class LineSettings(SerialFormat):
 
     @classmethod
     def from_wire(cls, wire: int) -> "LineSettings":
-        """Decode the value of parameter 0x7E. BadRequest if its baud rate field is invalid."""
+        """Decode the value of parameter 0x7E. Raise BadRequest if it is invalid."""
         if not 0 <= wire <= 0x7F:
             raise BadRequest(tr("UART settings are a wire value of 0 to 127, not {0}").format(wire))
         code = wire & _BAUD_FIELD
@@ -61,7 +61,7 @@ class LineSettings(SerialFormat):
         return cls(baud_rates()[code], detection, 2 if wire & _TWO_STOP_BITS else 1)
 
     def to_wire(self) -> int:
-        """Return the value for parameter 0x7E. BadRequest if the board has no such setting."""
+        """Return the value of parameter 0x7E. Raise BadRequest if no board has these settings."""
         if self.baud not in baud_rates():
             rates = ", ".join(map(str, baud_rates()))
             raise BadRequest(tr("a TReX runs at {0} baud, not {1}").format(rates, self.baud))
@@ -73,7 +73,7 @@ class LineSettings(SerialFormat):
     def real_baud(self, firmware: str) -> int:
         """Return the actual rate of the board in bit/s.
 
-        Firmware before 1.2 halves two of the rates (forum thread 1491).
+        Firmware before 1.2 halves two of the baud rates (forum thread 1491).
         """
         table = device_table()
         is_old = version_key(firmware) < version_key(table.half_rate_fixed_in)

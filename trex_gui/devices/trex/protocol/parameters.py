@@ -67,12 +67,12 @@ def other_motor_key(key: str) -> str | None:
 
 
 def motor_name(key: str) -> str:
-    """Return the motor of a key, such as `Motor 1`, or an empty string."""
+    """Return the name of the motor in a key, such as `Motor 1`, or an empty string."""
     return tr(_NAMES.get(key.partition("_")[0], ""))
 
 
 def pwm_keys(key: str) -> tuple[str, ...]:
-    """Return both PWM keys of a motor if `key` is either, else only `key`."""
+    """Return both PWM keys of a motor if `key` is one of them, else only `key`."""
     for part in (MotorParameter.PWM_PRESCALER, MotorParameter.PWM_MAXIMUM):
         if key.endswith(part) and motor_name(key):
             motor = key.removesuffix(part)
@@ -84,7 +84,7 @@ FULL_SPEED_S = 12.7  # seconds to full speed (127) at one speed step per 100 ms
 
 
 def acceleration_wire(seconds: float) -> int:
-    """Return the wire value whose time to full speed is closest. 0 means no ramp."""
+    """Return the wire value whose time to full speed is closest to `seconds`. 0 means no ramp."""
     if seconds <= 0:
         return 0
     longer = max(1, min(int(FULL_SPEED_S / seconds), HIGHEST_WIRE - 1))
@@ -106,7 +106,7 @@ _ROUNDING = 0.01  # fraction of a step by which a number may exceed its limits
 
 
 class Grade(IntEnum):
-    """Evidence for a fact, best first. `resources/trex_parameters.toml` explains each grade."""
+    """Grade of evidence, strongest first. `resources/trex_parameters.toml` explains each grade."""
 
     SOURCED = 0
     TWIN = 1
@@ -134,7 +134,8 @@ class ParameterKind(StrEnum):
     RESET = "reset"
 
 
-# Undocumented line settings could make a board unreachable.
+# Kinds without open values (see `is_open`). Undocumented line settings could make a board
+# unreachable.
 _NEVER_OPEN = {ParameterKind.UART, ParameterKind.POLYNOMIAL, ParameterKind.RESET}
 
 
@@ -160,11 +161,11 @@ class ParameterSpec:
     default: int
     unit: str = ""
     scale: float = 1
-    zero: str = ""
+    zero: str = ""  # meaning of the wire value 0, such as `off`; empty if it is ordinary
     choices: Mapping[int, str] = field(default_factory=dict)
-    valid: frozenset[int] = frozenset()
+    valid: frozenset[int] = frozenset()  # allowed wire values
     needs_power_cycle: bool = False
-    since: str = "1.0"
+    since: str = "1.0"  # first firmware version with this parameter
     grades: Mapping[str, Grade] = field(default_factory=dict)  # field of the table → evidence
     doubt: str = ""  # argument against an inferred default
     section: str = ""  # section of the user's guide, such as `4.c`; empty if unknown
@@ -183,7 +184,7 @@ class ParameterSpec:
         return self.grade("min", "max").mark
 
     def is_open(self, wire: int) -> bool:
-        """True if only an unsourced limit excludes this wire value."""
+        """True if this wire value is excluded only by a limit that is not sourced."""
         if self.kind in _NEVER_OPEN or not 0 <= wire <= HIGHEST_WIRE or wire in self.valid:
             return False
         return self.grade("min" if wire < self.minimum else "max") > Grade.SOURCED
@@ -193,7 +194,7 @@ class ParameterSpec:
         return any(map(self.is_open, (0, HIGHEST_WIRE)))
 
     def problem(self, wire: int, *, forced: bool = False) -> str | None:
-        """Return why a value is not allowed, or `None`. `forced` allows open values."""
+        """Return the reason a value is not allowed, or `None`. `forced` allows open values."""
         if wire in self.valid or (forced and self.is_open(wire)):
             return None
         return tr("{0} is {1}, not {2}").format(self.name, self.range_text(), wire)
@@ -265,10 +266,10 @@ class ParameterSpec:
         return f"{with_decimal_point(number)} {self.unit}".rstrip()
 
     def wire(self, text: str) -> int:
-        """Parse a value such as `1.5 s`, `1.5` or `off`. BadRequest names the limits.
+        """Parse a value such as `1.5 s`, `1.5` or `off`. Raise BadRequest that names the limits.
 
-        A number between two steps is rounded, but never to a 0 that means off. A ramp is a time to
-        full speed (`1.3 s`) or a number of speed steps (`10 per 100 ms`).
+        A quantity between two steps is rounded, but never to 0 if 0 has a special meaning such as
+        off. A ramp is a time to full speed (`1.3 s`) or a number of speed steps (`10 per 100 ms`).
         """
         text = text.strip()
         for wire in sorted(self.valid):
@@ -369,7 +370,7 @@ def _line_settings(wire: int) -> LineSettings | None:
 
 @dataclass(frozen=True, slots=True)
 class ParameterSet:
-    """Parameters of a model with a certain firmware version, sorted by number."""
+    """Parameters of a model with one firmware version, sorted by number."""
 
     model: Model
     firmware: str
@@ -383,9 +384,13 @@ class ParameterSet:
         return tuple(spec for spec in self.specs if spec.readable)
 
     def __getitem__(self, key: str) -> ParameterSpec:
-        """Return the parameter with this key or name. BadRequest suggests a similar key."""
+        """Return the parameter with this key or name.
+
+        Raises:
+            BadRequest: there is no such parameter. The message suggests a similar key.
+        """
         for spec in self.specs:
-            if key == spec.key:  # fast path: sessions look up hundreds of keys a second
+            if key == spec.key:  # fast path, because sessions look up hundreds of keys a second
                 return spec
         normal = key.strip().lower().replace("-", "_").replace(" ", "_")
         for spec in self.specs:
@@ -416,7 +421,7 @@ def parameters_of(model_key: str, firmware: str) -> ParameterSet:
 
 
 def unconfirmed_defaults(specs: Iterable[ParameterSpec]) -> str:
-    """Return the names of parameters with unsourced defaults."""
+    """Return the names of the parameters with unsourced defaults, marked with the evidence."""
     graded = ((spec.name, spec.grade("default").mark) for spec in specs)
     return ", ".join(name + mark for name, mark in graded if mark)
 

@@ -15,7 +15,7 @@ from trex_gui.devices.trex.protocol.commands import (
 from trex_gui.devices.trex.protocol.descriptions import describe
 from trex_gui.devices.trex.protocol.framing import EXPANDED_START, Malformed, Packet, PacketParser
 
-_BYTE_LIMIT = 256  # limit for one request; the longest packet has 14 bytes
+_BYTE_LIMIT = 256  # maximum size of one request; the longest packet has 14 bytes
 
 _MOTOR_OPCODES = frozenset(opcode for opcode, cls in COMMANDS.items() if cls.moves)
 
@@ -30,7 +30,7 @@ class RawPacket:
 
     @property
     def moves(self) -> bool:
-        """True if the packet may contain a motor command or its start."""
+        """True if the packet may contain a motor command or the start of one."""
         return may_move(self.packet.raw)
 
     @property
@@ -45,19 +45,23 @@ class RawPacket:
 
     @property
     def writes_everywhere(self) -> bool:
+        """True if every board on the line stores the value."""
         return self.writes and self.device_number is None
 
     def is_within_stop(self, device_number: int | None) -> bool:
-        """True if a stop to this number (`None`: all boards) reaches the packet's boards."""
+        """True if a stop to this number reaches every board that receives the packet.
+
+        `None` is a stop to all boards.
+        """
         return device_number is None or device_number == self.device_number
 
     @property
     def device_number(self) -> int | None:
-        """Address of an expanded packet, else `None`."""
+        """Device number in an expanded packet, else `None`."""
         return self.packet.device_number if isinstance(self.packet, Packet) else None
 
     def words(self, board: Signature | None = None) -> str:
-        """Describe the packet, by default in units of the newest TReX."""
+        """Describe the packet. See `describe` for `board`."""
         packet = self.packet
         if isinstance(packet, Malformed):
             return tr("not a TReX packet: {0}").format(packet.reason)
@@ -99,7 +103,7 @@ def packets_of(data: bytes, polynomial: int | None) -> tuple[RawPacket, ...]:
 def may_move(data: bytes) -> bool:
     """True if the bytes may contain a motor command.
 
-    This includes an expanded packet without its command byte, which may still follow.
+    An expanded packet without its command byte also counts, because the byte may still follow.
     """
     if not _MOTOR_OPCODES.isdisjoint(data):
         return True

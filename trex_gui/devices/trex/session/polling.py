@@ -54,7 +54,7 @@ def rates(source: InputSource, *, watched: bool = True) -> Mapping[Topic, float]
 def silence(line: LineSettings, command: Command[object]) -> float:
     """Return the longest silence that the board may measure around a reply, in seconds."""
     size = command.reply_size() + (line.detection is Detection.CRC7)
-    return line.seconds(size + 1) + command.seconds_to_answer + _MARGIN
+    return line.seconds(size + 1) + command.max_reply_delay + _MARGIN
 
 
 def too_slow(line: LineSettings, timeout: float) -> frozenset[Topic]:

@@ -20,7 +20,7 @@ from trex_gui.devices.trex.model.demo import (
     DemoSnapshot,
 )
 from trex_gui.devices.trex.model.drive_texts import direction_text
-from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES, who_controls
+from trex_gui.devices.trex.protocol.descriptions import CHANNEL_ROLES, describe_control
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode, channels_in
 from trex_gui.devices.trex.views.board.parts import (
     PULLED,
@@ -80,7 +80,7 @@ def state_text(snapshot: DemoSnapshot) -> str:
     if snapshot.boot_mode is not None:
         return tr(BOOT_TEXTS[snapshot.boot_mode])
     if snapshot.serial_controls and not snapshot.safe_start:
-        return who_controls(snapshot.mode, True, joint=False)
+        return describe_control(snapshot.mode, True, joint=False)
     mode = tr("RC mode.") if snapshot.mode is Mode.RC else tr("Analog mode.")
     control = tr("The sticks control the motors.")
     return f"{mode} {_safe_start_text(snapshot) if snapshot.safe_start else control}"

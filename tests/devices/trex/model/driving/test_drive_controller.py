@@ -20,7 +20,7 @@ from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_controller import DriveController
 from trex_gui.devices.trex.model.motors import Motors
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.descriptions import BEYOND_A_STOP
+from trex_gui.devices.trex.protocol.descriptions import STOP_WITHOUT_EFFECT
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.notifier import Notifier, Remedy
@@ -260,4 +260,4 @@ def test_confirmed_stop_is_reported_once_and_without_a_warning(
 def test_stop_warns_that_channel_driven_motors_may_go_on(rc_device: Device, qtbot: QtBot) -> None:
     with qtbot.waitSignal(rc_device.notifier.error) as said:
         rc_device.motors.stop()
-    assert said.args == [BEYOND_A_STOP]
+    assert said.args == [STOP_WITHOUT_EFFECT]
