@@ -60,7 +60,7 @@ from trex_gui.devices.trex.serve.codec import (
     decode_request,
     encode_report,
     encode_request,
-    with_head,
+    with_header,
 )
 from trex_gui.devices.trex.session.messages import (
     AskLease,
@@ -166,7 +166,7 @@ REQUESTS: tuple[Any, ...] = (
 
 @pytest.mark.parametrize("report", REPORTS, ids=lambda one: type(one).__name__)
 def test_report_arrives_as_it_was_sent(report: Any) -> None:
-    head, received = decode_report(with_head(encode_report(report), 1, 2.5), 2)
+    head, received = decode_report(with_header(encode_report(report), 1, 2.5), 2)
     assert list(head) == [1, 2.5]
     assert repr(received) == repr(report)
 
@@ -191,7 +191,7 @@ def test_request_arrives_as_it_was_sent(request_: Any) -> None:
     ids=lambda error: type(error).__name__,
 )
 def test_error_keeps_its_kind_and_its_text(error: StudioError) -> None:
-    _, outcome = decode_report(with_head(encode_report(Outcome(1, error=error))), 0)
+    _, outcome = decode_report(with_header(encode_report(Outcome(1, error=error))), 0)
     assert isinstance(outcome, Outcome)
     assert str(outcome.error) == str(error)
     kind = TrexNoReplyError if isinstance(error, BoardElsewhere) else type(error)

@@ -36,7 +36,7 @@ from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.protocol.framing import Framing, Malformed
 from trex_gui.devices.trex.protocol.raw_packets import RawPacket
 from trex_gui.devices.trex.serve.codec import (
-    LARGEST_REQUEST,
+    MAX_REQUEST_SIZE,
     VERSION,
     Alive,
     Hello,
@@ -48,7 +48,7 @@ from trex_gui.devices.trex.serve.codec import (
     encode_request,
 )
 from trex_gui.devices.trex.serve.lease import LEASE_TIMEOUT, Party, Role
-from trex_gui.devices.trex.serve.server import MOST_JOBS, MOST_REQUESTS, BoardServer
+from trex_gui.devices.trex.serve.server import MAX_JOBS, MAX_REQUESTS, BoardServer
 from trex_gui.devices.trex.session.messages import (
     AskLease,
     Batch,
@@ -381,7 +381,7 @@ def test_stop_overtakes_motor_commands_and_nothing_else(served: ServedDriver) ->
 def test_strangers_and_large_messages_are_refused(served: ServedDriver) -> None:
     stranger = Party("id-alice", "mallory", Role.OWN)
     served.server.handle(stranger, served.message("alice", Stop(1)))
-    served.server.handle(served.parties["alice"], b"\x00" * (LARGEST_REQUEST + 1))
+    served.server.handle(served.parties["alice"], b"\x00" * (MAX_REQUEST_SIZE + 1))
     served.server.handle(served.parties["alice"], b"\xc1")
     assert served.kinds() == []
     assert served.server.refused == {"unknown client": 1, "too large": 1, "malformed": 1}
@@ -389,10 +389,10 @@ def test_strangers_and_large_messages_are_refused(served: ServedDriver) -> None:
 
 def test_flood_of_one_user_costs_the_others_nothing(served: ServedDriver) -> None:
     served.send("alice", AskLease())
-    for speed in range(2 * MOST_REQUESTS):
+    for speed in range(2 * MAX_REQUESTS):
         served.send("bob", SetAuxiliary(speed % 100))
     assert served.kinds() == []
-    assert served.server.refused["too many"] > MOST_REQUESTS / 2
+    assert served.server.refused["too many"] > MAX_REQUESTS / 2
     served.send("alice", Stop(1))
     served.send("watcher", Stop(1))
     assert Stop in served.kinds()
@@ -426,7 +426,7 @@ def test_client_has_one_request_in_flight(served: ServedDriver) -> None:
     served.send("alice", AskLease(), *(Reload(number) for number in range(1, 15)))
     assert served.kinds() == [Reload]
     rejected = [one for one in served.received["alice"] if isinstance(one, Outcome)]
-    assert len(rejected) == 14 - MOST_JOBS - 1
+    assert len(rejected) == 14 - MAX_JOBS - 1
     served.server.report(Outcome(served.session[-1].id))
     assert served.kinds() == [Reload, Reload]
 

@@ -127,7 +127,7 @@ def serve(
             listen=[address.endpoint(encrypted=tls is not None)],
             users=users,
             computer=host(),
-            say=say,
+            notify=say,
             tls=(Path(tls[0]), Path(tls[1])) if tls else None,
         )
         public_host = socket.gethostname() if users else address.host

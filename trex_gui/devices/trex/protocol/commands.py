@@ -58,7 +58,7 @@ class Command(ABC, Generic[ReplyT_co]):
         return cls()
 
     def reply_size(self, _start: bytes = b"", /) -> int:
-        """Return the size in bytes of a reply with this start. 0 means no reply."""
+        """Return the size in bytes of a reply that starts with `_start`. 0 means no reply."""
         return self.fixed_reply
 
     @abstractmethod

@@ -1,1 +1,1 @@
-"""Boards over a network. The session runs at the robot."""
+"""Boards that are served over a network. The session runs on the robot's computer."""

@@ -1,7 +1,7 @@
 """Messages between server and clients, and their encoding.
 
 A message contains the name of its type and its fields, encoded as MessagePack. The decoder checks
-the type of each field, and accepts only the types in the tables of this module.
+the type of each field. It accepts only message types that are listed in this module.
 """
 
 import math
@@ -58,7 +58,7 @@ from trex_gui.devices.trex.session.messages import (
 from trex_gui.devices.trex.session.messages import Report as SessionReport
 from trex_gui.devices.trex.session.messages import Request as SessionRequest
 
-VERSION = 1  # a server refuses clients with another version
+VERSION = 1  # of the messages; a server refuses clients with another version
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,7 +101,7 @@ class Refused:
 ClientRequest = Hello | Alive | Leave
 ServerReport = Welcome | Tick | Refused
 
-LARGEST_REQUEST = 8192  # bytes; a `Write` of all settings, with the previous values, has 3000
+MAX_REQUEST_SIZE = 8192  # bytes; a `Write` of all settings and their previous values has 3000
 
 Request = SessionRequest | ClientRequest
 Report = SessionReport | ServerReport
@@ -153,10 +153,11 @@ def decode_request(data: bytes, header_size: int) -> tuple[tuple[float, ...], Re
 
 
 def encode_report(report: Report) -> Any:
+    """Return the report as plain data, to which `with_header` adds a header."""
     return _codec().unstructure(report, _REPORTS)
 
 
-def with_head(report: Any, *header: float) -> bytes:
+def with_header(report: Any, *header: float) -> bytes:
     return msgpack.encode([*header, report])
 
 
@@ -174,13 +175,13 @@ def _decode(data: bytes, header_size: int, union: Any) -> tuple[tuple[float, ...
         *header, body = msgpack.decode(data)
         return _check_header(header, header_size), _codec().structure(body, union)
     except Exception as error:
-        raise BadRequest(f"no message: {error!r:.200}") from error
+        raise BadRequest(f"invalid message: {error!r:.200}") from error
 
 
 def _check_header(header: list[Any], size: int) -> tuple[float, ...]:
     is_number = [type(value) in {int, float} and math.isfinite(value) for value in header]
     if len(header) != size or not all(is_number):
-        raise ValueError(f"{size} numbers and a message were expected")
+        raise ValueError(f"the header must be {size} numbers")
     return tuple(header)
 
 
@@ -189,10 +190,10 @@ def _codec() -> cattrs.Converter:
     codec = make_converter(forbid_extra_keys=True, detailed_validation=False)
     for kind in (int, float, str, bytes, bool):
         codec.register_structure_hook(kind, _strict(kind))
-    for base, plain in ((IntEnum, int), (StrEnum, str)):  # else the hooks of `int` and `str` apply
+    for base, plain in ((IntEnum, int), (StrEnum, str)):  # instead of the `int` and `str` hooks
         codec.register_structure_hook(base, _member_hook(plain))
-    codec.register_unstructure_hook_func(_is_code, lambda code: code.name)
-    codec.register_structure_hook_func(_is_code, lambda name, kind: kind[name])
+    codec.register_unstructure_hook_func(_is_encoded_by_name, lambda code: code.name)
+    codec.register_structure_hook_func(_is_encoded_by_name, lambda name, kind: kind[name])
     for flags in (Status, UartError):
         codec.register_structure_hook(flags, lambda bits, kind: kind(_strict(int)(bits, int)))
     codec.register_unstructure_hook(Model, lambda model: model.key)
@@ -202,20 +203,20 @@ def _codec() -> cattrs.Converter:
     codec.register_unstructure_hook(
         ConnectionSettings, lambda value: [value.url, value.name, value.packed, *value.group]
     )
-    codec.register_structure_hook(ConnectionSettings, lambda parts, _: _settings(*parts))
+    codec.register_structure_hook(ConnectionSettings, lambda parts, _: _decode_settings(*parts))
     codec.register_unstructure_hook(
         TrafficEvent, lambda event: [event.time, event.direction.name, event.data, event.text]
     )
-    codec.register_structure_hook(TrafficEvent, lambda parts, _: _traffic_event(*parts))
+    codec.register_structure_hook(TrafficEvent, lambda parts, _: _decode_traffic_event(*parts))
     codec.register_unstructure_hook(RawPacket, lambda raw: raw.packet.raw)
     codec.register_structure_hook(
         RawPacket, lambda raw, _: RawPacket(Malformed(_strict(bytes)(raw, bytes), ""))
     )
     for error in (StudioError, StudioError | None):
-        codec.register_unstructure_hook(error, _error_form)
-        codec.register_structure_hook(error, lambda form, _: _error_of(form))
-    codec.register_unstructure_hook(Outcome, lambda outcome: _outcome_form(outcome, codec))
-    codec.register_structure_hook(Outcome, lambda form, _: _outcome_of(form, codec))
+        codec.register_unstructure_hook(error, _encode_error)
+        codec.register_structure_hook(error, lambda data, _: _decode_error(data))
+    codec.register_unstructure_hook(Outcome, lambda outcome: _encode_outcome(outcome, codec))
+    codec.register_structure_hook(Outcome, lambda data, _: _decode_outcome(data, codec))
     include_subclasses(Sample, codec, union_strategy=configure_tagged_union)
     for union in (_VALUES, _OF_BOARD, _TO_BOARD, _REQUESTS, _REPORTS):
         configure_tagged_union(union, codec)
@@ -223,12 +224,12 @@ def _codec() -> cattrs.Converter:
 
 
 def _strict(kind: type) -> Callable[[Any, Any], Any]:
-    """Return a hook that accepts only `kind`. A `float` may be an `int`."""
+    """Return a hook that accepts only values of type `kind`. An `int` is a valid `float`."""
 
     def check(value: Any, _kind: Any) -> Any:
         if type(value) is kind or (kind is float and type(value) is int):
             return value
-        raise ValueError(f"{kind.__name__} expected, not {value!r:.40}")
+        raise ValueError(f"expected {kind.__name__}, not {value!r:.40}")
 
     return check
 
@@ -237,18 +238,18 @@ def _member_hook(plain: type) -> Callable[[Any, Any], Any]:
     return lambda value, kind: kind(_strict(plain)(value, plain))
 
 
-def _is_code(kind: Any) -> bool:
-    return isinstance(kind, type) and issubclass(kind, Enum) and kind.__name__ in _BY_NAME
+def _is_encoded_by_name(kind: Any) -> bool:
+    return isinstance(kind, type) and issubclass(kind, Enum) and kind.__name__ in _NAMED_ENUMS
 
 
-_BY_NAME = {"ErrorCode", "ReadReason", "Mode"}
+_NAMED_ENUMS = {"ErrorCode", "ReadReason", "Mode"}  # enums that are encoded by member name
 
 
-def _traffic_event(time: float, direction: str, data: bytes, text: str) -> TrafficEvent:
+def _decode_traffic_event(time: float, direction: str, data: bytes, text: str) -> TrafficEvent:
     return TrafficEvent(float(time), TrafficDirection[direction], bytes(data), str(text))
 
 
-def _settings(url: str, name: str, packed: str, *group: object) -> ConnectionSettings:
+def _decode_settings(url: str, name: str, packed: str, *group: object) -> ConnectionSettings:
     numbers = tuple(seven_bits(_strict(int)(number, int), "device number") for number in group)
     return replace(ConnectionSettings(url, name=name).unpacked(packed), group=numbers)
 
@@ -256,24 +257,24 @@ def _settings(url: str, name: str, packed: str, *group: object) -> ConnectionSet
 _FIELD = str | int | float
 
 
-def _error_form(error: StudioError | None) -> Any:
+def _encode_error(error: StudioError | None) -> Any:
     if error is None:
         return None
     kind = next(cls.__name__ for cls in type(error).__mro__ if cls.__name__ in _ERRORS)
     if not isinstance(error, CodedError):
         return [kind, "", str(error)]
     code = error.result.name if isinstance(error, Rejected) else error.code.name
-    return [kind, code, *map(_field_form, error.fields)]
+    return [kind, code, *map(_encode_field, error.fields)]
 
 
-def _field_form(field: object) -> _FIELD:
+def _encode_field(field: object) -> _FIELD:
     if isinstance(field, int | float):
         return field
     return " ".join(map(str, field)) if isinstance(field, tuple) else str(field)
 
 
-def _error_of(form: Any) -> StudioError | None:
-    match form:
+def _decode_error(data: Any) -> StudioError | None:
+    match data:
         case None:
             return None
         case ["Rejected", str(result), str(what)]:
@@ -282,20 +283,20 @@ def _error_of(form: Any) -> StudioError | None:
             arguments = [ErrorCode[code], *fields] if code else fields
             error: StudioError = _ERRORS[kind](*arguments)
             return error
-    raise ValueError("not an error")
+    raise ValueError("invalid error")
 
 
-def _outcome_form(outcome: Outcome, codec: cattrs.Converter) -> Any:
+def _encode_outcome(outcome: Outcome, codec: cattrs.Converter) -> Any:
     value: Any = outcome.value
     if isinstance(value, get_args(_VALUES)):
         value = codec.unstructure(value, _VALUES)
-    return {"id": outcome.id, "value": value, "error": _error_form(outcome.error)}
+    return {"id": outcome.id, "value": value, "error": _encode_error(outcome.error)}
 
 
-def _outcome_of(form: Any, codec: cattrs.Converter) -> Outcome:
-    number, value, error = (form[key] for key in ("id", "value", "error"))
+def _decode_outcome(data: Any, codec: cattrs.Converter) -> Outcome:
+    number, value, error = (data[key] for key in ("id", "value", "error"))
     if isinstance(value, dict):
         value = codec.structure(value, _VALUES)
     elif not (value is None or isinstance(value, bytes)):
-        raise ValueError("not a value of an outcome")
-    return Outcome(_strict(int)(number, int), value, _error_of(error))
+        raise ValueError("invalid value of an outcome")
+    return Outcome(_strict(int)(number, int), value, _decode_error(error))

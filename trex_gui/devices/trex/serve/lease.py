@@ -1,9 +1,9 @@
-"""Permission to drive. A client holds the lease while its heartbeats arrive."""
+"""Lease of a board. One client at a time may drive, while its heartbeats arrive."""
 
 from dataclasses import dataclass, field
 from enum import IntEnum
 
-LEASE_TIMEOUT = 0.5  # seconds without a heartbeat, in which a robot at full speed moves one metre
+LEASE_TIMEOUT = 0.5  # seconds without a heartbeat; a robot at full speed moves 1 m in this time
 
 
 class Role(IntEnum):
@@ -25,7 +25,7 @@ class User:
 
 @dataclass(frozen=True, slots=True)
 class Party:
-    """Client of the server, with its user."""
+    """Identity of a client: its id, user and role."""
 
     id: str
     user: str
@@ -36,12 +36,12 @@ class Party:
 class Lease:
     """State of the lease. Times are in seconds of a monotonic clock.
 
-    The caller stops the motors whenever a holder loses the lease.
+    The caller must stop the motors whenever a holder loses the lease.
     """
 
     holder: Party | None = None
     number: int = 0  # increases with each new holder
-    waiting: list[Party] = field(default_factory=list)  # in the order of requests
+    waiting: list[Party] = field(default_factory=list)  # in the order of their requests
     _alive_at: float = 0.0
 
     def request(self, party: Party, now: float) -> bool:
@@ -55,9 +55,9 @@ class Lease:
         return self.holder == party
 
     def hand_over(self, by: Party, user: str, now: float) -> bool:
-        """Hand the lease over to a waiting user.
+        """Hand the lease over to a waiting user. Return whether this succeeded.
 
-        Return False if the user is not waiting or `by` does not hold the lease.
+        It fails if the user is not waiting, or if `by` does not hold the lease.
         """
         successor = next((party for party in self.waiting if party.user == user), None)
         if successor is None or by != self.holder:
@@ -73,6 +73,7 @@ class Lease:
         return True
 
     def remove(self, party: Party) -> bool:
+        """Remove the party from the lease and the queue. Return whether it held the lease."""
         self.waiting = [other for other in self.waiting if other != party]
         if party != self.holder:
             return False
@@ -84,7 +85,7 @@ class Lease:
             self._alive_at = now
 
     def seconds_left(self, now: float) -> float:
-        """Return the seconds until the lease times out. Infinite without a holder."""
+        """Return the seconds until the lease times out, or infinity without a holder."""
         if self.holder is None:
             return float("inf")
         return self._alive_at + LEASE_TIMEOUT - now

@@ -1,7 +1,7 @@
 """Zenoh network of servers and clients, with users and encryption.
 
-Each user has separate key expressions. The engine rejects other users, so a message at
-`from/alice/…` is from Alice.
+Each user has separate key expressions. The Zenoh engine lets no other user send to these
+expressions, so a message at `from/alice/…` is from Alice.
 """
 
 import json
@@ -19,8 +19,8 @@ from trex_gui.core.translation import tr
 from trex_gui.core.transport.urls import LOCAL_USER, Address
 from trex_gui.devices.trex.serve.lease import User
 
-_ADDRESS_LIMIT = 32  # maximum number of addresses found by a scan
-_DEAD_MS = 4000  # timeout of a silent connection, in milliseconds
+_ADDRESS_LIMIT = 32  # maximum number of addresses that a scan returns
+_SILENCE_TIMEOUT_MS = 4000  # milliseconds until a silent connection is closed
 _ROOT = "trex/v1"
 
 
@@ -38,7 +38,7 @@ def open_client(address: Address) -> zenoh.Session:
         "mode": "client",
         "connect/endpoints": [address.endpoint(encrypted="TREX_TLS_CA" in os.environ)],
         "connect/timeout_ms": 2000,
-        "transport/link/tx/lease": _DEAD_MS,
+        "transport/link/tx/lease": _SILENCE_TIMEOUT_MS,
         "scouting/multicast/enabled": False,
         "scouting/gossip/enabled": False,
     }
@@ -66,6 +66,7 @@ def get(session: zenoh.Session, *parts: str, seconds: float) -> list[bytes]:
 
 
 def scout(seconds: float) -> tuple[Address, ...]:
+    """Scan the local network. Return the addresses of the servers that reply."""
     addresses: dict[Address, None] = {}
     config = _config({"scouting/multicast/enabled": True})
     try:
@@ -92,8 +93,8 @@ def scout(seconds: float) -> tuple[Address, ...]:
 class ClientLink:
     """Connection of a client to a server, with a second connection for stops.
 
-    A lost network packet delays later packets of its connection. Therefore, a stop is sent over
-    both connections.
+    A lost network packet delays later packets of the same connection. Therefore, a stop is sent
+    over both connections.
 
     Args:
         address: address of the board.
@@ -108,7 +109,7 @@ class ClientLink:
         def name(part: str) -> str:
             return key(address.name, part, user, client)
 
-        self._references = (  # without a reference, the engine ends subscribers and tokens
+        self._references = (  # the engine ends subscribers and tokens without a reference
             self._session.declare_subscriber(
                 name("to"), lambda sample: receive(bytes(sample.payload))
             ),
@@ -135,9 +136,9 @@ def open_server(
     *,
     tls: tuple[Path, Path] | None = None,
 ) -> zenoh.Session:
-    """Listen for clients. `tls` names the certificate and key files.
+    """Listen for clients. `tls` contains the paths of the certificate and key files.
 
-    The engine reads the secrets from a file in `folder`, which only this program may use.
+    The engine reads the secrets from a file in `folder`, so the folder must be private.
 
     Raises:
         PortUnavailable: the engine cannot listen at an address.
@@ -147,13 +148,13 @@ def open_server(
         "mode": "peer",
         "listen/endpoints": list(listen),
         "listen/exit_on_failure": True,
-        # Reply to scouting clients, but do not scout.
+        # Reply to clients that scan, but do not scan for other servers.
         "scouting/multicast/enabled": is_public,
         "scouting/multicast/autoconnect": [],
         "scouting/gossip/enabled": False,
-        # Clients that connect but do not log in cannot block other clients for long.
+        # Clients that connect but never log in must not block other clients for long.
         "transport/unicast/accept_pending": 1000,
-        "transport/link/tx/lease": _DEAD_MS,
+        "transport/link/tx/lease": _SILENCE_TIMEOUT_MS,
         "transport/unicast/accept_timeout": 3000,
         "transport/link/rx/max_message_size": 65536,
     }
@@ -165,7 +166,7 @@ def open_server(
         secrets.touch(mode=0o600)
         lines = [f"{user.name}:{user.secret}\n" for user in users]
         secrets.write_text("".join(lines), "utf-8")
-        # The engine requires a user for itself. No client can know this password.
+        # The engine itself needs a user and a password. No client can know the password.
         config["transport/auth/usrpwd"] = {
             "user": "-",
             "password": os.urandom(16).hex(),
@@ -180,7 +181,7 @@ def open_server(
 
 
 def declare_publisher(session: zenoh.Session, name: str) -> zenoh.Publisher:
-    """Return a publisher that neither drops nor batches messages."""
+    """Declare a publisher that neither drops nor batches messages."""
     block = zenoh.CongestionControl.BLOCK
     return session.declare_publisher(name, congestion_control=block, express=True)
 

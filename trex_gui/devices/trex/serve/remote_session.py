@@ -1,4 +1,4 @@
-"""Session of a served board, with the messages of a local session."""
+"""Session of a served board. It uses the same messages as a local session."""
 
 import logging
 import math
@@ -67,17 +67,17 @@ from trex_gui.version import __version__
 
 log = logging.getLogger(__name__)
 
-_SLICE = 0.005  # maximum delay of a received report, in seconds
+_SLICE = 0.005  # seconds by which a received report may be delayed
 _HEARTBEAT = 0.1  # seconds between two heartbeats
 
-# The server sends ten reports a second. It stops the motors if the driving client is silent for
-# half a second.
+# The server sends at least ten reports a second. It stops the motors if the driving client is
+# silent for half a second.
 _SILENT_AFTER = 0.7  # seconds without a report after which the network counts as silent
 _LOST_AFTER = 5.0  # seconds without a report after which the connection ends
 
-_REPLY_TIMEOUT = 3.0  # seconds, for the welcome and for a lease request
-_STOP_TIMEOUT = 1.0  # seconds, for the last stop
-_LAST_STOP_ID = -2  # id of the stop before `Leave`
+_REPLY_TIMEOUT = 3.0  # seconds until the server replies to a `Hello` or a lease request
+_STOP_TIMEOUT = 1.0  # seconds until the last stop is confirmed
+_LAST_STOP_ID = -2  # id of the stop that precedes `Leave`
 _DELAY_INTERVAL = 1.0  # seconds between two reports of the network delay
 
 
@@ -88,9 +88,10 @@ class _WaitingRequests:
 
 
 class RemoteSession:
-    """Session over a server, with the arguments of a `TrexSession`.
+    """Session of a served board. `TrexSession` explains the arguments.
 
-    It requests the lease when a request first needs it, and returns it at the end.
+    The session requests the lease before the first request that needs it. It returns the lease
+    when it closes.
     """
 
     def __init__(
@@ -108,16 +109,16 @@ class RemoteSession:
         self._received: deque[tuple[float, bytes]] = deque()
         self._counter = count(1)
         self._seen = 0.0  # newest server time in a report
-        self._offset = math.inf  # upper bound of this clock minus the server's clock
-        self._heard_at = 0.0
-        self._beat_at = 0.0
+        self._offset = math.inf  # this clock minus the server's clock (upper bound)
+        self._heard_at = 0.0  # time of the last report
+        self._beat_at = 0.0  # time of the next heartbeat
         self._watched = SetWatched(True)
         self._welcome: Welcome | None = None
         self._lease = LeaseChanged()
         self._waiting: _WaitingRequests | None = None
         self._board: Connected | None = None
         self._is_silent = False
-        self._has_armed = False  # True if this client has armed motors and not stopped them since
+        self._has_armed = False  # True from arming by this client until the next stop
         self._closed: Closed | None = None
         self._counters = Counters()
         self._unanswered: set[int] = set()
@@ -125,7 +126,7 @@ class RemoteSession:
         self._delay_at = 0.0  # time of the last delay report
 
     def run(self) -> None:
-        """Serve until `Close` arrives or the server is lost. Never raises."""
+        """Run until `Close` arrives or the server is lost. This method never raises."""
         error = run_until_closed(
             self._open, self._step, lambda detail: TrexInternalError(ErrorCode.INTERNAL, detail)
         )
@@ -166,12 +167,12 @@ class RemoteSession:
                     self._inbox.get(_SLICE)
                     self._handle_reports()
         except Exception:  # the engine may raise any error when the connection is lost
-            log.info("the server left first", exc_info=True)
+            log.info("the connection ended before the last stop was confirmed", exc_info=True)
         try:
             self._send(Leave())
             self._link.close()
         except Exception:
-            log.info("leaving the server failed", exc_info=True)
+            log.info("the connection was not closed properly", exc_info=True)
 
     # --- The loop -----------------------------------------------------------------------
 
@@ -223,7 +224,7 @@ class RemoteSession:
             case _ if isinstance(request, LeaseRequest) or self._lease.is_mine:
                 self._forward(request)
             case SetMotor() | SetMotors() | SetAuxiliary() if self._waiting is not None:
-                self._waiting.requests.append(request)  # follows a waiting `Arm`
+                self._waiting.requests.append(request)  # sent after a waiting `Arm`
             case Arm() | Write() | SelectBoard() | ProbeNumber() | Reload() | SendPacket():
                 if self._waiting is None:
                     self._waiting = _WaitingRequests([], self._clock() + _REPLY_TIMEOUT)
@@ -262,7 +263,7 @@ class RemoteSession:
     # --- Reports ------------------------------------------------------------------------
 
     def _receive(self, message: bytes) -> None:
-        """Queue a received message. Called from any thread."""
+        """Queue a received message. The engine calls this in its own threads."""
         self._received.append((self._clock(), message))
 
     def _handle_reports(self) -> None:
@@ -303,7 +304,7 @@ class RemoteSession:
                 self._emit_local(report)
 
     def _emit_local(self, report: Report | ServerReport, board: int | None = None) -> None:
-        """Emit a report, with the times and URL of this computer.
+        """Emit a report after converting its times and URL for this computer.
 
         `board` is the number of a board in the group, or `None` for the first board.
         """
@@ -335,11 +336,11 @@ class RemoteSession:
                 local_events = (replace(event, time=event.time + self._offset) for event in events)
                 self._emit(Traffic(tuple(local_events)))
             case MotorsStopped(reason=reason, confirmed=confirmed):
-                # The end of a lease stops every board. Other stops are reported by each board.
+                # The end of a lease stops every board. Any other stop is reported by each board.
                 is_group = self._board is not None and bool(self._board.settings.group)
                 stops_all = not is_group or reason is ErrorCode.LEASE_LOST
                 self._may_move = self._may_move and not (confirmed and stops_all)
-                if self._has_armed or reason is None:  # else, another client drove the motors
+                if self._has_armed or reason is None:  # otherwise another client drove
                     emit(report)
                 if stops_all:
                     self._has_armed = self._has_armed and reason is None

@@ -1,4 +1,4 @@
-"""Find and stop served boards on a network."""
+"""Scan for served boards on a network, and stop them."""
 
 import json
 from collections.abc import Iterable
@@ -13,17 +13,17 @@ from trex_gui.devices.trex.serve.sessions import NEEDS_EXTRA
 
 _SCOUTING_S = 0.7
 _REPLY_TIMEOUT_S = 2.0
-_REUSE_TIMEOUT_S = 1.0  # timeout on an open connection, which may be dead
+_REUSE_TIMEOUT_S = 1.0  # timeout on a connection that was opened earlier and may be dead
 _STOP_TIMEOUT_S = 10.0  # a stop may take this long on a line that corrupts bytes
 _CONNECTION_LIMIT = 100  # maximum number of simultaneous connections
 ALL = "all"
 
 
 class Robots:
-    """Served boards. Connections to their hosts stay open until `close`."""
+    """Client of all served boards. Connections to the hosts stay open until `close`."""
 
     def __init__(self) -> None:
-        self._newest: dict[Address, Any] = {}  # newest connection by host, user and port
+        self._newest: dict[Address, Any] = {}  # address without a name → newest connection
         self._opened: list[Any] = []
 
     def __enter__(self) -> Self:
@@ -41,7 +41,7 @@ class Robots:
         """Return the info and `url` of each served board, sorted by name.
 
         Raises:
-            StudioError: no host can be queried at all.
+            StudioError: a host or the file of secrets is invalid, or a scan needs more packages.
         """
         addresses = _addresses(hosts)
         with ThreadPoolExecutor(_CONNECTION_LIMIT) as pool:
@@ -51,8 +51,8 @@ class Robots:
     def stop(self, names: Iterable[str]) -> dict[str, str]:
         """Stop served boards simultaneously.
 
-        `names` are board names, URLs or `ALL`. Return an error for each URL, or an empty text for a
-        confirmed stop. The error for a board that was not found is under its name.
+        `names` are board names, URLs or `ALL`. Return URL → error, where an empty text is a
+        confirmed stop. A name without a board is a key of the result instead of a URL.
         """
         addresses, missing = [], set[str]()
         for name in names:
@@ -89,7 +89,7 @@ class Robots:
         return str(json.loads(replies[0])["error"]) if replies else tr("It did not answer.")
 
     def _get(self, address: Address, *parts: str, seconds: float) -> list[bytes]:
-        """Return the replies of a host. Reconnect if an open connection has no reply."""
+        """Return the replies of a host. Reconnect if the open connection brings no reply."""
         host, network = replace(address, name=""), _network()
         if connection := self._newest.get(host):
             replies: list[bytes] = network.get(connection, *parts, seconds=_REUSE_TIMEOUT_S)

@@ -1,4 +1,4 @@
-"""Network server of a board. The network runs in threads of the engine."""
+"""Network server of a board. The Zenoh engine handles the network in its own threads."""
 
 import json
 import logging
@@ -40,9 +40,9 @@ log = logging.getLogger(__name__)
 
 _RETRY_S = 1.0  # seconds between two attempts to open the line
 _OUTBOX_TIMEOUT = 0.5  # seconds to send the last messages to a client
-_CLIENT_LIMIT = 16  # clients for each user, including recently lost clients
-_EVENT_LIMIT = 1000  # events in a batch
-_MESSAGE_LIMIT = 300  # queued messages for each client, which span about five seconds
+_CLIENT_LIMIT = 16  # maximum number of clients of a user, including recently lost clients
+_EVENT_LIMIT = 1000  # maximum number of events in a batch
+_MESSAGE_LIMIT = 300  # maximum number of messages in a queue, which span about five seconds
 
 
 class _Outbox:
@@ -51,7 +51,7 @@ class _Outbox:
     def __init__(self, session: zenoh.Session, name: str, on_full: Callable[[], None]) -> None:
         self._messages = queue.Queue[bytes | None](_MESSAGE_LIMIT)
         self._on_full = on_full
-        self._is_over = False  # True if the client does not receive its messages
+        self._is_full = False  # True once the queue was full, because the client is too slow
         self._publisher = declare_publisher(session, name)
         self._thread = threading.Thread(target=self._run, daemon=True)
         self._thread.start()
@@ -64,12 +64,12 @@ class _Outbox:
         try:
             self._messages.put_nowait(message)
         except queue.Full:
-            if not self._is_over:
-                self._is_over = True
+            if not self._is_full:
+                self._is_full = True
                 self._on_full()
 
     def _run(self) -> None:
-        while (message := self._messages.get()) is not None and not self._is_over:
+        while (message := self._messages.get()) is not None and not self._is_full:
             try:
                 self._publisher.put(message)
             except Exception:  # the client was lost
@@ -86,7 +86,7 @@ class ServedBoard:
         listen: endpoints of the engine, such as `tcp/0.0.0.0:7477`.
         users: users who may connect. If empty, every program that reaches the endpoint is an owner.
         computer: provides ports, threads and clock.
-        say: receives messages for the operator of the server.
+        notify: receives messages for the operator of the server.
         tls: certificate and key files.
     """
 
@@ -98,11 +98,11 @@ class ServedBoard:
         listen: Sequence[str],
         users: Sequence[User],
         computer: Host,
-        say: Callable[[str], None],
+        notify: Callable[[str], None],
         tls: tuple[Path, Path] | None = None,
     ) -> None:
         self._settings, self.name = settings, name
-        self._computer, self._say = computer, say
+        self._computer, self._notify = computer, notify
         self._roles = {user.name: user.role for user in users} or {LOCAL_USER: Role.OWN}
         self._inbox = RequestQueue(computer.condition())
         self.server = BoardServer(name, self._put, self._send, computer.clock)
@@ -120,8 +120,8 @@ class ServedBoard:
         self._table: MeasurementTable | None = None
         self._is_subscribed = False  # True if a program subscribes to the measurements
         listener = self._measurements.declare_matching_listener(self._on_matching)
-        # Each user has an expression, because the engine announces only allowed expressions to
-        # clients.
+        # Each user has separate expressions, because the engine announces to a client only the
+        # expressions that its user may access.
         self._references: list[object] = [
             listener,
             self._network.declare_queryable(key(name, "info"), self._on_query),
@@ -136,9 +136,9 @@ class ServedBoard:
             ]
 
     def run(self, is_ended: Callable[[], object]) -> Closed:
-        """Serve until `is_ended`, then stop the motors and close the line.
+        """Serve until `is_ended` returns true, then stop the motors and close the line.
 
-        A lost line is reopened. Return the last report of the session.
+        The server reopens a lost line. Return the last report of the session.
         """
         last_error = ""
         while not is_ended():
@@ -160,7 +160,7 @@ class ServedBoard:
             self.server.end(last.error, may_move=last.may_move)
             error = "" if last.error is None else str(last.error)
             if error and error != last_error:
-                self._say(error)
+                self._notify(error)
             last_error = error
             self._wait(is_ended)
         for outbox in list(self._outboxes.values()):
@@ -187,7 +187,7 @@ class ServedBoard:
         self._inbox.put(request)
 
     def _report(self, report: Report) -> None:
-        """Handle a report of the session. Called in the session's thread."""
+        """Handle a report of the session, in the thread of the session."""
         if isinstance(report, OfBoard):
             if report.number not in self._others:
                 self._others[report.number] = BoardMirror(Keeper(log.info, log.warning).memory)
@@ -226,7 +226,7 @@ class ServedBoard:
     # --- The network, in threads of the engine ------------------------------------------
 
     def _party(self, expression: object) -> Party | None:
-        """Return the client of a key `…/USER/CLIENT`. `None` for an unknown user."""
+        """Return the client of a key `…/USER/CLIENT`, or `None` for an unknown user."""
         user, client = str(expression).split("/")[-2:]
         role = self._roles.get(user)
         return None if role is None else Party(client, user, role)
@@ -245,7 +245,7 @@ class ServedBoard:
             self._remove(party)
             return
         clients = {client for client in self._present if client.user == party.user}
-        if len(clients) >= _CLIENT_LIMIT:  # the engine may not have reported lost clients yet
+        if len(clients) >= _CLIENT_LIMIT:  # some may be lost, but not yet reported as lost
             lost = clients - self.server.parties
             for client in lost:
                 self._remove(client)
@@ -284,7 +284,7 @@ class ServedBoard:
         def reply_later(outcome: Outcome) -> None:  # the session must not wait for a client
             threading.Thread(target=reply, args=(outcome,), daemon=True).start()
 
-        if self.server.floods(str(query.key_expr).rpartition("/")[2]):
+        if self.server.exceeds_limit(str(query.key_expr).rpartition("/")[2]):
             return
         if self._is_open:
             self.server.stop(reply_later)
@@ -296,7 +296,7 @@ class ServedBoard:
         self._is_subscribed = status.matching
 
     def info(self) -> dict[str, Any]:
-        """Return the board's entry in the output of `trexcmd robots --json`."""
+        """Return the entry of the board in the output of `trexcmd robots --json`."""
         board, lease = self._board, self.server.lease
         state = board.state
         boards = [board, *self._others.values()]

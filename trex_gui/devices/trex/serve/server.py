@@ -1,4 +1,4 @@
-"""Server of a line, without the network.
+"""Server of a line for several clients, without the network.
 
 Methods may be called from any thread. A stop never waits for a client.
 """
@@ -26,7 +26,7 @@ from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError, TrexRequ
 from trex_gui.devices.trex.protocol.framing import Framing
 from trex_gui.devices.trex.protocol.raw_packets import packets_of
 from trex_gui.devices.trex.serve.codec import (
-    LARGEST_REQUEST,
+    MAX_REQUEST_SIZE,
     VERSION,
     Alive,
     Hello,
@@ -39,7 +39,7 @@ from trex_gui.devices.trex.serve.codec import (
     decode_request,
     encode_report,
     inner_request,
-    with_head,
+    with_header,
 )
 from trex_gui.devices.trex.serve.lease import LEASE_TIMEOUT, Lease, Party, Role
 from trex_gui.devices.trex.session.messages import (
@@ -67,19 +67,19 @@ from trex_gui.devices.trex.session.messages import (
 
 log = logging.getLogger(__name__)
 
-_WAITING_LIMIT = 32  # client requests that one stop confirms
-MOST_REQUESTS = 600  # requests per second for each user; a driving window sends about 120
-MOST_JOBS = 8  # queued requests for each client
-_PACKET_LIMIT = 16  # bytes; a longer packet would delay a stop too long
-_ATTEMPT_LIMIT = 3  # attempts of a `ProbeNumber`
-_CLIENT_TIMEOUT = 5.0  # seconds without a message from a client
-_TICK_INTERVAL = 0.1  # seconds between two messages to a client
-_IDLE_INTERVAL = 0.25  # seconds between two steps without clients; half of the lease timeout
+_WAITING_LIMIT = 32  # maximum number of client requests that one stop confirms
+MAX_REQUESTS = 600  # requests per second of a user; a window that drives sends about 120
+MAX_JOBS = 8  # queued jobs of a client
+_PACKET_LIMIT = 16  # bytes; a longer packet would delay a stop for too long
+_ATTEMPT_LIMIT = 3  # maximum number of attempts in a `ProbeNumber`
+_CLIENT_TIMEOUT = 5.0  # seconds without a message until a client is removed
+_TICK_INTERVAL = 0.1  # maximum seconds between two messages to a client
+_IDLE_INTERVAL = 0.25  # seconds between steps without clients; half of the lease timeout
 _NO_OUTCOME = 0  # id of a request without an outcome
 
-_EXPIRING = SetpointRequest | Arm  # requests that are ignored after the lease timeout
+_EXPIRING = SetpointRequest | Arm  # ignored if older than the lease timeout
 
-_WATCHES = SetWatched(True)  # default of a client that has not sent `SetWatched`
+_DEFAULT_WATCHED = SetWatched(True)  # until a client sends a `SetWatched`
 
 
 @dataclass(slots=True, eq=False)
@@ -88,12 +88,12 @@ class _Client:
     counter: float  # counter of the last request
     stopped: float  # counter of the last stop, which may overtake requests
     heard_at: float
-    echo: float = 0.0  # client's clock minus server's clock, at the last request
+    echo: float = 0.0  # client's clock minus server's clock at the last request
     sent: int = 0
     sent_at: float = 0.0
-    watched: SetWatched = _WATCHES
-    jobs: deque[Job | ToBoard] = field(default_factory=deque)  # jobs that follow the job in flight
-    in_flight: int = 0  # id of the job in the session, or 0
+    watched: SetWatched = _DEFAULT_WATCHED
+    jobs: deque[Job | ToBoard] = field(default_factory=deque)  # jobs after the job in flight
+    in_flight: int = 0  # request id of the client's job in the session, or 0
 
 
 class BoardServer:
@@ -102,7 +102,7 @@ class BoardServer:
     Args:
         name: name of the served board.
         request: receives the requests to the session.
-        send: receives a client and a message for the client. It must not block.
+        send: receives a client and a message to the client. It must not block.
         clock: clock of the session, in seconds.
     """
 
@@ -121,11 +121,11 @@ class BoardServer:
         self._lock = threading.RLock()
         self._clients: dict[Party, _Client] = {}
         self._ids = count(1)
-        # Request id → clients that wait for the outcome, with their own request ids
+        # Request id → waiting clients, each with the id of its own request
         self._outcomes: dict[int, list[tuple[Party, int]]] = {}
         self._pending_stop = 0  # id of the last stop; 0 after a request that may move a motor
-        self._seconds: dict[str, tuple[int, int]] = {}  # user → second, requests in it
-        # Board (`None` for the first) → type → report for a new client
+        self._rates: dict[str, tuple[int, int]] = {}  # user → (second, requests in this second)
+        # Board (`None` for the first) → type of report → newest report, for new clients
         self._newest: dict[int | None, dict[type, BoardReport]] = {None: {}}
         self._watched_stops: dict[int, Callable[[Outcome], None]] = {}  # stop id → callback
         self._lease_stop = 0  # id of the stop at the end of a lease
@@ -152,10 +152,11 @@ class BoardServer:
     # --- Clients ------------------------------------------------------------------------
 
     def handle(self, party: Party, data: bytes) -> None:
-        if len(data) > LARGEST_REQUEST:
+        """Handle a message of a client. Refused messages are only counted."""
+        if len(data) > MAX_REQUEST_SIZE:
             self._refuse("too large")
             return
-        if self.floods(party.user):
+        if self.exceeds_limit(party.user):
             self._refuse("too many")
             return
         try:
@@ -212,13 +213,14 @@ class BoardServer:
     def users(self) -> tuple[str, ...]:
         return tuple(client.party.user for client in self._all)
 
-    def floods(self, user: str) -> bool:
+    def exceeds_limit(self, user: str) -> bool:
+        """Count a request of the user. Return whether the user has exceeded `MAX_REQUESTS`."""
         with self._lock:
             now = int(self._clock())
-            second, count = self._seconds.get(user, (now, 0))
+            second, count = self._rates.get(user, (now, 0))
             count = count + 1 if second == now else 1
-            self._seconds[user] = now, count
-            return count > MOST_REQUESTS
+            self._rates[user] = now, count
+            return count > MAX_REQUESTS
 
     def _refuse(self, reason: str) -> None:
         with self._lock:
@@ -228,7 +230,7 @@ class BoardServer:
         client = _Client(party, counter, counter, now, sent - now)
         if hello.version != VERSION:
             self._refuse("another version")
-            text = f"{self.name} speaks version {VERSION} of the messages, not {hello.version}."
+            text = f"{self.name} needs version {VERSION} of the messages, not {hello.version}."
             self._post(client, encode_report(Refused(text)), now)
             return
         previous = self._clients.get(party)
@@ -285,12 +287,12 @@ class BoardServer:
         self, client: _Client, request: Request, age: float, number: int | None = None
     ) -> None:
         if isinstance(request, ToBoard):
-            if request.number in self._newest or request.number == self._first:
+            if request.number in self._newest or request.number == self._first_number:
                 self._serve_board(client, request.request, age, request.number)
             else:
                 self._reject(client, request.request)
             return
-        if isinstance(request, SendPacket):  # parse it with the polynomial of the line
+        if isinstance(request, SendPacket):  # parse again with the polynomial of the line
             parsed = packets_of(request.packet.packet.raw, self.polynomial)
             request = SendPacket(request.id, parsed[0] if len(parsed) == 1 else request.packet)
         if not self._may_send(client, request):
@@ -303,10 +305,10 @@ class BoardServer:
         elif isinstance(request, SetpointRequest) and not _is_possible(request):
             self._refuse("impossible setpoint")
         elif isinstance(request, Heartbeat):
-            self._request(Heartbeat())  # a new heartbeat has the time of this computer
+            self._request(Heartbeat())  # a new one has the time of this computer
         elif number is not None and isinstance(request, SetpointRequest):
             self._pending_stop = 0
-            self._record_speeds(None if number == self._first else number, request)
+            self._record_speeds(None if number == self._first_number else number, request)
             self._request(ToBoard(number, request))
         else:
             self._forward(client, request)
@@ -320,7 +322,7 @@ class BoardServer:
                 speeds[setpoint.motor] = setpoint.drive.signed
 
     @property
-    def _first(self) -> int | None:
+    def _first_number(self) -> int | None:
         connected = self._newest[None].get(Connected)
         group = connected.settings.group if isinstance(connected, Connected) else ()
         return group[0] if group else None
@@ -330,13 +332,13 @@ class BoardServer:
             return True
         if isinstance(request, SendPacket):
             raw = request.packet.packet.raw
-            if len(raw) > _PACKET_LIMIT or len(client.jobs) >= MOST_JOBS:
+            if len(raw) > _PACKET_LIMIT or len(client.jobs) >= MAX_JOBS:
                 return False
             if request.packet.is_query:
                 return True
         if isinstance(request, ProbeNumber) and not 0 < request.attempts <= _ATTEMPT_LIMIT:
             return False
-        return self.lease.holder == client.party and len(client.jobs) < MOST_JOBS
+        return self.lease.holder == client.party and len(client.jobs) < MAX_JOBS
 
     def _request_next_job(self, client: _Client) -> None:
         if client.jobs and not client.in_flight:
@@ -380,7 +382,7 @@ class BoardServer:
         self._request(Stop(self._lease_stop))
 
     def _forward(self, client: _Client, request: Request) -> None:
-        """Forward a stop or a motor command. A pending stop also serves later stop requests."""
+        """Forward a stop or a motor command. Later stop requests join a pending stop."""
         if not isinstance(request, Stop):
             self._pending_stop = 0
             if isinstance(request, SetpointRequest):
@@ -471,9 +473,9 @@ class BoardServer:
                 self.report(_of_board(board, setpoints))
 
     def _report_outcome(self, outcome: Outcome, now: float, board: int | None = None) -> None:
-        """Send an outcome to the waiting clients, then request the client's next job.
+        """Send an outcome to the waiting clients. `board` is `None` for the first board.
 
-        `board` is `None` for the first board.
+        Then request the next job of the client whose job has ended.
         """
         waiting = self._outcomes.pop(outcome.id, [])
         if isinstance(outcome.value, Written):
@@ -498,6 +500,7 @@ class BoardServer:
         self._post_all(_of_board(board, reloaded), others)
 
     def end(self, error: StudioError | None, *, may_move: bool) -> None:
+        """Report the end of the session, and remove all clients."""
         with self._lock:
             self.report(Closed(error or TrexError(ErrorCode.CLOSED), may_move))
             self._clients.clear()
@@ -530,13 +533,13 @@ class BoardServer:
         return list(self._clients.values())
 
     def _post_all(self, report: Report, clients: Iterable[_Client]) -> None:
-        form, now = encode_report(report), self._clock()
+        body, now = encode_report(report), self._clock()
         for client in clients:
-            self._post(client, form, now)
+            self._post(client, body, now)
 
-    def _post(self, client: _Client, form: object, now: float) -> None:
+    def _post(self, client: _Client, body: object, now: float) -> None:
         client.sent, client.sent_at = client.sent + 1, now
-        self._send(client.party, with_head(form, client.sent, now, client.echo + now))
+        self._send(client.party, with_header(body, client.sent, now, client.echo + now))
 
 
 def _of_board(board: int | None, report: BoardReport) -> Report:

@@ -1,4 +1,4 @@
-"""Session of a local or served board."""
+"""Creation of sessions for local and served boards."""
 
 from collections.abc import Callable
 from typing import Protocol
@@ -34,7 +34,7 @@ def session_at(
     *,
     may_move: bool = False,
 ) -> BoardSession:
-    """Return the local or remote session for `settings`. `TrexSession` explains the arguments."""
+    """Create a local or remote session for `settings`. `TrexSession` explains the arguments."""
     if not is_served(settings.url):
         return TrexSession(settings, inbox, emit, open_transport, may_move=may_move)
     try:
