@@ -22,12 +22,12 @@ from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.protocol.commands import Command, ReplyT_co, SetCalibration, SetParameter
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
-from trex_gui.devices.trex.simulator.memory import CALIBRATION_WRITE, PARAMETER_WRITE
+from trex_gui.devices.trex.simulator.memory import CALIBRATION_WRITE_S, PARAMETER_WRITE_S
 
 _ROUNDS = 25
 _IN_EEPROM: dict[type[object], float] = {
-    SetParameter: PARAMETER_WRITE,
-    SetCalibration: CALIBRATION_WRITE,
+    SetParameter: PARAMETER_WRITE_S,
+    SetCalibration: CALIBRATION_WRITE_S,
 }
 _MOST = {19200: 1.10, 115200: None}
 """Greatest ratio to the time on the wire. At 115200 baud a byte takes less time than two processes

@@ -24,7 +24,7 @@ from trex_gui.devices.trex.protocol.framing import Packet, PacketParser
 from trex_gui.devices.trex.protocol.parameters import Grade, ParameterSpec, parameters_of
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import SimulatedBoards
-from trex_gui.devices.trex.simulator.memory import PARAMETER_WRITE, Eeprom, Memory, _Step
+from trex_gui.devices.trex.simulator.memory import PARAMETER_WRITE_S, Eeprom, Memory, _Step
 
 take_survey = load_script("take_survey")
 
@@ -75,7 +75,7 @@ class HiddenMemory(Memory):
         if not low <= value <= high:
             return ResultCode.BAD_VALUE
         store = partial(setitem, self.cells, number, value)
-        self._steps.append(_Step(PARAMETER_WRITE, store, lambda: None))
+        self._steps.append(_Step(PARAMETER_WRITE_S, store, lambda: None))
         return ResultCode.OK
 
 

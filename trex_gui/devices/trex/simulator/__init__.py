@@ -1,5 +1,5 @@
 """Simulated TReX or TReX Jr.
 
-The tables of parameters and calibrations are shared with the protocol package. The packet parser
-and the checksum are separate implementations, so that both ends cannot contain the same mistake.
+The simulator shares the tables of parameters and calibrations with the protocol package. It has its
+own packet parser and checksum, so that both ends cannot contain the same mistake.
 """

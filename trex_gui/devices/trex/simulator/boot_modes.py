@@ -13,12 +13,13 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource, Mode
 from trex_gui.devices.trex.simulator.channels import Channels
 from trex_gui.devices.trex.simulator.memory import Memory
 
-_NEUTRALS = 2.0  # seconds for measuring neutrals
-_SETTLING = 0.1  # seconds until each channel has a pulse, inferred
-_EXTREMES = 10.0  # seconds for measuring extremes
-_HELD = 50  # updates (0.5 s) for which an extreme must be held
-_FLASH = 0.4  # seconds for showing each channel's result, inferred
-_STEADY = {InputSource.RC: 100, InputSource.ANALOG: 40}  # maximum range in counts, inferred
+_NEUTRALS_S = 2.0  # seconds for measuring the neutral positions
+_SETTLING_S = 0.1  # seconds until each channel has a pulse, inferred
+_EXTREMES_S = 10.0  # seconds for measuring the extremes
+_HOLD_UPDATES = 50  # updates (0.5 s) for which an extreme must be held
+_FLASH_S = 0.4  # seconds for which the LEDs show each channel's result, inferred
+# Maximum range of a steady channel in counts, inferred
+_STEADY_RANGE = {InputSource.RC: 100, InputSource.ANALOG: 40}
 
 
 class BootHost(Protocol):
@@ -32,7 +33,7 @@ class BootHost(Protocol):
 class BootLoader:
     """Boot loader. It restores the default serial settings, then waits for firmware.
 
-    `leds` contains the patterns of the red and the green LED. `update` runs 100 times a second.
+    `leds` contains the patterns of the red and green LEDs. `update` is called 100 times a second.
     """
 
     is_over = False
@@ -64,8 +65,8 @@ class BootLoader:
     def reply(self, byte: int) -> bytes:
         """Reply to a byte that is not firmware (forum thread 5011).
 
-        The reply is the byte and a question mark. Inferred: it is sent at the active baud rate, and
-        no byte is firmware.
+        The reply is the byte and a question mark. Inferred: the reply is sent at the active baud
+        rate, and the boot loader accepts no byte as firmware.
         """
         return bytes([byte]) + b"?" if self._ready else b""
 
@@ -88,11 +89,11 @@ _LEDS = {
 
 
 class LearningMode:
-    """Learning mode. It measures neutral and extremes of each channel.
+    """Learning mode. It measures the neutral position and the extremes of each channel.
 
-    After `is_over`, normal operation starts without a power cycle. Inferred: the limit for a steady
-    channel, and the deadband (the default or the noise, whichever is larger). Also inferred: a
-    channel that fails retains its values.
+    When `is_over` is true, normal operation starts without a power cycle. Inferred: the maximum
+    range of a steady channel, and the deadband (the larger of the default and the noise). Also
+    inferred: a channel that fails retains its calibration.
     """
 
     def __init__(self, board: BootHost) -> None:
@@ -111,8 +112,8 @@ class LearningMode:
     def leds(self) -> tuple[str, str]:
         if self._step in _LEDS:
             return _LEDS[self._step]
-        channel = 1 + int(self._time / _FLASH) % len(CHANNELS)
-        if self._time % _FLASH > _FLASH / 2:
+        channel = 1 + int(self._time / _FLASH_S) % len(CHANNELS)
+        if self._time % _FLASH_S > _FLASH_S / 2:
             return "off", "off"
         return ("off", "on") if channel in self._learned else ("on", "off")
 
@@ -125,16 +126,16 @@ class LearningMode:
             case _Step.WAITING:
                 self._wait(raw)
             case _Step.NEUTRALS:
-                if self._time > _SETTLING:
+                if self._time > _SETTLING_S:
                     self._measure(raw)
-                if self._time >= _NEUTRALS:
+                if self._time >= _NEUTRALS_S:
                     self._learn_neutrals()
             case _Step.NEUTRALS_SHOWN:
-                if self._time >= _FLASH * len(CHANNELS):
+                if self._time >= _FLASH_S * len(CHANNELS):
                     self._start(_Step.EXTREMES if self._learned else _Step.DONE)
             case _Step.EXTREMES:
                 self._measure(raw)
-                if self._time >= _EXTREMES:
+                if self._time >= _EXTREMES_S:
                     self._learn_extremes()
 
     def reply(self, byte: int) -> bytes:  # noqa: ARG002 - inferred: no reply
@@ -155,7 +156,7 @@ class LearningMode:
             self._measurements[channel].update(value)
 
     def _learn_neutrals(self) -> None:
-        limit = _STEADY[self._board.mode.source]
+        limit = _STEADY_RANGE[self._board.mode.source]
         self._learned = {
             channel
             for channel, measurement in self._measurements.items()
@@ -181,9 +182,9 @@ class _Measurement:
         self._is_bad = False
         self._neutral = 0
         self._noise = 0
-        self._recent: deque[int] = deque(maxlen=_HELD)
-        self._lows: list[int] = []  # maximum of the recent values at each update
-        self._highs: list[int] = []  # minimum of the recent values at each update
+        self._recent: deque[int] = deque(maxlen=_HOLD_UPDATES)
+        self._lows: list[int] = []  # maximum of the recent values, at each update
+        self._highs: list[int] = []  # minimum of the recent values, at each update
 
     def update(self, value: int | None) -> None:
         if value is None:
@@ -191,7 +192,7 @@ class _Measurement:
             return
         self._values.append(value)
         self._recent.append(value)
-        if len(self._recent) == _HELD:
+        if len(self._recent) == _HOLD_UPDATES:
             self._lows.append(max(self._recent))
             self._highs.append(min(self._recent))
 

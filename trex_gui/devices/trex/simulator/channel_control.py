@@ -25,7 +25,7 @@ class ChannelSetup:
     parabolic: int = 0
 
     def remapped(self, raw: Sequence[int | None]) -> tuple[int, ...]:
-        """Return the outputs before mixing and flip, -127 to 127."""
+        """Return the output of each channel before mixing and flip, -127 to 127."""
         return tuple(
             remap(
                 raw[index],
@@ -38,11 +38,12 @@ class ChannelSetup:
         )
 
     def is_switched(self, channel: int, raw: int | None) -> bool:
-        """True if a switch channel (4 flip, 5 override) is active.
+        """True if a switch channel (4: flip, 5: override) is active.
 
         A switch is active below a threshold (sourced, User's Guide 4.a). Inferred: the threshold is
-        halfway from neutral to minimum, or to maximum if the channel is reversed. A switch is
-        inactive if its channel has no signal or is ignored.
+        halfway between neutral and minimum, and a reversed channel is active above a threshold
+        halfway between neutral and maximum. A switch is inactive if its channel has no signal or is
+        ignored.
         """
         index = channel - 1
         if raw is None or _has(self.ignored, index):
@@ -56,9 +57,9 @@ class ChannelSetup:
 def motor_values(remapped: Sequence[int], *, mix: bool, flip: bool, joint: bool) -> tuple[int, int]:
     """Return the values of motors 1 and 2, -127 to 127.
 
-    Mixing: channel 2 drives forward, channel 1 turns (User's Guide 4.a). The sums and their
-    clipping are inferred. Flip swaps motors and directions (User's Guide 4.a). Joint mode has no
-    mixing (TReX Jr manual page 6). Inferred: in joint mode, flip reverses motor 1.
+    With mixing, channel 2 drives forward and channel 1 turns (User's Guide 4.a). The sums and their
+    clipping are inferred. Flip swaps the motors and their directions (User's Guide 4.a). Joint mode
+    has no mixing (TReX Jr manual page 6). Inferred: in joint mode, flip reverses motor 1.
     """
     turn, forward = remapped[0], remapped[1]
     if joint:
@@ -77,13 +78,15 @@ def _clip(value: int) -> int:
     return max(-FULL_SCALE, min(FULL_SCALE, value))
 
 
-_SIGNAL_REQUIRED_WITHIN = 0.5  # seconds; User's Guide 4.c
-_NEARLY_NEUTRAL = 8  # largest output that ends safe-start, inferred
+_SIGNAL_TIMEOUT = 0.5  # seconds without a required signal until safe-start; User's Guide 4.c
+_NEARLY_NEUTRAL = 8  # maximum stick output at which safe-start ends, inferred
 
 
 class ChannelControl:
+    """Control of the motors by the channels, with serial override and safe-start."""
+
     def __init__(self, channels: Channels, memory: Memory, mode: Mode) -> None:
-        self.safe_start = not mode.is_serial  # True until signals are valid and sticks centred
+        self.safe_start = not mode.is_serial  # True until signals are valid and sticks are centred
         self.override = False  # True if channel 5 selects serial control
         self._channels = channels
         self._memory = memory
@@ -114,16 +117,16 @@ class ChannelControl:
             return False  # inferred: unmeasured channels neither override nor end safe-start
         self.override = self.setup.is_switched(5, self._channels.raw[4])
         if self._mode is Mode.RC and any(
-            self._channels.silence(channel) >= _SIGNAL_REQUIRED_WITHIN for channel in self._required
+            self._channels.silence(channel) >= _SIGNAL_TIMEOUT for channel in self._required
         ):
             self.safe_start = True
         elif self.safe_start:
-            self.safe_start = not self._may_leave_safe_start()
+            self.safe_start = not self._may_end_safe_start()
         # Inferred: safe-start has priority over serial override.
         return self.override and not self.safe_start
 
     def drive(self, motors: Sequence[Motor], aux: AuxiliaryMotor, *, mix: bool) -> None:
-        """Drive the motors with the sticks. Inferred: sticks accelerate the motors."""
+        """Drive the motors with the sticks. Inferred: the acceleration parameters apply."""
         remapped = self.remapped(mix=mix)
         for number, motor in enumerate(motors[: 1 if self._memory.is_joint else 2], 1):
             value = remapped[number - 1]
@@ -139,7 +142,7 @@ class ChannelControl:
     def _required(self) -> tuple[int, ...]:
         return channels_in(self._memory.active[ParameterKey.REQUIRED_CHANNELS])
 
-    def _may_leave_safe_start(self) -> bool:
+    def _may_end_safe_start(self) -> bool:
         raw = self._channels.raw
         if self._mode is Mode.RC and any(raw[channel - 1] is None for channel in self._required):
             return False

@@ -49,7 +49,7 @@ class Signal:
     def parse(cls, text: str, source: InputSource) -> "Signal":
         """Parse `1500us`, `2.5V`, raw counts, `invalid`, `silent` or `rest`.
 
-        `noise 2us` and `lost 0.1` may follow a value. ValueError for any other text.
+        `noise 2us` and `lost 0.1` may follow a value. Raise ValueError for any other text.
         """
         word = text.strip().lower()
         if word in _WITHOUT_VALUE:
@@ -57,8 +57,8 @@ class Signal:
         match = _SIGNAL.fullmatch(word)
         if not match:
             raise ValueError(
-                f"{text!r} is not counts, 1500us, 2.5V, invalid, silent or rest "
-                "(a value may be followed by noise 2us, lost 0.1)"
+                f"a signal is counts, 1500us, 2.5V, invalid, silent or rest, not {text!r} "
+                "(noise 2us and lost 0.1 may follow a value)"
             )
         signal = cls._of(float(match[1]), match[2], source)
         spread = float(match[3] or 0)
@@ -67,9 +67,9 @@ class Signal:
             return signal
         noise = cls._of(spread, match[4] or match[2], source)
         if noise.kind is not signal.kind:
-            raise ValueError("value and noise have different units")
+            raise ValueError("the value and the noise have different units")
         if not 0 <= lost <= 1:
-            raise ValueError(f"a share of lost pulses is 0 to 1, not {lost:g}")
+            raise ValueError(f"the fraction of lost pulses is 0 to 1, not {lost:g}")
         return replace(signal, noise=noise.value, lost=lost)
 
     @classmethod
@@ -82,16 +82,16 @@ class Signal:
 
     @classmethod
     def pulses(cls, microseconds: float) -> "Signal":
-        """Return a signal of 50 servo pulses a second. The board may reject the width."""
+        """Return a signal of 50 servo pulses a second. The board may reject their width."""
         if not 0 <= microseconds < _RECEIVER_PERIOD:
             raise ValueError(f"a pulse is 0 to {_RECEIVER_PERIOD:.0f} us wide")
         return cls(SignalKind.PULSES, microseconds)
 
     @classmethod
     def voltage(cls, volts: float) -> "Signal":
-        """Return a steady voltage. ValueError outside 0-5 V."""
+        """Return a steady voltage. Raise ValueError if it is not 0-5 V."""
         if not 0 <= volts <= SUPPLY:
-            raise ValueError(f"an input carries 0 to {SUPPLY:g} V")
+            raise ValueError(f"the voltage of an input is 0 to {SUPPLY:g} V")
         return cls(SignalKind.VOLTAGE, volts)
 
     @property
@@ -110,7 +110,7 @@ class Signal:
         return not self.lost or random.random() >= self.lost
 
     def pulse(self, random: Random) -> int | None:
-        """Measure a pulse in raw counts. `None` for an invalid width."""
+        """Measure a pulse. Return raw counts, or `None` for an invalid width."""
         if self.kind is SignalKind.REST:
             return InputSource.RC.counts(1500)
         width = random.gauss(self.value, self.noise) if self.noise else self.value
@@ -121,7 +121,7 @@ class Signal:
     def conversion(self, random: Random) -> int:
         """Convert the voltage to raw counts.
 
-        Inferred: pulses are converted to their mean voltage, and an open input to 0 V.
+        Inferred: the converter measures the mean voltage of pulses, and 0 V at an open input.
         """
         volts = 0.0
         if self.kind is SignalKind.VOLTAGE:
@@ -133,19 +133,19 @@ class Signal:
         return InputSource.ANALOG.counts(max(0.0, min(SUPPLY, volts)))
 
 
-# Seconds without a pulse until the value is 0xFFFF. The command documentation says 100 ms. The
+# Seconds without a pulse until the board replies 0xFFFF. The command documentation says 100 ms. The
 # User's Guide says about 150 ms.
 SIGNAL_LOST_AFTER = 0.1
 
 TICK = 0.0025  # length of a simulation step, in seconds
 _PERIOD_TICKS = 8  # ticks between two measurements of an RC or analog input: 50 Hz
 
-# An analog value is the mean of 16 conversions. Inferred: they are spread over the period.
+# An analog value is the mean of 16 conversions. Inferred: these are spread over the period.
 _SAMPLES_PER_TICK = 2
 
 
 class Channels:
-    """The five inputs. They are measured in turn, each 50 times a second."""
+    """Five inputs. The board measures them in turn, each 50 times a second."""
 
     def __init__(self, source: InputSource, seed: int = 0) -> None:
         self._random = Random(seed)  # noqa: S311 - noise, not secrets
@@ -196,7 +196,7 @@ class Channels:
 
     @property
     def raw(self) -> tuple[int | None, ...]:
-        """Raw counts of channels 1-5. `None` if the board replies 0xFFFF."""
+        """Raw counts of channels 1-5. A count is `None` if the board replies 0xFFFF."""
         if self.source is InputSource.ANALOG:
             return tuple(self._raw.values())
         oldest = self._ticks - SIGNAL_LOST_AFTER / TICK

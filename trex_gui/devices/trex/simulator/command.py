@@ -1,4 +1,4 @@
-"""Options of `trex-sim` for TReX boards, and the demonstration."""
+"""Options of `trex-sim` for TReX boards, and the demonstration mode."""
 
 import math
 import os
@@ -26,9 +26,9 @@ _FIRMWARE = sorted({version for model in device_table().models for version in mo
 
 _PERIOD = 0.02  # seconds between two pulses of a standard receiver
 
-# Channel → period in seconds, and amplitude as a fraction of the stick's travel. The periods have
-# no small common multiple, so that the motion does not repeat. Channel 5 never activates the serial
-# override.
+# Channel → (period in seconds, amplitude as a fraction of the stick's travel). The periods have no
+# small common multiple, so that the motion does not repeat. The amplitude of channel 5 is too small
+# to activate the serial override.
 _SWINGS = {1: (7.0, 0.8), 2: (11.0, 0.7), 3: (17.0, 0.6), 4: (23.0, 0.3), 5: (29.0, 0.2)}
 
 
@@ -71,7 +71,7 @@ def _check_numbers(
     _context: click.Context, _option: click.Parameter, devices: tuple[DeviceOption, ...]
 ) -> tuple[DeviceOption, ...]:
     if len({device.number for device in devices}) < len(devices):
-        raise click.UsageError("each --device needs its own number; control lines use it")
+        raise click.UsageError("each --device needs a different number, which control lines use")
     return devices
 
 
@@ -114,7 +114,7 @@ def _eeprom(
     """Return the EEPROM of a board. A device number in the file overrides the option."""
     if path is not None and count > 1:
         path = path.with_name(f"{path.stem}-{device.number}{path.suffix}")
-    is_new = path is None or not os.path.exists(path)  # noqa: PTH110 - raises nothing
+    is_new = path is None or not os.path.exists(path)  # noqa: PTH110 - never raises
     create = Eeprom if path is None else partial(Eeprom.open, path)
     eeprom = create(model, error_shutdown=error_shutdown)
     stored = eeprom[ParameterKey.DEVICE_NUMBER]
@@ -138,7 +138,7 @@ SIMULATOR = SimulatorPlugin(
     "factory, line, show, quit; a command without its arguments replies with its usage. With "
     'several devices, a control line begins with a device number, as in "@9 power cycle".',
     options=(
-        _choice("--model", _MODELS, "trex", "Kind of board."),
+        _choice("--model", _MODELS, "trex", "Model of the board."),
         _choice("--firmware", _FIRMWARE, "1.2", "Firmware version."),
         _choice("--mode", MODE_JUMPERS, "serial", "Mode jumper."),
         click.Option(["--mix"], is_flag=True, help="Set the mix jumper."),
@@ -157,26 +157,26 @@ SIMULATOR = SimulatorPlugin(
             "--error-shutdown",
             ("on", "off"),
             "on",
-            "Factory default of uart_error_shutdown. No source mentions it.",
+            "Factory default of uart_error_shutdown. No source mentions the default.",
         ),
         _choice(
             "--timeout-needs-shutdown",
             ("on", "off"),
             "off",
             "Let the serial timeout stop motors only while uart_error_shutdown is on. The "
-            "behaviour of a real TReX is not known.",
+            "behaviour of a real TReX is unknown.",
         ),
         _choice(
             "--unknown-parameter",
             ("silent", "byte"),
             "silent",
-            "Reply to a read of an unknown parameter: none (inferred), or FF (twin).",
+            "Reply to a read of an unknown parameter: no byte (inferred) or the byte FF (twin).",
         ),
         _choice(
             "--rejected-write",
             ("quiet", "error"),
             "quiet",
-            "Effect of a rejected write: no error bit (inferred), or a format error (twin).",
+            "Effect of a rejected write: no error bit (inferred) or a format error (twin).",
         ),
         click.Option(
             ["--device", "devices"],

@@ -1,4 +1,4 @@
-"""Control lines of `trex-sim` for TReX boards and their line."""
+"""Control lines of `trex-sim` for TReX boards and their serial line."""
 
 import json
 from dataclasses import asdict
@@ -54,7 +54,7 @@ def _learned_flash(board: Board, since: float) -> tuple[str, str]:
 
 
 def report(board: Board) -> dict[str, Any]:
-    """Return the state for JSON. Currents are in A. An invalid `raw` is `None`."""
+    """Return the state of a board for JSON. Currents are in A. An invalid `raw` is `None`."""
     memory = board.memory
     return {
         "model": board.model.key,
@@ -213,7 +213,7 @@ def _battery(board: Board, voltage: str, resistance: str | None = None) -> str:
         board.machine.resistance = real(resistance, "a resistance in ohm", highest=100)
     board.machine.battery = volts
     if not board.powered:
-        board.machine.volts = volts  # nothing draws a current
+        board.machine.volts = volts  # nothing draws current
     return f"battery {volts:g} V, {board.machine.resistance:g} ohm"
 
 
@@ -227,11 +227,11 @@ def _eeprom(board: Board, key: str, value: str) -> str:
 
 
 def _accept(board: Board, key: str, highest: str, mask: str = "127") -> str:
-    """Accept values beyond an inferred limit. The firmware stores the bits in `mask`."""
+    """Accept values outside an inferred limit. The firmware stores only the bits in `mask`."""
     spec = board.memory.parameters[key]
     limits = int(highest, 0), int(mask, 0)
     if not spec.is_open(limits[0]):
-        raise ValueError(f"{spec.key}: {limits[0]} is not beyond an inferred limit")
+        raise ValueError(f"{spec.key}: {limits[0]} is not outside an inferred limit")
     board.memory.accepted[spec.key] = limits
     return f"{spec.key} is accepted up to {limits[0]} and stored with the mask {limits[1]}"
 
@@ -262,7 +262,7 @@ def _wire(line: SimulatedBoards, *words: str) -> str:
         case ["error", ("framing" | "parity" | "overrun") as name, *rest] if len(rest) < 2:
             count = amount(rest[0], highest=10_000) if rest else 1
             line.faults.errors.extend([ReceiveError(name)] * count)
-            note = ", which a board without parity does not detect" if name == "parity" else ""
+            note = " (undetected by a board without parity)" if name == "parity" else ""
             return f"bytes from the host that will have a {name} error{note}: {count}"
     return wire(line, *words)
 

@@ -1,4 +1,4 @@
-"""Simulated board with modes, safety and motors. It does not handle bytes.
+"""Simulated board with modes, safety functions and motors. `uart` handles its bytes.
 
 Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 4, 5.
 """
@@ -35,7 +35,7 @@ MODE_JUMPERS = ("serial", "rc", "analog")
 
 _UPDATE_TICKS = 4  # ticks between two updates of motors and safety: 100 updates a second
 
-# Ticks between two current readings: 80 or 50 readings a second
+# Ticks between two current readings: 80 (RC) or 50 (analog) readings a second
 _CURRENT_TICKS = {InputSource.RC: 5, InputSource.ANALOG: 8}
 
 _MOTOR_KEYS = {
@@ -82,8 +82,8 @@ class Board:
         self.now = self.powered_at = 0.0  # seconds since the start
         self.powered = False
         self.boots = 0  # number of power-ups
-        # True if the serial timeout stops motors only with UART-Error Shutdown. The command
-        # documentation names no such condition, but the twin, a qik 2s12v10, has it.
+        # True if the serial timeout stops motors only while UART-Error Shutdown is on. The command
+        # documentation mentions no such condition, but it exists on the twin, a qik 2s12v10.
         self.timeout_needs_shutdown = False
         self.unknown_reply = b""  # reply to a read of an unknown parameter
         self.rejection_is_error = False  # True if a rejected write is also a format error
@@ -99,7 +99,7 @@ class Board:
     # Power
 
     def power_on(self) -> None:
-        """Switch on: read jumpers, activate stored parameters, clear latched bits."""
+        """Switch on. Read jumpers, activate stored parameters and clear latched bits."""
         self.is_starved = self.machine.is_browned_out
         if self.powered or self.is_starved:
             return
@@ -151,7 +151,7 @@ class Board:
             in_control=self.powered and self.mode.is_serial,
         )
         self.sticks = ChannelControl(self.channels, self.memory, self.mode)
-        self.receiving = False  # True while a packet is incomplete, which lights an LED
+        self.receiving = False  # True while a packet is incomplete; an LED shows this
 
     @property
     def is_running(self) -> bool:

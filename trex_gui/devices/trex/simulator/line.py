@@ -36,8 +36,8 @@ class BoardStation:
     def _discard_transfer(self) -> None:
         self._is_transmitting = False
         self._is_pausing = False
-        self._input: RateConverter | None = None  # converter from a host at another baud rate
-        self._output: RateConverter | None = None  # converter to a host at another baud rate
+        self._input: RateConverter | None = None  # bytes from a host at another baud rate
+        self._output: RateConverter | None = None  # bytes to a host at another baud rate
 
     def _check_boot(self) -> None:
         if self._boot != self.board.boots:
@@ -49,6 +49,7 @@ class BoardStation:
         return self.board.powered and self.board.boots == boot
 
     def _still_up(self) -> Callable[[], bool]:
+        """Return a condition that is true until the board loses power."""
         return partial(self._is_up, self.board.boots)
 
     @property
@@ -65,7 +66,7 @@ class BoardStation:
         self, byte: int, host: SerialFormat | None, error: ReceiveError | None, begun: float
     ) -> None:
         if error is ReceiveError.PARITY and self.line_format.parity is Parity.NONE:
-            error = None  # not detected without parity
+            error = None  # a board without parity does not detect it
         if host is not None:
             error = self._format_error(host) or error
         self._receive(byte, error, begun)
@@ -202,5 +203,5 @@ class SimulatedBoards(SimulatedLine):
 
     @property
     def is_grounded(self) -> bool:
-        """True if a jumper grounds SO. Inferred: the host receives nothing in this state."""
+        """True if a jumper grounds SO. Inferred: the host then receives nothing."""
         return any(board.so_ground for board in self.boards)

@@ -34,10 +34,10 @@ class EepromError(StudioError):
 
 
 class Eeprom:
-    """EEPROM of one board, in wire values. Each write is also saved to the file, if any.
+    """EEPROM of one board, in wire values. With a `path`, each write is saved to this file.
 
-    It has a cell for each parameter in any firmware of the model. `error_shutdown` is the factory
-    default of UART-Error Shutdown, which no source mentions.
+    The EEPROM has a cell for each parameter of any firmware of the model. `error_shutdown` is the
+    factory default of UART-Error Shutdown, which no source mentions.
     """
 
     def __init__(
@@ -45,7 +45,7 @@ class Eeprom:
     ) -> None:
         self.model = device_table().model(model)
         self.reset_pending = False
-        self.unsaved: EepromError | None = None  # error of the last save
+        self.unsaved: EepromError | None = None  # error of the last save, if it failed
         self._path = path
         self._specs = parameters_of(model, self.model.firmware[-1])
         self.factory = {spec.key: spec.default for spec in self._specs.readable}
@@ -55,7 +55,7 @@ class Eeprom:
 
     @classmethod
     def open(cls, path: Path, model: str = "trex", *, error_shutdown: bool = True) -> "Eeprom":
-        """Open or create a file. EepromError if the file is damaged."""
+        """Open or create a file. Raise EepromError if it is damaged or inaccessible."""
         eeprom = cls(model, path=path, error_shutdown=error_shutdown)
         try:
             with open_ordinary(path) as file:
@@ -72,7 +72,7 @@ class Eeprom:
         return self._values[key]
 
     def write(self, key: str, value: int) -> None:
-        """Store a wire value and save. KeyError or ValueError for an invalid key or value."""
+        """Store and save a wire value. Raise KeyError or ValueError for an invalid key or value."""
         if key not in self._values:
             raise KeyError(key)
         self._values[key] = self._specs[key].check(value, forced=True)
@@ -123,7 +123,7 @@ class Eeprom:
             self.unsaved = error
 
     def save(self) -> None:
-        """Write the file atomically, if there is a file. EepromError on failure."""
+        """Write the file, if there is one, atomically. Raise EepromError on failure."""
         if self._path is None:
             return
         text = json.dumps(self._document(), indent=2) + "\n"
@@ -197,15 +197,15 @@ def _factory_calibrations() -> dict[InputSource, dict[int, Calibration]]:
     return {source: dict.fromkeys(CHANNELS, DEFAULT_CALIBRATION[source]) for source in InputSource}
 
 
-# Duration of a write to the EEPROM in seconds, 4 ms per byte (command documentation, 0xAF and
-# 0xA0-0xA4). The four values of a calibration have two bytes each.
-PARAMETER_WRITE = 0.004
-CALIBRATION_WRITE = 0.032
+# Seconds for a write to the EEPROM: 4 ms per byte (command documentation, 0xAF and 0xA0-0xA4). The
+# four values of a calibration have two bytes each.
+PARAMETER_WRITE_S = 0.004
+CALIBRATION_WRITE_S = 0.032
 
 
 @dataclass(frozen=True, slots=True)
 class _Step:
-    """Pending write to the EEPROM. A power cut before `store` calls `lose`.
+    """Pending write to the EEPROM. If the power is cut, `lose` is called instead of `store`.
 
     Inferred: the power cut erases the cell, and the firmware uses the default at the next power-up.
     """
@@ -225,8 +225,8 @@ class Memory:
     def __init__(self, eeprom: Eeprom, firmware: str) -> None:
         self.parameters = parameters_of(eeprom.model.key, firmware)
         self.writes = 0  # number of finished writes
-        # Key → highest value that this firmware accepts beyond an inferred limit, and mask of the
-        # stored bits
+        # Key → (maximum value that this firmware accepts outside an inferred limit, mask of the
+        # stored bits)
         self.accepted: dict[str, tuple[int, int]] = {}
         self.eeprom = eeprom
         self._firmware = firmware
@@ -275,7 +275,7 @@ class Memory:
         return self.eeprom[spec.key] if spec is not None and spec.readable else None
 
     def set(self, number: int, value: int, mode: Mode) -> ResultCode:
-        """Start to write a parameter. It is stored after `busy_for` seconds.
+        """Start to write a parameter. The value is stored after `busy_for` seconds.
 
         The order of the checks is inferred.
         """
@@ -292,13 +292,13 @@ class Memory:
             self._start_write(spec.key, value, at_once=not spec.needs_power_cycle)
         else:
             # Inferred: 0x7F sets a flag, and the next power-up resets all parameters.
-            self._steps.append(_Step(PARAMETER_WRITE, self.eeprom.request_reset, lambda: None))
+            self._steps.append(_Step(PARAMETER_WRITE_S, self.eeprom.request_reset, lambda: None))
         return ResultCode.OK
 
     def _start_write(self, key: str, value: int, *, at_once: bool) -> None:
         store = partial(self._store, key, value, at_once=at_once)
         lose = partial(self.eeprom.write, key, self.eeprom.factory[key])
-        self._steps.append(_Step(PARAMETER_WRITE, store, lose))
+        self._steps.append(_Step(PARAMETER_WRITE_S, store, lose))
 
     def set_calibration(self, channel: int, calibration: Calibration, mode: Mode) -> ResultCode:
         if not mode.is_serial:
@@ -317,7 +317,7 @@ class Memory:
         for field, value in asdict(calibration).items():
             write = partial(self.eeprom.write_calibration_value, source, channel, field)
             lose = partial(write, getattr(DEFAULT_CALIBRATION[source], field))
-            seconds = CALIBRATION_WRITE / len(CALIBRATION_FIELDS)
+            seconds = CALIBRATION_WRITE_S / len(CALIBRATION_FIELDS)
             self._steps.append(_Step(seconds, partial(write, value), lose))
 
     def restore_line_settings(self) -> None:
@@ -341,7 +341,7 @@ class Memory:
             self.writes += 1
 
     def lose_write(self) -> None:
-        """Simulate a power cut: lose the current write and drop later writes."""
+        """Simulate a power cut. Lose the current write, and drop later writes."""
         if self._steps:
             self._steps[0].lose()
         self._steps.clear()

@@ -34,7 +34,7 @@ class MotorSettings(NamedTuple):
 
 
 class Motor:
-    """Reversible output.
+    """Output for a motor with two directions.
 
     During braking, `speed` is the duty cycle, from 127 (full brake) to 0 (coast).
     """
@@ -61,7 +61,7 @@ class Motor:
         self.target_speed = speed
 
     def update(self, settings: MotorSettings, current: int) -> bool:
-        """Update after 10 ms. Return whether the current, in counts, is over the limit."""
+        """Advance by 10 ms. Return whether the current, in counts, is over the limit."""
         limit = 2 * settings.current_limit
         over = 0 < limit < current
         if over and self.direction is self.target_direction is not MotorDirection.BRAKE:
@@ -82,8 +82,9 @@ class Motor:
             self._brake(self.target_speed)
             return
         if self.direction is not target:
-            # Inferred: previous braking counts, and a motor that continues in its direction does
-            # not brake. The brake duration is in updates of 10 ms.
+            # Inferred: earlier braking counts towards the brake duration, and a motor that resumes
+            # its previous direction does not brake. The brake duration is a number of updates of
+            # 10 ms.
             reverses = self._driven not in {target, MotorDirection.BRAKE}
             if reverses and self._braked < settings.brake_duration:
                 self._brake(FULL_SPEED)
@@ -104,7 +105,7 @@ class Motor:
 
 
 class AuxiliaryMotor:
-    """Third output, with one direction and without brake (inferred) or current sensing."""
+    """Third output. It has one direction, no brake (inferred) and no current sensing."""
 
     def __init__(self) -> None:
         self.target_speed = 0
@@ -128,12 +129,12 @@ class AuxiliaryMotor:
 def _ramp(tenths: int, target: int, acceleration: int) -> int:
     """Return the speed after one update, in tenths of a count. Acceleration 0 means no ramp."""
     if acceleration == 0 or tenths >= target:
-        return target  # no deceleration
+        return target  # the speed falls without a ramp
     return min(tenths + acceleration, target)
 
 
 class SerialControl:
-    """Latest serial command to each motor, and the latched bits."""
+    """Latest serial commands to the motors, and the latched bits."""
 
     def __init__(
         self, motors: Sequence[Motor], aux: AuxiliaryMotor, *, joint: bool, in_control: bool
@@ -179,7 +180,7 @@ class SerialControl:
         """Start or end serial control. At the start, apply the latest commands.
 
         Inferred: commands of any age apply, and a motor without a command stops. With `shut_down`,
-        all motors stop after the serial timeout (tenths of a second, 0: off).
+        all motors stop after `timeout`, the serial timeout in tenths of a second (0: off).
         """
         has_gained = in_control and not self.in_control
         self.in_control = in_control
@@ -208,7 +209,7 @@ class SerialControl:
     def report(self, error: UartError, *, shut_down: bool) -> None:
         """Latch a UART error. `shut_down` stops the motors.
 
-        The lost command may be a stop, so pending commands are also dropped.
+        The lost command may be a stop, so `shut_down` also drops the latest commands.
         """
         self.errors += 1
         self.uart_errors |= error

@@ -1,8 +1,8 @@
 """Battery, two DC motors with loads, and current sensors.
 
 A motor has a resistance, a back-EMF, an inertia and dry friction. Its current is high at a start or
-a reversal, falls with speed, and rises with the load up to the stall current. The battery voltage
-sags under the currents of both motors.
+a reversal, falls as the speed rises, and rises with the load up to the stall current. The battery
+voltage sags under the currents of both motors.
 """
 
 import math
@@ -18,9 +18,9 @@ class Constants:
     battery: float  # V without load
     battery_resistance: float  # ohm, including cables
     brown_out: float  # V below which the board resets
-    resistance: float  # ohm; motor, driver and wires
+    resistance: float  # ohm, of motor, driver and wires
     back_emf: float  # V s/rad; the torque constant in N m/A has the same value
-    inertia: float  # kg m2; rotor and gears, referred to the rotor
+    inertia: float  # kg m2, of rotor and gears, referred to the rotor
     free: float  # A without load, due to friction of motor and gears
     light_load: float  # A for a robot on a flat floor
 
@@ -30,11 +30,11 @@ class Constants:
 
 
 CONSTANTS = {
-    # The vendor specifies only the drivers. The motors are the largest that the drivers support.
+    # The vendor specifies only the drivers. These motors are the largest that the drivers support.
     "trex": Constants(
         battery=12.0,  # six lead cells
         battery_resistance=0.04,  # a 7 Ah lead battery (25 mOhm) and a metre of cable
-        brown_out=6.0,  # inferred: a linear regulator for 5 V logic needs a volt more
+        brown_out=6.0,  # inferred: a linear regulator needs 1 V more than the 5 V of the logic
         resistance=0.4,  # stalls at 30 A; continuous rating 13 A (reference: VNH2SP30 carrier)
         back_emf=7.33e-3,  # 15,000 rpm at 12 V, for a motor of size 550
         inertia=8e-6,  # time constant of 60 ms, which is typical for this size
@@ -53,7 +53,7 @@ CONSTANTS = {
     ),
 }
 
-_NOISE_COUNTS = 0.3  # standard deviation of a reading, which is an average of 64 samples
+_NOISE_COUNTS = 0.3  # standard deviation of a reading, the average of 64 samples
 
 
 class MotorPhysics:
@@ -82,7 +82,7 @@ class MotorPhysics:
         return current if not self.fault and current * volts > 0 else 0.0
 
     def advance(self, seconds: float, volts: float, brake: float) -> None:
-        """Advance the time. `brake` is the duty cycle of braking (0-1) at 0 V."""
+        """Advance the time. At 0 V, the motor brakes with the duty cycle `brake` (0-1)."""
         self._time += seconds
         if not volts and not self.speed:
             return
@@ -92,7 +92,7 @@ class MotorPhysics:
             self._charge += abs(current) * seconds
         elif self.fault:
             current = 0.0
-        else:  # the low side shorts the motor; the sensor does not see this current
+        else:  # the driver shorts the motor on the low side, where the sensor sees no current
             current = -brake * constants.back_emf * self.speed / constants.resistance
         gain = constants.back_emf / constants.inertia * seconds
         friction = gain * max(self.load, constants.free)
@@ -126,7 +126,7 @@ class MotorPhysics:
 
 @dataclass(frozen=True, slots=True)
 class DriverOutput:
-    share: float = 0.0  # fraction of the supply voltage, -1 to 1
+    duty: float = 0.0  # duty cycle of driving, -1 to 1; negative in reverse
     brake: float = 0.0  # duty cycle of braking, 0-1
 
 
@@ -154,31 +154,29 @@ class Machine:
     def advance(self, seconds: float, drives: Sequence[DriverOutput]) -> None:
         self.volts = self._volts(drives)
         for motor, drive in zip(self.motors, drives, strict=True):
-            motor.advance(seconds, drive.share * self.volts, drive.brake)
+            motor.advance(seconds, drive.duty * self.volts, drive.brake)
 
     def _volts(self, drives: Sequence[DriverOutput]) -> float:
         """Return the voltage at the board under load.
 
-        The motor current is (share * volts - emf) / R, and the battery supplies `share` of it. The
-        equation is linear in the voltage while no current flows back.
+        The motor current is (duty * volts - emf) / R, and the battery current is duty times the
+        motor current. The equation is linear in the voltage while no current flows back.
         """
         loads = [
-            (motor, drive.share)
+            (motor, drive.duty)
             for motor, drive in zip(self.motors, drives, strict=True)
-            if drive.share and not motor.fault
+            if drive.duty and not motor.fault
         ]
         while loads:
-            conductance = sum(share * share / motor.constants.resistance for motor, share in loads)
+            conductance = sum(duty * duty / motor.constants.resistance for motor, duty in loads)
             opposing = sum(
-                share * motor.constants.back_emf * motor.speed / motor.constants.resistance
-                for motor, share in loads
+                duty * motor.constants.back_emf * motor.speed / motor.constants.resistance
+                for motor, duty in loads
             )
             volts = (self.battery + self.resistance * opposing) / (
                 1 + self.resistance * conductance
             )
-            remaining = [
-                (motor, share) for motor, share in loads if motor.current_at(share * volts)
-            ]
+            remaining = [(motor, duty) for motor, duty in loads if motor.current_at(duty * volts)]
             if len(remaining) == len(loads):
                 return volts
             loads = remaining

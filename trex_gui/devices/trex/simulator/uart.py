@@ -15,15 +15,15 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
-# Inferred sizes in bytes. The documentation says only that a host that waits for replies causes no
-# overrun. Therefore, each buffer has space for at least the longest packet or reply.
+# Inferred sizes in bytes. The documentation says only that a host causes no overrun if it waits for
+# replies. Therefore, each buffer has space for at least the longest packet or reply.
 RECEIVE_BUFFER = 32
 SEND_BUFFER = 32
 
 _COMMAND_BIT = 0x80
 _EXPANDED = 0x80
 _NULL = 0xFF
-_GAP = -1  # placeholder in the receive buffer for lost bytes
+_GAP = -1  # placeholder for lost bytes in the receive buffer
 _UART_ERRORS = {
     ReceiveError.FRAMING: UartError.FRAMING,
     ReceiveError.PARITY: UartError.PARITY,
@@ -34,7 +34,7 @@ _FORMAT_BYTES = b"\x55\x2a"
 
 
 def remainder(data: bytes, polynomial: int) -> int:
-    """Return the CRC-7 of a packet by the guide's long division (5.e).
+    """Return the CRC-7 of a packet, by the long division in the guide (5.e).
 
     Seven zero bits are appended. The polynomial has eight bits (0x80-0xFF).
     """
@@ -47,8 +47,8 @@ def remainder(data: bytes, polynomial: int) -> int:
 class SerialPort:
     """UART and packet parser of one board.
 
-    The parser pauses for a write to the EEPROM and for the response delay. Bytes that are received
-    during a pause are processed while the reply is transmitted.
+    The parser pauses for a write to the EEPROM and for the response delay. It processes the bytes
+    received during a pause while the reply is transmitted.
 
     `outgoing` is the send buffer. `pause` is the time in seconds from the last byte to `resume`.
     """
@@ -60,7 +60,7 @@ class SerialPort:
         self._reset()
 
     def feed(self, byte: int) -> None:
-        if not self._listens():
+        if not self._is_listening():
             if self.board.boot_mode is not None:
                 self._send(self.board.boot_mode.reply(byte))
             return
@@ -74,7 +74,7 @@ class SerialPort:
             self.board.report_error(UartError.READ_OVERRUN)
 
     def feed_error(self, error: ReceiveError) -> None:
-        if self._listens():
+        if self._is_listening():
             self.board.record_byte()
             if self.pause:
                 self._add_gap()
@@ -87,7 +87,7 @@ class SerialPort:
             self._buffer.append(_GAP)
 
     def resume(self) -> None:
-        if not self._listens():
+        if not self._is_listening():
             return
         self.pause = 0.0
         self._send(self._reply)
@@ -95,7 +95,7 @@ class SerialPort:
         while self._buffer and not self.pause:
             self._receive(self._buffer.popleft())
 
-    def _listens(self) -> bool:
+    def _is_listening(self) -> bool:
         if self.board.boots != self._boot:
             self._boot = self.board.boots
             self._reset()
@@ -119,7 +119,7 @@ class SerialPort:
         elif byte & _COMMAND_BIT:
             self._handle_command_byte(byte)
         elif self._is_skipping:
-            pass  # data of a packet for another device
+            pass  # data in a packet for another device
         elif not self._packet:
             self._reject()  # inferred: a data byte without a packet is a format error
         else:
@@ -201,7 +201,7 @@ class SerialPort:
 
 
 class _IllogicalData(Exception):  # noqa: N818 - the documentation's word
-    """A data byte has an invalid value. The board may still reply."""
+    """A data byte has an invalid value. The optional argument is the reply."""
 
 
 _Handler = Callable[[Board, int, bytes], bytes]  # board, command byte, data → reply or b""
@@ -213,7 +213,7 @@ def _read(reply: Callable[[Board], bytes]) -> tuple[int, _Handler]:
 
 def _selected(data: bytes) -> list[int]:
     if data[0] > 0b11111:
-        raise _IllogicalData  # inferred: there are five channels
+        raise _IllogicalData  # inferred; there are only five channels
     return [index for index in range(5) if data[0] & 1 << index]
 
 
@@ -251,7 +251,7 @@ def _require_format_bytes(data: bytes) -> None:
 
 def _set_calibration(board: Board, command: int, data: bytes) -> bytes:
     _require_format_bytes(data)
-    # Inferred: low and high byte carry seven bits each, since no data byte exceeds 127.
+    # Inferred: the low and high bytes have seven bits each, because no data byte exceeds 127.
     calibration = Calibration(*(data[index] + 128 * data[index + 1] for index in range(0, 8, 2)))
     return bytes([board.set_calibration(command - 0xA0 + 1, calibration)])
 
@@ -270,7 +270,7 @@ def _drive_one(board: Board, command: int, data: bytes) -> bytes:
 
 
 def _drive_both(board: Board, command: int, data: bytes) -> bytes:
-    """0xD0-0xEF: bits 1:0 are the direction of motor 1, bits 3:2 of motor 2."""
+    """0xD0-0xEF: bits 1:0 are the direction of motor 1, and bits 3:2 that of motor 2."""
     accelerate = command >= 0xE0
     board.serial.drive(1, MotorDirection.from_bits(command), data[0], accelerate=accelerate)
     board.serial.drive(2, MotorDirection.from_bits(command >> 2), data[1], accelerate=accelerate)
