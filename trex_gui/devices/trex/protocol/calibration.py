@@ -150,9 +150,9 @@ def remap(
     """Return the output, -127 to 127, before mixing and flip.
 
     The output is 0 for an ignored channel, and for a channel without a valid signal (`None` or
-    0xFFFF, inferred). The output is also 0 within `deadband` counts of neutral, and full at or past
-    minimum and maximum. Between these regions, the output grows linearly with the distance from
-    the deadband, or with the square of that distance if `parabolic`. It is rounded towards 0.
+    0xFFFF, inferred). It is also 0 within `deadband` counts of neutral. At minimum and maximum, and
+    outside this range, the output is full. Otherwise, it grows linearly with the distance from the
+    deadband, or with the square of that distance if `parabolic`. It is rounded towards 0.
     """
     if raw is None or raw == INVALID_RAW or ignored:
         return 0

@@ -422,8 +422,8 @@ class DriveMotor(_MotorCommand):
 class DriveBoth(_MotorCommand):
     """0xD0-0xEF: set or accelerate both motors in one packet.
 
-    For acceleration, the formula in the documentation yields 0xD0. The heading of that section and
-    working programs use 0xE0.
+    For acceleration, the formula in the documentation yields 0xD0, but the heading there uses 0xE0.
+    Working programs also use 0xE0.
     """
 
     opcodes = range(0xD0, 0xF0)
@@ -472,7 +472,7 @@ class DriveAuxiliary(_MotorCommand):
 STOP: tuple[Command[None], ...] = (DriveBoth(Drive.brake(), Drive.brake()), DriveAuxiliary(0))
 """Full brake on both motors, auxiliary motor off.
 
-Both are set commands, which neither acceleration nor reversal delays.
+Both are set commands. Neither acceleration nor a reversal delays them.
 """
 
 

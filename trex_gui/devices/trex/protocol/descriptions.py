@@ -142,6 +142,7 @@ def describe_reply(command: c.Command[Any], value: Any, board: c.Signature | Non
 
 
 def describe_control(mode: Mode, by_serial: bool, *, joint: bool) -> str:
+    """Describe the source of motor control: serial commands or channels."""
     if mode.is_serial and by_serial:
         text = tr("Serial commands control the motors (serial mode).")
     elif by_serial:

@@ -194,7 +194,7 @@ class TrexBadReplyError(TrexError, BadReply):
 
 
 class TrexInternalError(TrexError, InternalError):
-    """The session failed. The only field describes the bug."""
+    """The session failed. `fields[0]` describes the error."""
 
 
 class OtherBoard(TrexError):  # noqa: N818 - nothing went wrong with the line

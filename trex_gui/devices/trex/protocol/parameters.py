@@ -266,7 +266,7 @@ class ParameterSpec:
         return f"{with_decimal_point(number)} {self.unit}".rstrip()
 
     def wire(self, text: str) -> int:
-        """Parse a value such as `1.5 s`, `1.5` or `off`. Raise BadRequest that names the limits.
+        """Parse a value such as `1.5 s`, `1.5` or `off`. Raise a BadRequest that names the limits.
 
         A quantity between two steps is rounded, but never to 0 if 0 has a special meaning such as
         off. A ramp is a time to full speed (`1.3 s`) or a number of speed steps (`10 per 100 ms`).
@@ -421,7 +421,7 @@ def parameters_of(model_key: str, firmware: str) -> ParameterSet:
 
 
 def unconfirmed_defaults(specs: Iterable[ParameterSpec]) -> str:
-    """Return the names of the parameters with unsourced defaults, marked with the evidence."""
+    """Return the names of parameters with unsourced defaults, each with its evidence mark."""
     graded = ((spec.name, spec.grade("default").mark) for spec in specs)
     return ", ".join(name + mark for name, mark in graded if mark)
 

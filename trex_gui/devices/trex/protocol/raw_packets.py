@@ -45,7 +45,7 @@ class RawPacket:
 
     @property
     def writes_everywhere(self) -> bool:
-        """True if every board on the line stores the value."""
+        """True if the packet writes to every board on the line."""
         return self.writes and self.device_number is None
 
     def is_within_stop(self, device_number: int | None) -> bool:

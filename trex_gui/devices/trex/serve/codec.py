@@ -101,7 +101,7 @@ class Refused:
 ClientRequest = Hello | Alive | Leave
 ServerReport = Welcome | Tick | Refused
 
-MAX_REQUEST_SIZE = 8192  # bytes; a `Write` of all settings and their previous values has 3000
+MAX_REQUEST_SIZE = 8192  # bytes; a `Write` of all settings and their previous values needs 3000
 
 Request = SessionRequest | ClientRequest
 Report = SessionReport | ServerReport

@@ -1,4 +1,4 @@
-"""Lease of a board. One client at a time may drive, while its heartbeats arrive."""
+"""Lease of a board. One client at a time may drive, as long as its heartbeats arrive."""
 
 from dataclasses import dataclass, field
 from enum import IntEnum

@@ -109,7 +109,7 @@ class ClientLink:
         def name(part: str) -> str:
             return key(address.name, part, user, client)
 
-        self._references = (  # the engine ends subscribers and tokens without a reference
+        self._references = (  # the engine ends subscribers and tokens that have no reference
             self._session.declare_subscriber(
                 name("to"), lambda sample: receive(bytes(sample.payload))
             ),

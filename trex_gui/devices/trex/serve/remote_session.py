@@ -340,7 +340,7 @@ class RemoteSession:
                 is_group = self._board is not None and bool(self._board.settings.group)
                 stops_all = not is_group or reason is ErrorCode.LEASE_LOST
                 self._may_move = self._may_move and not (confirmed and stops_all)
-                if self._has_armed or reason is None:  # otherwise another client drove
+                if self._has_armed or reason is None:  # otherwise, another client was driving
                     emit(report)
                 if stops_all:
                     self._has_armed = self._has_armed and reason is None

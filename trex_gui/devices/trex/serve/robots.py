@@ -51,8 +51,8 @@ class Robots:
     def stop(self, names: Iterable[str]) -> dict[str, str]:
         """Stop served boards simultaneously.
 
-        `names` are board names, URLs or `ALL`. Return URL → error, where an empty text is a
-        confirmed stop. A name without a board is a key of the result instead of a URL.
+        `names` are board names, URLs or `ALL`. Return URL → error, which is empty for a confirmed
+        stop. The result also contains an error for each name that was not found.
         """
         addresses, missing = [], set[str]()
         for name in names:

@@ -73,9 +73,8 @@ MAX_JOBS = 8  # queued jobs of a client
 _PACKET_LIMIT = 16  # bytes; a longer packet would delay a stop for too long
 _ATTEMPT_LIMIT = 3  # maximum number of attempts in a `ProbeNumber`
 _CLIENT_TIMEOUT = 5.0  # seconds without a message until a client is removed
-_TICK_INTERVAL = 0.1  # maximum seconds between two messages to a client
+_TICK_INTERVAL = 0.1  # maximum time between two messages to a client, in seconds
 _IDLE_INTERVAL = 0.25  # seconds between steps without clients; half of the lease timeout
-_NO_OUTCOME = 0  # id of a request without an outcome
 
 _EXPIRING = SetpointRequest | Arm  # ignored if older than the lease timeout
 
@@ -399,7 +398,7 @@ class BoardServer:
 
     def _reject(self, client: _Client, request: Request) -> None:
         self._refuse("without the lease")
-        number = getattr(request, "id", _NO_OUTCOME)
+        number = getattr(request, "id", 0)
         if number:
             may_drive = client.party.role >= Role.DRIVE
             code = ErrorCode.OTHER_DRIVES if may_drive else ErrorCode.MAY_NOT_DRIVE

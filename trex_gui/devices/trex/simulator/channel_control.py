@@ -57,9 +57,10 @@ class ChannelSetup:
 def motor_values(remapped: Sequence[int], *, mix: bool, flip: bool, joint: bool) -> tuple[int, int]:
     """Return the values of motors 1 and 2, -127 to 127.
 
-    With mixing, channel 2 drives forward and channel 1 turns (User's Guide 4.a). The sums and their
-    clipping are inferred. Flip swaps the motors and their directions (User's Guide 4.a). Joint mode
-    has no mixing (TReX Jr manual page 6). Inferred: in joint mode, flip reverses motor 1.
+    With mixing, channel 2 controls the forward speed and channel 1 the turn (User's Guide 4.a). The
+    sums and their clipping are inferred. Flip swaps the motors and reverses both (User's Guide
+    4.a). Joint mode has no mixing (TReX Jr manual page 6). Inferred: in joint mode, flip reverses
+    motor 1.
     """
     turn, forward = remapped[0], remapped[1]
     if joint:

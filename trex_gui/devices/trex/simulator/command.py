@@ -71,7 +71,7 @@ def _check_numbers(
     _context: click.Context, _option: click.Parameter, devices: tuple[DeviceOption, ...]
 ) -> tuple[DeviceOption, ...]:
     if len({device.number for device in devices}) < len(devices):
-        raise click.UsageError("each --device needs a different number, which control lines use")
+        raise click.UsageError("each --device needs its own number: control lines begin with it")
     return devices
 
 

@@ -1,4 +1,4 @@
-"""Simulated board with modes, safety functions and motors. `uart` handles its bytes.
+"""Simulated board with modes, safety functions and motors. Its UART is in `uart`.
 
 Ref: TReX 1.0 command documentation; Pololu TReX User's Guide 4, 5.
 """

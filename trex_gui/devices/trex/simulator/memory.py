@@ -36,7 +36,7 @@ class EepromError(StudioError):
 class Eeprom:
     """EEPROM of one board, in wire values. With a `path`, each write is saved to this file.
 
-    The EEPROM has a cell for each parameter of any firmware of the model. `error_shutdown` is the
+    The EEPROM has a cell for every parameter in any firmware of the model. `error_shutdown` is the
     factory default of UART-Error Shutdown, which no source mentions.
     """
 
@@ -123,7 +123,7 @@ class Eeprom:
             self.unsaved = error
 
     def save(self) -> None:
-        """Write the file, if there is one, atomically. Raise EepromError on failure."""
+        """Write the file atomically, if there is one. Raise EepromError if this fails."""
         if self._path is None:
             return
         text = json.dumps(self._document(), indent=2) + "\n"

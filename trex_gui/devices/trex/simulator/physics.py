@@ -53,7 +53,7 @@ CONSTANTS = {
     ),
 }
 
-_NOISE_COUNTS = 0.3  # standard deviation of a reading, the average of 64 samples
+_NOISE_COUNTS = 0.3  # standard deviation of a reading, which is an average of 64 samples
 
 
 class MotorPhysics:
