@@ -308,7 +308,7 @@ def test_selection_ends_held_controls(new_line: NewStand) -> None:
     harness.select(7)
     assert device.mix_jumper.is_on is None
     assert learning.step is LearningStep.FAILED
-    assert learning.trouble == "Another board was selected. Nothing was changed."
+    assert learning.problem == "Another board was selected. Nothing was changed."
     assert not harness.errors
 
 

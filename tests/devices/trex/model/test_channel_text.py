@@ -7,10 +7,10 @@ import pytest
 from trex_gui.core.errors import NoReply
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.channel_text import (
-    beyond_input,
     concern,
     function_text,
     source_instructions,
+    unreachable_warning,
     write_failure,
     wrong_order,
 )
@@ -114,6 +114,6 @@ def test_calibration_beyond_input_range_is_a_concern(
 ) -> None:
     said = concern(calibration, source)
     assert said.startswith(words)
-    assert said == beyond_input(calibration, source)
+    assert said == unreachable_warning(calibration, source)
     assert ("A pulse is 500 µs to 2500 µs." in said) is (source is InputSource.RC)
     assert ("A voltage is 0.00 V to 5.00 V." in said) is (source is InputSource.ANALOG)

@@ -204,7 +204,7 @@ def test_restored_signal_returns_to_the_stick_position(board: RecordingDemoBoard
     board.set_silent(1, True)
     board.wait(lambda: not seen(board).channels[0].has_signal)
     board.set_automatic(False)
-    board.centre_sticks()
+    board.center_sticks()
     board.set_automatic(True)
     board.set_mix(True)
     board.wait(lambda: seen(board).jumpers.mix)
@@ -229,7 +229,7 @@ def test_centering_the_sticks_ends_safe_start(board: RecordingDemoBoard) -> None
     board.set_mode_jumper("rc")
     board.power_cycle()
     board.wait(lambda: seen(board).mode is Mode.RC and seen(board).safe_start)
-    board.centre_sticks()
+    board.center_sticks()
     board.wait(lambda: not seen(board).safe_start)
 
 
@@ -240,7 +240,7 @@ def test_sticks_are_centred_while_no_panel_watches(board: RecordingDemoBoard, qt
     with qtbot.waitSignal(board.simulator.ready):
         board.simulator.start()
     board.wait(lambda: board.snapshot is not None)
-    board.centre_sticks()
+    board.center_sticks()
     assert board.automatic == frozenset()
 
 

@@ -96,7 +96,7 @@ def test_text_is_due_less_often_than_a_frame(telemetry: Telemetry) -> None:
 def test_text_is_due_after_values_are_cleared(telemetry: Telemetry, qtbot: QtBot) -> None:
     feed(telemetry, Raw(1.0, (1, 2, 3, 4, 5)))
     with qtbot.waitSignal(telemetry.text_due):
-        telemetry.clear()
+        telemetry.report_cleared()
     with qtbot.waitSignal(telemetry.text_due):
         feed(telemetry, Raw(1.01, (1, 2, 3, 4, 5)))
 
@@ -108,7 +108,7 @@ def test_views_are_renewed_only_while_a_window_is_seen(telemetry: Telemetry) -> 
     telemetry.text_due.connect(lambda: emitted.append("text"))
     telemetry.set_visible(False)
     feed(telemetry, Raw(1.0, (1, 2, 3, 4, 5)))
-    telemetry.clear()
+    telemetry.report_cleared()
     assert emitted == ["updated", "updated"]
     telemetry.set_visible(True)
     assert emitted[2:] == ["frame", "text"]
@@ -120,7 +120,7 @@ def test_clear_retains_the_history(telemetry: Telemetry, qtbot: QtBot) -> None:
     feed(telemetry, Currents(1.0, (1, 2)), Raw(1.0, (1, 2, 3, 4, 5)), Control(1.0, by_serial=True))
     with qtbot.waitSignal(telemetry.updated):
         telemetry.newest.samples.clear()
-        telemetry.clear()
+        telemetry.report_cleared()
     assert telemetry.raw is None
     assert telemetry.motor_currents is None
     assert len(telemetry.currents) == 1
@@ -152,7 +152,7 @@ def test_inputs_are_kept_with_times_and_gaps(telemetry: Telemetry) -> None:
     assert list(telemetry.inputs.values(0)) == [1, 7]
     assert math.isnan(telemetry.inputs.values(1)[0])
     assert telemetry.inputs.values(1)[1] == 8
-    telemetry.clear()
+    telemetry.report_cleared()
     assert len(telemetry.inputs) == 2
     telemetry.start(0.04)
     assert len(telemetry.inputs) == 0

@@ -146,7 +146,7 @@ def test_stop_button_stops_on_press(dialog: BenchTestDialog) -> None:
     stop = dialog.button("benchStopButton")
     stop.setEnabled(True)
     dialog.device.driving.may_move = True
-    with dialog.qtbot.waitSignal(dialog.device.stop_wanted):
+    with dialog.qtbot.waitSignal(dialog.device.stop_pressed_offline):
         QTest.mousePress(stop, LEFT)
 
 

@@ -1,1 +1,1 @@
-"""Qt objects that mirror the board. No widgets, no I/O."""
+"""Qt objects that mirror the board. They contain no widgets and delegate I/O to other threads."""

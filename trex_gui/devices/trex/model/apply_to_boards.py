@@ -1,4 +1,4 @@
-"""Writing the same settings to several boards."""
+"""Apply the same settings to several boards."""
 
 from collections.abc import Collection
 from dataclasses import dataclass, replace
@@ -42,6 +42,7 @@ class BoardPlan:
 
     @property
     def to_write(self) -> int:
+        """Number of settings to write."""
         return 0 if self.changes is None else self.changes.changed
 
 
@@ -50,7 +51,7 @@ class ApplyToBoards(QObject):
 
     Device numbers and serial settings stay unchanged. Silent boards, boards of another model, and
     boards that have changed since the review are skipped. A write error or a stop of the motors
-    ends the work. In the end, the board that was selected at the start is selected again.
+    ends the work. Finally, the board that was selected at the start is selected again.
     """
 
     changed = Signal()  # `plans` or `is_running`
@@ -63,9 +64,9 @@ class ApplyToBoards(QObject):
         self.plans: tuple[BoardPlan, ...] = ()
         self.is_running = False
         self.is_writing = False  # false for a review
-        self.was_stopped = False  # *Stop* has ended the work
+        self.was_stopped = False  # the user pressed Stop, which ended the work
         self._target: Settings | None = None
-        self._home: int | None = None  # board that was selected at the start
+        self._initial: int | None = None  # board that was selected at the start
         self._is_cancelled = False
         self._current: int | None = None  # board being written
         device.applied.connect(self._on_applied)
@@ -90,7 +91,7 @@ class ApplyToBoards(QObject):
             self._start(plans, is_writing=True)
 
     def cancel(self) -> None:
-        """End the work after the present board."""
+        """End the work after the current board."""
         self._is_cancelled = True
         if self._device.writer.is_saving_snapshot and self._current is not None:
             self._device.writer.cancel()
@@ -101,7 +102,7 @@ class ApplyToBoards(QObject):
         self.plans = tuple(plans)
         self.is_running, self.was_stopped = True, False
         self.is_writing, self._is_cancelled = is_writing, False
-        self._home = self._boards.selected
+        self._initial = self._boards.selected
         self._continue()
 
     def _set(self, number: int, step: BoardStep, problem: str = "", **changes: Any) -> None:
@@ -224,16 +225,16 @@ class ApplyToBoards(QObject):
         for plan in self.plans:
             if plan.step in {BoardStep.READING, BoardStep.WRITING}:
                 self._set(plan.number, BoardStep.FAILED, tr("The connection was closed."))
-        self._current = self._home = None
+        self._current = self._initial = None
         self._end()
 
     def _end(self) -> None:
         for plan in self.plans:
             if plan.step is BoardStep.WAITING:
                 self._set(plan.number, BoardStep.SKIPPED)
-        home, self._home = self._home, None
-        if home is not None and home != self._boards.selected and self._boards.can_select:
-            self._boards.select(home, lambda _error: self._finish())
+        initial, self._initial = self._initial, None
+        if initial is not None and initial != self._boards.selected and self._boards.can_select:
+            self._boards.select(initial, lambda _error: self._finish())
         else:
             self._finish()
 

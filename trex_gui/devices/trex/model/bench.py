@@ -25,17 +25,17 @@ _TUNED_SUFFIXES = ("acceleration", "brake_duration", "current_limit", "current_l
 _ABORT_COUNTS = 100
 """Default abort current in counts: 15 A, or 4 A on a Jr.
 
-Near the continuous ratings of the drivers (13 A and 2.5 A).
+These currents are near the continuous ratings of the drivers (13 A and 2.5 A).
 """
 
 _STEP_MS = 20  # the board updates its outputs every 10 ms
-_TAIL = 0.6  # s; duration of recording while the motor brakes
+_TAIL = 0.6  # s; duration of the recording while the motor brakes
 
 
 class Phase(Enum):
     IDLE = auto()
     DRIVING = auto()
-    BRAKING = auto()  # the current is still recorded
+    BRAKING = auto()  # the motor brakes, and its current is still recorded
 
 
 class Bench(QObject):
@@ -105,7 +105,7 @@ class Bench(QObject):
 
     @property
     def blocker(self) -> str:
-        """Reason why no test can start, or empty."""
+        """Reason why no test can start, or an empty string."""
         device = self._device
         if device.is_connected and device.board.is_joint:
             return tr(

@@ -21,7 +21,7 @@ from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer
 from trex_gui.ui.translations import error_text
 
-_PRESENCE_MS = 2000  # interval of presence queries, which use at most 4 % of the line's time
+_PRESENCE_MS = 2000  # interval of presence queries; they use at most 4 % of the line time
 
 
 class Presence(Enum):
@@ -52,7 +52,7 @@ class BoardList(QObject):
 
     Device numbers distinguish the boards. A scan probes every number. Probing moves no motor and
     clears no error. Once several boards are known, commands carry the number of the selected board.
-    Without a number they would reach every board.
+    Without a number, commands would reach every board.
     """
 
     changed = Signal()  # any attribute or property
@@ -66,7 +66,7 @@ class BoardList(QObject):
         self.is_selecting = False
         self._url = ""
         self.is_probing = False  # a reply to a probe is due
-        self._next = 0  # index into the boards that are not selected
+        self._queried = 0  # index of the last queried board among the unselected boards
         self._presence = new_timer(self, _PRESENCE_MS, self._on_presence_due)
         device.link_changed.connect(self._on_link_changed)
         device.connection.line_closed.connect(self._on_line_closed)
@@ -75,7 +75,7 @@ class BoardList(QObject):
 
     @property
     def selected(self) -> int | None:
-        """Number of the selected board, if any."""
+        """Number of the selected board. `None` if unknown."""
         device = self._device
         if device.settings is not None and device.settings.device_number is not None:
             return device.settings.device_number
@@ -147,7 +147,7 @@ class BoardList(QObject):
             self._probe(number)
 
     def _continue_scan(self, number: int) -> None:
-        """Continue the scan after a reply. Presence replies do not count."""
+        """Continue the scan after a reply. A reply to a presence query does not count."""
         if number == self.scanned:
             self.scanned += 1
             self.changed.emit()
@@ -215,16 +215,16 @@ class BoardList(QObject):
 
     @property
     def is_addressed(self) -> bool:
-        """True if commands reach only one board."""
+        """True if commands carry the number of one board."""
         settings = self._device.settings
         return settings is not None and settings.device_number is not None
 
     # --- Selection ----------------------------------------------------------------------
 
     def select(self, number: int, then: Done = lambda _error: None) -> None:
-        """Select another board after the present board is stopped.
+        """Stop the current board, then select another board.
 
-        The present board stays selected if its stop is not confirmed, or if the other board does
+        The current board stays selected if its stop is not confirmed, or if the other board does
         not respond.
         """
         if self.can_select and (number != self.selected or not self.is_addressed):
@@ -325,5 +325,5 @@ class BoardList(QObject):
     def _on_presence_due(self) -> None:
         others = [board for board in self.boards if board.presence is not Presence.SELECTED]
         if others and self._may_probe and self.scanned is None and not self.is_probing:
-            self._next = (self._next + 1) % len(others)
-            self._probe(others[self._next].number)
+            self._queried = (self._queried + 1) % len(others)
+            self._probe(others[self._queried].number)

@@ -21,7 +21,7 @@ class Handle(Enum):
         return self in {Handle.DEADBAND_LOW, Handle.DEADBAND_HIGH}
 
     def count(self, calibration: Calibration) -> int:
-        """Return the raw count. A wide deadband can reach below 0."""
+        """Return the raw count of this handle. A wide deadband can reach below 0."""
         if self.is_deadband:
             width = calibration.deadband
             return calibration.neutral + (width if self is Handle.DEADBAND_HIGH else -width)
@@ -31,7 +31,7 @@ class Handle(Enum):
 def moved(c: Calibration, handle: Handle, count: int) -> tuple[Calibration, str]:
     """Move a handle as far as the board allows.
 
-    Also return a sentence on the limit that stopped it, or an empty string.
+    Also return a sentence about the limit that stopped it, or an empty string.
     """
     value, field = count, handle.value
     match handle:
@@ -67,8 +67,8 @@ def within_input(
 ) -> tuple[int, str]:
     """Limit a count to the input range.
 
-    A handle that is already outside the range may stay there. Also return a sentence on the range
-    if the count was limited, or an empty string.
+    A handle that is already outside the range may stay there. Also return a sentence about the
+    range if the count was limited, or else an empty string.
     """
     position = handle.count(calibration)
     lowest, highest = min(source.lowest_count, position), max(source.highest_count, position)

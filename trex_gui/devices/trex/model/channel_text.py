@@ -70,8 +70,8 @@ def function_text(
 ) -> str:
     """Return a sentence about the function of a channel.
 
-    `curve` (for `source`) and `mixed` (mix jumper is on) are `None` if unknown. `overridden`:
-    serial commands control a board in RC or analog mode.
+    `curve` is for `source`. `mixed` is true if the mix jumper is on. Both are `None` if unknown.
+    `overridden` is true if serial commands control a board in RC or analog mode.
     """
     if curve is not None and curve.ignored:
         task = tr("is ignored: it is held at neutral, whatever its input is")
@@ -117,7 +117,7 @@ def source_instructions(source: InputSource, mode: Mode) -> str:
 
 
 def known_text(known: Known) -> str:
-    """Return the time of a calibration, such as `read 2026-03-14 15:09`."""
+    """Return the origin and time of a calibration, such as `read 2026-03-14 15:09`."""
     text = tr("applied {0}") if known.is_applied else tr("read {0}")
     return text.format(local_time(known.time))
 
@@ -135,7 +135,7 @@ def write_failure(error: StudioError) -> str:
 
 
 def wrong_order(calibration: Calibration, source: InputSource) -> str:
-    """Return why the board would reject the calibration, or an empty string."""
+    """Return the reason why the board would reject a calibration, or an empty string."""
     problem = calibration.problem(source.text)
     return tr("The board would reject this: {0}.").format(problem) if problem else ""
 
@@ -147,7 +147,7 @@ def input_range_text(source: InputSource) -> str:
     return text.format(source.text(source.lowest_count), source.text(source.highest_count))
 
 
-def beyond_input(calibration: Calibration, source: InputSource) -> str:
+def unreachable_warning(calibration: Calibration, source: InputSource) -> str:
     """Return sentences about values that no valid input reaches. May be empty.
 
     Ref: Pololu TReX User's Guide 4.c: a pulse that is shorter than 0.5 ms or longer than 2.5 ms
@@ -157,17 +157,17 @@ def beyond_input(calibration: Calibration, source: InputSource) -> str:
     range_text = input_range_text(source)
     if not lowest <= calibration.neutral <= highest:
         text = tr("Neutral ({0}) is beyond the input. {1} No stick position gives 0.")
-        return text.format(_exactly(calibration.neutral, source), range_text)
+        return text.format(_exact_text(calibration.neutral, source), range_text)
     ends = {tr("Minimum"): calibration.minimum, tr("Maximum"): calibration.maximum}
     text = tr("{0} ({1}) is beyond the input. {2} Full output on that side is never reached.")
     return " ".join(
-        text.format(end, _exactly(count, source), range_text)
+        text.format(end, _exact_text(count, source), range_text)
         for end, count in ends.items()
         if not lowest <= count <= highest
     )
 
 
-def _exactly(count: int, source: InputSource) -> str:
+def _exact_text(count: int, source: InputSource) -> str:
     if source is InputSource.RC:
         number = f"{source.physical(count):.1f}".removesuffix(".0")
         return f"{with_decimal_point(number)} µs"
@@ -175,14 +175,14 @@ def _exactly(count: int, source: InputSource) -> str:
 
 
 def concern(calibration: Calibration, source: InputSource) -> str:
-    """Return a warning about an invalid or useless calibration."""
-    if text := wrong_order(calibration, source) or beyond_input(calibration, source):
+    """Return a warning about an invalid or useless calibration, or an empty string."""
+    if text := wrong_order(calibration, source) or unreachable_warning(calibration, source):
         return text
     return deadband_problem(calibration, source, "minimum", "maximum")
 
 
 def deadband_problem(calibration: Calibration, source: InputSource, *ends: str) -> str:
-    """Return a warning if the deadband reaches these ends."""
+    """Return a warning if the deadband reaches one of `ends` (`minimum`, `maximum`)."""
     travel = {end: abs(getattr(calibration, end) - calibration.neutral) for end in ends}
     reached = [tr(end) for end in ends if travel[end] <= calibration.deadband]
     if not reached:

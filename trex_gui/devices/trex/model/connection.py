@@ -58,7 +58,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
     leaving = Signal()  # emitted before the line is closed or another board is selected
     not_responding = Signal(object)  # a `NotResponding`
     guardian_changed = Signal()  # `is_guarded`
-    stop_sent = Signal()  # a stop was sent but is not confirmed yet
+    stop_sent = Signal()  # a stop was sent, but it is not confirmed yet
     motors_stopped = Signal(object)  # a `MotorsStopped`: the session stopped motors on its own
     commands_repeated = Signal(object)  # a `CommandsRepeated`
     sampled = Signal(object)  # a `Batch`
@@ -82,7 +82,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
         self.started.connect(self._submit_watched)
 
     def watch(self, watcher: str, watching: bool) -> None:
-        """Poll at the full rate while there are watchers."""
+        """Add or remove a watcher. Poll at the full rate while there are watchers."""
         was_watched = bool(self._watchers)
         (self._watchers.add if watching else self._watchers.discard)(watcher)
         if bool(self._watchers) != was_watched:
@@ -144,7 +144,7 @@ class Connection(DeviceConnection[ConnectionSettings]):
         """Stop every motor. With `ending`, also close the port. Thread-safe.
 
         Does not wait, and reports nothing. Call `Motors.stop` next, in the window's thread.
-        Setpoints queued after the stop are dropped until motors are armed again.
+        Setpoints queued after the stop are dropped until the motors are armed again.
         """
         stop = Stop(NO_HANDLER)
         self.submit_now(*((stop, Close()) if ending else (stop,)))
@@ -211,7 +211,7 @@ class MemberConnection(Connection):
         return self._main.is_open
 
     def submit(self, request: object) -> bool:
-        """Queue a `Job`. The main connection handles requests to motors."""
+        """Queue a `Job`. The main connection handles requests that drive motors."""
         if isinstance(request, Job):
             return self._main.submit(ToBoard(self._number, request))
         return False

@@ -59,20 +59,21 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.settings = self._read_settings()
         scanner.line = plugin.key, self.settings.packed
         self.demo_board = DemoBoard(self.simulator, self)
-        self._last: Port | None = None  # port of the last connection attempt
+        # Port of the last connection attempt. Unchanged while its motors may still be turning
+        self._last_port: Port | None = None
         LossWhileDriven(device, self)
         self._stops = 0  # number of automatic stops so far
-        self._unconfirmed = ""  # reason for an unconfirmed stop, or empty
+        self._unconfirmed = ""  # reason for the unconfirmed stop, or empty
 
         self.simulator.ended.connect(self._reset_demo_settings)
         self.demo_board.factory_reset.connect(self._reset_demo_settings)
-        device.stop_wanted.connect(self._on_stop_wanted)
+        device.stop_pressed_offline.connect(self._on_stop_pressed_offline)
         device.connection.failed.connect(self._on_failed)
         device.link_changed.connect(self._record_settings)
-        device.line_judged.connect(self.changed)
+        device.quality_changed.connect(self.changed)
         device.motors.arming_changed.connect(self.changed)
         for signal in (device.link_changed, device.motors.arming_changed):
-            signal.connect(self._report_late_stop)
+            signal.connect(self._report_late_confirmation)
         device.connection.progressed.connect(self.progressed)
 
     @property
@@ -93,8 +94,8 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.changed.emit()
 
     def connect_to(self, port: Port) -> None:
-        if not self.may_move:  # otherwise motors at `_last` may still turn
-            self._last = port
+        if not self.may_move:
+            self._last_port = port
         self.device.motors.adapter = "" if port.adapter is None else port.adapter.key
         super().connect_to(port)
 
@@ -109,7 +110,7 @@ class TrexController(DeviceController[ConnectionSettings]):
     @Slot(object)
     def _on_failed(self, error: StudioError) -> None:
         if isinstance(error, NoReply | BadReply) and not self.may_move:
-            self._clear_group()  # a missing board prevents every connection
+            self._clear_group()  # one missing board would prevent every connection to the group
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
         self.select(port)
@@ -121,7 +122,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.connect_to(port)
 
     def set_packed(self, settings: str) -> None:
-        with suppress(BadRequest):  # an edited file may have invalid settings
+        with suppress(BadRequest):  # an edited preferences file may contain invalid settings
             self.set_settings(self.settings.unpacked(settings))
 
     @Slot()
@@ -138,7 +139,7 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     @Slot()
     def _reset_demo_settings(self) -> None:
-        """Expect factory settings from a new or reset board."""
+        """Expect factory line settings from a new or reset simulated board."""
         self._demo_settings = self._default
         if self.demo_in_use:
             self.device.connection.expect((ConnectionSettings(""),))
@@ -213,21 +214,21 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.device.press_stop()
 
     @Slot()
-    def _on_stop_wanted(self) -> None:
-        """Reconnect if motors may still be turning. A new session first sends a stop."""
+    def _on_stop_pressed_offline(self) -> None:
+        """Reconnect if motors may still be turning. A new session sends a stop first."""
         device = self.device
-        if not self.may_move or self._last is None:
-            # `loss_text` may use the serial timeout of another board.
+        if not self.may_move or self._last_port is None:
+            # `lost_board` comes first, because `loss_text` may use the timeout of another board.
             text = device.driving.lost_board or device.loss_text
             device.notifier.warn(text, lasts=lambda: device.stop_may_matter)
             return
         device.warn(tr("Trying to reach the board to stop it …"))
-        self.connect_to(self.ports.now(self._last) or self._last)
+        self.connect_to(self.ports.now(self._last_port) or self._last_port)
 
     def stop_now(self, *, ending: bool = False) -> None:
         self.device.connection.stop_now(ending=ending)
 
-    # --- Automatic stops: only the newest is reported -------------------------------------
+    # --- Automatic stops: only the newest stop is reported --------------------------------
 
     def stop_because(self, reason: str) -> str:
         self._unconfirmed = ""
@@ -258,7 +259,7 @@ class TrexController(DeviceController[ConnectionSettings]):
         self.stop_reported.emit(text)
 
     @Slot()
-    def _report_late_stop(self) -> None:
+    def _report_late_confirmation(self) -> None:
         if self.is_armed or self.link is ConnectionState.DISCONNECTED:
             self._unconfirmed = ""
         elif self._unconfirmed and self.device.is_connected and not self.may_move:
@@ -267,7 +268,7 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     def _confirmation_text(self, reason: str) -> str:
         serial_controls = self.device.board.serial_controls
-        if serial_controls is None:  # not read yet, or not responding
+        if serial_controls is None:  # the mode was not read yet, or the board does not respond
             return tr("{0}. The board has confirmed the stop.").format(reason)
         if not serial_controls:
             return f"{reason}. {tr(STOP_WITHOUT_EFFECT)}"

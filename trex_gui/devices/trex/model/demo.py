@@ -1,4 +1,4 @@
-"""Simulated board, as operated from its panel."""
+"""Simulated board that the demo panel operates."""
 
 import json
 import re
@@ -14,11 +14,11 @@ from trex_gui.ui.runtime import new_timer
 
 STICK_ENDS = {InputSource.RC: (900.0, 2100.0), InputSource.ANALOG: (0.0, 5.0)}  # µs, V
 
-_SIGNAL = re.compile(r"([\d.]+) ?(us|V)", re.IGNORECASE)  # noise may follow
+_SIGNAL = re.compile(r"([\d.]+) ?(us|V)", re.IGNORECASE)  # more text, such as the noise, may follow
 _SIGNAL_UNITS = {InputSource.RC: "US", InputSource.ANALOG: "V"}
 
 
-BOOT_TEXTS = {  # text for each step of a boot mode, as reported by `show`
+BOOT_TEXTS = {  # step of a boot mode, as reported by `show` → text for the user
     "learning: ready": tr_noop("Learning: remove the Mix jumper to begin."),
     "learning: waiting for a signal": tr_noop("Learning: waits for a signal on any input."),
     "learning: neutrals": tr_noop("Learning: leave the sticks centred for two seconds."),
@@ -40,7 +40,7 @@ class DemoChannel:
         return self.signal not in {"silent", "invalid"}
 
     def stick(self, source: InputSource) -> float | None:
-        """Return the stick position in µs or V, if known."""
+        """Return the stick position in µs or V. `None` if unknown."""
         match = _SIGNAL.match(self.signal)
         if match and match[2].upper() == _SIGNAL_UNITS[source]:
             return float(match[1])
@@ -58,7 +58,7 @@ class DemoMotor:
 
 @dataclass(frozen=True, slots=True)
 class DemoJumpers:
-    """Positions of the jumpers, which the board reads at power-up."""
+    """Positions of the jumpers. The board reads the mode jumper at power-up."""
 
     mode: str
     mix: bool
@@ -113,7 +113,7 @@ def read_snapshot(text: str) -> DemoSnapshot:
     )
 
 
-_OFF_MS = 1000  # duration of power off, long enough for the program to notice
+_OFF_MS = 1000  # duration without power; long enough for the program to notice
 
 
 class DemoBoard(DemoDevice[DemoSnapshot]):
@@ -125,23 +125,24 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
         super().__init__(simulator, read_snapshot, parent)
         self._held: dict[int, float] = {}  # channel → position of a held stick, 0 to 1
         self._after_off: tuple[str, ...] = ()
-        self._off = new_timer(self, _OFF_MS, self._on_off_long_enough, single_shot=True)
+        self._off_timer = new_timer(self, _OFF_MS, self._on_off_timeout, single_shot=True)
 
     @property
     def automatic(self) -> frozenset[int]:
+        """Channels whose sticks move automatically."""
         return frozenset(CHANNELS) - self._held.keys()
 
     # --- Power, jumpers, bytes ----------------------------------------------------------
 
     def power_cycle(self) -> None:
-        if not self._off.isActive():
-            self._switch_off_and("power on")
+        if not self._off_timer.isActive():
+            self._switch_off_then("power on")
 
     def set_battery(self, volts: float) -> None:
         self._send_newest("battery", f"battery {volts:.1f}")
 
     def set_mode_jumper(self, mode: str) -> None:
-        """Set the mode jumper: `serial` (none), `rc` or `analog`."""
+        """Set the mode jumper to `serial` (no jumper), `rc` or `analog`."""
         self._send(f"jumper mode {mode}")
 
     def set_mix(self, on: bool) -> None:
@@ -157,7 +158,7 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
     # --- Motors and sticks --------------------------------------------------------------
 
     def set_load(self, motor: int, amperes: float) -> None:
-        """Set the current at full speed."""
+        """Set the load current of a motor at full speed."""
         self._send_newest(f"load {motor}", f"load {motor} {amperes:.1f}")
 
     def set_fault(self, motor: int, fault: bool) -> None:
@@ -193,7 +194,7 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
                 self._send_stick(channel)
         self.changed.emit()
 
-    def centre_sticks(self) -> None:
+    def center_sticks(self) -> None:
         if self.snapshot is not None:
             middle = sum(STICK_ENDS[self.snapshot.source]) / 2
             for channel, state in zip(CHANNELS, self.snapshot.channels, strict=True):
@@ -211,22 +212,22 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
     # --- Power cycles and snapshots -----------------------------------------------------
 
     def restore_factory(self) -> None:
-        """Reset board and EEPROM, with a power cycle."""
+        """Reset the board and its EEPROM with a power cycle."""
         self._unsent.clear()
         self._held.clear()
         self.set_mute(False)
         self.set_noise(0)
-        self._switch_off_and("factory", "power on")
+        self._switch_off_then("factory", "power on")
         self.factory_reset.emit()
         self.changed.emit()
 
-    def _switch_off_and(self, *lines: str) -> None:
+    def _switch_off_then(self, *lines: str) -> None:
         self._after_off = lines
         self._send("power off")
-        self._off.start()
+        self._off_timer.start()
 
     @Slot()
-    def _on_off_long_enough(self) -> None:
+    def _on_off_timeout(self) -> None:
         if "factory" in self._after_off:
             self._held.clear()  # the user may have moved sticks while the power was off
         for line in self._after_off:
@@ -236,12 +237,12 @@ class DemoBoard(DemoDevice[DemoSnapshot]):
         before = self.snapshot
         super()._show(snapshot)
         if before is not None and before.source is not snapshot.source:
-            # The sticks now output voltages instead of pulses, or vice versa. Their positions stay.
+            # The sticks now output voltages instead of pulses, or vice versa. They stay in place.
             for channel in self._held:
                 if snapshot.channels[channel - 1].has_signal:
                     self._send_stick(channel)
 
     def _discard(self) -> None:
         super()._discard()
-        self._off.stop()
+        self._off_timer.stop()
         self._held.clear()

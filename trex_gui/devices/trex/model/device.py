@@ -59,14 +59,14 @@ _MAX_NAMED = 3  # written settings that an event names
 class Device(QObject):
     # `link`, `status`, `settings`, `may_move`, or the state of `writer`
     link_changed = Signal()
-    line_judged = Signal()  # line quality, every 2 s
+    quality_changed = Signal()  # line quality was measured; every 2 s
     state_changed = Signal()  # `state` was read or cleared
     request_failed = Signal(str)  # reason for the user; also sent to the notifier
     errors_changed = Signal()  # errors were reported, cleared or reset
     lease_changed = Signal()  # driver or queue of a served board
     applied = Signal(object)  # a `WriteResult` for each value
     sampled = Signal(object)  # a `Batch`, after the models are updated
-    stop_wanted = Signal()  # stop was pressed without a connection, while a motor may turn
+    stop_pressed_offline = Signal()  # stop was pressed without a connection, while a motor may turn
 
     def __init__(
         self,
@@ -160,7 +160,7 @@ class Device(QObject):
         return name_of_board(self.state.signature, number)
 
     def named(self, text: str) -> str:
-        """Return a text. In a group, it starts with the board number."""
+        """Return the text. In a group, it is preceded by the board number."""
         settings = self.connection.settings
         if settings is None or not self.wheels:
             return text
@@ -180,7 +180,7 @@ class Device(QObject):
         return self.main.driving.may_move
 
     def drive_of(self, motor: int) -> Drive | None:
-        """Return the setpoint of motor 1 or 2, if any."""
+        """Return the setpoint of motor 1 or 2. `None` if it has none."""
         if not self.wheels:
             return self.main.motors.drive(motor)
         wheel = self.wheels.get(motor)
@@ -221,14 +221,14 @@ class Device(QObject):
         self.telemetry.set_visible(visible)
 
     def disconnect_line(self) -> None:
-        """Stop driven motors and close the line. Does not wait."""
+        """Stop driven motors and close the line, without waiting."""
         self.connection.close()
 
     def press_stop(self) -> None:
         if self.link is not ConnectionState.DISCONNECTED:
             self.motors.press_stop()
         elif self.stop_may_matter:
-            self.stop_wanted.emit()
+            self.stop_pressed_offline.emit()
 
     @property
     def stop_may_matter(self) -> bool:
@@ -308,7 +308,7 @@ class Device(QObject):
                     if self.wheels and self.main.motors.armed:
                         self.main.motors.stop(self.named(reason))
                 case QualityChanged():
-                    self.line_judged.emit()
+                    self.quality_changed.emit()
 
     def _on_read(self, read: BoardRead) -> None:
         self._replaced.clear()
@@ -350,7 +350,7 @@ class Device(QObject):
         self._handle_files(read.report, opened=opened)
 
     def _handle_files(self, report: Connected, *, opened: bool) -> None:
-        """Read the saved files of the board. `opened`: this may be another board."""
+        """Read the saved files of the board. `opened` is true if this may be another board."""
         state, is_simulated = report.state, bool(report.settings.name)
         self.edit_backup.set_board(opened=opened, is_simulated=is_simulated)
         self.records.set_kind(state.signature, opened=opened, is_simulated=is_simulated)
@@ -382,7 +382,7 @@ class Device(QObject):
     @Slot(object)
     def _on_not_responding(self, report: NotResponding) -> None:
         self._handle(report)
-        self.telemetry.clear()
+        self.telemetry.report_cleared()
         self.writer.give_up(tr("Nothing was written: the board does not respond."))
         if self.may_move and report.is_network:
             self.warn(tr("The network is silent; the server of the robot stops the motors."))
@@ -418,7 +418,7 @@ class Device(QObject):
         self._handle(report)
         if isinstance(report, LeaseChanged):
             self.lease_changed.emit()
-        if not isinstance(report, SetpointsChanged):  # a view shows them with the next samples
+        if not isinstance(report, SetpointsChanged):  # views show setpoints with the next samples
             self.link_changed.emit()
 
     @Slot()
@@ -433,5 +433,5 @@ class Device(QObject):
     def _on_closed(self, last: Closed | None) -> None:
         self._handle(last or Closed(None, may_move=False))
         self.writer.end()
-        self.telemetry.clear()
+        self.telemetry.report_cleared()
         self.state_changed.emit()

@@ -1,4 +1,4 @@
-"""Setpoints and stops, from the motors to the board."""
+"""Delivery of setpoints and stops to the board."""
 
 import time
 from collections.abc import Callable, Collection, Sequence
@@ -53,7 +53,7 @@ class DriveController(QObject):
     """Sends setpoints and stops of the motors to the board.
 
     After the line was opened or silent, a different board may respond. Its confirmations do not
-    count until it is read.
+    count until it has been read.
     """
 
     changed = Signal()  # `reaches_several`, or a stop was confirmed
@@ -67,7 +67,7 @@ class DriveController(QObject):
         parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
-        self.may_move = False  # no stop was confirmed since motors were driven
+        self.may_move = False  # motors were driven, and no stop was confirmed since
         # Motors (3: the auxiliary) that were driven since the last confirmed stop
         self.driven: set[int] = set()
         self._notifier = notifier
@@ -77,9 +77,9 @@ class DriveController(QObject):
         self._lost_settings: ConnectionSettings | None = None  # line on which motors may be turning
         self._lost_place = ""  # `place` of that line
         self._board: Connected | None = None  # newest report of the board
-        # Set by a group. `lacking` returns the number of a board that cannot be driven.
+        # Set by a group. `undrivable_board` returns `None` if all boards can be driven.
         self.routed: Callable[[SetpointRequest], Routed] = lambda request: ((None, request),)
-        self.lacking: Callable[[], int | None] = lambda: None
+        self.undrivable_board: Callable[[], int | None] = lambda: None
         self.named: Callable[[str], str] = str  # in a group, adds the board number
         self.reaches_several = False  # commands without a number reach several boards
         self._was_read = False  # a board was read since the line was opened
@@ -110,11 +110,11 @@ class DriveController(QObject):
     def update_available(self) -> None:
         """Allow arming only while commands reach the motors.
 
-        While channels are in control, the board stores a command until channel 5 hands over
+        While the channels are in control, the board stores a command until channel 5 hands over
         control. A motor would then start unexpectedly.
         """
         reaches_one = self._is_connected and not self.reaches_several
-        other = self.lacking()
+        other = self.undrivable_board()
         allowed = reaches_one and bool(self._mirror.serial_controls) and other is None
         if allowed != self._motors.is_available:
             if self._motors.armed and self._is_connected and not allowed:
@@ -188,7 +188,7 @@ class DriveController(QObject):
         self._connection.submit(Heartbeat(now()))
         self._unreported += 1
         seconds, settings = self._unreported * HEARTBEAT_INTERVAL, self._connection.settings
-        # Two replies in a row may be late. The guardian acts earlier.
+        # The limit allows for two late replies in a row. The guardian acts earlier.
         if settings and seconds >= settings.timeouts.guardian + 5 * latency_of(settings.url):
             self._motors.stop(tr("The connection is not responding."))
             self._unsent_timer.stop()
@@ -293,6 +293,7 @@ class DriveController(QObject):
 
     @property
     def lost_board(self) -> str:
+        """Warning about a driven board that another board has replaced, or an empty string."""
         if not self._lost:
             return ""
         text = tr(
@@ -324,7 +325,7 @@ class DriveController(QObject):
         """Record the board. Return whether a lost board is back."""
         before, self._board = self._board, report
         self._was_read = self._is_identified = True
-        if report.occasion is ReadReason.SELECTED:  # only after the former board has stopped
+        if report.occasion is ReadReason.SELECTED:  # selection requires a confirmed stop
             self.may_move = False
         if self.may_move and before is not None and not _may_be_same(before, report):
             self._lost.append(before)
@@ -401,7 +402,7 @@ class DriveController(QObject):
 
 
 def _may_be_same(first: Connected, second: Connected) -> bool:
-    """Return whether both may be the same board. Only simulated boards have a name."""
+    """Return whether both reports may be from one board. Only simulated boards have a name."""
     has_same_name = first.settings.name == second.settings.name
     return has_same_name and may_be_same_board(first.state, second.state)
 

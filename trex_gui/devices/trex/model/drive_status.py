@@ -1,4 +1,4 @@
-"""Drive status, and reasons that block held controls."""
+"""Drive status, and reasons why a held control cannot drive."""
 
 from collections.abc import Iterable
 
@@ -35,7 +35,7 @@ def drive_inputs(device: Device) -> DriveInputs:
         silence_remedy=device.board.silence_remedy,
         other_driver=device.main.board.other_driver,
         other_speeds=device.board.other_speeds,
-        undrivable=device.main.driving.lacking(),
+        undrivable=device.main.driving.undrivable_board(),
         reaches_several=device.driving.reaches_several,
         locked_for=motors.locked_for,
         is_available=motors.is_available,
@@ -58,7 +58,7 @@ def fault_text(statuses: Iterable[DriveStatus]) -> str:
 
 
 def held_drive_blocker(device: Device, holder: str) -> str:
-    """Return the reason why `holder` cannot drive, or empty."""
+    """Return the reason why `holder` cannot drive, or an empty string."""
     motors = device.motors
     drives = [motors.drive(motor) for motor in (1, 2)]
     is_moving = any(drive and not drive.is_brake and drive.speed for drive in drives)

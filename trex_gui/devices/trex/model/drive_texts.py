@@ -64,13 +64,13 @@ def limit_text(device: Device, motor: int) -> str:
 
 # --- The serial timeout -----------------------------------------------------------------
 
-_OFFERED_S = (0.5, 1.0, 2.0, 5.0)  # at 2 m/s, a robot moves 1 m in 0.5 s
+_PROPOSED_S = (0.5, 1.0, 2.0, 5.0)  # seconds; a robot at 2 m/s moves 1 m in 0.5 s
 
 
 @dataclass(frozen=True, slots=True)
 class TimeoutWarning:
     text: str
-    seconds: float | None  # a better timeout, if any
+    seconds: float | None  # a better timeout; `None` without a proposal
 
 
 def timeout_warning(device: Device) -> TimeoutWarning | None:
@@ -94,13 +94,16 @@ def _own_warning(device: Device) -> TimeoutWarning | None:
 def timeout_warning_on(
     settings: ConnectionSettings, timeout: float, stop: TimeoutStop, *, is_guarded: bool
 ) -> TimeoutWarning | None:
-    """Return a warning about a timeout in seconds (0: off)."""
+    """Return a warning about a serial timeout, or `None`.
+
+    `timeout` is in seconds. 0 means that it is off.
+    """
     latency = latency_of(settings.url) + settings.timeouts.extra
 
     def survives(seconds: float) -> bool:
         return survives_a_loss(settings.line, seconds, latency)
 
-    better = next(filter(survives, _OFFERED_S), _OFFERED_S[-1])
+    better = next(filter(survives, _PROPOSED_S), _PROPOSED_S[-1])
     if timeout == 0 and is_guarded:
         text = tr("Serial timeout is off: motors keep turning if the cable or this computer fails.")
     elif timeout == 0:

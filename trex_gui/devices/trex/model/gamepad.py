@@ -1,4 +1,4 @@
-"""Driving with a gamepad: selection, profile, and state."""
+"""Gamepad that drives the motors: selection, profile and state."""
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -44,13 +44,13 @@ class Gamepad(QObject):
         self.failure = ""  # reason and remedy if gamepads cannot be read
         self.pads: tuple[Pad, ...] = ()  # connected gamepads
         self.pad: Pad | None = None  # gamepad being read
-        self.gone = ""  # name of the gamepad that was disconnected
+        self.lost_pad = ""  # name of the gamepad that was disconnected
         self.profile = GamepadProfile()
         self.state: PadState | None = None  # state of `pad`; `None` while no gamepad is read
-        self.request = _NOTHING  # setpoints of `pad`, even if not sent
-        self.text = ""  # state or failure as a sentence; may be empty
+        self.request = _NOTHING  # setpoints of `pad`, even if they are not sent
+        self.text = ""  # state or failure in sentences; may be empty
         self._pilot = Pilot(self.profile)
-        self._has_read = False  # the gamepad was read since the pilot started
+        self._has_read = False  # the gamepad was read since the last reset of the pilot
         self._unattended = ""
         self._timer = new_timer(self, STEP_MS, self._on_step)
         self._motors.arming_changed.connect(self._on_arming_changed)
@@ -76,7 +76,7 @@ class Gamepad(QObject):
         except GamepadUnavailable as unavailable:
             self.failure = str(unavailable)
         else:
-            self.failure = self.gone = ""
+            self.failure = self.lost_pad = ""
             self.on = True
             self._timer.start()
             self._update_pads()
@@ -87,7 +87,7 @@ class Gamepad(QObject):
         self.failure = ""
         if self.on:
             self.on = False
-            self.gone = ""
+            self.lost_pad = ""
             self._timer.stop()
             self._control.abort(tr("Driving with a gamepad was switched off."))
             self.pads = ()
@@ -156,12 +156,12 @@ class Gamepad(QObject):
             self._on_pad_lost(self.pad)
         if self.pad is None and pads:
             last = self._store.text("gamepad/last")
-            self.gone = ""
+            self.lost_pad = ""
             self._set_pad(next((pad for pad in pads if pad.guid == last), pads[0]))
         self.changed.emit()
 
     def _on_pad_lost(self, pad: Pad) -> None:
-        self.gone = pad.name
+        self.lost_pad = pad.name
         self._set_pad(None)
         self._control.abort(tr("The gamepad “{0}” was disconnected.").format(pad.name))
 
@@ -210,9 +210,9 @@ class Gamepad(QObject):
         if not self.on:
             return self.failure
         if self.pad is None:
-            if not self.gone:
+            if not self.lost_pad:
                 return tr("No gamepad is connected. Plug one in or switch it on.")
-            return tr("The gamepad “{0}” was disconnected.").format(self.gone)
+            return tr("The gamepad “{0}” was disconnected.").format(self.lost_pad)
         if self._unattended:
             return self._unattended
         if not self._motors.armed:
@@ -252,7 +252,7 @@ def axis_text(pad: Pad, number: int) -> str:
 
 
 def _with_part(text: str, part: str) -> str:
-    """Append the name of a part. Unknown parts have SDL's own name."""
+    """Append the name of a part. Unknown parts keep the name from SDL."""
     words = {
         "leftx": tr("left stick, sideways"),
         "lefty": tr("left stick, up and down"),

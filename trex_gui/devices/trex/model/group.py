@@ -33,7 +33,7 @@ class BoardGroup(QObject):
         self._others: dict[int, Device] = {}
         self.wheels: tuple[Wheel, ...] = ()
         device.driving.routed = self._routed
-        device.driving.lacking = self._undrivable_board
+        device.driving.undrivable_board = self._undrivable_board
         device.driving.named = device.named
         device.connection.started.connect(self._update_devices)
         device.connection.device_read.connect(self._update_devices)  # a server sends its group
@@ -69,7 +69,7 @@ class BoardGroup(QObject):
         return settings is not None and not is_served(settings.url)
 
     def part(self) -> None:
-        """Drive the first board alone."""
+        """Reopen the line to drive the first board alone."""
         if (settings := self._device.settings) is not None:
             self._device.connect_to(replace(settings, group=()))
 

@@ -1,4 +1,4 @@
-"""Settings check, updated after edits and connection changes."""
+"""Settings check that runs after edits and connection changes."""
 
 from PySide6.QtCore import QObject, Signal, Slot
 

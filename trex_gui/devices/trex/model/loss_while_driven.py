@@ -1,4 +1,4 @@
-"""Messages about a board that was lost while driven."""
+"""Messages about a board that was lost while it was driven."""
 
 from functools import partial
 
@@ -18,9 +18,9 @@ _MARGIN_S = 1.0  # time for the motor to come to rest
 
 
 class LossWhileDriven(QObject):
-    """Reports the stop of a board that was lost while driven.
+    """Reports the confirmed stop of a board that was lost while it was driven.
 
-    If the board has latched a serial timeout, asks the user whether the timeout stopped the motor.
+    If that board has latched a serial timeout, asks the user whether the timeout stopped the motor.
     The program cannot know, because it sends a stop first. The user is not asked about simulated
     boards.
     """
@@ -31,7 +31,7 @@ class LossWhileDriven(QObject):
         self._lost_at: float | None = None
         self._lost_place = ""
         self._has_shutdown = False  # UART-Error Shutdown was on when the board was lost
-        self._silent_for: float | None = None  # seconds of a silence that may have stopped motors
+        self._silent_for: float | None = None  # seconds of silence, which may have stopped motors
         self._has_timed_out = False
 
         device.connection.not_responding.connect(self._on_lost)

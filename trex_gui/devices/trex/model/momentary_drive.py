@@ -15,7 +15,7 @@ _GROWTH_MS = 20
 
 
 class MomentaryDrive(QObject):
-    """Sets speeds from forward and turn, as holder `name`.
+    """Drives the motors with forward and turn values, as holder `name`.
 
     Speeds increase by `GROWTH` per second, so that a tapped key causes no jump. They decrease at
     once.
@@ -26,7 +26,7 @@ class MomentaryDrive(QObject):
         self._motors = motors
         self.name = name
         self.joint = False  # both drivers power one motor
-        self._direction = 0.0, 0.0  # forward and turn
+        self._direction = 0.0, 0.0  # forward and turn, each -1 to 1
         self._speeds = 0.0, 0.0
         self._grown_at = -math.inf
         self._timer = new_timer(self, _GROWTH_MS, self._grow)
@@ -41,7 +41,7 @@ class MomentaryDrive(QObject):
         return not (self.joint or self._motors.linked)
 
     def steer(self, forward: float, turn: float) -> bool:
-        """Set forward and turn, each -1 to 1. Return whether the motors were acquired."""
+        """Set forward and turn values, each -1 to 1. Return whether the motors were acquired."""
         if not self._motors.acquire(self.name):
             return False
         self._direction = forward, turn
@@ -84,8 +84,8 @@ def grown(
 ) -> tuple[float, float]:
     """Return the next speeds on the way to the goal.
 
-    Speeds increase by at most `limit`, in proportion, so that the robot stays on its curve. They
-    decrease at once, and drop to zero if the direction changes.
+    Speeds increase by at most `limit` and in proportion to each other, so that the robot stays on
+    its curve. They decrease at once. A speed drops to zero if its direction changes.
     """
     left, right = (
         math.copysign(min(abs(speed), abs(target)), target) if speed * target > 0 else 0.0
@@ -99,18 +99,18 @@ def grown(
 
 
 def mix(forward: float, turn: float, ceiling: int = FULL_SCALE) -> tuple[int, int]:
-    """Return speeds of motors 1 (left) and 2. `forward` and `turn` are -1 to 1.
+    """Return the speeds of motors 1 (left) and 2 (right).
 
     The board mixes channels in the same way (inferred, reference section 3). If a sum exceeds full
-    speed, both speeds are reduced in proportion. `ceiling` (1 to 127) is the speed at full
-    deflection.
+    speed, both speeds are reduced in proportion. `forward` and `turn` are -1 to 1. `ceiling` (1 to
+    127) is the speed at full deflection.
     """
     left, right = forward + turn, forward - turn
     scale = ceiling / max(1.0, abs(left), abs(right))
     return round(left * scale), round(right * scale)
 
 
-TURN_WHILE_GOING = 0.5  # turn while driving forward or back; at 1, one side would stop
+TURN_WHILE_DRIVING = 0.5  # turn value while driving forward or back; at 1.0, one side would stop
 
 
 class Heading(Enum):
@@ -123,7 +123,7 @@ class Heading(Enum):
 
 
 def keys_setpoint(held: Iterable[Heading]) -> tuple[float, float]:
-    """Return forward and turn. Opposite keys cancel each other."""
+    """Return the forward and turn values of held keys. Opposite keys cancel each other."""
     headings = set(held)
     forward, turn = (sum(heading.value[axis] for heading in headings) for axis in (0, 1))
-    return float(forward), turn * (TURN_WHILE_GOING if forward else 1.0)
+    return float(forward), turn * (TURN_WHILE_DRIVING if forward else 1.0)

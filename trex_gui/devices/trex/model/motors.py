@@ -26,7 +26,7 @@ LOCKOUT = 3.0
 Without a lockout, a slider that is still being dragged would start its motor again.
 """
 
-LONGEST = 10.0  # s; longest lockout
+MAX_LOCKOUT = 10.0  # s
 _AUXILIARY = 0  # number of the auxiliary motor
 
 
@@ -53,9 +53,9 @@ class Motors(QObject):
         self.accelerate = True  # speeds follow the board's ramp
         self._store = Preferences()
         # Seconds of lockout after `press_stop`, 0 to 10
-        self.lockout = self._store.real(_KEY, LOCKOUT, 0.0, LONGEST)
+        self.lockout = self._store.real(_KEY, LOCKOUT, 0.0, MAX_LOCKOUT)
         self.armed = False
-        self.is_available = False  # serial commands can drive
+        self.is_available = False  # serial commands can drive the motors
         self.stop_reason = ""  # reason for the last stop; empty if the user pressed stop
         self.holder = ""  # name of the control that has acquired the motors
         self.auxiliary = 0  # setpoint of the auxiliary motor, 0-127
@@ -67,12 +67,12 @@ class Motors(QObject):
         self.ceiling_in_force = FIRST_CEILING
         self.are_sides = False  # motors 1 and 2 are the sides of a group
         self.linked = False  # a setpoint for one motor applies to both
-        self.release_brake = FULL_SCALE  # duty when a momentary control ends, 0 (coast) to 127
+        self.release_brake = FULL_SCALE  # brake duty after a momentary control, 0 (coast) to 127
         self._drives: dict[int, Drive] = {}
-        self._held: set[int] = set()
+        self._held: set[int] = set()  # motors that the holder drives
         self._options: tuple[bool, bool] | None = None  # `accelerate` and `linked` to restore
         self._locked_until = -math.inf
-        self._announced = 0
+        self._reported_lockout = 0
         self._lockout_timer = new_timer(self, _STEP_MS, self._on_lockout_step)
 
     @property
@@ -80,7 +80,7 @@ class Motors(QObject):
         return self.is_available and not self.armed and not self.locked_for
 
     def drive(self, motor: int) -> Drive | None:
-        """Return the setpoint of motor 1 or 2, if any."""
+        """Return the setpoint of motor 1 or 2. `None` without a setpoint."""
         return self._drives.get(motor)
 
     @property
@@ -126,7 +126,7 @@ class Motors(QObject):
         A higher ceiling applies from the next setpoint, or once a held control is released.
         """
         if not 1 <= speed <= FULL_SCALE:
-            raise ValueError(f"the speed ceiling is 1 to {FULL_SCALE}, not {speed}")
+            raise ValueError(f"the speed ceiling must be 1 to {FULL_SCALE}, not {speed}")
         if self.board:
             self._store.set(self._ceiling_key, speed)
             self.is_first_drive = False
@@ -134,7 +134,7 @@ class Motors(QObject):
 
     @Slot(int)
     def set_lockout(self, seconds: float) -> None:
-        self.lockout = float(min(max(seconds, 0.0), LONGEST))
+        self.lockout = float(min(max(seconds, 0.0), MAX_LOCKOUT))
         self._store.set(_KEY, self.lockout)
 
     @property
@@ -176,7 +176,7 @@ class Motors(QObject):
     # --- Arming and stopping ------------------------------------------------------------
 
     def set_available(self, available: bool) -> None:
-        """Set whether a board can be driven. If not, disarm without a stop."""
+        """Set whether a board can be driven. If it cannot, disarm without a stop."""
         was_available, self.is_available = self.is_available, available
         if not available:
             self._disarm()
@@ -192,7 +192,7 @@ class Motors(QObject):
     def press_stop(self, *, reason: str = "") -> None:
         """Stop everything, and lock arming for `lockout` seconds."""
         self._locked_until = max(self._locked_until, now() + self.lockout)
-        self._announced = math.ceil(self.locked_for)
+        self._reported_lockout = math.ceil(self.locked_for)
         self._lockout_timer.start()
         self.stop(reason)
 
@@ -206,8 +206,8 @@ class Motors(QObject):
         seconds = math.ceil(self.locked_for)
         if not seconds:
             self._lockout_timer.stop()
-        if seconds != self._announced:
-            self._announced = seconds
+        if seconds != self._reported_lockout:
+            self._reported_lockout = seconds
             self.arming_changed.emit()
 
     def stop(self, reason: str = "") -> None:
@@ -236,7 +236,8 @@ class Motors(QObject):
     def acquire(self, holder: str, *, accelerate: bool | None = None) -> bool:
         """Reserve the motors for a control. Return whether they are reserved.
 
-        A given `accelerate` overrides the ramp option and unlinks the motors until `release`.
+        If `accelerate` is given, it overrides the ramp option and unlinks the motors until
+        `release`.
         """
         if not self.armed or self.holder not in {"", holder}:
             return False

@@ -36,7 +36,7 @@ class TrexPacketSender(PacketSender):
         except BadRequest as error:
             return SendPreview(blocker=str(error))
         lines, risky = [self._line(packet) for packet in packets], list(map(_is_risky, packets))
-        # If there are too many packets, prefer packets that move or store something.
+        # If there are too many packets, prefer packets that move a motor or store a value.
         by_risk = sorted(range(len(lines)), key=lambda index: not risky[index])
         shown = [lines[index] for index in sorted(by_risk[:_MAX_LINES])]
         if hidden := len(lines) - len(shown):

@@ -1,4 +1,4 @@
-"""Playback of a board's recording."""
+"""Playback of a recording of a board."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial

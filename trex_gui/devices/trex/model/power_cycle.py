@@ -12,22 +12,22 @@ from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import new_timer
 
-_LONG_MS = 10_000
+_TIMEOUT_MS = 10_000
 
 
 class PowerCycleStage(Enum):
     """Stage of a power cycle. A silent board counts as switched off."""
 
     NONE = auto()
-    OFF_WANTED = auto()
-    ON_WANTED = auto()
-    BACK = auto()
-    LOST = auto()
-    UNSURE = auto()
+    AWAITING_OFF = auto()
+    AWAITING_ON = auto()
+    BACK = auto()  # the board responds again
+    LOST = auto()  # the line was closed
+    UNSURE = auto()  # the line was reopened, but stored settings may not be active yet
 
 
-_UNNOTICED = {PowerCycleStage.OFF_WANTED, PowerCycleStage.UNSURE}  # the board still responds
-_WAITING = _UNNOTICED | {PowerCycleStage.ON_WANTED}
+_UNNOTICED = {PowerCycleStage.AWAITING_OFF, PowerCycleStage.UNSURE}  # the board still responds
+_WAITING = _UNNOTICED | {PowerCycleStage.AWAITING_ON}
 
 
 class PowerCycle(QObject):
@@ -38,8 +38,8 @@ class PowerCycle(QObject):
         self._device = device
         self.stage = PowerCycleStage.NONE
         self.takes_long = False  # nothing has happened for 10 s
-        self.expected: ConnectionSettings | None = None  # new line settings, if any
-        self._timeout = new_timer(self, _LONG_MS, self._on_timeout, single_shot=True)
+        self.expected: ConnectionSettings | None = None  # new line settings; `None` if unchanged
+        self._timeout = new_timer(self, _TIMEOUT_MS, self._on_timeout, single_shot=True)
 
         device.link_changed.connect(self._on_link_changed)
 
@@ -63,7 +63,7 @@ class PowerCycle(QObject):
         self.expected = None if expected == settings else expected
         if not any(key in REACH for key in failed):
             self._device.connection.expect(() if self.expected is None else (self.expected,))
-        self._set_stage(PowerCycleStage.OFF_WANTED)
+        self._set_stage(PowerCycleStage.AWAITING_OFF)
 
     def confirm(self) -> None:
         if self._device.is_connected:
@@ -80,10 +80,10 @@ class PowerCycle(QObject):
         is_closed = link in {ConnectionState.DISCONNECTED, ConnectionState.DISCONNECTING}
         if stage in _WAITING and is_closed:
             self._set_stage(PowerCycleStage.LOST)
-        elif stage is PowerCycleStage.ON_WANTED and link is ConnectionState.CONNECTED:
+        elif stage is PowerCycleStage.AWAITING_ON and link is ConnectionState.CONNECTED:
             self._set_stage(PowerCycleStage.BACK)
         elif stage in _UNNOTICED and link is ConnectionState.NOT_RESPONDING:
-            self._set_stage(PowerCycleStage.ON_WANTED)
+            self._set_stage(PowerCycleStage.AWAITING_ON)
         elif stage is PowerCycleStage.LOST and link is ConnectionState.CONNECTED:
             self._set_stage(PowerCycleStage.UNSURE if self.still_waiting else PowerCycleStage.BACK)
 
@@ -95,7 +95,7 @@ class PowerCycle(QObject):
     def _set_stage(self, stage: PowerCycleStage) -> None:
         self.stage = stage
         self.takes_long = False
-        if stage in {PowerCycleStage.OFF_WANTED, PowerCycleStage.ON_WANTED}:
+        if stage in {PowerCycleStage.AWAITING_OFF, PowerCycleStage.AWAITING_ON}:
             self._timeout.start()
         else:
             self._timeout.stop()

@@ -36,7 +36,7 @@ class ProvisionStep(Enum):
     REVIEW = auto()
     WRITE = auto()
     MOTORS = auto()
-    UNPLUG = auto()  # the board is done
+    UNPLUG = auto()  # the board is finished or unsuitable
 
 
 class Provision(QObject):
@@ -47,9 +47,9 @@ class Provision(QObject):
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.step = ProvisionStep.PROFILE
-        self.board: ProvisionedBoard | None = None  # line of the record, proposed or final
+        self.board: ProvisionedBoard | None = None  # entry of the record, proposed or final
         self.comparison = Comparison(())  # differences, before or after the write
-        self.done: list[ProvisionedBoard] = []  # lines added to the record since `start`
+        self.done: list[ProvisionedBoard] = []  # entries added to the record since `start`
         self.problem = ""  # reason why the board or the record cannot be used
         self.pulses = MotorPulses(device, self)
         self.turns_motors = False
@@ -57,7 +57,7 @@ class Provision(QObject):
         self._profile: Settings | None = None
         self._record: ProvisionRecord | None = None
         self._is_ending = False
-        self._saving: Callable[[], None] | None = None  # called once the record is saved
+        self._after_saving: Callable[[], None] | None = None  # called once the record is saved
         device.link_changed.connect(self._on_board_changed)
         device.state_changed.connect(self._on_board_changed)
         device.applied.connect(self._on_applied)
@@ -73,7 +73,7 @@ class Provision(QObject):
         self._on_board_changed()
 
     def write(self) -> None:
-        """Record the number, then write the reviewed values."""
+        """Save the proposed entry in the record, then write the reviewed values."""
         if self.step is ProvisionStep.REVIEW and self.board and self._device.writer.can_apply:
             self._set_step(ProvisionStep.WRITE)
             self._save(self.board, self._write)
@@ -89,15 +89,15 @@ class Provision(QObject):
             self._finish(self.board if turned else replace(self.board, result=NOT_TRIED))
 
     def retry(self) -> None:
-        if self.problem and self._saving is not None and self.board is not None:
-            self._save(self.board, self._saving)
+        if self.problem and self._after_saving is not None and self.board is not None:
+            self._save(self.board, self._after_saving)
 
     def stop(self) -> None:
-        """End the setup after the present board."""
+        """End the setup after the current board."""
         self.finish_motors(turned=False)
         self._is_ending = True
-        if self.problem or (self.step is not ProvisionStep.WRITE and self._saving is None):
-            self._saving = None
+        if self.problem or (self.step is not ProvisionStep.WRITE and self._after_saving is None):
+            self._after_saving = None
             self._set_step(ProvisionStep.PROFILE)
 
     # --- Boards, one by one -------------------------------------------------------------
@@ -117,7 +117,7 @@ class Provision(QObject):
                     self._set_step(ProvisionStep.WAIT)
             case ProvisionStep.MOTORS if not is_present:
                 self.finish_motors(turned=False)
-            case ProvisionStep.UNPLUG if self._saving is None:
+            case ProvisionStep.UNPLUG if self._after_saving is None:
                 if not is_present or (self.board is not None and number != self.board.number):
                     self._set_step(ProvisionStep.WAIT)
                     self._on_board_changed()
@@ -157,7 +157,7 @@ class Provision(QObject):
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
-        if self.step is not ProvisionStep.WRITE or self._saving is not None:
+        if self.step is not ProvisionStep.WRITE or self._after_saving is not None:
             return
         failed = [result for result in results if result.error is not None]
         with in_english():
@@ -167,7 +167,7 @@ class Provision(QObject):
 
     @Slot(str)
     def _on_request_failed(self, reason: str) -> None:
-        if self.step is ProvisionStep.WRITE and self._saving is None:
+        if self.step is ProvisionStep.WRITE and self._after_saving is None:
             self._on_written(reason)
 
     @Slot()
@@ -201,13 +201,13 @@ class Provision(QObject):
     def _save(self, board: ProvisionedBoard, then: Callable[[], None]) -> None:
         if (record := self._record) is None:
             return
-        self.board, self._saving, self.problem = board, then, ""
+        self.board, self._after_saving, self.problem = board, then, ""
         record.put(board)
         in_background(self, record.save, lambda _: self._on_saved(), self._on_not_saved)
         self.changed.emit()
 
     def _on_saved(self) -> None:
-        then, self._saving = self._saving, None
+        then, self._after_saving = self._after_saving, None
         if then is not None:
             then()
 

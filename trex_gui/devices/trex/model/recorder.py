@@ -32,7 +32,7 @@ from trex_gui.ui.preferences import Preferences
 from trex_gui.ui.runtime import new_timer, now
 from trex_gui.ui.workers.record_thread import RecordThread
 
-_KEEP = "recording/keep_events"
+_ON_KEY = "recording/keep_events"
 
 
 class Recorder(RecordThread[Record]):
@@ -49,9 +49,9 @@ class Recorder(RecordThread[Record]):
         self._device = device
         self._board: tuple[object, ...] = ()
         self._settings = ""
-        # Board number → A per count
+        # Board number → A per count of its current measurement
         self._others: dict[int, float] = {}  # other boards of the group
-        self._recorded: dict[int, float] = {}  # other boards in the header
+        self._recorded: dict[int, float] = {}  # other boards that the header lists
 
         device.sampled.connect(self._on_sampled)
         device.connection.of_board.connect(self._on_other_board)
@@ -131,7 +131,7 @@ class Recorder(RecordThread[Record]):
 
 _BEFORE = 20.0  # s recorded before a fault or stop
 _AFTER = 10.0  # s recorded after the last fault or stop
-_LONGEST = 120.0  # s; repeated faults do not extend a file further
+_MAX_LENGTH = 120.0  # s; repeated faults do not extend a file further
 _START_DELAY = 0.5  # s; recording must not slow down the stop
 
 
@@ -147,20 +147,20 @@ class EventRecorder(Recorder):
 
     def __init__(self, device: Device, user: Recorder, parent: QObject | None = None) -> None:
         self._recent = deque[Record]()
-        self._template: Header | None = None  # for the connected board
+        self._template: Header | None = None  # header for the connected board
         self._before: BoardSnapshot | None = None  # state of the board before `_recent`
         self._driven: dict[int, bool] = {}  # motor (0: auxiliary) → true while driven
         self._event: Event | None = None  # cause of the recording
-        self._user = user  # records at the user's request
+        self._user = user  # recorder that the user starts
         super().__init__(device, parent)
-        self.is_on = Preferences().flag(_KEEP, default=True)
+        self.is_on = Preferences().flag(_ON_KEY, default=True)
         start_ms, end_ms = round(1000 * _START_DELAY), round(1000 * _AFTER)
         self._start_timer = new_timer(self, start_ms, self._start_soon, single_shot=True)
         self._end_timer = new_timer(self, end_ms, self.stop, single_shot=True)
 
     def set_on(self, on: bool) -> None:
         self.is_on = on
-        Preferences().set(_KEEP, on)
+        Preferences().set(_ON_KEY, on)
 
     @Slot(int, object)
     def _on_other_board(self, number: int, report: Report) -> None:
@@ -199,7 +199,7 @@ class EventRecorder(Recorder):
         if self._user.recording:
             return
         if self.recording:
-            if self.seconds < _LONGEST:
+            if self.seconds < _MAX_LENGTH:
                 self._end_timer.start()
         elif not self._start_timer.isActive():
             self._event = event
@@ -210,7 +210,7 @@ class EventRecorder(Recorder):
     def _start_soon(self) -> None:
         if self._worker is None:
             self._start()
-        elif self._end_timer.isActive():  # a slow disk still writes the last recording
+        elif self._end_timer.isActive():  # the last recording is still being written to a slow disk
             self._start_timer.start()
 
     def _start(self) -> None:

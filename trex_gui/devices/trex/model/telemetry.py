@@ -35,7 +35,7 @@ Series = IntEnum(
 """Columns of `Telemetry.currents`."""
 
 _TYPES = ["float64" if s in {Series.CURRENT1, Series.CURRENT2} else "float16" for s in Series]
-"""Every series except the currents consists of whole numbers from -127 to 127."""
+"""All series except the currents contain whole numbers from -127 to 127."""
 
 
 def board_traces() -> list[TraceInfo]:
@@ -85,7 +85,7 @@ class Telemetry(QObject):
     """
 
     updated = Signal()  # new samples, at most once per display frame
-    # Like `updated`, but only while a window is visible. Also when a window becomes visible
+    # Like `updated`, but only while a window is visible. Also emitted when a window becomes visible
     frame_due = Signal()
     text_due = Signal()  # like `frame_due`, but for text, at most once per `TEXT_INTERVAL`
 
@@ -94,8 +94,8 @@ class Telemetry(QObject):
     ) -> None:
         super().__init__(parent)
         self.newest = newest  # owned by the `BoardMirror`
-        self.latest: float = 0.0
-        self.samples = 0
+        self.latest: float = 0.0  # time of the newest sample
+        self.samples = 0  # number of samples so far
         self._is_visible = True
         self._text_at = -math.inf
         self.ampere = 0.15  # A per count; initially the value of a TReX
@@ -114,9 +114,10 @@ class Telemetry(QObject):
         self.currents.clear()
         self.inputs.clear()
         self.ampere = ampere_per_count
-        self.clear()
+        self.report_cleared()
 
-    def clear(self) -> None:
+    def report_cleared(self) -> None:
+        """Update the views after the newest values were cleared."""
         self.updated.emit()
         self._renew_views()
 
@@ -166,22 +167,22 @@ class Telemetry(QObject):
         return None if sample is None else (sample.counts[0] * unit, sample.counts[1] * unit)  # A
 
     def raw_of(self, channel: int) -> int | None:
-        """Return the raw count of a channel (1-5), if valid."""
+        """Return the raw count of a channel (1-5). `None` without a valid signal."""
         return self.raw[CHANNELS.index(channel)] if self.raw else None
 
     def remapped_of(self, channel: int) -> int | None:
-        """Return the remapped value of a channel (1-5)."""
+        """Return the remapped value of a channel (1-5). `None` if unknown."""
         return self.remapped[CHANNELS.index(channel)] if self.remapped else None
 
 
-_MIN_RESULTS = 3  # consecutive equal results that make the state known
+_MIN_RESULTS = 3  # consecutive equal results after which the state counts as known
 
 
 class MixJumper(QObject):
     """State of the mix jumper.
 
-    No command reads the jumper. While a stick is off neutral, its state is inferred by comparing
-    the computed outputs of channels 1 and 2 with the outputs that the board reports.
+    No command reads the jumper. While a stick is off neutral, the state of the jumper is inferred
+    by comparing the computed outputs of channels 1 and 2 with the outputs that the board reports.
     """
 
     changed = Signal()

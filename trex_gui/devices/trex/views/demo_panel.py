@@ -146,7 +146,7 @@ def _other_rows(board: DemoBoard, parent: QWidget) -> BoardRows:
         lambda _snapshot: len(board.automatic) == len(CHANNELS),
     )
     tip = tr("Hold all sticks centred, as safe-start requires")
-    centre = ui.button(rows, "demoCentre", tr("Centre"), tip=tip, on_click=board.centre_sticks)
+    centre = ui.button(rows, "demoCentre", tr("Centre"), tip=tip, on_click=board.center_sticks)
 
     rows.add_wide((power, 1), (cycle, 0))
     rows.add_wide(Muted(tr("Mode is read at power-up; Mix takes effect at once."), rows))

@@ -16,18 +16,18 @@ from trex_gui.ui.widgets.builders import button, column, named
 from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.step_strip import StepStrip
 
-_STEPS_DONE = {Stage.ON_WANTED: 1, Stage.BACK: 3}
+_STEPS_DONE = {Stage.AWAITING_ON: 1, Stage.BACK: 3}
 
 _RESULTS = {  # (stage, takes long) → text
-    (Stage.OFF_WANTED, False): tr_noop(
+    (Stage.AWAITING_OFF, False): tr_noop(
         "Switch the board off for at least one second. Waiting for the board to stop responding …"
     ),
-    (Stage.OFF_WANTED, True): tr_noop(
+    (Stage.AWAITING_OFF, True): tr_noop(
         "The board still responds. A short interruption is not detected: leave the power off for "
         "a full second."
     ),
-    (Stage.ON_WANTED, False): tr_noop("Switch it on again. Waiting for it to respond again …"),
-    (Stage.ON_WANTED, True): tr_noop(
+    (Stage.AWAITING_ON, False): tr_noop("Switch it on again. Waiting for it to respond again …"),
+    (Stage.AWAITING_ON, True): tr_noop(
         "The board is still not responding. Check its power and the cable. If both are fine, "
         "disconnect and press “Find…”, which tries every setting."
     ),
@@ -61,12 +61,12 @@ class PowerCyclePage(Page):
     @Slot()
     def _on_changed(self) -> None:
         stage = self._cycle.stage
-        if stage is Stage.OFF_WANTED:
+        if stage is Stage.AWAITING_OFF:
             self._waiting = self._cycle.still_waiting
         self._title.show_note(self._title_text())
         text, alarming = self._result_text()
         self._result.show_note(text, alarming=alarming)
-        is_long = stage is Stage.OFF_WANTED and self._cycle.takes_long
+        is_long = stage is Stage.AWAITING_OFF and self._cycle.takes_long
         self._confirm.setVisible(stage is Stage.UNSURE or is_long)
 
     def _title_text(self) -> str:
@@ -85,10 +85,10 @@ class PowerCyclePage(Page):
             text = tr("The board is back, but these settings are still not active: {0}.")
             return text.format(waiting), True
         text = "" if stage is Stage.NONE else tr(_RESULTS[stage, takes_long])
-        if stage is Stage.ON_WANTED and not takes_long and cycle.expected is not None:
+        if stage is Stage.AWAITING_ON and not takes_long and cycle.expected is not None:
             reconnects = tr("The program then reconnects at {0}.")
             text = f"{text} {reconnects.format(cycle.expected.line.text())}"
-        return text, stage is Stage.LOST or (stage is Stage.ON_WANTED and takes_long)
+        return text, stage is Stage.LOST or (stage is Stage.AWAITING_ON and takes_long)
 
 
 def _steps(cycle: PowerCycle) -> tuple[Sequence[str], int]:

@@ -74,7 +74,7 @@ class SnapshotPane(QWidget):
         if with_board:
             title = tr("Now, with edits")
             comparison = diff_against_draft(self._device.draft, settings)
-        elif adjacent := other or self._table.neighbour(snapshot):
+        elif adjacent := other or self._table.neighbor(snapshot):
             content = self._table.content_of(adjacent)
             if not isinstance(content, Settings):
                 return self._unreadable_text(adjacent)

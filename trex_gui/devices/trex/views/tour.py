@@ -40,7 +40,7 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[TourStep]:
     yield from tour.wait()
     yield from tour.capture_pages()
     yield partial(sticks.set_automatic, False)
-    yield sticks.centre_sticks
+    yield sticks.center_sticks
     yield partial(tour.trigger_action, "learnAction")
     yield partial(is_reached, "learnRestPage")
     yield from tour.capture_dialog("learnDialog", "learn-rest")
@@ -48,7 +48,7 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[TourStep]:
     yield partial(tour.is_visible, "learnTravelPage")
     for microseconds in (1850, 1150):
         yield from hold(microseconds)
-    yield sticks.centre_sticks
+    yield sticks.center_sticks
     yield from tour.capture_dialog("learnDialog", "learn-travel")
     yield partial(tour.press, "learnNextButton")
     yield partial(tour.is_visible, "learnReviewPage")

@@ -189,7 +189,7 @@ class TrexWorkspace(Workspace):
         # Queued, so that the review has its result before the stick test.
         queued = Qt.ConnectionType.QueuedConnection
         learning.stored.connect(self._settings.close_if_verified, queued)
-        learning.started.connect(self._controller.demo_board.centre_sticks)
+        learning.started.connect(self._controller.demo_board.center_sticks)
         learning.started.connect(lambda: self._tools.learn)  # runs the stick test after a set-up
         return learning
 

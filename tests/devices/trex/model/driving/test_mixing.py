@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from trex_gui.devices.trex.model.momentary_drive import (
-    TURN_WHILE_GOING,
+    TURN_WHILE_DRIVING,
     Heading,
     grown,
     keys_setpoint,
@@ -86,8 +86,8 @@ KEYS = {"W": Heading.FORWARD, "S": Heading.BACK, "A": Heading.LEFT, "D": Heading
         ("S", (-1, 0)),
         ("D", (0, 1)),
         ("WW", (1, 0)),
-        ("WD", (1, TURN_WHILE_GOING)),
-        ("SA", (-1, -TURN_WHILE_GOING)),
+        ("WD", (1, TURN_WHILE_DRIVING)),
+        ("SA", (-1, -TURN_WHILE_DRIVING)),
         ("WS", (0, 0)),
         ("WSD", (0, 1)),
         ("WASD", (0, 0)),

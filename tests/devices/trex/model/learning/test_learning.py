@@ -56,7 +56,7 @@ class LearningSetup:
 
         def is_there() -> bool:
             learning = self.learning
-            unconfirmed = learning.step is LearningStep.FAILED and UNCONFIRMED in learning.trouble
+            unconfirmed = learning.step is LearningStep.FAILED and UNCONFIRMED in learning.problem
             if unconfirmed and step is not LearningStep.FAILED:
                 learning.repeat()
             return learning.step is step
@@ -158,7 +158,7 @@ def test_unconfirmed_stop_fails_learning(setup: LearningSetup) -> None:
     setup.simulator.do("line mute on")
     setup.learning.start((1,))
     setup.until_step(LearningStep.FAILED)
-    assert setup.learning.trouble
+    assert setup.learning.problem
 
 
 @pytest.mark.parametrize(
@@ -170,8 +170,8 @@ def test_mode_in_which_sticks_drive_is_refused(
     setup.restart_in_mode(mode)
     setup.learning.start((1,))
     assert setup.learning.step is LearningStep.FAILED
-    assert "sticks drive the motors" in setup.learning.trouble
-    assert remedy in setup.learning.trouble
+    assert "sticks drive the motors" in setup.learning.problem
+    assert remedy in setup.learning.problem
 
 
 def test_channels_in_control_fail_learning_for_good(setup: LearningSetup) -> None:
@@ -181,7 +181,7 @@ def test_channels_in_control_fail_learning_for_good(setup: LearningSetup) -> Non
     setup.learning.changed.connect(lambda: steps.append(setup.learning.step))
     setup.learning.start((1,))
     assert setup.learning.step is LearningStep.FAILED
-    assert "the channels are in control" in setup.learning.trouble
+    assert "the channels are in control" in setup.learning.problem
     until = now() + 2
     setup.until(lambda: now() > until)
     assert set(steps) <= {LearningStep.STOPPING, LearningStep.FAILED}
@@ -196,7 +196,7 @@ def test_rc_mode_is_refused_despite_override(setup: LearningSetup) -> None:
     setup.until(lambda: setup.device.board.serial_controls is True)
     setup.learning.start_test((1,))
     assert setup.learning.step is LearningStep.FAILED
-    assert "The next move of its switch returns them to the sticks" in setup.learning.trouble
+    assert "The next move of its switch returns them to the sticks" in setup.learning.problem
 
 
 def test_joint_mode_motor_stays_stopped_while_sticks_move(setup: LearningSetup) -> None:
@@ -222,8 +222,8 @@ def test_current_after_the_stop_requires_a_user_check(setup: LearningSetup) -> N
     setup.simulator.do("current 2 3.0")
     setup.learning.start((1,))
     setup.until_step(LearningStep.DOUBT)
-    assert "motor 2 draws 3.0 A" in setup.learning.trouble
-    assert "cut its power" in setup.learning.trouble
+    assert "motor 2 draws 3.0 A" in setup.learning.problem
+    assert "cut its power" in setup.learning.problem
     setup.learning.repeat()
     setup.until_step(LearningStep.STOPPING)
     setup.until_step(LearningStep.DOUBT)
@@ -247,7 +247,7 @@ def test_arming_is_allowed_in_review_but_not_in_travel(setup: LearningSetup) -> 
     setup.until_step(LearningStep.REVIEW)
     setup.learning.back()
     setup.until_step(LearningStep.FAILED)
-    assert "armed" in setup.learning.trouble
+    assert "armed" in setup.learning.problem
     setup.device.motors.stop()
 
 
@@ -273,7 +273,7 @@ def test_restart_in_another_mode_fails_learning(setup: LearningSetup) -> None:
     setup.simulator.do("jumper mode rc")
     setup.simulator.do("power cycle")
     setup.until_step(LearningStep.FAILED)
-    assert "Nothing was changed" in setup.learning.trouble
+    assert "Nothing was changed" in setup.learning.problem
 
 
 def test_channel_without_signal_is_skipped(setup: LearningSetup) -> None:
@@ -455,8 +455,8 @@ def test_failed_test_does_not_deny_the_written_values(setup: LearningSetup, how:
         setup.simulator.do("jumper mode rc")
         setup.simulator.do("power cycle")
     setup.until_step(LearningStep.FAILED)
-    assert "Nothing was changed" not in setup.learning.trouble
-    assert "The test has ended; it changes nothing in the board" in setup.learning.trouble
+    assert "Nothing was changed" not in setup.learning.problem
+    assert "The test has ended; it changes nothing in the board" in setup.learning.problem
     setup.device.motors.stop()
 
 
@@ -478,11 +478,11 @@ def test_restart_after_power_loss_stops_the_motors_again(
     setup.until_step(step)
     setup.simulator.do("power off")
     setup.until_step(LearningStep.FAILED)
-    assert "The board does not respond" in setup.learning.trouble
-    assert ("Nothing was changed" in setup.learning.trouble) is not is_test
-    assert ("The test has ended" in setup.learning.trouble) is is_test
+    assert "The board does not respond" in setup.learning.problem
+    assert ("Nothing was changed" in setup.learning.problem) is not is_test
+    assert ("The test has ended" in setup.learning.problem) is is_test
     setup.learning.repeat()
-    assert setup.learning.trouble == "Connect to a board first."
+    assert setup.learning.problem == "Connect to a board first."
     setup.simulator.do("power on")
     setup.until(lambda: setup.device.link is ConnectionState.CONNECTED)
     assert not setup.learning.can_go_on

@@ -170,9 +170,9 @@ def test_file_not_editable_in_place_is_rewritten_on_request(tmp_path: Path) -> N
     # The block ends where the file ends. A line after it would add a line break.
     path.write_text("product: TReX\nfirmware: |\n  1.2", encoding="utf-8")
     document = SettingsDocument.of_file(path, load(path))
-    assert not document.trouble
+    assert not document.problem
     document.draft.parameters.edit("motor_mode", 1)
-    assert "cannot be changed in place" in document.trouble
+    assert "cannot be changed in place" in document.problem
     with pytest.raises(SettingsError):
         save_now(document, document.content)
     save_now(document, partial(document.content, fresh=True))
@@ -208,6 +208,6 @@ def test_edited_document_text_parses_to_its_settings(
             document.draft.parameters.edit(key, wire)
     for key, calibration in after.calibrations.items():
         document.draft.calibrations.edit(key, calibration)
-    assert not document.trouble
+    assert not document.problem
     again = SettingsDocument(document.text, "again.txt")
     assert again.settings == document.settings

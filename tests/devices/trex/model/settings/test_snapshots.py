@@ -164,13 +164,13 @@ def test_neighbour_is_next_newer_or_older_of_same_product(table: ListedHistory) 
     )
     damaged.path.write_text("", encoding="utf-8")
     refresh(table)
-    assert table.neighbour(oldest) == middle
-    assert table.neighbour(middle) == newest
-    assert table.neighbour(newest) == middle
-    assert table.neighbour(junior) is None
+    assert table.neighbor(oldest) == middle
+    assert table.neighbor(middle) == newest
+    assert table.neighbor(newest) == middle
+    assert table.neighbor(junior) is None
     table.history.remove(newest)
     refresh(table)
-    assert table.neighbour(newest) is None
+    assert table.neighbor(newest) is None
 
 
 @pytest.mark.parametrize(

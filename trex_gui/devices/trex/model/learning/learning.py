@@ -59,7 +59,7 @@ class Learning(QObject):
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.step = LearningStep.ENDED
-        self.trouble = ""  # reason for a failure or doubt, for the user
+        self.problem = ""  # reason for a failure or doubt, for the user
         self.news = ""  # message before a test; empty if the user started it
         self.numbers: tuple[int, ...] = ()  # channels of the last run
         self.channels: tuple[LearnedChannel, ...] = ()
@@ -211,8 +211,8 @@ class Learning(QObject):
         self.tests = None
         self.pending.clear()
         self._after_stopping = after_stopping
-        if trouble := self.preconditions.blocker:
-            self._fail(trouble)
+        if blocker := self.preconditions.blocker:
+            self._fail(blocker)
             return
         self.preconditions.start()
         self._set_step(LearningStep.STOPPING)
@@ -228,7 +228,7 @@ class Learning(QObject):
 
     @Slot(str)
     def _on_doubted(self, currents: str) -> None:
-        self.trouble = tr(
+        self.problem = tr(
             "The board accepted the stop, but {0}. Check the motors: if one turns, something else "
             "drives it, such as another controller on this line; cut its power. Continue only if "
             "they are not turning."
@@ -284,7 +284,7 @@ class Learning(QObject):
         self.preconditions.watch_motors(step in _MOVING)
 
     def _fail(self, text: str) -> None:
-        self.trouble = text
+        self.problem = text
         self._set_step(LearningStep.FAILED)
 
     # --- Measurements and stored values -------------------------------------------------

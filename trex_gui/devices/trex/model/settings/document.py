@@ -40,7 +40,7 @@ class SettingsDocument(QObject):
         self._text = text
         self.on_disk: bytes | None = None  # content of the file when it was last opened or saved
         self.readable = False  # the settings were read from the text
-        self._trouble = ""
+        self._problem = ""
         self._findings: tuple[Finding, ...] = ()
         self._timer = new_timer(self, 0, self._publish, single_shot=True)
         self._stale = False
@@ -90,10 +90,10 @@ class SettingsDocument(QObject):
         return self._text
 
     @property
-    def trouble(self) -> str:
+    def problem(self) -> str:
         """Reason why edits do not fit into the text, or empty."""
         self._update_text()
-        return self._trouble
+        return self._problem
 
     @property
     def findings(self) -> tuple[Finding, ...]:
@@ -102,7 +102,7 @@ class SettingsDocument(QObject):
 
     @property
     def modified(self) -> bool:
-        return bool(self.trouble) or self.text != self._saved
+        return bool(self.problem) or self.text != self._saved
 
     def set_text(self, text: str) -> None:
         if not self.readable and text != self._base:
@@ -133,8 +133,8 @@ class SettingsDocument(QObject):
         settings = self.settings
         if fresh and settings is not None:
             text = write_settings(settings)
-        elif self.trouble:
-            raise SettingsError.of(self.name, self.trouble)
+        elif self.problem:
+            raise SettingsError.of(self.name, self.problem)
         else:
             text = self.text
         return Content(text, partial(self._record_saved, text, settings, fresh))
@@ -168,12 +168,12 @@ class SettingsDocument(QObject):
             return
         self._stale = False
         try:
-            self._text, self._trouble = amend(self._base, settings, self.name), ""
+            self._text, self._problem = amend(self._base, settings, self.name), ""
             _, self._findings = read_settings(self._text, self.name)
         except SettingsError as error:
-            self._trouble = error.findings[0].message
+            self._problem = error.findings[0].message
         except StudioError as error:
-            self._trouble = str(error)
+            self._problem = str(error)
 
 
 def text_of(data: bytes, name: str) -> tuple[str, Finding | None]:

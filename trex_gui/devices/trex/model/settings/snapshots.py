@@ -113,7 +113,7 @@ class SnapshotTable(QAbstractTableModel):
         rows = enumerate(self.snapshots)
         return next((row for row, snapshot in rows if snapshot.path == path), None)
 
-    def neighbour(self, snapshot: Snapshot) -> Snapshot | None:
+    def neighbor(self, snapshot: Snapshot) -> Snapshot | None:
         """Return the nearest undamaged snapshot of the same model.
 
         Newer snapshots are preferred.

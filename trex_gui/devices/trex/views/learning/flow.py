@@ -216,7 +216,7 @@ def _status_note(learning: Learning) -> tuple[str, bool]:
             tests = learning.tests
             is_held = tests is not None and tests.channels_passed and not tests.passed
             return f"{learning.news} {_test_text(learning)}".strip(), is_held
-    return learning.trouble, learning.step in {LearningStep.FAILED, LearningStep.DOUBT}
+    return learning.problem, learning.step in {LearningStep.FAILED, LearningStep.DOUBT}
 
 
 def _rest_text(learning: Learning) -> str:

@@ -156,11 +156,11 @@ class TextPage(QWidget):
                 "This file cannot be used. Correct the text here, then check it again; "
                 "the other pages open once it has no errors."
             )
-        if document.trouble:
+        if document.problem:
             return tr(
                 "This is the text as it was opened, without your changes: {0}. Save offers to "
                 "rewrite the file from the settings."
-            ).format(document.trouble)
+            ).format(document.problem)
         return tr(
             "Save writes this text. Comments and the order of the lines stay as they are; change "
             "values on the other pages."

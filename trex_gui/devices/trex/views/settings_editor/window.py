@@ -150,7 +150,7 @@ class SettingsEditor(QMainWindow):
         return path is not None and self.save_to(path)
 
     def save_to(self, path: Path, *, ask: bool = False) -> bool:
-        trouble = self.document.trouble
+        trouble = self.document.problem
         if trouble and not file_questions.may_rewrite(self, trouble):
             return False
         return self.saver.save(path, partial(self.document.content, fresh=bool(trouble)), ask=ask)

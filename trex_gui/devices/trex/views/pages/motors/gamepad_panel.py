@@ -86,7 +86,7 @@ class GamepadPanel(QWidget):
         self._set_up.setEnabled(gamepad.pad is not None)
         for widget in (self._pads, self._set_up, self._unfocused):
             widget.setVisible(gamepad.on)
-        self._state.show_note(gamepad.text, alarming=bool(gamepad.failure or gamepad.gone))
+        self._state.show_note(gamepad.text, alarming=bool(gamepad.failure or gamepad.lost_pad))
         self._state.setAccessibleName(gamepad.text or title_of(tr("&Gamepad")))
         self._update_blocker()
 

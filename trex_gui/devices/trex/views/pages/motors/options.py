@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QCheckBox, QRadioButton, QWidget
 from trex_gui.core.texts import title_of
 from trex_gui.core.translation import Number, tr
 from trex_gui.devices.trex.model.device import Device
-from trex_gui.devices.trex.model.motors import LONGEST, Motors
+from trex_gui.devices.trex.model.motors import MAX_LOCKOUT, Motors
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.views.pages.motors.drive_control import SpeedEntry
 from trex_gui.devices.trex.views.pages.motors.gamepad_panel import GamepadPanel
@@ -134,12 +134,12 @@ class Options(ui.Card):
         tip = tr(
             "How long arming stays locked after Stop or Esc, so that a slider or key that is "
             "still held cannot restart a motor (0 to {0:g} s)"
-        ).format(Number(LONGEST))
+        ).format(Number(MAX_LOCKOUT))
         lock_title = tr("Loc&k after Stop")
         accessible = lock_title.replace("&", "")
         lock = ui.named(SpeedEntry(self), "lockoutEntry", accessible=accessible, tip=tip)
         self._lock = lock
-        lock.setRange(0, round(LONGEST))
+        lock.setRange(0, round(MAX_LOCKOUT))
         lock.setSuffix(tr(" s"))
         lock.setSpecialValueText(tr("none (0 s)"))
         lock.setMinimumWidth(lock.sizeHint().width())
