@@ -1,1 +1,1 @@
-"""Qt model of the parameters with their edits."""
+"""Parameters of a board or file: values, edits and texts."""

@@ -1,4 +1,4 @@
-"""Qt model of parameters with their edits."""
+"""Qt table model of the parameters and their edits."""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -45,8 +45,9 @@ _EDITABLE = _FIXED | Qt.ItemFlag.ItemIsEditable
 class ParameterRole(IntEnum):
     """Data of a cell besides its text. A heading has GROUP only.
 
-    RESET is a text about a reset to the default. It is `None` for a value at its default. The name
-    cell of a row returns the data of the row's first value.
+    WAITING is the wire value that stays active until a power cycle. `None` if the stored value is
+    active. RESET is a text about a reset to the default. It is `None` for a value at its default.
+    The name cell of a row returns the data of the row's first value.
     """
 
     KEY = Qt.ItemDataRole.UserRole
@@ -69,7 +70,7 @@ class ParameterRow:
     keys: tuple[str, ...] = ()
 
 
-def _number(wires: Sequence[int]) -> int:
+def _merged(wires: Sequence[int]) -> int:
     return wires[0] if len(wires) == 1 else frequency_code(*wires)
 
 
@@ -77,7 +78,7 @@ class ParameterModel(QAbstractTableModel):
     """Table of settings with a column for each motor.
 
     Edits can be undone. The prescaler and the maximum of a PWM share a cell, which shows the
-    frequency. Its edit role is a `frequency_code`.
+    frequency. The edit role of this cell is a `frequency_code`.
     """
 
     pending_changed = Signal()  # an edit or a stored value has changed
@@ -199,7 +200,7 @@ class ParameterModel(QAbstractTableModel):
                 self._emit_changed(result.key)
 
     def set_accepted(self, accepted: Accepted) -> None:
-        """Set values beyond inferred limits that boards have stored."""
+        """Set the values outside inferred limits that boards are known to store."""
         if accepted == self.values.accepted:
             return
         self.values.accepted = dict(accepted)
@@ -219,7 +220,7 @@ class ParameterModel(QAbstractTableModel):
         return all(self.values.can_edit(cell_key) for cell_key in self.text.keys_of(key))
 
     def open_key(self, key: str) -> str | None:
-        """Return the key of a value that may exceed its limits, if any."""
+        """Return the key of a value that may exceed its limits, or `None`."""
         specs = (self.values.specs[cell_key] for cell_key in self.text.keys_of(key))
         keys = (spec.key for spec in specs if spec.has_open_values)
         return next(keys, None) if self.is_editable(key) else None
@@ -229,8 +230,8 @@ class ParameterModel(QAbstractTableModel):
     def edit(self, key: str, wire: int, *, alone: bool = False, forced: bool = False) -> None:
         """Edit a value. Setting the stored value removes the edit.
 
-        With `both_motors`, the other motor gets the same value unless `alone`. `forced` allows
-        values beyond inferred limits.
+        If `both_motors` is set, the other motor gets the same value, unless `alone`. `forced`
+        allows values outside inferred limits.
 
         Raises:
             BadRequest: the value is outside the parameter's limits.
@@ -249,7 +250,7 @@ class ParameterModel(QAbstractTableModel):
         self, values: Mapping[str, int], keys: Sequence[str], *, forced: bool = False
     ) -> None:
         if all(wire == self.values.value_of(key) for key, wire in values.items()):
-            return  # closing an editor without a change must not edit the other motor
+            return  # closing an unchanged editor must not edit the other motor
         wires = {key: values.get(key, values.get(other_motor_key(key) or "", 0)) for key in keys}
         for key, wire in wires.items():
             if wire != self.values.stored.get(key):
@@ -259,11 +260,13 @@ class ParameterModel(QAbstractTableModel):
         self._change(wires)
 
     def reset(self, key: str) -> None:
+        """Set a value to its default, as an edit."""
         if self.is_editable(key):
             keys = self._keys_to_change(key)
             self._change({cell_key: self.values.specs[cell_key].default for cell_key in keys})
 
     def restore(self, key: str) -> None:
+        """Discard the edit of a value."""
         if self.is_editable(key):
             keys = self._keys_to_change(key)
             self._change({cell_key: self.values.stored.get(cell_key) for cell_key in keys})
@@ -303,7 +306,7 @@ class ParameterModel(QAbstractTableModel):
             self._undo.endMacro()
 
     def _apply_edit(self, key: str, wire: int | None) -> None:
-        """Apply an edit. Ignore parameters that the present board lacks."""
+        """Apply an edit. Ignore a parameter that the current board lacks."""
         if self.values.can_edit(key):
             if wire is None:
                 self.values.remove(key)
@@ -358,10 +361,10 @@ class ParameterModel(QAbstractTableModel):
 
     def _number(self, key: str) -> int | None:
         wires = self.text.wires(key)
-        return _number(wires) if len(wires) == len(self.text.keys_of(key)) else None
+        return _merged(wires) if len(wires) == len(self.text.keys_of(key)) else None
 
     def default_number(self, key: str) -> int:
-        return _number([self.values.specs[cell_key].default for cell_key in self.text.keys_of(key)])
+        return _merged([self.values.specs[cell_key].default for cell_key in self.text.keys_of(key)])
 
     def _problem(self, key: str) -> str | None:
         return next(filter(None, map(self.values.problems.get, self.text.keys_of(key))), None)
@@ -395,7 +398,7 @@ class ParameterModel(QAbstractTableModel):
             self.rejected.emit(error_sentence(error))
             return False
         except (TypeError, ValueError, OverflowError):
-            self.rejected.emit(f"{self.text.title(key)} is not {value}.")
+            self.rejected.emit(f"{self.text.title(key)}: {value} is not a valid value.")
             return False
         return True
 

@@ -18,8 +18,8 @@ from trex_gui.devices.trex.protocol.parameters import (
 )
 from trex_gui.ui.units import units
 
-_MAXIMA = FULL_SCALE + 1  # a frequency code is prescaler * _MAXIMA + maximum
-_GRADED = ("min", "max"), ("default",), ("scale", "bits")
+_MAXIMA = FULL_SCALE + 1  # number of maxima; a frequency code is prescaler * _MAXIMA + maximum
+_GRADED = ("min", "max"), ("default",), ("scale", "bits")  # fields with a grade of evidence
 _IN_WORDS = {ParameterKind.CHOICE, ParameterKind.CHANNELS, ParameterKind.UART}
 _HIGHEST_PWM = 20_000.0  # Hz (inferred), for drivers without a rating
 
@@ -96,7 +96,7 @@ class ParameterText:
         return text if text == numbers else f"{numbers} ({text})"
 
     def change(self, key: str) -> str:
-        """Return the value, with the stored value if different: `8.1 A, was off`."""
+        """Return the value, and the stored value of an edited parameter: `8.1 A, was off`."""
         value, stored = self.value(key), self.stored(key)
         if not any(self._values.is_modified(cell_key) for cell_key in self.keys_of(key)):
             return value
@@ -122,7 +122,7 @@ class ParameterText:
         return tr("{0} · default: {1}").format(limits, self._text_of(key, self._defaults(key)))
 
     def summary(self, key: str) -> str:
-        """Return the wire value, the parameter number and the weakest evidence."""
+        """Return the wire value, the parameter numbers and the weakest grade of evidence."""
         wires = self.wires(key)
         numbers = [f"{self._values.specs[cell_key].number:#04x}" for cell_key in self.keys_of(key)]
         parts = (
@@ -161,7 +161,7 @@ class ParameterText:
         return text.format(", ".join(map(str, wires))) if wires else ""
 
     def guide(self, key: str) -> tuple[str, str]:
-        """Return the address and title of a user's guide section."""
+        """Return the address and title of the section about a parameter in the user's guide."""
         section = self._values.specs[key].section
         if not section:
             return self._guide, tr("User's guide of the board")
@@ -176,7 +176,7 @@ class ParameterText:
         return [self._values.specs[cell_key].default for cell_key in self.keys_of(key)]
 
     def notes(self, key: str) -> tuple[str, ...]:
-        """Return sentences about problems and a different active value."""
+        """Return sentences about problems, and about a different value that is still active."""
         keys = self.keys_of(key)
         active = [self._values.active.get(cell_key) for cell_key in keys]
         sentences = [self._values.problems.get(cell_key, "") for cell_key in keys]

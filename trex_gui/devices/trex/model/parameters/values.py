@@ -16,11 +16,11 @@ class ParameterValues:
     specs: dict[str, ParameterSpec] = field(default_factory=dict)  # in the order of the table
     stored: dict[str, int] = field(default_factory=dict)
     edited: dict[str, int] = field(default_factory=dict)  # values that differ from `stored`
-    removed: set[str] = field(default_factory=set)  # stored keys that Save leaves out
+    removed: set[str] = field(default_factory=set)  # stored keys that Save omits
     active: dict[str, int] = field(default_factory=dict)  # values in use until a power cycle
     optional: frozenset[str] = frozenset()  # keys that may have no value in a file
     problems: dict[str, str] = field(default_factory=dict)  # error texts of failed reads and writes
-    # Values beyond inferred limits that boards with this firmware have stored
+    # Values outside inferred limits. Boards with this firmware are known to store them
     accepted: Accepted = field(default_factory=dict)
 
     def load(
@@ -53,7 +53,7 @@ class ParameterValues:
     # --- Values -------------------------------------------------------------------------
 
     def value_of(self, key: str) -> int | None:
-        """Return the value after Apply or Save, if any."""
+        """Return the value after Apply or Save. `None` if there is none."""
         if key in self.removed:
             return None
         return self.edited.get(key, self.stored.get(key))
@@ -81,7 +81,7 @@ class ParameterValues:
 
     @property
     def waiting_for_power(self) -> tuple[str, ...]:
-        """Names of parameters that wait for a power cycle."""
+        """Names of parameters whose stored values become active at a power cycle."""
         return tuple(spec.name for spec in self.specs.values() if spec.key in self.active)
 
     def is_modified(self, key: str) -> bool:
@@ -91,7 +91,7 @@ class ParameterValues:
         return self.value_of(key) not in {None, self.specs[key].default}
 
     def is_doubtful(self, key: str, wire: int) -> bool:
-        """Return whether a value is beyond inferred limits and untested."""
+        """Return whether a value is outside inferred limits, and no board is known to store it."""
         is_known = wire in self.accepted.get(key, ()) or wire == self.stored.get(key)
         return self.specs[key].is_open(wire) and not is_known
 
@@ -104,7 +104,10 @@ class ParameterValues:
         ]
 
     def other_motor_of(self, key: str) -> str | None:
-        """Return the key of the other motor, if editable."""
+        """Return the key of the same parameter for the other motor.
+
+        `None` if either parameter is not editable.
+        """
         other_motor = other_motor_key(key)
         if other_motor is None or not self.can_edit(key) or not self.can_edit(other_motor):
             return None
