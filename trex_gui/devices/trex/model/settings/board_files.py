@@ -1,4 +1,4 @@
-"""One file for each board, saved and read in a thread."""
+"""One file for each board. Files are saved and read in a thread."""
 
 import logging
 from collections.abc import Callable, Mapping
@@ -28,7 +28,7 @@ log = logging.getLogger(__name__)
 
 _DELAY_MS = 500  # a crash loses at most the changes of this period
 
-_CLOSING_MS = 1000
+_CLOSING_MS = 1000  # time limit for the last save of `shut_down`
 
 Content = Settings | BoardRecord | None  # `None` removes a file
 
@@ -47,15 +47,15 @@ class BoardFiles(QObject):
     """Saves and reads one file for each board."""
 
     found = Signal(object, object)  # the board, and its content; `None` without a valid file
-    failed = Signal(object)  # `SettingsError`; not repeated until saving has worked
-    replaced = Signal(object)  # new `Path` of another board's file, see `move`
+    failed = Signal(object)  # a `SettingsError`; not repeated until a save succeeds
+    replaced = Signal(object)  # new `Path` of a renamed file of another board, see `move`
 
     def __init__(self, files: EditFiles | BoardRecords, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._files = files
         self._due: dict[BoardIdentity, Any] = {}  # the newest unsaved `Content` of each board
         self._moved: set[BoardIdentity] = set()  # boards whose file may belong to another board
-        self._to_read: BoardIdentity | None = None  # the board whose file is to be read
+        self._to_read: BoardIdentity | None = None  # board whose file will be read
         self._is_failing = False
         self._task = FileTask(self)
         self._timer = new_timer(self, _DELAY_MS, self._start, single_shot=True)
@@ -75,7 +75,7 @@ class BoardFiles(QObject):
     def move(
         self, old: BoardIdentity, new: BoardIdentity, content: Content, *, keeps_old: bool = False
     ) -> None:
-        """Save under another identity. An existing file of `new` is renamed.
+        """Save a board's file under another identity. An existing file of `new` is renamed.
 
         `keeps_old` retains the old file, which may belong to another board.
         """
@@ -101,7 +101,7 @@ class BoardFiles(QObject):
     @Slot()
     def _start(self) -> None:
         if self._task.is_running:
-            return  # `_on_done` continues
+            return  # `_on_done` starts the next task
         due, self._due = self._due, {}
         moved = self._moved & due.keys()
         self._moved -= moved
@@ -150,7 +150,7 @@ def _work(
     try:
         loaded = None if board is None else files.load(board)
     except SettingsError as error:
-        log.warning("a file of a board is left out: %s", error)
+        log.warning("the file of a board was ignored: %s", error)
     return _Result(board, loaded, failure, unsaved, frozenset(moved), tuple(aside))
 
 
@@ -158,7 +158,7 @@ class RecordFiles(QObject):
     """Files of a `BoardMemory`, and `AcceptedValues` of the parameters."""
 
     changed = Signal()  # content of `memory`
-    failed = Signal(str)  # reason for the user; not repeated until saving has worked
+    failed = Signal(str)  # reason for the user; not repeated until a save succeeds
     doubted = Signal(str)  # warning for the user: the record may belong to another board
 
     def __init__(self, draft: SettingsDraft, parent: QObject | None = None) -> None:
@@ -166,7 +166,7 @@ class RecordFiles(QObject):
         self._notes, self._parameters = draft.notes, draft.parameters
         self._records = BoardRecords()
         self._accepted = AcceptedValues()
-        self._kind: Signature | None = None  # kind of board for which accepted values are set
+        self._kind: Signature | None = None  # kind of board whose accepted values are set
         self.memory = BoardMemory(self)
         self.files = BoardFiles(self._records, self)
         # Called by `memory`
@@ -178,7 +178,7 @@ class RecordFiles(QObject):
         self._notes.edited.connect(self._on_note_edited)
 
     def set_kind(self, kind: Signature, *, opened: bool, is_simulated: bool) -> None:
-        """Read the accepted values of a real board."""
+        """Set the kind of board, and read its accepted values. A simulated board has none."""
         if opened or kind != self._kind:
             self._kind = kind
             self._parameters.set_accepted({})

@@ -15,20 +15,20 @@ Channel = int | CalibrationKey  # a key, or a channel (1-5) of the active input 
 
 
 class Calibrations(QObject):
-    """Calibrations of both input sources. A board reports the active source only."""
+    """Calibrations of both input sources. A board reports only those of the active source."""
 
-    changed = Signal()  # a stored or an edited calibration
+    changed = Signal()  # a stored or an edited calibration has changed
 
     def __init__(self, parent: QObject | None = None, undo: QUndoStack | None = None) -> None:
         super().__init__(parent)
         self.source = InputSource.RC  # the only source for which a board accepts calibrations
         self.edited: dict[CalibrationKey, Calibration] = {}  # edits for both input sources
-        self.removed: set[CalibrationKey] = set()  # stored keys that Save leaves out
+        self.removed: set[CalibrationKey] = set()  # stored keys that Save omits
         self._undo = undo or QUndoStack(self)
         self._model_key = ""
         self._stored: dict[CalibrationKey, Calibration] = {}
-        self._last_known: dict[CalibrationKey, Calibration] = {}  # of both sources
-        self._open_ended = False
+        self._last_known: dict[CalibrationKey, Calibration] = {}  # also of the inactive source
+        self._open_ended = False  # a file, in which every calibration is optional
 
     # --- Values -------------------------------------------------------------------------
 
@@ -53,13 +53,14 @@ class Calibrations(QObject):
 
     @property
     def out_of_reach(self) -> list[CalibrationKey]:
+        """Keys of edits that the board does not accept now."""
         return [key for key in self.modified if not self.can_edit(key)]
 
     def stored(self, channel: Channel) -> Calibration | None:
         return self._stored.get(self._key(channel))
 
     def shown(self, channel: Channel) -> Calibration | None:
-        """Return the calibration after Apply or Save, if any."""
+        """Return the calibration after Apply or Save. `None` if there is none."""
         key = self._key(channel)
         return None if key in self.removed else self.edited.get(key, self._latest(key))
 

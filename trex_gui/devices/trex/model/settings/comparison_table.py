@@ -54,7 +54,7 @@ class ComparisonTable(QAbstractTableModel):
         super().__init__(parent)
         self.comparison = Comparison(())
         self._rows: list[ComparisonRow] = []
-        self._cleared: set[str] = set()
+        self._cleared: set[str] = set()  # keys of rows whose check box is cleared
         self._with_ticks = True
         self._with_equal = False
         self._outcomes: dict[str, str] = {}
@@ -71,7 +71,7 @@ class ComparisonTable(QAbstractTableModel):
     ) -> None:
         """Show a comparison with every change ticked.
 
-        `before` and `after` are column titles. `outcomes`: key → reason of the failure, empty
+        `before` and `after` are column titles. `outcomes`: key → reason for the failure, empty
         for a stored value.
         """
         self.beginResetModel()
@@ -85,13 +85,16 @@ class ComparisonTable(QAbstractTableModel):
         self.ticked_changed.emit()
 
     def renew(self, comparison: Comparison, *, tick_new: bool = True) -> None:
-        """Update both sides. Cleared check boxes stay cleared."""
+        """Update both sides. Cleared check boxes stay cleared.
+
+        New changes are ticked only with `tick_new`.
+        """
         if not tick_new:
             ticked = {row.key for row in self.ticked}
             self._cleared |= {row.key for row in comparison.rows if row.is_offered} - ticked
         self.comparison = comparison
         renew_rows(self, self._rows, self._visible_rows(), lambda row: row.key)
-        self._announce_ticks()
+        self._emit_ticked_changed()
 
     def set_with_equal(self, with_equal: bool) -> None:
         self._with_equal = with_equal
@@ -111,11 +114,11 @@ class ComparisonTable(QAbstractTableModel):
     def tick_all(self, ticked: bool) -> None:
         offered = {row.key for row in self.comparison.rows if row.is_offered}
         self._cleared = set() if ticked else offered
-        self._announce_ticks()
+        self._emit_ticked_changed()
 
     def tick(self, keys: Collection[str]) -> None:
         self._cleared -= set(keys)
-        self._announce_ticks()
+        self._emit_ticked_changed()
 
     def toggle(self, row: int) -> None:
         index = self.index(row, ComparisonColumn.SETTING)
@@ -123,7 +126,7 @@ class ComparisonTable(QAbstractTableModel):
         state = Qt.CheckState.Checked if is_cleared else Qt.CheckState.Unchecked
         self.setData(index, state, Qt.ItemDataRole.CheckStateRole)
 
-    def _announce_ticks(self) -> None:
+    def _emit_ticked_changed(self) -> None:
         if self._rows:
             last = self.index(len(self._rows) - 1, self.columnCount() - 1)
             self.dataChanged.emit(self.index(0, 0), last)

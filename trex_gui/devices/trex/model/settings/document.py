@@ -16,7 +16,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 from trex_gui.ui.files import Content
 from trex_gui.ui.runtime import new_timer
 
-_LAYOUT = "\t\n\v\f\r\x1b\xa0"
+_LAYOUT = "\t\n\v\f\r\x1b\xa0"  # characters that are not printable, but valid in a text
 
 
 class SettingsDocument(QObject):
@@ -26,16 +26,17 @@ class SettingsDocument(QObject):
     draft. Edits retain the comments and the order of the text.
     """
 
-    changed = Signal()  # text, findings, file or `readable`
+    changed = Signal()  # `text`, `findings`, `path` or `readable`
 
     def __init__(
         self, text: str, name: str, *, path: Path | None = None, doubt: Finding | None = None
     ) -> None:
+        """`doubt`: finding about a guessed encoding."""
         super().__init__()
         self.draft = SettingsDraft(self)  # empty while the text is not readable
         self._name = name
         self.path = path  # `None` before the file is saved
-        self._base = text
+        self._base = text  # text before the edits of the draft
         self._saved = text
         self._text = text
         self.on_disk: bytes | None = None  # content of the file when it was last opened or saved
@@ -43,7 +44,7 @@ class SettingsDocument(QObject):
         self._problem = ""
         self._findings: tuple[Finding, ...] = ()
         self._timer = new_timer(self, 0, self._publish, single_shot=True)
-        self._stale = False
+        self._stale = False  # `_text` and `_findings` lack the newest edits
 
         if doubt is None:
             self.check()
@@ -80,7 +81,7 @@ class SettingsDocument(QObject):
 
     @property
     def settings(self) -> Settings | None:
-        """Settings with their edits. `None` for an unreadable text."""
+        """Settings with their edits. `None` if the text is unreadable."""
         return self.draft.shown if self.readable else None
 
     @property
@@ -146,7 +147,7 @@ class SettingsDocument(QObject):
         if fresh:
             self._base = text
         if settings is not None and settings == self.settings:
-            self.draft.load_settings(settings)  # undo turns a saved value into an edit again
+            self.draft.load_settings(settings)  # undoing a saved value then makes an edit
         self._stale = True
         self._publish()
 
@@ -177,7 +178,7 @@ class SettingsDocument(QObject):
 
 
 def text_of(data: bytes, name: str) -> tuple[str, Finding | None]:
-    """Return the text of a file, with its byte order mark.
+    """Return the text of a file, including a byte order mark.
 
     Also return a finding if the encoding was guessed.
 

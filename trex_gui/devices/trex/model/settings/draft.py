@@ -32,7 +32,7 @@ class Notes(QObject):
     """
 
     changed = Signal()
-    edited = Signal()  # the user edited a note
+    edited = Signal()  # the user edited a note, or undid an edit
 
     def __init__(self, parent: QObject | None = None, undo: QUndoStack | None = None) -> None:
         super().__init__(parent)
@@ -122,7 +122,7 @@ class SettingsDraft(QObject):
     def select_state(self, state: DeviceState, connection: ConnectionSettings | None) -> None:
         """Load the settings of another board on the line. Discard edits.
 
-        Values that wait for a power cycle are restored when their board is selected again.
+        Values that stay active until a power cycle return when their board is selected again.
         """
         values = self.parameters.values
         if (before := self.stored) is not None:
@@ -145,8 +145,8 @@ class SettingsDraft(QObject):
     ) -> None:
         """Load the settings of a board. Edits stay if the model is the same.
 
-        A pending reset is complete if the stored values have changed. `opened`: the line was just
-        opened.
+        A pending reset is complete if the stored values have changed. `opened` is true if the line
+        was just opened.
         """
         if opened:
             self._set_aside.clear()
@@ -275,10 +275,10 @@ class SettingsDraft(QObject):
 def diff_against_draft(
     draft: SettingsDraft, settings: Settings, *, is_stored: bool = False
 ) -> Comparison:
-    """Compare the draft with its state after a change to `settings`.
+    """Return the changes that `settings` would make to the draft.
 
-    `is_stored` compares the stored settings, without edits. The result also names settings that
-    the board lacks or does not accept now.
+    If `is_stored`, edits in the draft are ignored. The result also names settings that the board
+    lacks or does not accept now.
 
     Raises:
         BadRequest: the settings are for another model, or the draft is empty.

@@ -25,7 +25,7 @@ class EditBackup(QObject):
     """Saves edits, and offers the edits of an earlier run."""
 
     offered = Signal()  # `offer` was set or cleared
-    failed = Signal(str)  # reason for the user; not repeated until saving has worked
+    failed = Signal(str)  # reason for the user; not repeated until a save succeeds
 
     def __init__(self, draft: SettingsDraft, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -36,6 +36,7 @@ class EditBackup(QObject):
         self._is_read = False  # the file of this board was read
         self._has_file = False
         self._undecided: Settings | None = None  # saved edits that are not in the draft
+        # Board, `_is_read` and edits at the last `close_board`
         self._closed: tuple[BoardIdentity | None, bool] = (None, False)
         self._closed_edits: Settings | None = None
         self._parked: dict[BoardIdentity, Settings] = {}  # edits of boards that are not selected
@@ -46,8 +47,8 @@ class EditBackup(QObject):
     def close_board(self, *, is_deselected: bool = False) -> None:
         """Pause saving until `set_board`, while the draft is loaded.
 
-        `is_deselected`: another board on the line was selected. The edits return when this board is
-        selected again.
+        `is_deselected` is true if another board on the line was selected. The edits return when
+        this board is selected again.
         """
         stored = self._draft.stored
         if is_deselected and stored is not None and self._board is not None and self._draft.pending:
@@ -61,9 +62,9 @@ class EditBackup(QObject):
         self._board = None
 
     def set_board(self, *, opened: bool, is_simulated: bool = False) -> None:
-        """Save edits of this board. Offer the edits of an earlier run.
+        """Start to save the edits of this board. Offer the edits of an earlier run.
 
-        Simulated and real boards have separate files. For the same board, the offer is repeated
+        Simulated and real boards have separate files. For the same board, an open offer is repeated
         only if `opened`. Edits of settings that could not be read stay saved.
         """
         stored = self._draft.stored
@@ -105,6 +106,7 @@ class EditBackup(QObject):
         self._set_offer(None)
 
     def discard(self) -> None:
+        """Stop saving, and remove the edits in the draft from the file."""
         if self._board is not None and self._has_file and self._draft.pending:
             self.files.save(self._board, self._undecided)
         self._board = None
@@ -164,7 +166,7 @@ class EditBackup(QObject):
         self._set_offer(offer)
 
     def _out_of_reach(self, edits: Settings) -> set[str]:
-        """Return the keys that the draft neither contains nor accepts."""
+        """Return the keys of edits that the draft neither contains nor accepts."""
         can_edit, is_modified = self._draft.can_edit, self._draft.is_modified
         return {key for key in edits.keys if not can_edit(key) and not is_modified(key)}
 

@@ -61,7 +61,7 @@ class SnapshotTable(QAbstractTableModel):
     """
 
     listed = Signal()  # the folder was read, or the search has changed
-    loaded = Signal()  # `content_of` can return another snapshot
+    loaded = Signal()  # `content_of` can return the content of another snapshot
     failed = Signal(str)  # reason for the user
 
     def __init__(self, history: SettingsHistory, parent: QObject | None = None) -> None:
@@ -95,7 +95,7 @@ class SnapshotTable(QAbstractTableModel):
         matching = self._matching(listing)
         renew_rows(self, self.snapshots, matching, lambda snapshot: snapshot.path)
         self.snapshots[:] = matching  # equal snapshots may have different stamps
-        if matching:  # times change after midnight
+        if matching:  # the texts of times change at midnight
             self._emit_changed(0, len(matching) - 1)
         self.listed.emit()
 
@@ -126,7 +126,7 @@ class SnapshotTable(QAbstractTableModel):
         return next((other for other in same_model if not self.problem_of(other)), None)
 
     def content_of(self, snapshot: Snapshot) -> Settings | str | None:
-        """Return the settings or the damage. `None` while loading."""
+        """Return the settings, or a description of the damage. `None` while loading."""
         stamp, content = self._contents.get(snapshot.path, (None, None))
         if stamp == snapshot.stamp:
             return content
@@ -150,7 +150,7 @@ class SnapshotTable(QAbstractTableModel):
         self.loaded.emit()
 
     def problem_of(self, snapshot: Snapshot) -> str:
-        """Return the known damage, or empty."""
+        """Return a description of the known damage, or an empty string."""
         stamp, content = self._contents.get(snapshot.path, (None, snapshot.problem))
         is_current = stamp == snapshot.stamp
         return content if is_current and isinstance(content, str) else snapshot.problem
@@ -174,7 +174,7 @@ class SnapshotTable(QAbstractTableModel):
         return flags | Qt.ItemFlag.ItemIsEditable if index.column() in _LABELS else flags
 
     def setData(self, index: Index, value: Any, role: int = Qt.ItemDataRole.EditRole) -> bool:
-        """Set the name or note in a thread. `failed` reports an error."""
+        """Set the name or note of a snapshot in a thread. `failed` reports an error."""
         if role != Qt.ItemDataRole.EditRole or str(value) == self.data(index):
             return False
         text = {_LABELS[SnapshotColumn(index.column())]: str(value)}

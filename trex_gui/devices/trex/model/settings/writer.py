@@ -34,10 +34,10 @@ class SettingsWriter(QObject):
     """Writes settings, one write at a time. Failed values remain edits.
 
     Before every write, a snapshot of the stored settings is saved in the background. Without a
-    snapshot nothing is written. `finished` or `failed` reports each result.
+    snapshot, nothing is written. `finished` or `failed` reports each result.
     """
 
-    changed = Signal()  # `running` has become true, or `is_saving_snapshot` false
+    changed = Signal()  # `running` has become true, or `is_saving_snapshot` has become false
     written = Signal(object)  # a `Written`, emitted before `finished`
     finished = Signal(object)  # a `WriteResult` for each value
     failed = Signal(str)  # reason for the user
@@ -63,11 +63,12 @@ class SettingsWriter(QObject):
 
     @property
     def is_saving_snapshot(self) -> bool:
-        """True while `cancel` works, before anything is sent."""
+        """True before anything is sent, while `cancel` is still possible."""
         return self._cancel_snapshot is not None
 
     @property
     def is_rejected(self) -> bool:
+        """True if the board rejects writes, because it is not in serial mode."""
         state = self._board.state
         return self._is_connected and state is not None and not state.mode.is_serial
 
@@ -111,10 +112,10 @@ class SettingsWriter(QObject):
     def set_serial_timeout(self, seconds: float) -> None:
         """Write the serial timeout in seconds. 0 disables it.
 
-        Also switches on UART-Error Shutdown, which the timeout may need.
+        A timeout also switches on UART-Error Shutdown, which it may need.
 
         Raises:
-            BadRequest: the timeout is beyond the range of the board.
+            BadRequest: the timeout is outside the range of the board.
         """
         self._set(_TIMEOUT, lambda spec: with_shutdown(spec.check(round(seconds / spec.scale))))
 
