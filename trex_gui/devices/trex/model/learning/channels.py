@@ -1,4 +1,4 @@
-"""Channels being learned: measurements and derived values."""
+"""Channels that are being learned: measurements and derived values."""
 
 import math
 from collections.abc import Iterator
@@ -22,9 +22,9 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.ui.runtime import new_timer, now
 
 _CHECK_OFFSETS = {InputSource.RC: 250, InputSource.ANALOG: 102}
-"""Offset from rest, in counts (100 us, 0.5 V), at which the speed of a throttle is checked."""
+"""Offset from rest, in counts (100 us, 0.5 V), at which a throttle's speed is checked."""
 
-_FAST = FULL_SCALE // 2  # highest output at that offset without a warning
+_FAST = FULL_SCALE // 2  # highest output at `_CHECK_OFFSETS` without a warning
 
 
 _Finding = tuple[ProblemKind, str, tuple[object, ...]]  # kind, variant and values of a problem
@@ -130,7 +130,7 @@ _MIN_INTERVAL = 0.012
 """Minimum time between two samples, in seconds.
 
 The board updates its inputs every 20 ms. After a delay, one stray pulse may be read several times
-in a burst. It must not look like a held stick.
+in a burst. Such a burst must not look like a held stick.
 """
 
 _SILENT_AFTER = 0.5  # s without a valid sample
@@ -219,12 +219,12 @@ class LearnedChannel:
         self._parabolic = is_in(parameters.values.value_of(ParameterKey.PARABOLIC_CHANNELS))
         self._ignored = is_in(parameters.values.value_of(ParameterKey.IGNORED_CHANNELS))
         self.raw: int | None = None  # the newest count; `None` without a signal
-        self.samples: list[ChannelSample] = []  # at rest, for `neutral`
+        self.samples: list[ChannelSample] = []  # samples at rest, from which `neutral` is computed
         self.neutral: Neutral | None = None
         self.travel: Travel | None = None  # measures the ends; `None` without a rest position
         self.proposal: Proposal | None = None
         self.choice: Choice | None = None
-        self._received_at: float | None = None
+        self._received_at: float | None = None  # time of the last valid sample
         self.time = 0.0  # time of the newest sample
 
     def feed(self, sample: ChannelSample) -> None:
@@ -266,7 +266,7 @@ class LearnedChannel:
 
     @property
     def curve_after(self) -> ChannelCurve | None:
-        """Curve of the chosen values, if valid."""
+        """Curve of the chosen values. `None` if they are invalid."""
         if self.choice is None or self.choice.calibration.problem() is not None:
             return None
         calibration, reversed_ = self.choice.calibration, self.choice.reversed_
@@ -274,7 +274,7 @@ class LearnedChannel:
 
     @property
     def new_rest(self) -> int | None:
-        """Last rest position, if neutral should move there."""
+        """Last rest position, if neutral should move there. Otherwise `None`."""
         if self.travel is None or self.choice is None or self.travel.task is Task.SWITCH:
             return None
         rest, calibration = self.travel.rest, self.choice.calibration

@@ -1,4 +1,4 @@
-"""Wizard that learns channels, from stopped motors to a test."""
+"""Wizard that learns channels, from stopping the motors to a test."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -38,7 +38,7 @@ class LearningStep(Enum):
     FAILED = auto()
 
 
-_MOVING = {LearningStep.NEUTRAL, LearningStep.TRAVEL, LearningStep.TEST}  # steps that move sticks
+_MOVING = {LearningStep.NEUTRAL, LearningStep.TRAVEL, LearningStep.TEST}  # steps that use sticks
 
 _MEASURING = _MOVING | {LearningStep.REVIEW}
 
@@ -46,8 +46,7 @@ _MEASURING = _MOVING | {LearningStep.REVIEW}
 class Learning(QObject):
     """Learns channels of a board in serial mode.
 
-    The sticks move no motor. Only `use_values` edits settings. Nothing is written to the
-    board.
+    The sticks move no motor. Only `use_values` edits settings. Nothing is written to the board.
     """
 
     started = Signal()  # the rest positions will be measured
@@ -59,8 +58,8 @@ class Learning(QObject):
     def __init__(self, device: Device, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.step = LearningStep.ENDED
-        self.problem = ""  # reason for a failure or doubt, for the user
-        self.news = ""  # message before a test; empty if the user started it
+        self.problem = ""  # reason for a failure or doubt, as text for the user
+        self.news = ""  # message before a test; empty if the user started the test
         self.numbers: tuple[int, ...] = ()  # channels of the last run
         self.channels: tuple[LearnedChannel, ...] = ()
         self.tests: StickTests | None = None  # `None` before the test step
@@ -186,7 +185,7 @@ class Learning(QObject):
         self.changed.emit()
 
     def use_values(self) -> bool:
-        """Edit the chosen values. Return whether an edit is pending."""
+        """Put the chosen values into the draft. Return whether an edit is pending."""
         if not self.can_use_values:
             return False
         choices = {c.number: c.choice for c in self.channels if c.can_be_used and c.choice}
@@ -216,7 +215,7 @@ class Learning(QObject):
             return
         self.preconditions.start()
         self._set_step(LearningStep.STOPPING)
-        if self.step is LearningStep.STOPPING:  # otherwise a precondition is already violated
+        if self.step is LearningStep.STOPPING:  # a precondition may already be violated
             self._standstill.start()
 
     @Slot()

@@ -16,7 +16,7 @@ _REVERSED = ParameterKey.REVERSED_CHANNELS
 class PendingLearnedValues(QObject):
     """Puts learned values into the draft, and reports their writes.
 
-    Values that are undone, edited again or lost with the connection are not reported.
+    Values are not reported if they are undone, edited again or lost with the connection.
     """
 
     stored = Signal(object)  # channels whose values were written and verified
@@ -62,7 +62,7 @@ class PendingLearnedValues(QObject):
         return sum(key.channel in numbers for key, _ in self._device.calibrations.pending)
 
     def _turned(self) -> set[int]:
-        """Return channels with a pending change of direction."""
+        """Return the channels with a pending change of direction."""
         stored = channels_in(self._device.parameters.values.stored.get(_REVERSED) or 0)
         return self._reversed_channels() ^ set(stored)
 

@@ -1,4 +1,4 @@
-"""Preconditions for learning channels: no motor moves."""
+"""Preconditions for learning channels, during which no motor may move."""
 
 from PySide6.QtCore import QObject, Signal, Slot
 
@@ -12,7 +12,7 @@ from trex_gui.ui.translations import error_text
 
 
 def mode_blocker(device: Device) -> str:
-    """Return the reason why the mode prevents learning, or empty."""
+    """Return the reason why the mode prevents learning, or an empty string."""
     state = device.state
     if state is None or state.mode.is_serial:
         return ""
@@ -34,7 +34,7 @@ class CalibrationPreconditions(QObject):
 
     In RC and analog mode, the sticks drive the motors, and the board rejects settings. Serial
     override (channel 5) ends with the next move of its switch. Armed motors are a violation only
-    in steps that move sticks.
+    in steps that use the sticks.
     Ref: Pololu TReX User's Guide 4.a; command documentation 0x82, 0xA0-0xA4, 0xAF.
     """
 
@@ -72,7 +72,7 @@ class CalibrationPreconditions(QObject):
 
     @property
     def blocker(self) -> str:
-        """Reason why sticks must not be moved, or empty."""
+        """Reason why the sticks must not be moved, or an empty string."""
         state = self._device.state
         if not self._device.is_connected or state is None:
             return tr("Connect to a board first.")

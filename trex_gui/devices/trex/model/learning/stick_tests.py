@@ -17,7 +17,7 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
 from trex_gui.devices.trex.protocol.parameters import ParameterKey
 
 _HELD = 3  # consecutive samples (60 ms) that count as a reached position
-_REST_SECONDS = 0.5  # duration of zero output at rest
+_REST_SECONDS = 0.5  # duration of zero output after which a stick is at rest
 
 
 class StickTest:
@@ -32,7 +32,7 @@ class StickTest:
         self.is_at_rest = False  # the output was 0 for `_REST_SECONDS`
         self.on = self.off = False  # reached positions of a switch
         self.ignored = False  # the board ignores the channel
-        self.passed = False  # all positions were reached, and a stick is at rest
+        self.passed = False  # all positions were reached; a stick is also at rest
         self._full = {1: 0, -1: 0}  # consecutive samples with full output, by sign
         self._switched = {False: 0, True: 0}
         self._zero_since: float | None = None
@@ -96,7 +96,7 @@ class StickTest:
 
 
 def idle_side(curve: ChannelCurve) -> int:
-    """Return the sign of the output on the shorter side of rest."""
+    """Return the sign of the output on the shorter side of neutral. 0 for equal sides."""
     up = curve.calibration.maximum - curve.calibration.neutral
     down = curve.calibration.neutral - curve.calibration.minimum
     if up == down:
@@ -129,12 +129,12 @@ class StickTests:
 
     @property
     def passed(self) -> bool:
-        """True if channels and safe-start are good."""
+        """True if the channels passed, and safe-start would release the motors."""
         return self.channels_passed and not self.safe_start_reasons
 
     @property
     def channels_passed(self) -> bool:
-        """True if every tested channel is good."""
+        """True if every tested channel passed or is ignored, but not all are ignored."""
         return not self.all_ignored and all(test.passed or test.ignored for test in self.tests)
 
     @property
