@@ -23,8 +23,8 @@ PAUSE = 0.6  # s between two pulses
 class MotorPulses(QObject):
     """Drives a motor in pulses while a button is held.
 
-    Pulses are setpoints of a momentary control, so arming, speed ceiling, stops and guardian apply.
-    The other motor stays at rest.
+    Pulses are setpoints of a momentary control, so arming, the speed ceiling, stops and the
+    guardian apply. The other motor stays at rest.
     """
 
     changed = Signal()  # `motor`, `wheels_are_free` or `blocker`
@@ -46,14 +46,14 @@ class MotorPulses(QObject):
 
     @property
     def cannot_drive(self) -> str:
-        """Reason why pulses are impossible, or empty."""
+        """Reason why pulses are impossible in this mode, or an empty string."""
         if self._device.is_connected and self._device.board.is_joint:
             return tr("Joint mode: both outputs drive one motor, so there is nothing to find.")
         return mode_blocker(self._device) if self._device.is_connected else ""
 
     @property
     def blocker(self) -> str:
-        """Reason why no pulse can start, or empty."""
+        """Reason why no pulse can start, or an empty string."""
         if self.cannot_drive:
             return self.cannot_drive
         if self._device.is_connected and not self.wheels_are_free:

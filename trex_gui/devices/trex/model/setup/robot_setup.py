@@ -87,7 +87,7 @@ class RobotSetup(QObject):
         super().__init__(parent)
         self.step = SetupStep.DRIVER
         self.driver = Driver.ONE_STICK
-        self.movements: dict[int, Movement] = {}  # motor → movement that the user saw
+        self.movements: dict[int, Movement] = {}  # motor → movement that the user reported
         # Channel (1 or 2) → true if its input rises when the stick goes forward or right
         self.rises: dict[int, bool] = {}
         self.preset: Preset | None = None  # source of the ramps; `None` retains the board's ramps
@@ -120,6 +120,7 @@ class RobotSetup(QObject):
 
     @property
     def knows_sticks(self) -> bool:
+        """True if the input directions of both drive channels are known."""
         return all(channel in self.rises for channel in _STICKS)
 
     @property

@@ -6,9 +6,11 @@ from enum import Enum, StrEnum, auto
 
 
 class Driver(Enum):
+    """Control that drives the robot."""
+
     ONE_STICK = auto()  # the mix jumper is on: channel 2 drives, channel 1 turns
     TWO_STICKS = auto()  # the mix jumper is off: channel 1 drives motor 1, channel 2 motor 2
-    COMPUTER = auto()  # by serial commands
+    COMPUTER = auto()  # serial commands drive the motors
 
     @property
     def uses_sticks(self) -> bool:
@@ -35,7 +37,7 @@ class Movement(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Rewiring:
-    """Wiring changes that no setting can replace."""
+    """Necessary wiring changes, which no setting can replace."""
 
     exchange_motors: bool  # the wire pairs of motors 1 and 2 are exchanged
     reverse: frozenset[Side]  # motors whose two wires are exchanged
@@ -53,9 +55,9 @@ class Wiring:
 
     @classmethod
     def from_movements(cls, movements: Mapping[int, Movement]) -> "Wiring | None":
-        """Return the wiring that the movements show.
+        """Return the wiring that these movements imply.
 
-        `None` if a movement is missing, or if both motors moved the same wheel.
+        `None` if a movement is missing, or if both motors moved wheels on the same side.
         """
         sides = [movements[motor].side for motor in (1, 2) if motor in movements]
         if set(sides) != {Side.LEFT, Side.RIGHT}:
