@@ -168,12 +168,7 @@ class BoardList(QObject):
         self._on_state_changed()
         settings = self._device.settings
         readable = [board.number for board in present if board.presence is not Presence.UNREADABLE]
-        if (
-            len(present) > 1
-            and readable
-            and settings is not None
-            and settings.device_number is None
-        ):
+        if len(present) > 1 and readable and settings and settings.device_number is None:
             selected = self.selected
             self._select(selected if selected in readable else readable[0])
 
