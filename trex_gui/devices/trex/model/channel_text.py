@@ -51,7 +51,7 @@ def input_text(source: InputSource, count: int) -> str:
 
 
 def live_text(source: InputSource, count: int | None, curve: ChannelCurve | None) -> str:
-    """Return a raw count and the output of its channel."""
+    """Return a raw count and the output that it produces."""
     if count is None or curve is None:
         return tr("no signal") if count is None else input_text(source, count)
     output = signed_text(curve.output(count))

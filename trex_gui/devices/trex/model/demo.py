@@ -32,7 +32,7 @@ BOOT_TEXTS = {  # step of a boot mode, as reported by `show` → text for the us
 
 @dataclass(frozen=True, slots=True)
 class DemoChannel:
-    signal: str  # as in the control line `channel`
+    signal: str  # in the format of the control line `channel`
     raw: int | None
 
     @property

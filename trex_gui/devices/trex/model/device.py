@@ -53,7 +53,7 @@ from trex_gui.ui.runtime import now
 from trex_gui.ui.translations import error_text
 
 _TIMEOUT = ParameterKey.SERIAL_TIMEOUT
-_MAX_NAMED = 3  # written settings that an event names
+_MAX_NAMED = 3  # maximum number of written settings that an event names
 
 
 class Device(QObject):

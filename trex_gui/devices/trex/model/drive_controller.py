@@ -56,7 +56,7 @@ class DriveController(QObject):
     count until it has been read.
     """
 
-    changed = Signal()  # `reaches_several`, or a stop was confirmed
+    changed = Signal()  # `reaches_several` has changed, or a stop was confirmed
 
     def __init__(
         self,
@@ -80,7 +80,7 @@ class DriveController(QObject):
         # Set by a group. `undrivable_board` returns `None` if all boards can be driven.
         self.routed: Callable[[SetpointRequest], Routed] = lambda request: ((None, request),)
         self.undrivable_board: Callable[[], int | None] = lambda: None
-        self.named: Callable[[str], str] = str  # in a group, adds the board number
+        self.named: Callable[[str], str] = str  # adds the board number in a group
         self.reaches_several = False  # commands without a number reach several boards
         self._was_read = False  # a board was read since the line was opened
         self._is_identified = False  # `_board` was read since the last silence

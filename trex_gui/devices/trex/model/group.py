@@ -23,7 +23,7 @@ from trex_gui.ui.preferences import Preferences
 
 
 class BoardGroup(QObject):
-    """Boards driven together. Motors 1 and 2 are the left and the right side."""
+    """Boards that are driven together. Motors 1 and 2 are the left and the right side."""
 
     changed = Signal()  # `devices` or `wheels`
 

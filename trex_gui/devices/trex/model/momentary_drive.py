@@ -1,4 +1,4 @@
-"""Controls that drive motors while held."""
+"""Controls that drive motors while they are held."""
 
 import math
 from collections.abc import Iterable

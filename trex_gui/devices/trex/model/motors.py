@@ -102,7 +102,7 @@ class Motors(QObject):
     def set_board(self, board: str, *, is_renamed: bool = False) -> None:
         """Load the saved ceiling of a board. Unlink the motors.
 
-        With `is_renamed`, the ceiling and the link stay. The ceiling is saved under the new name.
+        With `is_renamed`, the ceiling and the link stay. Save the ceiling under the new name.
         """
         board = "-".join(filter(None, (board, self.adapter)))
         if board == self.board:
@@ -139,7 +139,7 @@ class Motors(QObject):
 
     @property
     def arms_without_timeout(self) -> bool:
-        """True if the user accepts arming without a serial timeout."""
+        """True if the user has accepted arming without a serial timeout."""
         return self._store.flag(f"motors/without_timeout/{self.board}", default=False)
 
     def accept_arming_without_timeout(self) -> None:
@@ -283,7 +283,7 @@ class Motors(QObject):
         self._set_for({motor: self._limited(speed)}, holder)
 
     def set_speeds(self, first: int, second: int, holder: str = "") -> None:
-        """Drive both motors. If linked, the first speed applies to both."""
+        """Drive both motors. If they are linked, the first speed applies to both."""
         self._set_for({1: self._limited(first), 2: self._limited(second)}, holder)
 
     def set_brake(self, motor: int, duty: int, holder: str = "") -> None:

@@ -138,8 +138,7 @@ class Provision(QObject):
         state, stored = self._device.state, self._device.draft.stored
         if state is None or stored is None or self._profile is None:
             return Comparison(())
-        result = compare_with_board(stored, state.source, self._profile)
-        return Comparison(differing(result))
+        return Comparison(differing(compare_with_board(stored, state.source, self._profile)))
 
     def _write(self) -> None:
         parameters, calibrations = values_to_write(self.comparison.rows)

@@ -219,13 +219,11 @@ class EventRecorder(Recorder):
         if header is None or before is None or event is None:
             return
         start = self._recent[0].time if self._recent else now()
-        started = datetime.now(UTC) - timedelta(seconds=now() - start)
-        mode = before[ModeSample].mode
         header = replace(
             header,
-            started=started,
+            started=datetime.now(UTC) - timedelta(seconds=now() - start),
             clock=start,
-            mode=mode,
+            mode=before[ModeSample].mode,
             settings=before.settings,
             others=self._recorded.copy(),
         )

@@ -214,7 +214,7 @@ class LearnedChannel:
 
         self.number = number
         self.source = source
-        self.curve_before = device.draft.stored_curve(number)  # without pending edits
+        self.curve_before = device.draft.stored_curve(number)  # stored curve, without edits
         self.reversed_now = is_in(parameters.values.stored.get(ParameterKey.REVERSED_CHANNELS))
         self._parabolic = is_in(parameters.values.value_of(ParameterKey.PARABOLIC_CHANNELS))
         self._ignored = is_in(parameters.values.value_of(ParameterKey.IGNORED_CHANNELS))
@@ -224,7 +224,7 @@ class LearnedChannel:
         self.travel: Travel | None = None  # measures the ends; `None` without a rest position
         self.proposal: Proposal | None = None
         self.choice: Choice | None = None
-        self._received_at: float | None = None  # time of the last valid sample
+        self._received_at: float | None = None  # time of the last valid sample, or of the first
         self.time = 0.0  # time of the newest sample
 
     def feed(self, sample: ChannelSample) -> None:
@@ -274,7 +274,7 @@ class LearnedChannel:
 
     @property
     def new_rest(self) -> int | None:
-        """Last rest position, if neutral should move there. Otherwise `None`."""
+        """Rest position to which neutral should move, or `None`."""
         if self.travel is None or self.choice is None or self.travel.task is Task.SWITCH:
             return None
         rest, calibration = self.travel.rest, self.choice.calibration
@@ -316,8 +316,6 @@ class LearnedChannel:
             return self.proposal.problems
         if (check := self._check) is not None:
             return self.proposal.problems + check.problems
-        reason = self.choice.calibration.problem()
-        return (
-            *self.proposal.problems,
-            CalibrationProblem(ProblemKind.REFUSED, "CHOSEN", (reason,)),
-        )
+        values = (self.choice.calibration.problem(),)
+        refused = CalibrationProblem(ProblemKind.REFUSED, "CHOSEN", values)
+        return (*self.proposal.problems, refused)

@@ -14,7 +14,7 @@ _REVERSED = ParameterKey.REVERSED_CHANNELS
 
 
 class PendingLearnedValues(QObject):
-    """Puts learned values into the draft, and reports their writes.
+    """Puts learned values into the draft, and reports when they are stored.
 
     Values are not reported if they are undone, edited again or lost with the connection.
     """

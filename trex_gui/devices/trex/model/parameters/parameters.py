@@ -45,9 +45,9 @@ _EDITABLE = _FIXED | Qt.ItemFlag.ItemIsEditable
 class ParameterRole(IntEnum):
     """Data of a cell besides its text. A heading has GROUP only.
 
-    WAITING is the wire value that stays active until a power cycle. `None` if the stored value is
-    active. RESET is a text about a reset to the default. It is `None` for a value at its default.
-    The name cell of a row returns the data of the row's first value.
+    WAITING is the wire value that stays active until a power cycle, or `None`. RESET is a text
+    about a reset to the default. It is `None` for a value at its default. The name cell of a row
+    returns the data of the row's first value.
     """
 
     KEY = Qt.ItemDataRole.UserRole
@@ -140,7 +140,7 @@ class ParameterModel(QAbstractTableModel):
         readable = sorted(specs.readable, key=lambda spec: _GROUPS.index(spec.group))
         loaded = {spec.key: spec for spec in readable}
         has_other_rows = loaded != self.values.specs or specs.model.key != self.model_key
-        if has_other_rows:  # a model reset closes an open editor
+        if has_other_rows:  # only then, because a model reset closes an open editor
             self.beginResetModel()
             self.values.specs.clear()
             self.values.specs.update(loaded)

@@ -161,7 +161,7 @@ class ParameterText:
         return text.format(", ".join(map(str, wires))) if wires else ""
 
     def guide(self, key: str) -> tuple[str, str]:
-        """Return the address and title of the section about a parameter in the user's guide."""
+        """Return the address and title of the user's guide section about a parameter."""
         section = self._values.specs[key].section
         if not section:
             return self._guide, tr("User's guide of the board")

@@ -35,7 +35,7 @@ _NONE = "–"
 
 
 class ComparisonColumn(IntEnum):
-    """Columns of the table. OUTCOME exists after a write only.
+    """Columns of the table. OUTCOME exists only after a write.
 
     The user role returns the key of the row.
     """

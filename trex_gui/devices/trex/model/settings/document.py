@@ -16,7 +16,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 from trex_gui.ui.files import Content
 from trex_gui.ui.runtime import new_timer
 
-_LAYOUT = "\t\n\v\f\r\x1b\xa0"  # characters that are not printable, but valid in a text
+_LAYOUT = "\t\n\v\f\r\x1b\xa0"  # unprintable characters that a text may contain
 
 
 class SettingsDocument(QObject):
@@ -92,7 +92,7 @@ class SettingsDocument(QObject):
 
     @property
     def problem(self) -> str:
-        """Reason why edits do not fit into the text, or empty."""
+        """Reason why edits do not fit into the text, or an empty string."""
         self._update_text()
         return self._problem
 
@@ -147,7 +147,7 @@ class SettingsDocument(QObject):
         if fresh:
             self._base = text
         if settings is not None and settings == self.settings:
-            self.draft.load_settings(settings)  # undoing a saved value then makes an edit
+            self.draft.load_settings(settings)  # undo then creates a new edit
         self._stale = True
         self._publish()
 

@@ -122,7 +122,8 @@ class SettingsDraft(QObject):
     def select_state(self, state: DeviceState, connection: ConnectionSettings | None) -> None:
         """Load the settings of another board on the line. Discard edits.
 
-        Values that stay active until a power cycle return when their board is selected again.
+        Values that are active only until a power cycle are restored when their board is selected
+        again.
         """
         values = self.parameters.values
         if (before := self.stored) is not None:

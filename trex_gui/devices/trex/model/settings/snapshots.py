@@ -95,7 +95,7 @@ class SnapshotTable(QAbstractTableModel):
         matching = self._matching(listing)
         renew_rows(self, self.snapshots, matching, lambda snapshot: snapshot.path)
         self.snapshots[:] = matching  # equal snapshots may have different stamps
-        if matching:  # the texts of times change at midnight
+        if matching:  # `today` becomes `yesterday` at midnight
             self._emit_changed(0, len(matching) - 1)
         self.listed.emit()
 

@@ -1,4 +1,4 @@
-"""Verified writes to the board, after a snapshot."""
+"""Verified writes to the board. A snapshot is saved first."""
 
 from collections.abc import Callable, Collection, Mapping
 from functools import partial
@@ -68,7 +68,7 @@ class SettingsWriter(QObject):
 
     @property
     def is_rejected(self) -> bool:
-        """True if the board rejects writes, because it is not in serial mode."""
+        """True if the board rejects writes because it is not in serial mode."""
         state = self._board.state
         return self._is_connected and state is not None and not state.mode.is_serial
 

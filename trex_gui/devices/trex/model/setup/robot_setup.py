@@ -43,7 +43,7 @@ class Preset(Enum):
     def values(self, model: str) -> Mapping[str, int]:
         """Return wire values by key for a model.
 
-        Current limits are left out if the sample is for another model, because units and ratings
+        Current limits are omitted if the sample is for another model, because units and ratings
         differ.
         """
         sample = _sample(self.value).parameters

@@ -72,12 +72,11 @@ class Wiring:
         ignore these directions. With mixing, the directions can reverse both motors, or exchange
         left and right. Without mixing, they can reverse each motor.
         """
-        nothing: frozenset[Side] = frozenset()
         match driver:
             case Driver.ONE_STICK:
-                return Rewiring(False, self.backward if len(self.backward) == 1 else nothing)
+                return Rewiring(False, self.backward if len(self.backward) == 1 else frozenset())
             case Driver.TWO_STICKS:
-                return Rewiring(self.swapped, nothing)
+                return Rewiring(self.swapped, frozenset())
             case Driver.COMPUTER:
                 return Rewiring(self.swapped, self.backward)
 
