@@ -47,7 +47,7 @@ from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.history import LIMIT_FILE, SettingsHistory
-from trex_gui.devices.trex.settings.reader import MOST_FINDINGS, read_settings, repair_values
+from trex_gui.devices.trex.settings.reader import MAX_FINDINGS, read_settings, repair_values
 from trex_gui.devices.trex.settings.rules import accept_proposals, lint
 from trex_gui.devices.trex.settings.writer import write_settings
 from trex_gui.devices.trex.simulator.memory import Eeprom, EepromError
@@ -70,7 +70,7 @@ def _check_findings(
     data: bytes,
     *,
     rejected: bool = False,
-    most: int = MOST_FINDINGS + 30,  # warnings are not counted
+    most: int = MAX_FINDINGS + 30,  # warnings are not counted
 ) -> None:
     lines = re.split("\r\n|[\n\r\x85\u2028\u2029]", data.decode("utf-8", "replace"))
     assert len(findings) <= most

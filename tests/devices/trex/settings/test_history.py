@@ -162,9 +162,9 @@ def test_limit_is_shared_between_programs(history: SettingsHistory) -> None:
 
 def test_lower_limit_removes_and_returns_oldest_snapshots(history: SettingsHistory) -> None:
     paths = [save_snapshot(history, minutes) for minutes in range(5)]
-    beyond = history.beyond(2)
-    assert [snapshot.path for snapshot in beyond] == paths[2::-1]
-    assert history.set_limit(2) == beyond
+    excess = history.excess(2)
+    assert [snapshot.path for snapshot in excess] == paths[2::-1]
+    assert history.set_limit(2) == excess
     assert [snapshot.path for snapshot in history.snapshots()] == paths[:2:-1]
     assert history.set_limit(500) == ()
 

@@ -215,7 +215,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
         ),
         (
             trex(uart_settings=uart(115200)),
-            Context(used_by_line=LineSettings()),
+            Context(active_line=LineSettings()),
             Expected(
                 "line_will_change",
                 "After the next power cycle the line settings of the board are 115200 baud, no "
@@ -257,12 +257,12 @@ def test_rule_is_silent_if_required_setting_is_missing(rule: str) -> None:
 @pytest.mark.parametrize("model", ["trex", "trexjr"])
 @pytest.mark.parametrize("firmware", [None, "1.0", "1.3"])
 def test_factory_settings_have_no_findings(model: str, firmware: str | None) -> None:
-    every = Context(port_rates=baud_rates(), used_by_line=LineSettings())
+    every = Context(port_rates=baud_rates(), active_line=LineSettings())
     assert lint(factory(model, firmware), every) == ()
 
 
 def test_empty_settings_have_no_findings() -> None:
-    every = Context(drives_from_computer=True, port_rates=[], used_by_line=LineSettings(1200))
+    every = Context(drives_from_computer=True, port_rates=[], active_line=LineSettings(1200))
     assert lint(Settings(TREX), every) == ()
 
 
@@ -350,7 +350,7 @@ def test_polynomial_0x80_always_gives_checksum_zero() -> None:
 @pytest.mark.parametrize(("baud", "real"), [(28800, 14400), (38400, 19200)])
 def test_old_firmware_is_checked_at_its_actual_baud_rate(baud: int, real: int) -> None:
     old, new = trex("1.1", uart_settings=uart(baud)), trex("1.2", uart_settings=uart(baud))
-    in_use = Context(port_rates=[real], used_by_line=LineSettings(real))
+    in_use = Context(port_rates=[real], active_line=LineSettings(real))
     assert [found.rule for found in lint(old, in_use)] == ["half_rate"]
     assert [found.rule for found in lint(new, in_use)] == [
         "rate_the_port_lacks",
@@ -374,7 +374,7 @@ def test_old_firmware_is_checked_at_its_actual_baud_rate(baud: int, real: int) -
 def test_proposed_baud_rate_is_supported_by_port(
     rates: list[int], used: LineSettings | None, wanted: int | str | None
 ) -> None:
-    context = Context(port_rates=rates, used_by_line=used)
+    context = Context(port_rates=rates, active_line=used)
     found = [
         one
         for one in lint(trex("1.0", uart_settings=uart(76800)), context)
@@ -448,7 +448,7 @@ def any_context(draw: st.DrawFn) -> Context:
     return Context(
         drives_from_computer=draw(st.booleans()),
         port_rates=draw(st.none() | st.sets(rates)),
-        used_by_line=draw(st.none() | lines),
+        active_line=draw(st.none() | lines),
     )
 
 

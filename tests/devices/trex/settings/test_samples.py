@@ -10,7 +10,12 @@ from trex_gui.core.files import load
 from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
-from trex_gui.devices.trex.settings.document import REACH, Settings, serial_defaults, specs_for
+from trex_gui.devices.trex.settings.document import (
+    CONNECTION_PARAMETERS,
+    Settings,
+    serial_defaults,
+    specs_for,
+)
 from trex_gui.devices.trex.settings.edit_in_place import amend
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.rules import Context, lint
@@ -135,5 +140,7 @@ def test_golden_file_round_trips_unchanged(model: str, firmware: str) -> None:
 @every_board
 def test_serial_defaults_contain_only_connection_settings(model: str, firmware: str) -> None:
     keys = set(serial_defaults(device_table().model(model), firmware).parameters)
-    assert {"uart_settings", "crc7_polynomial", "device_number"} <= keys <= set(REACH)
+    assert (
+        {"uart_settings", "crc7_polynomial", "device_number"} <= keys <= set(CONNECTION_PARAMETERS)
+    )
     assert "serial_timeout" not in keys

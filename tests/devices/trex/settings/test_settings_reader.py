@@ -9,7 +9,7 @@ from trex_gui.core.files import LARGEST_FILE, SettingsError, Severity
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.settings.document import Settings
-from trex_gui.devices.trex.settings.reader import MOST_FINDINGS, read_settings
+from trex_gui.devices.trex.settings.reader import MAX_FINDINGS, read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 
 UART_RANGE = "a baud rate, error detection and stop bits (low four bits 0 to 10)"
@@ -317,8 +317,8 @@ def test_many_mistakes_are_reported_quickly_and_briefly() -> None:
     begun = time.process_time()  # what others do with the computer does not count
     error = refused(text)
     assert time.process_time() - begun < 5
-    assert len(error.findings) <= MOST_FINDINGS + 2
-    assert str(error.findings[-1]) == f"{count - MOST_FINDINGS} more errors are not listed"
+    assert len(error.findings) <= MAX_FINDINGS + 2
+    assert str(error.findings[-1]) == f"{count - MAX_FINDINGS} more errors are not listed"
 
 
 def test_long_names_and_values_are_shortened_in_messages() -> None:

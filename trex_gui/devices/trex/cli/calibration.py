@@ -103,7 +103,7 @@ def set_command(channel: int, **options: Any) -> None:
             client,
             state,
             replace(stored, calibrations={**stored.calibrations, key: target}),
-            Context(port_rates=rates, used_by_line=link.line),
+            Context(port_rates=rates, active_line=link.line),
             name=f"Calibration of channel {channel}",
             command=f"trexcmd calibration set {channel}",
         )

@@ -163,7 +163,7 @@ def limit_command(count: str | None, yes: bool) -> None:
         click.echo("all" if limit.count is None else limit.count)
         return
     new_limit = _count(count)
-    if (excess := len(history.beyond(new_limit))) and not yes:
+    if (excess := len(history.excess(new_limit))) and not yes:
         total = counted(len(history.snapshots()), "snapshot")
         which = "the oldest one" if excess == 1 else f"the oldest {excess}"
         click.confirm(f"Remove {which} of {total} permanently?", abort=True, err=True)

@@ -75,7 +75,7 @@ def set_command(name: str, value: str, force: bool, **options: Any) -> None:
             client,
             state,
             replace(stored, parameters={**stored.parameters, spec.key: wire}),
-            Context(port_rates=rates, used_by_line=link.line),
+            Context(port_rates=rates, active_line=link.line),
             name=spec.name,
             command=f"trexcmd set {spec.key}",
         )

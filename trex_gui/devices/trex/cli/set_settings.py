@@ -143,7 +143,7 @@ def _review(
     result = compare(stored, target)
     after = settings_after(stored, ((row.key, row.after) for row in result.rows))
     say(f"{result.summary()}.")
-    warn(after, Context(port_rates=rates, used_by_line=client.settings.line))
+    warn(after, Context(port_rates=rates, active_line=client.settings.line))
     if dry_run:
         print_comparison(result)
         return state, []

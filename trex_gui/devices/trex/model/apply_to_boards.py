@@ -176,7 +176,7 @@ class ApplyToBoards(QObject):
             return ()
         after = settings_after(stored, ((row.key, row.after) for row in changes.rows))
         rates = self._device.connection.port_rates
-        return lint(after, Context(port_rates=rates, used_by_line=settings.line))
+        return lint(after, Context(port_rates=rates, active_line=settings.line))
 
     def _write(self, number: int, changes: Comparison) -> None:
         if changes != next(plan.changes for plan in self.plans if plan.number == number):

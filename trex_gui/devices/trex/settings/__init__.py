@@ -1,1 +1,1 @@
-"""Settings files: reading, writing, comparing, checking, history."""
+"""Settings files: read, write, compare and check them, and keep a history."""

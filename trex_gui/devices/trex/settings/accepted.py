@@ -1,4 +1,4 @@
-"""Values beyond inferred limits that boards have stored."""
+"""Values beyond inferred limits that boards have accepted."""
 
 import json
 import logging
@@ -25,7 +25,7 @@ class AcceptedValues:
     def of(self, board: Signature) -> Accepted:
         """Return the values that boards with this model and firmware have stored.
 
-        An unusable file counts as empty, so the user must confirm again.
+        An unusable file counts as empty, so the user must confirm such values again.
         """
         entry = self._read().get(_name(board))
         return {
@@ -37,7 +37,8 @@ class AcceptedValues:
     def add(self, board: Signature, values: Mapping[str, int]) -> Accepted:
         """Save values that a board has stored. Return all values for its model and firmware.
 
-        A SettingsError leaves the earlier values unchanged.
+        Raises:
+            SettingsError: the file cannot be written. The earlier values remain.
         """
         known = dict(self.of(board))
         for key, wire in values.items():
@@ -53,7 +54,7 @@ class AcceptedValues:
         try:
             document = json.loads(load(self.path, tr("accepted values")))
         except (SettingsError, ValueError, RecursionError) as error:
-            log.warning("%s is not used: %s", self.path, str(error)[:200])
+            log.warning("Ignoring %s: %s", self.path, str(error)[:200])
             return {}
         return document if isinstance(document, dict) else {}
 

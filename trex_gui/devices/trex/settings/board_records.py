@@ -1,9 +1,9 @@
 """Records of the settings last applied to each board.
 
-A record is a settings file with the last applied parameters, and the calibrations of both input
-sources, although a board shows only one set. Comments in the header contain the times when these
-values were applied or read, the result of the serial timeout trial, and the adapter. Two boards may
-share a record. Only a different adapter reveals this.
+A record is a settings file with the last applied parameters and the calibrations of both input
+sources. A board shows only the calibrations of the active source. Comments in the header contain
+the times when these values were applied or read, the result of the serial timeout trial, and the
+adapter. Two boards may share a record. Only a different adapter reveals this.
 """
 
 import re
@@ -38,10 +38,10 @@ _NEVER = datetime.min.replace(tzinfo=UTC)
 
 @dataclass(frozen=True, slots=True)
 class Known:
-    """Time when values were last written or read."""
+    """Time when values were last applied or read."""
 
     time: datetime  # in UTC
-    is_applied: bool
+    is_applied: bool  # False if the values were only read
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,14 +49,14 @@ class BoardRecord:
     """Settings in a record, and the data in its header."""
 
     settings: Settings
-    applied: datetime | None = None  # when parameters were last written; `None`: never
-    known: Mapping[InputSource, Known] = field(default_factory=dict)  # of the calibrations
+    applied: datetime | None = None  # time when parameters were last applied; `None`: never
+    known: Mapping[InputSource, Known] = field(default_factory=dict)  # for the calibrations
     adapter: str = ""  # key of the last adapter; empty if unknown
     trial: TimeoutTrial | None = None  # serial timeout trial; `None`: never tried
 
     @property
     def time(self) -> datetime | None:
-        """Time when values of the record were last applied or read. `None`: never."""
+        """Time when values of the record were last applied or read, or `None` for never."""
         times = [known.time for known in self.known.values()]
         return max([*times, self.applied] if self.applied else times, default=None)
 
@@ -65,7 +65,7 @@ class BoardRecord:
         return {key: value for key, value in calibrations.items() if key.source is source}
 
     def applied_to(self, stored: Settings) -> Settings:
-        """Return the applied settings without the calibrations that the board hides."""
+        """Return the applied settings, without calibrations that the board hides."""
         applied = {
             key: value
             for key, value in self.settings.calibrations.items()
@@ -80,7 +80,7 @@ class BoardRecord:
         return Comparison(tuple(row for row in rows if row.changed))
 
     def after_reading(self, stored: Settings, source: InputSource, now: datetime) -> "BoardRecord":
-        """Add the calibrations of `source`, unless other calibrations were applied."""
+        """Add the calibrations of `source`, unless different ones were applied."""
         known = self.known.get(source)
         if known is not None and known.is_applied:
             if self.calibrations(source) != stored.calibrations:
@@ -100,7 +100,10 @@ class BoardRecord:
     def after_writing(
         self, stored: Settings, source: InputSource, uncertain: Collection[str], now: datetime
     ) -> "BoardRecord":
-        """Add stored values that the record lacks. Applied values that the board lost remain."""
+        """Add stored values that the record lacks, and remove the `uncertain` keys.
+
+        Applied values remain, even if the board has lost them.
+        """
         was_applied = source in self.known and self.known[source].is_applied
         earlier = self.settings.calibrations if was_applied else {}
         others = {k: c for k, c in self.settings.calibrations.items() if k.source is not source}
@@ -124,14 +127,14 @@ class BoardRecord:
         return self.before_writing(keys).after_writing(stored, source, (), now)
 
     def after_reset(self) -> "BoardRecord":
-        """Remove the parameters, which a reset changes."""
+        """Remove the parameters, because a reset changes them."""
         return replace(self, settings=replace(self.settings, parameters={}), applied=None)
 
     def with_notes(self, notes: Mapping[str, str]) -> "BoardRecord":
         return replace(self, settings=replace(self.settings, notes=notes))
 
     def merged_with(self, earlier: "BoardRecord") -> "BoardRecord":
-        """Add the notes and calibrations recorded under an earlier device number."""
+        """Add notes and calibrations that were recorded under an earlier device number."""
         old, new = earlier.settings, self.settings
         calibrations = {**old.calibrations, **new.calibrations}
         return replace(
@@ -144,7 +147,7 @@ class BoardRecord:
     def with_hidden(self, stored: Settings, source: InputSource) -> tuple[Settings, list[str]]:
         """Return `stored` with the notes, and with the calibrations that the board hides.
 
-        Also return header lines with the age of these calibrations.
+        Also returns header lines with the times of these calibrations.
         """
         hidden = {k: c for k, c in self.settings.calibrations.items() if k.source is not source}
         lines = [
@@ -169,14 +172,15 @@ class BoardRecords:
     def save(self, board: BoardIdentity, record: BoardRecord | None) -> None:
         """Replace the record of a board. `None` removes it.
 
-        A SettingsError leaves the old record unchanged.
+        Raises:
+            SettingsError: the file cannot be written. The old record remains.
         """
         replace_file(self.path(board), None if record is None else _text(record))
 
     def load(self, board: BoardIdentity) -> BoardRecord | None:
-        """Return the record of a board. `None` if the board has no record.
+        """Return the record of a board, or `None` if it has no record.
 
-        A damaged file is renamed to `….damaged`, so that its notes survive the next `save`.
+        A damaged file is renamed to `….damaged`, so its notes survive the next `save`.
 
         Raises:
             SettingsError: the file cannot be read, is damaged, or belongs to another model.
@@ -206,7 +210,7 @@ class BoardRecords:
 
 
 def has_factory_line(stored: Settings) -> bool:
-    """True if the device number and UART settings have their defaults."""
+    """Return True if the device number and the UART settings have their defaults."""
     keys = ParameterKey.DEVICE_NUMBER, ParameterKey.UART_SETTINGS
     return all(stored.parameters.get(key) == stored.specs[key].default for key in keys)
 
@@ -235,7 +239,7 @@ def _source_name(source: InputSource) -> str:
 
 
 def _record(settings: Settings, text: str) -> BoardRecord:
-    """Create a record. Values without a valid line in the header count as unknown."""
+    """Create a record. Values without a valid header line count as unknown."""
     times: dict[str, Known] = {}
     for name, verb, stamp in _HEADER.findall(text):
         with suppress(ValueError, OverflowError):

@@ -27,7 +27,7 @@ _MODE_LETTERS = {mode.source: mode.value for mode in Mode if mode.is_serial}
 def file_name(settings: Settings, language: Language) -> str:
     """Return a name for the exported file, such as `trex_board.py`.
 
-    The Arduino environment requires `trex_board.ino` in a folder `trex_board`.
+    The Arduino IDE requires that `trex_board.ino` is in a folder named `trex_board`.
     """
     return f"{settings.product.key}_board{language.suffix}"
 
@@ -35,12 +35,13 @@ def file_name(settings: Settings, language: Language) -> str:
 def export_code(settings: Settings, link: ConnectionSettings, language: Language) -> str:
     """Return a program that stores settings and drives motors.
 
-    The text is ASCII, in English, and identical for equal settings and lines. Values that the board
-    would reject are left out and named in a comment. The port of `link` is not used.
+    The text is in English and ASCII. It is identical for equal settings and line settings. Values
+    that the board would reject are left out and listed in a comment. The program does not contain
+    the port of `link`.
 
     Raises:
         BadRequest: the settings contain a key that their model and firmware do not have, or the
-            line has a baud rate that no board supports.
+            connection has a baud rate that no board supports.
     """
     link.line.to_wire()  # raises for an unknown baud rate
     check_keys(settings)
@@ -54,7 +55,7 @@ def _program(settings: Settings, link: ConnectionSettings, language: Language) -
         p for spec, wire in settings.parameter_items() if (p := spec.problem(wire, forced=True))
     ]
     left_out += [f"{key}: {p}" for key, c in settings.calibration_items() if (p := c.problem())]
-    # Serial settings are written last, so that the board stays reachable after an interruption.
+    # Serial settings are written last, so an interrupted program leaves the board reachable.
     parameters = valid.parameter_items()
     parameters.sort(key=lambda p: (p[0].needs_power_cycle, p[0].group == "serial", p[0].number))
     product, device, line = settings.product, link.framing.device_number, link.line

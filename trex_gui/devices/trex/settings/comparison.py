@@ -24,8 +24,8 @@ _NOT_GIVEN = tr_noop("not given")
 class ComparisonRow:
     key: str  # parameter key or `CalibrationKey`
     name: str  # for the user
-    before: int | Calibration | None  # wire value or calibration; `None`: not known, or not given
-    after: int | Calibration | None  # wire value or calibration; `None`: setting does not change
+    before: int | Calibration | None  # wire value or calibration; `None`: unknown or not given
+    after: int | Calibration | None  # wire value or calibration; `None`: does not change
     text_before: str  # in physical units; empty for `None`
     text_after: str  # in physical units; empty for `None`
     note_before: str = ""
@@ -55,7 +55,7 @@ class ComparisonRow:
 
     @property
     def differing_fields(self) -> tuple[str, ...]:
-        """Calibration fields that differ. All fields if one calibration is unknown."""
+        """Calibration fields that differ, or all fields if one calibration is unknown."""
         if not self.is_calibration or self.before == self.after:
             return ()
         old, new = self.before, self.after
@@ -66,7 +66,7 @@ class ComparisonRow:
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """Settings that both models have and at least one side specifies."""
+    """Rows for settings that both models have and at least one side specifies."""
 
     rows: tuple[ComparisonRow, ...]  # in the order of the parameter table, then calibrations
     left_out: tuple[str, ...] = ()  # a sentence for each omitted setting
@@ -99,10 +99,10 @@ class Comparison:
         return "; ".join(parts)
 
     def report(self) -> str:
-        """Return a table of the differing rows, then `left_out`.
+        """Return a table of the differing rows, followed by `left_out`.
 
-        A row has old → new in wire and physical units. The last line has no line break. The text is
-        empty if there is nothing to report.
+        A row shows old → new in wire and physical units. The last line has no line break. The text
+        is empty if there is nothing to report.
         """
         cells = [cell for row in self.differing for cell in _cells(row)]
         widths = [max((len(cell[column]) for cell in cells), default=0) for column in range(3)]
@@ -116,8 +116,8 @@ class Comparison:
 def compare(before: Settings, after: Settings) -> Comparison:
     """Compare settings with their replacements.
 
-    Settings are equal if their wire values are equal. A wire value with another meaning for the
-    other model is left out.
+    Settings are equal if their wire values are equal. A setting is left out if its wire value has a
+    different meaning on the other model.
     """
     numbers = {spec.number: key for side in (before, after) for key, spec in _specs(side).items()}
     keys = [key for _, key in sorted(numbers.items())]
@@ -128,9 +128,12 @@ def compare(before: Settings, after: Settings) -> Comparison:
 
 
 def compare_with_board(stored: Settings, source: InputSource, target: Settings) -> Comparison:
-    """Compare stored settings with `target`. BadRequest if they do not fit the board.
+    """Compare stored settings with `target`.
 
     Only calibrations for `source` are compared, because the board hides all others.
+
+    Raises:
+        BadRequest: `target` does not fit the board.
     """
     if target.product.key != stored.product.key:
         text = tr("These settings are for a {0}, not a {1}")
@@ -156,7 +159,7 @@ def values_to_write(
 def settings_after(
     before: Settings, written: Iterable[tuple[str, int | Calibration | None]]
 ) -> Settings:
-    """Return the settings with these values stored. `None` does not change a setting."""
+    """Return `before` with the written values. `None` does not change a setting."""
     parameters, calibrations = dict(before.parameters), dict(before.calibrations)
     for key, value in written:
         if isinstance(value, Calibration):
@@ -167,7 +170,7 @@ def settings_after(
 
 
 def _omission_reason(key: str, before: Settings, after: Settings) -> str:
-    """Return the reason to leave out a parameter. Empty if both sides can have it."""
+    """Return the reason to leave out a parameter. Empty if it can be compared."""
     for side, other in ((before, after), (after, before)):
         spec, wire = _specs(side).get(key), side.parameters.get(key)
         if spec is not None and wire is not None and key not in _specs(other):
@@ -228,7 +231,7 @@ def _counts(rows: list[ComparisonRow], singular: str, plural: str) -> str:
 
 
 def _cells(row: ComparisonRow) -> Iterator[tuple[str, str, str]]:
-    """Yield key, wire values and physical values of a row, then its note."""
+    """Yield the key, wire values and physical values of a row. Also yield its note."""
     if isinstance(row.key, CalibrationKey) and None not in {row.before, row.after}:
         for name in row.differing_fields:
             old, new = getattr(row.before, name), getattr(row.after, name)
@@ -244,7 +247,7 @@ def _cells(row: ComparisonRow) -> Iterator[tuple[str, str, str]]:
 
 
 def text_of_notes(before: str, after: str) -> str:
-    """Return both notes on one line, as old → new if they differ."""
+    """Return both notes on one line. Different notes become old → new."""
     notes = (note.replace("\n", " / ") for note in (before, after))
     return " → ".join(dict.fromkeys(filter(None, notes)))
 

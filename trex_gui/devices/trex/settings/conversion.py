@@ -27,7 +27,7 @@ class ConvertedRow:
     fate: Fate
     before: str  # in physical units
     after: str  # in physical units; empty if the setting was left out
-    reason: str  # a sentence; empty if the setting was carried over
+    reason: str  # as a sentence; empty if the setting was carried over
 
     def __str__(self) -> str:
         is_same = self.after in {"", self.before}
@@ -71,10 +71,10 @@ class Conversion:
 
 
 def convert(settings: Settings, product: Model, firmware: str | None) -> Conversion:
-    """Convert settings for a model and a firmware, by default the newest.
+    """Convert settings for a model and firmware. `None` means the newest firmware.
 
-    Wire values change where this preserves their physical values. Current limits are rounded
-    down: a conversion never raises a limit, except to the lowest limit of the model.
+    A wire value changes if this preserves its physical value. Current limits are rounded down: a
+    conversion never raises a limit, except to the lowest limit of the model.
     """
     target = Settings(product, firmware)
     parameters: dict[str, int] = {}
@@ -131,7 +131,7 @@ def _converted_wire(
 
 
 def _converted_line(settings: Settings, target: Settings, wire: int) -> tuple[int, str]:
-    """Return UART settings with the same real baud rate, and the reason for a change.
+    """Return the UART settings for the same real baud rate, and the reason for a change.
 
     Old firmware halves two of the rates.
     """
@@ -153,7 +153,7 @@ def _converted_line(settings: Settings, target: Settings, wire: int) -> tuple[in
 
 
 def conversion_lines(conversion: Conversion) -> Iterator[str]:
-    """Yield a summary, a line per altered setting, and the unaltered keys."""
+    """Yield a summary, a line for each altered setting, and the unaltered keys."""
     yield conversion.summary()
     for row in conversion.rows:
         if row.fate is not Fate.CARRIED_OVER:

@@ -13,7 +13,7 @@ from trex_gui.devices.trex.protocol.parameters import (
     parameters_of,
 )
 
-REACH = (  # parameters that a connection to the board depends on
+CONNECTION_PARAMETERS = (  # a connection to the board depends on them
     ParameterKey.DEVICE_NUMBER,
     ParameterKey.UART_RESPONSE_DELAY,
     ParameterKey.CRC7_POLYNOMIAL,
@@ -34,7 +34,7 @@ class Settings:
         return specs_for(self.product, self.firmware)
 
     def parameter_items(self) -> list[tuple[ParameterSpec, int]]:
-        """Return the given parameters with their wire values, by number."""
+        """Return the given parameters with their wire values, in order of their numbers."""
         given = self.parameters
         return [(spec, given[spec.key]) for spec in self.specs.readable if spec.key in given]
 
@@ -57,7 +57,7 @@ class Settings:
         return self.only(self.keys.difference(keys))
 
     def without_invalid(self, *, forced: bool = True) -> "Settings":
-        """Remove invalid values. Without `forced`, also remove open values."""
+        """Remove invalid values. Without `forced`, also remove the `open_values`."""
         return replace(
             self,
             parameters={
@@ -70,7 +70,7 @@ class Settings:
 
 
 def open_values(specs: ParameterSet, parameters: Mapping[str, int]) -> dict[str, int]:
-    """Return the values that only a limit without a source excludes."""
+    """Return the values whose only problem is a limit without a source."""
     return {
         spec.key: parameters[spec.key]
         for spec in specs.readable
@@ -79,7 +79,7 @@ def open_values(specs: ParameterSet, parameters: Mapping[str, int]) -> dict[str,
 
 
 def specs_for(product: Model, firmware: str | None) -> ParameterSet:
-    """Return the parameters of a model and a firmware, by default the newest."""
+    """Return the parameters of a model and firmware. `None` means the newest firmware."""
     return parameters_of(product.key, firmware or product.firmware[-1])
 
 
@@ -107,4 +107,4 @@ def factory_settings(product: Model, firmware: str | None) -> Settings:
 
 
 def serial_defaults(product: Model, firmware: str | None) -> Settings:
-    return factory_settings(product, firmware).only(REACH)
+    return factory_settings(product, firmware).only(CONNECTION_PARAMETERS)

@@ -16,7 +16,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 @dataclass(frozen=True, slots=True)
 class BoardIdentity:
-    """Key of the files of a board. Two boards may share a key."""
+    """Key that names the files of a board. Two boards may share a key."""
 
     product: Model
     firmware: str
@@ -42,7 +42,7 @@ class SavedEdits:
 
 
 class EditFiles:
-    """Folder of settings files that contain only edits."""
+    """Folder of settings files that contain only unapplied edits."""
 
     def __init__(self, folder: Path | None = None) -> None:
         self.folder = folder or data_folder() / "edits"
@@ -53,14 +53,15 @@ class EditFiles:
     def save(self, board: BoardIdentity, edits: Settings | None) -> None:
         """Replace the saved edits of a board. `None` removes them.
 
-        A SettingsError leaves the earlier edits unchanged.
+        Raises:
+            SettingsError: the file cannot be written. The earlier edits remain.
         """
         title = ["Edits that were not applied"]
         text = None if edits is None else write_settings(edits, title_lines=title)
         replace_file(self.path(board), text)
 
     def load(self, board: BoardIdentity) -> SavedEdits | None:
-        """Return the saved edits of a board. `None` if there are no edits.
+        """Return the saved edits of a board, or `None` if it has no edits.
 
         Raises:
             SettingsError: the file cannot be read, is damaged, or belongs to another model.
@@ -76,9 +77,10 @@ class EditFiles:
 
 
 def replace_file(path: Path, text: str | None) -> None:
-    """Write a file and its folder. `None` removes the file.
+    """Write a file, and create its folder if necessary. `None` removes the file.
 
-    A SettingsError leaves the old file unchanged.
+    Raises:
+        SettingsError: writing failed. The old file is unchanged.
     """
     with explained(path, tr("it cannot be written")):
         if text is None:
@@ -89,7 +91,7 @@ def replace_file(path: Path, text: str | None) -> None:
 
 
 def put_aside(path: Path) -> Path | None:
-    """Rename a file that another file will replace.
+    """Rename a file before another file replaces it.
 
     Returns the new path, or `None` if the file does not exist.
     """
@@ -104,7 +106,11 @@ def put_aside(path: Path) -> Path | None:
 
 
 def settings_of_board(data: bytes, path: Path, board: BoardIdentity) -> Settings:
-    """Read the settings of a board. SettingsError if they are damaged or for another model."""
+    """Read the settings of a board.
+
+    Raises:
+        SettingsError: the settings are damaged or belong to another model.
+    """
     settings, _ = read_settings(data, str(path))
     if settings.product != board.product:
         raise SettingsError.of(

@@ -1,8 +1,8 @@
 """Change values in a settings file without reformatting its text.
 
-A round trip through ruamel.yaml retains comments and order, but not spaces around colons, margins,
-mappings in braces over several lines, plus signs, comments after `...` or line ends. Therefore the
-text is edited at the positions of ruamel.yaml's nodes.
+A round trip through ruamel.yaml preserves comments and order. It loses spaces around colons,
+margins, plus signs, comments after `...`, line ends, and the layout of mappings in braces that span
+several lines. Therefore the text is edited at the positions of ruamel.yaml's nodes.
 """
 
 import re
@@ -36,12 +36,15 @@ _MIN_GAP = 2  # spaces between a value and its comment
 def amend(text: str, settings: Settings, name: str = "settings") -> str:
     """Change the text of a settings file to `settings`. `name` is the file name for errors.
 
-    Changed values are replaced in place, in their number base. A comment beside a value is
-    updated if the program wrote it. The user's comments do not change. Notes are changed in place.
-    New notes are inserted above their settings. Missing settings are appended. Removed settings,
-    and values that the board would reject, become comments. Line ends and a byte order mark are
-    retained. A text that already contains the settings does not change. If the file is a single
-    mapping in braces, only values can change.
+    - Changed values are replaced in place and retain their number base.
+    - A comment beside a value is updated if the program wrote it. Comments by the user do not
+      change.
+    - Notes are changed in place. New notes are inserted above their settings.
+    - Missing settings are appended.
+    - Removed settings, and values that the board would reject, become comments.
+    - Line ends and a byte order mark are retained.
+    - A text that already contains the settings does not change.
+    - If the file is a single mapping in braces, only values can change.
 
     Raises:
         SettingsError: the text cannot be read, or cannot be changed in place.
@@ -95,7 +98,7 @@ class _Document:
             self.entries[str(key.value)] = _Entry(start, last, value)
         self._line_starts = [0, *(line_end.end() for line_end in LINE_END.finditer(body))]
         self._line_ends = [*self._line_starts[1:], len(body)]
-        # Line number → start column, end column and replacement of each edit.
+        # Edits by line number: start column, end column and replacement.
         self._edits: dict[int, list[tuple[int, int, str]]] = defaultdict(list)
         self._comments: dict[int, str] = {}
         self._insertions: dict[int, str] = {}  # line number → text to insert before it
@@ -106,7 +109,7 @@ class _Document:
                 self.notes[key].append(number)
 
     def text(self) -> str:
-        """Return the changed text. Comments stay in their columns if there is space."""
+        """Return the changed text. A comment stays in its column if there is enough space."""
         parts = []
         for number in range(len(self._line_starts)):
             old, gap, comment, end = self._parts(number)
@@ -132,7 +135,7 @@ class _Document:
             self._edit(start, end, _spelled_like(old, wire))
 
     def update_comment(self, key: str, old: Collection[str], new: str) -> None:
-        """Replace the comment of a setting if its text is in `old`."""
+        """Replace the comment beside a setting if its text is in `old`."""
         if new in old:
             return
         for number in self._lines_of(self.entries[key]):
@@ -144,7 +147,7 @@ class _Document:
             if code and is_last and comment.removeprefix("# ") in old and comment:
                 self._comments[number] = f"# {new}"
 
-    def remove(self, key: str) -> None:
+    def comment_out(self, key: str) -> None:
         for number in self._lines_of(self.entries[key]):
             if self._parts(number)[0]:
                 self._edit(self._line_starts[number], self._line_starts[number], "# ")
@@ -165,7 +168,7 @@ class _Document:
     def set_note(self, key: str, lines: list[str]) -> bool:
         """Replace a note, or insert it above its setting. An empty list removes it.
 
-        Returns False if the text lacks the setting.
+        Returns False if the text does not contain the setting.
         """
         old = self.notes.get(key, [])
         self._removed.update(old)
@@ -183,7 +186,7 @@ class _Document:
 
     @property
     def _line_end(self) -> str:
-        """First line end of the text, if it is CR, LF or CRLF. Otherwise LF."""
+        """First line end of the text if it is CR, LF or CRLF. Otherwise, LF."""
         end = LINE_END.search(self.body)
         return end[0] if end and end[0] in {"\r\n", "\n", "\r"} else "\n"
 
@@ -218,7 +221,7 @@ def _end_of(node: Node) -> int:
 
 
 def _spelled_like(old: str, wire: int) -> str:
-    """Return `wire` in the number format of `old`: 123 like `0x0f` is `0x7b`."""
+    """Return `wire` in the number format of `old`, such as `0x7b` for 123 and `0x0f`."""
     if old[:2] not in {"0x", "0X"}:
         return f"+{wire}" if old.startswith("+") else str(wire)
     digits = old[2:]
@@ -239,7 +242,7 @@ def _change_entries(document: _Document, old: Settings, new: Settings) -> None:
             old_wire = old.parameters[key]
             spec = old.specs[key]
             texts = {parameter_text(spec, old_wire, old), plain_text(spec, old_wire)}
-            if spec.kind is ParameterKind.ACCELERATION:  # comments of earlier program versions
+            if spec.kind is ParameterKind.ACCELERATION:  # texts of earlier program versions
                 texts.add(f"{old_wire} {spec.unit}")
                 texts.add(f"{old_wire} {spec.unit}, {spec.text(old_wire)}")
             document.update_comment(key, texts, parameter_text(new.specs[key], wire, new))
@@ -250,13 +253,13 @@ def _change_entries(document: _Document, old: Settings, new: Settings) -> None:
             before, after = (calibration_text(calibration_key.source, c) for c in calibrations)
             document.update_comment(key, {before}, after)
         else:
-            document.remove(key)
+            document.comment_out(key)
 
 
 def _change_notes(
     document: _Document, old: Mapping[str, str], new: Mapping[str, str]
 ) -> dict[str, str]:
-    """Change, add or remove notes. Return the notes on settings that the text lacks."""
+    """Change, add or remove notes. Return the notes whose settings are not in the text."""
     changed = [key for key in {**old, **new} if old.get(key) != new.get(key)]
     return {key: new[key] for key in changed if not document.set_note(key, lines_of_note(key, new))}
 
@@ -274,7 +277,8 @@ def _missing_lines(
     present = {line.strip() for line in document.body.splitlines()}
     for key, line in lines:
         is_rejected = line.startswith("#")
-        if line not in present if is_rejected else key not in document.entries:
+        is_missing = line not in present if is_rejected else key not in document.entries
+        if is_missing:
             yield from lines_of_note(key, notes)
             yield line
     for key in sorted(notes.keys() - {key for key, _ in lines}):

@@ -1,7 +1,8 @@
-"""Snapshots of a board's stored settings before each change.
+"""Snapshots of a board's stored settings, saved before each change.
 
 A snapshot is a settings file. Comments in its header contain the time, the reason and the board. A
-text file in the folder limits the number of snapshots for all programs. Other files do not change.
+text file in the same folder limits the number of snapshots for all programs. Other files in the
+folder do not change.
 """
 
 import os
@@ -21,7 +22,7 @@ from trex_gui.devices.trex.settings.notes import clean_note
 from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 
-DEFAULT_LIMIT = 500  # default number of snapshots, one or two megabytes
+DEFAULT_LIMIT = 500  # snapshots; together they need one or two megabytes
 _NAME = re.compile(r"(\d{8}T\d{6}Z)-(?:(\d+)-)?[a-z]+-[\d.]+\.txt")
 _TIME = "%Y%m%dT%H%M%SZ"
 _NO_DATE = datetime.fromtimestamp(0, UTC)
@@ -49,12 +50,12 @@ Order = tuple[datetime, int, str]  # sort key: time, number within the second, f
 class Snapshot:
     path: Path
     taken: datetime  # in UTC
-    product: str = ""  # empty if it cannot be read
-    firmware: str = ""  # empty if it cannot be read or is not given
+    product: str = ""  # empty if unreadable
+    firmware: str = ""  # empty if unreadable or not given
     device_number: int | None = None
     adapter: str = ""  # port of the board, for the user
-    reason: str = ""  # operation that followed
-    problem: str = ""  # reason why the header is unusable; empty if it is usable
+    reason: str = ""  # the operation that followed
+    problem: str = ""  # why the header is unusable; empty if it is usable
     name: str = ""  # from the user; a snapshot with a name is never removed automatically
     note: str = ""  # from the user
     stamp: Stamp = field(default=(0, 0), compare=False)
@@ -62,9 +63,10 @@ class Snapshot:
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """Number of snapshots to keep, at least 1. `None` for all.
+    """Number of snapshots to keep, as read from the limit file.
 
-    If the file cannot be read, `problem` is a sentence and no snapshot is removed.
+    `count` is at least 1, or `None` to keep all snapshots. If the file cannot be read, `problem`
+    explains this in a sentence, and no snapshot is removed.
     """
 
     count: int | None = DEFAULT_LIMIT
@@ -72,9 +74,10 @@ class Limit:
 
 
 class SettingsHistory:
-    """Folder of snapshots, created for the first snapshot.
+    """Folder of snapshots, created when the first snapshot is saved.
 
-    The oldest snapshots beyond the user's limit are removed. Snapshots with a name remain.
+    If there are more snapshots than the user's limit, the oldest are removed. Snapshots with a name
+    are never removed.
     """
 
     def __init__(self, folder: Path | None = None) -> None:
@@ -91,8 +94,8 @@ class SettingsHistory:
     ) -> Snapshot:
         """Save the settings of a board before an operation.
 
-        `reason` names the operation, such as `Apply of 3 settings`. `remarks` are further comments
-        for the header.
+        `reason` names the operation, such as `Apply of 3 settings`. `remarks` are additional
+        comments for the header.
 
         Raises:
             SettingsError: saving failed. The caller must not write to the board.
@@ -117,7 +120,7 @@ class SettingsHistory:
 
     def snapshots(self) -> tuple[Snapshot, ...]:
         """Return all snapshots, newest first, including unreadable ones."""
-        return tuple(self.read_head(order) for order in self.files())
+        return tuple(self.read_header(order) for order in self.files())
 
     def files(self) -> list[Order]:
         """Return the files of all snapshots, newest first, without opening them."""
@@ -128,7 +131,7 @@ class SettingsHistory:
             return []
         return sorted(map(_order, filter(None, map(_NAME.fullmatch, names))), reverse=True)
 
-    def read_head(self, file: Order, known: Snapshot | None = None) -> Snapshot:
+    def read_header(self, file: Order, known: Snapshot | None = None) -> Snapshot:
         """Read the header of a snapshot. Return `known` if its file has not changed."""
         taken, _, name = file
         path = self.folder / name
@@ -161,7 +164,11 @@ class SettingsHistory:
         )
 
     def load(self, snapshot: Snapshot) -> Settings:
-        """Return the settings in a snapshot. SettingsError if it is missing or damaged."""
+        """Return the settings in a snapshot.
+
+        Raises:
+            SettingsError: the file is missing or damaged.
+        """
         settings, _ = read_settings(load(snapshot.path), str(snapshot.path))
         return settings
 
@@ -191,7 +198,11 @@ class SettingsHistory:
         save(snapshot.path, b"\n".join(lines))
 
     def remove(self, snapshot: Snapshot) -> None:
-        """Remove a snapshot. SettingsError if its file exists and cannot be removed."""
+        """Remove a snapshot. A missing file is not an error.
+
+        Raises:
+            SettingsError: the file cannot be removed.
+        """
         with explained(snapshot.path, tr("it cannot be removed")):
             snapshot.path.unlink(missing_ok=True)
 
@@ -213,38 +224,38 @@ class SettingsHistory:
             return _unknown_limit(path, tr("is damaged"))
         return Limit(None if match[1] == "all" else int(match[1]))
 
-    def beyond(self, count: int | None) -> tuple[Snapshot, ...]:
+    def excess(self, count: int | None) -> tuple[Snapshot, ...]:
         """Return the unnamed snapshots that a limit of `count` snapshots would remove."""
-        older = () if count is None else map(self.read_head, self.files()[count:])
+        older = () if count is None else map(self.read_header, self.files()[count:])
         return tuple(snapshot for snapshot in older if not snapshot.name)
 
     def set_limit(self, count: int | None) -> tuple[Snapshot, ...]:
-        """Set the limit for all programs. Remove snapshots beyond it, and return them.
+        """Set the limit for all programs. Remove the excess snapshots and return them.
 
-        If saving fails with SettingsError, no snapshot is removed.
+        Raises:
+            SettingsError: the limit cannot be saved. No snapshot is removed.
         """
         if count is not None and not 1 <= count < 10**7:
             raise ValueError(tr("a history keeps at least one snapshot, not {0}").format(count))
         self._create_folder()
         save(self.folder / LIMIT_FILE, _LIMIT_TEXT.format("all" if count is None else count))
-        return tuple(old for old in self.beyond(count) if _removed(old.path))
+        return tuple(old for old in self.excess(count) if _try_to_remove(old.path))
 
     def _remove_oldest(self, own: Path) -> None:
-        """Remove the oldest snapshots beyond the limit.
+        """Remove the oldest snapshots if there are more than the limit.
 
-        Snapshots saved after `own` remain, so that two programs never remove each other's
-        snapshots.
+        Snapshots saved after `own` are kept, so two programs never remove each other's snapshots.
         """
         limit = self.limit()
         if limit.problem or limit.count is None:
             return
-        # The file system's clock decides. The name orders snapshots saved at the same time.
+        # The file system's clock decides which snapshot is older. For equal times, the name does.
         own_key = _stamp(own)[0], own.name
         others = [file for file in self.files() if file[2] != own.name]
         for file in others[limit.count - 1 :]:
-            snapshot = self.read_head(file)
+            snapshot = self.read_header(file)
             if (snapshot.stamp[0], snapshot.path.name) < own_key and not snapshot.name:
-                _removed(snapshot.path)
+                _try_to_remove(snapshot.path)
 
     def _create_folder(self) -> None:
         with explained(self.folder, tr("it cannot be written")):
@@ -271,7 +282,7 @@ def _stamp(path: Path) -> Stamp:
     return status.st_mtime_ns, status.st_size
 
 
-def _removed(path: Path) -> bool:
+def _try_to_remove(path: Path) -> bool:
     try:
         path.unlink(missing_ok=True)
     except OSError:

@@ -1,7 +1,7 @@
 """Notes on settings, stored as comments in a settings file.
 
-Each line of a note is a separate comment, `# Note on serial_timeout: the radio drops out`, usually
-above its setting. Other programs read it as an ordinary comment.
+Each line of a note is a separate comment, such as `# Note on serial_timeout: the radio drops out`.
+It is usually above its setting. Other programs treat notes as ordinary comments.
 """
 
 import re
@@ -11,20 +11,20 @@ from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.settings.yaml_subset import LINE_END
 
-LONGEST_NOTE = 1000  # characters; a file with such notes on all settings can still be read
+LONGEST_NOTE = 1000  # characters; a file stays readable if all settings have such notes
 
 _NOTE = re.compile(r"[ \t]*# Note on ([a-z0-9_]+): .*\S[ \t]*")
 
 
 def noted_key(line: str) -> str:
-    """Return the setting key of a note line. Empty for other lines."""
+    """Return the key of the setting that a note line is about. Empty for other lines."""
     key = found[1] if (found := _NOTE.fullmatch(line)) else ""
     known = key in CALIBRATION_KEYS or any(row["key"] == key for row in device_table().rows)
     return key if known else ""
 
 
 def read_notes(text: str) -> dict[str, str]:
-    """Return the notes in a text: key → note. The lines of a note are joined."""
+    """Return the notes in a text by key. The lines of each note are joined."""
     notes: dict[str, list[str]] = {}
     for line in LINE_END.split(text):
         key = noted_key(line)
@@ -34,12 +34,12 @@ def read_notes(text: str) -> dict[str, str]:
 
 
 def lines_of_note(key: str, notes: Mapping[str, str]) -> list[str]:
-    """Return a note as lines of a settings file. Empty if the setting has no note."""
+    """Return the note on a setting as lines of a settings file. Empty if it has no note."""
     return [f"# Note on {key}: {line}" for line in clean_note(notes.get(key, "")).splitlines()]
 
 
 def clean_note(text: str) -> str:
-    """Remove empty lines, outer spaces and unprintable characters."""
+    """Remove empty lines and outer spaces, and replace unprintable characters."""
     lines = (line.expandtabs().strip() for line in text.splitlines())
     printable = ("".join(c if c.isprintable() else "?" for c in line) for line in lines)
     return "\n".join(filter(None, printable))

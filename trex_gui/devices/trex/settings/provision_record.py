@@ -17,7 +17,7 @@ from trex_gui.devices.trex.protocol.parameters import ParameterKey
 from trex_gui.devices.trex.settings.comparison import Comparison, ComparisonRow
 from trex_gui.devices.trex.settings.document import Settings
 
-FACTORY_NUMBER = 7  # never assigned, so a board with this number is new
+FACTORY_NUMBER = 7  # never assigned, so a board with this number is always new
 NEW, KNOWN, NUMBER_ONLY = "new", "known", "number only"  # certainty of a board's identity
 BEGUN, SKIPPED = "begun", "skipped"  # results
 NOT_TRIED = "ended while motors were tried"
@@ -30,7 +30,7 @@ class ProvisionedBoard:
     number: int  # device number that the board has, or may have
     board: str  # model and firmware
     calibrations: str  # hash of the calibrations, because boards have no serial number
-    differences: str  # keys of the settings to write
+    differences: str  # keys of the settings to write, separated by spaces
     result: str  # ok with details, skipped, begun, or an error
     certainty: str  # `NEW`, `KNOWN`, or `NUMBER_ONLY`
 
@@ -43,7 +43,7 @@ _COLUMNS = [field.name for field in fields(ProvisionedBoard)]
 
 
 class ProvisionRecord:
-    """Boards with their numbers and names. A number is never assigned twice."""
+    """Boards with their device numbers and names. No number is assigned twice."""
 
     def __init__(self, file: Path, *, name: str = "robot {number}", first: int = 1) -> None:
         """Open or create the file.
@@ -71,7 +71,7 @@ class ProvisionRecord:
     def propose(
         self, stored: Settings, board: str, differing: Collection[ComparisonRow]
     ) -> ProvisionedBoard:
-        """Return a line for a board. A new board gets a free number and a name."""
+        """Return a row for a board. A new board gets a free number and a name."""
         number, calibrations = stored.parameters[ParameterKey.DEVICE_NUMBER], fingerprint(stored)
         known = self._known(number)
         assigned = self.free_number() if known is None else number
@@ -99,12 +99,12 @@ class ProvisionRecord:
         return replace(board, number=number, calibrations=calibrations, result=SKIPPED)
 
     def _known(self, number: int) -> ProvisionedBoard | None:
-        """Return the newest line of the board with this number."""
+        """Return the newest row of the board with this number, ignoring skipped boards."""
         assigned = (row for row in reversed(self._rows) if row.result != SKIPPED)
         return next((row for row in assigned if row.number == number != FACTORY_NUMBER), None)
 
     def free_number(self) -> int:
-        """Return an unassigned number. BadRequest if all numbers are assigned."""
+        """Return an unassigned number. Raises BadRequest if all numbers are assigned."""
         assigned = {FACTORY_NUMBER, *(row.number for row in self._rows)}
         numbers: list[int] = [*range(self._first, NUMBERS), *range(self._first)]
         for number in numbers:
@@ -114,13 +114,13 @@ class ProvisionRecord:
         raise BadRequest(text.format(NUMBERS, self._file))
 
     def put(self, row: ProvisionedBoard) -> None:
-        """Add a line, or replace the last line if it is `BEGUN`. Does not save the file."""
+        """Add a row, or replace the last row if it is `BEGUN`. Does not save the file."""
         if self._rows and self._rows[-1].result == BEGUN:
             self._rows.pop()
         self._rows.append(row)
 
     def save(self) -> None:
-        """Write the file. A StudioError leaves the file unchanged."""
+        """Write the file. If this raises a StudioError, the file is unchanged."""
         table = io.StringIO(newline="")
         writer = csv.DictWriter(table, _COLUMNS, lineterminator="\n")
         writer.writeheader()
@@ -142,12 +142,12 @@ def differing(comparison: Comparison) -> tuple[ComparisonRow, ...]:
 
 
 def fingerprint(stored: Settings) -> str:
-    """Return a hash of the calibrations that a board shows. It has 8 hexadecimal digits."""
+    """Return a hash of the calibrations that a board shows, as 8 hexadecimal digits."""
     return hashlib.sha256(repr(sorted(stored.calibrations.items())).encode()).hexdigest()[:8]
 
 
 def result_text(target: Settings, stored: Settings, remaining: Collection[ComparisonRow]) -> str:
-    """Return the result for a board. `remaining` contains its differences."""
+    """Return the result for a board. `remaining` contains the settings that still differ."""
     if remaining:
         return f"differs: {' '.join(row.key for row in remaining)}"
     hidden = " ".join(key for key in target.calibrations if key not in stored.calibrations)

@@ -1,4 +1,4 @@
-"""Reader for settings files, which reports all errors and warnings by line."""
+"""Reader for settings files that reports all errors and warnings by line."""
 
 import difflib
 import re
@@ -26,8 +26,8 @@ from trex_gui.devices.trex.settings.notes import read_notes
 from trex_gui.devices.trex.settings.yaml_subset import compose, line_of, shortened
 
 BYTE_ORDER_MARK = "\ufeff"
-MOST_FINDINGS = 100  # further errors are only counted
-_MAX_NAMES = 3  # missing parameters to name
+MAX_FINDINGS = 100  # further errors are only counted
+_MAX_NAMES = 3  # missing parameters that a warning names
 _QUANTITIES = {ParameterKind.NUMBER, ParameterKind.ACCELERATION, ParameterKind.PWM_MAXIMUM}
 _INTEGER = re.compile(r"[-+]?(?:0|[1-9][0-9]{0,17})|0[xX][0-9A-Fa-f]{1,16}")
 _FIRMWARE = re.compile(r"[0-9](?:\.[0-9]{1,3}){1,2}")
@@ -66,11 +66,11 @@ _MESSAGES: Mapping[str, str] = {
 def read_settings(
     text: str | bytes, name: str = "settings"
 ) -> tuple[Settings, tuple[Finding, ...]]:
-    """Return the settings in a file, and warnings. `name` is the file name for errors.
+    """Return the settings in a file, and the warnings. `name` is the file name for errors.
 
     Raises:
-        SettingsError: the file cannot be used. The error contains all findings. Settings are only
-            checked if the file is valid YAML with a product.
+        SettingsError: the file cannot be used. The error contains all findings. The settings are
+            checked only if the file is valid YAML with a known product.
     """
     data = text if isinstance(text, bytes) else text.encode("utf-8", "surrogatepass")
     content = decode(data, name)
@@ -87,9 +87,9 @@ def read_settings(
 def repair_values(data: bytes, name: str) -> tuple[str, tuple[str, ...]]:
     """Repair invalid values in a text if their meaning is clear.
 
-    A value with a unit or in words is replaced with its wire value, a number outside its range
-    with the nearest limit, and a misspelt product with its name. Ambiguous values do not change.
-    Returns the text and one line for each repair.
+    A value with a unit or in words becomes its wire value. A number outside its range becomes the
+    nearest limit. A misspelt product becomes the correct name. Ambiguous values do not change.
+    Returns the text and a line for each repair.
 
     Raises:
         SettingsError: `data` is not the text of a settings file.
@@ -121,12 +121,12 @@ class _Entry(NamedTuple):
 class _Reader:
     findings: list[Finding] = field(default_factory=list)
     fixes: list[_Fix] = field(default_factory=list)
-    left_out: int = 0
+    left_out: int = 0  # errors after the first `MAX_FINDINGS`
     parameters: dict[str, int] = field(default_factory=dict)
     calibrations: dict[CalibrationKey, Calibration] = field(default_factory=dict)
 
     def error(self, line: int | None, key: str | None, code: str, **fields: object) -> None:
-        if len(self.findings) < MOST_FINDINGS:
+        if len(self.findings) < MAX_FINDINGS:
             self.findings.append(_finding(line, key, code, Severity.ERROR, **fields))
         else:
             self.left_out += 1
@@ -142,7 +142,7 @@ class _Reader:
             self.fixes.append(_Fix(start, end, text, entry.line, message))
 
     def sorted_findings(self) -> tuple[Finding, ...]:
-        """Return the findings by line. Findings about the whole file come last."""
+        """Return the findings in order of lines. Findings about the whole file come last."""
         findings = sorted(self.findings, key=lambda f: (f.line is None, f.line or 0))
         if self.left_out:
             findings.append(
@@ -151,7 +151,7 @@ class _Reader:
         return tuple(findings)
 
     def read(self, root: MappingNode, notes: Mapping[str, str]) -> Settings | None:
-        """Return the settings. `None` if the product is missing or unknown."""
+        """Return the settings, or `None` if the product is missing or unknown."""
         entries = self._entries(root, None)
         product = self._product(entries)
         if product is None:
@@ -193,7 +193,7 @@ class _Reader:
         names = tr(" or ").join(model.name for model in models)
         fields = {"models": names, "given": _given_text(entry.value)}
         for model in models:
-            if _normalised(given) in {_normalised(model.name), _normalised(model.key)}:
+            if _normalized(given) in {_normalized(model.name), _normalized(model.key)}:
                 if given != model.name:
                     fields["model"] = model.name
                     self.error(entry.line, "product", "product_misspelt", **fields)
@@ -253,7 +253,7 @@ class _Reader:
             return
         specs = specs_for(product, firmware).readable
         keys = ["product", "firmware", *(s.key for s in specs), *CALIBRATION_KEYS]
-        guess = _guess(key, keys) if len(self.findings) < MOST_FINDINGS else ""  # guessing is slow
+        guess = _guess(key, keys) if len(self.findings) < MAX_FINDINGS else ""  # guessing is slow
         self.error(line, shortened(key), "key_unknown", guess=guess)
 
     def _read_calibration(self, key: str, entry: _Entry) -> None:
@@ -303,7 +303,7 @@ def _finding(
 
 
 def _integer(node: Node) -> int | None:
-    """Return an unquoted decimal or 0x integer, else `None`."""
+    """Return the value of an unquoted decimal or 0x integer. `None` for other nodes."""
     if not isinstance(node, ScalarNode) or node.style is not None:
         return None
     text = str(node.value)
@@ -339,7 +339,7 @@ def _range(spec: ParameterSpec) -> str:
 
 
 def _hint(spec: ParameterSpec, node: Node) -> str:
-    """Return a hint about the spelling of a value, such as `1.5 s`."""
+    """Return a hint on how to write a value such as `1.5 s`. May be empty."""
     meant, text = _meant(spec, node), _scalar_text(node)
     if not isinstance(meant, int):
         return f"; {meant}" if meant else ""
@@ -352,14 +352,17 @@ def _hint(spec: ParameterSpec, node: Node) -> str:
 
 
 def _meant(spec: ParameterSpec, node: Node) -> int | AmbiguousNumber | None:
-    """Return the wire value of a physical value (`1.5 s`) or a quoted number."""
+    """Return the wire value of a physical value (`1.5 s`) or of a quoted number.
+
+    Returns the error for an ambiguous number, and `None` for a value without a clear meaning.
+    """
     text = _scalar_text(node)
     if len(text) > len("19200 baud, no error detection, 1 stop bit"):
         return None
     if _INTEGER.fullmatch(text) and _integer(node) is None:  # in quotes
         wire = int(text, 0)
         return wire if spec.problem(wire) is None else None
-    # 9600 or 1.5 could be in any unit. A complete polynomial is recognised by its highest bit.
+    # 9600 or 1.5 could be in any unit. A complete polynomial is recognized by its highest bit.
     if spec.kind is not ParameterKind.POLYNOMIAL and not any(c.isalpha() for c in text):
         return None
     try:
@@ -376,5 +379,5 @@ def _guess(key: str, keys: Sequence[str]) -> str:
     return tr("; did you mean {0}?").format(close[0]) if close else ""
 
 
-def _normalised(word: str) -> str:
+def _normalized(word: str) -> str:
     return word.replace(" ", "").casefold()

@@ -1,6 +1,6 @@
 """Rules for questionable combinations of valid settings.
 
-A rule forbids nothing. It reports a finding, and may propose a change.
+A rule does not forbid anything. It reports a finding and may propose a change.
 """
 
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
@@ -27,18 +27,18 @@ _SHORTEST_PULSE = 1250  # counts of 0.4 us. Ref: Pololu TReX User's Guide 4.c
 
 @dataclass(frozen=True, slots=True)
 class Context:
-    drives_from_computer: bool = False  # whether the motors are driven over the serial line
+    drives_from_computer: bool = False  # True if the motors are driven over the serial line
     port_rates: Collection[int] | None = None  # baud rates of this computer's port; `None`: unknown
-    used_by_line: LineSettings | None = None  # active, with the real rate; `None`: unknown
+    active_line: LineSettings | None = None  # with the real baud rate; `None`: unknown
 
 
 @dataclass(frozen=True, slots=True)
 class LintFinding:
     rule: str  # the rule's stable key, such as `limit_in_joint_mode`
-    keys: tuple[str, ...]  # affected settings
-    message: str  # a sentence
-    change: Mapping[str, int]  # proposed wire values by key; empty if the user must decide
-    proposal: str  # the change as a request, such as `Set Serial Timeout to 0.5 s`; may be empty
+    keys: tuple[str, ...]  # of the affected settings
+    message: str  # one or more sentences
+    change: Mapping[str, int]  # key → proposed wire value; empty if the user must decide
+    proposal: str  # `change` as text, such as `Set Serial Timeout to 0.5 s`; may be empty
 
     @property
     def text(self) -> str:
@@ -52,7 +52,7 @@ def lint(settings: Settings, context: Context = _NO_CONTEXT) -> tuple[LintFindin
     """Check the settings for questionable combinations. The order of findings is fixed.
 
     A rule reports nothing if a setting that it needs is missing or invalid. Each change can be
-    applied alone. If two findings change the same setting, the later change resolves both.
+    applied on its own. If two findings change the same setting, the later change resolves both.
     """
     case = _Case(settings.without_invalid(forced=False), context)
     return tuple(
@@ -66,7 +66,7 @@ def accept_proposals(settings: Settings) -> tuple[Settings, tuple[LintFinding, .
     """Apply the changes that the rules propose.
 
     Returns the changed settings and the accepted findings. A change can cause a new finding, so
-    the rules run again. Each rule changes a setting only once.
+    the rules run repeatedly. Each rule changes a setting only once.
     """
     accepted: dict[tuple[str, tuple[str, ...]], LintFinding] = {}
     for _ in RULES:
@@ -125,7 +125,7 @@ class _Case:
         return None if wire is None else LineSettings.from_wire(wire)
 
     def real(self, baud: int) -> int:
-        """Return the real rate of a board that is set to `baud`."""
+        """Return the real baud rate of a board that is set to `baud`."""
         firmware = self.settings.firmware
         return baud if firmware is None else LineSettings(baud).real_baud(firmware)
 
@@ -133,14 +133,14 @@ class _Case:
         return self.settings.specs[key].name
 
     def text(self, key: str, wire: int | None = None) -> str:
-        """Return `wire`, by default the value in the settings, in physical units."""
+        """Return a value in physical units. By default, it is the value in the settings."""
         return self.settings.specs[key].text(self.wires[key] if wire is None else wire)
 
     def default(self, key: str) -> int:
         return self.settings.specs[key].default
 
 
-# The rules, as listed for the user: safety, motors, channels, line
+# The rules, in the order in which the user sees them: safety, motors, channels, line
 
 
 def _no_timeout(case: _Case) -> Iterator[_Match]:
@@ -179,8 +179,8 @@ def _limit_in_joint_mode(case: _Case) -> Iterator[_Match]:
         yield _Match((ParameterKey.MOTOR_MODE, *set_keys), text, dict.fromkeys(set_keys, 0))
 
 
-def _limits_beside_zero(case: _Case, parameter: MotorParameter) -> Iterator[tuple[str, str]]:
-    """Yield the keys of each active limit and of its `parameter`, which is 0."""
+def _limits_with_zero(case: _Case, parameter: MotorParameter) -> Iterator[tuple[str, str]]:
+    """Yield the keys of each active limit whose `parameter` is 0, and of that parameter."""
     for motor in () if case.is_joint else _MOTORS:
         limit, other = MotorParameter.CURRENT_LIMIT.of(motor), parameter.of(motor)
         if case.wires.get(limit) and case.wires.get(other) == 0:
@@ -188,7 +188,7 @@ def _limits_beside_zero(case: _Case, parameter: MotorParameter) -> Iterator[tupl
 
 
 def _limit_without_gain(case: _Case) -> Iterator[_Match]:
-    for limit, gain in _limits_beside_zero(case, MotorParameter.CURRENT_LIMIT_P):
+    for limit, gain in _limits_with_zero(case, MotorParameter.CURRENT_LIMIT_P):
         text = tr(
             "{limit} is {value}, but its proportionality constant P, how strongly the limiter "
             "reacts, is 0. The limit may have no effect then (inferred)."
@@ -197,7 +197,7 @@ def _limit_without_gain(case: _Case) -> Iterator[_Match]:
 
 
 def _limit_without_ramp(case: _Case) -> Iterator[_Match]:
-    for limit, ramp in _limits_beside_zero(case, MotorParameter.ACCELERATION):
+    for limit, ramp in _limits_with_zero(case, MotorParameter.ACCELERATION):
         text = tr(
             "{limit} is {value} and {ramp} is 0, which means at once. As soon as the current falls "
             "below the limit, the motor jumps back to its full target speed, so it may run in "
@@ -264,7 +264,7 @@ def _deadband_over_travel(case: _Case) -> Iterator[_Match]:
             tr("minimum"): calibration.neutral - calibration.minimum,
             tr("maximum"): calibration.maximum - calibration.neutral,
         }
-        # An end equal to neutral is intended: the channel has only one direction.
+        # If an end equals neutral, the user wants the channel to have only one direction.
         if lost := [end for end, travel in ends.items() if 0 < travel <= calibration.deadband]:
             text = tr(
                 "The deadband of {channel} reaches from neutral to its {ends}: there is nothing "
@@ -307,7 +307,7 @@ def _polynomial_without_crc(case: _Case) -> Iterator[_Match]:
 def _crc_that_checks_nothing(case: _Case) -> Iterator[_Match]:
     key, line = ParameterKey.CRC7_POLYNOMIAL, case.line
     if case.wires.get(key) == 0 and line is not None and line.detection is Detection.CRC7:
-        # The polynomial is x^7: a packet with seven zero bits appended leaves no remainder.
+        # The polynomial is x^7, and a packet with seven zero bits appended leaves no remainder.
         text = tr(
             "With {value} as {name} the checksum of every packet is 0, so CRC-7 detects no errors "
             "at all."
@@ -334,7 +334,7 @@ def _half_rate(case: _Case) -> Iterator[_Match]:
 
 
 def _rate_the_port_lacks(case: _Case) -> Iterator[_Match]:
-    line, rates, used = case.line, case.context.port_rates, case.context.used_by_line
+    line, rates, used = case.line, case.context.port_rates, case.context.active_line
     if line is None or rates is None:
         return
     real = case.real(line.baud)
@@ -353,7 +353,7 @@ def _rate_the_port_lacks(case: _Case) -> Iterator[_Match]:
 
 
 def _line_will_change(case: _Case) -> Iterator[_Match]:
-    line, used = case.line, case.context.used_by_line
+    line, used = case.line, case.context.active_line
     if line is None or used is None:
         return
     real = replace(line, baud=case.real(line.baud))

@@ -26,10 +26,10 @@ _CALIBRATION_TITLES = {
 def write_settings(settings: Settings, *, title_lines: Sequence[str] = ()) -> str:
     """Return the text of a settings file.
 
-    The program's comments are in English like the keys, so files do not depend on the language. A
-    value that the board would reject becomes a comment with the reason. Notes are comments above
-    their settings. Notes on missing settings are at the end. `title_lines` are comments for the
-    header.
+    The program's comments are in English like the keys, so files do not depend on the user's
+    language. A value that the board would reject becomes a comment with the reason. Notes become
+    comments above their settings. Notes on missing settings are at the end. `title_lines` are
+    comments for the header.
 
     Raises:
         BadRequest: the settings contain a key that their model and firmware do not have.
@@ -52,7 +52,7 @@ def _text(settings: Settings, title_lines: Sequence[str]) -> str:
 
 
 def check_keys(settings: Settings) -> None:
-    """Raise BadRequest for keys that the model and firmware lack."""
+    """Raise BadRequest if the model and firmware do not have all keys."""
     known = {spec.key for spec in settings.specs.readable}
     if unknown := [key for key in settings.parameters if key not in known]:
         board = f"{settings.product.name} {settings.firmware or ''}".strip()
@@ -82,21 +82,21 @@ def parameter_line(spec: ParameterSpec, wire: int, settings: Settings) -> str:
 
 @cache
 def _width() -> int:
-    """Return the width of the widest setting, so that a changed value changes only its line."""
+    """Return the width of the widest setting, so a changed value changes only its own line."""
     return max(len(f"{row['key']}: {row['max']}") for row in device_table().rows)
 
 
 def parameter_text(spec: ParameterSpec, wire: int, settings: Settings) -> str:
     """Return the comment beside a value, such as `0.5 s to full speed`.
 
-    For the prescaler and maximum of a PWM, it includes the frequency.
+    The comment includes the frequency if the parameter is the prescaler or maximum of a PWM.
     """
     texts = (plain_text(spec, wire), _pwm_text(spec, settings))
     return ", ".join(filter(None, texts))
 
 
 def plain_text(spec: ParameterSpec, wire: int) -> str:
-    """Return a value in its physical unit. Empty if the text would repeat the wire value."""
+    """Return a value in its physical unit. Empty if this text equals the wire value."""
     if spec.is_open(wire):
         return tr("beyond a limit{0}: the board decides").format(spec.limits_mark)
     text = spec.text(wire)
@@ -104,7 +104,7 @@ def plain_text(spec: ParameterSpec, wire: int) -> str:
 
 
 def _pwm_text(spec: ParameterSpec, settings: Settings) -> str:
-    """Return the frequency for a parameter of a PWM. Empty for other parameters."""
+    """Return the frequency if a parameter belongs to a PWM. Empty for other parameters."""
     pair = pwm_keys(spec.key)
     wires = [settings.parameters[key] for key in pair if key in settings.parameters]
     if len(wires) < 2:

@@ -1,8 +1,8 @@
 """YAML subset of settings files.
 
 A file is a mapping whose values are scalars or mappings of scalars. It is parsed into nodes with
-positions, and never into Python objects. Anchors, tags, merge keys and deep nesting are rejected,
-because with them a small file can expand to a huge one.
+positions, never into Python objects. Anchors, tags, merge keys and deep nesting are rejected,
+because they allow a small file to expand to a huge one.
 """
 
 import re
@@ -20,12 +20,12 @@ from ruamel.yaml.tokens import Token
 from trex_gui.core.files import SettingsError
 from trex_gui.core.translation import tr, tr_noop
 
-MOST_NODES = 2000  # scalars and collections; a complete settings file has about 160
+MAX_NODES = 2000  # scalars and collections; a complete settings file has about 160
 _MAX_DEPTH = 2  # levels of mappings
 
 LINE_END = re.compile(r"\r\n|[\n\r\x85\u2028\u2029]")
 _TAB = re.compile(r"((?:^|(?<=\r))[ \t]*\t[ \t]*(?![ \t#\r\n]|\Z))|\t", re.MULTILINE)
-"""A tab. Group 1 matches the indentation of a setting."""
+"""A tab. If tabs indent a setting, group 1 matches the indentation."""
 
 _UNSPACED = re.compile(r"^ *\w+:(?![ \t\r\n]|\Z)", re.MULTILINE)
 _PRODUCT = re.compile(r"^\W*product\b", re.MULTILINE)
@@ -38,14 +38,14 @@ def line_of(node: Node) -> int:
     return int(node.start_mark.line) + 1
 
 
-def shortened(text: str, longest: int = 40) -> str:
+def shortened(text: str, max_length: int = 40) -> str:
     """Return printable text of limited length, for a message."""
-    printable = "".join(c if c.isprintable() else "�" for c in text[: longest + 1])
-    return printable if len(printable) <= longest else f"{printable[:longest]}…"
+    printable = "".join(c if c.isprintable() else "�" for c in text[: max_length + 1])
+    return printable if len(printable) <= max_length else f"{printable[:max_length]}…"
 
 
 def compose(text: str, name: str) -> MappingNode:
-    """Return the root mapping of a text. It may contain one level of mappings.
+    """Return the root mapping of a text. It may contain flat mappings.
 
     Raises:
         SettingsError: the text is not YAML, or uses YAML features that settings do not use.
@@ -65,7 +65,7 @@ def compose(text: str, name: str) -> MappingNode:
     except MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         line = 1 if mark is None else mark.line + 1
-        problem = shortened(error.problem or error.context or "no YAML", 100)
+        problem = shortened(error.problem or error.context or "not YAML", 100)
         message = tr("the text is incomplete or damaged here ({0}); {1}").format(
             problem, tr(_PLAIN_YAML)
         )
@@ -100,7 +100,7 @@ class _UnsupportedError(Exception):
 
 
 class _Scanner(Scanner):
-    """Scanner that limits nested brackets, because scanning 50,000 of them takes a second."""
+    """Scanner that limits the nesting of brackets. Scanning 50,000 of them takes a second."""
 
     def fetch_flow_collection_start(self, token: type[Token], to_push: str) -> None:
         if len(self.flow_context) == _MAX_DEPTH:
@@ -127,7 +127,7 @@ class _Composer(Composer):
                     mark, tr("a second document begins here; a settings file has only one")
                 )
         except (ValueError, OverflowError):
-            # ruamel.yaml does not catch errors of chr() and int() for absurd escapes and versions.
+            # ruamel.yaml does not catch errors of chr() for huge escapes, or int() for versions.
             mark = self.loader.reader.get_mark()
             raise _UnsupportedError(
                 mark, tr("this number cannot be read; {0}").format(tr(_PLAIN_YAML))
@@ -152,7 +152,7 @@ class _Composer(Composer):
             problem = tr("tags (!) are not allowed; {0}").format(tr(_PLAIN_YAML))
         elif getattr(event, "value", None) == "<<" and not event.style:
             problem = tr("merge keys (<<) are not allowed; {0}").format(tr(_PLAIN_YAML))
-        elif self.nodes > MOST_NODES:
+        elif self.nodes > MAX_NODES:
             problem = tr("there are more settings here than any board has")
         elif is_collection and self.open_collections == _MAX_DEPTH:
             problem = tr(_TOO_DEEP).format(tr(_PLAIN_YAML))

@@ -137,7 +137,7 @@ def test_window_reads_no_snapshot_itself(
     create_snapshot(table.history)
     refresh(table)
     read: list[str] = []
-    for name in ("files", "read_head", "load"):
+    for name in ("files", "read_header", "load"):
         original = getattr(SettingsHistory, name)
 
         def noting(*arguments: Any, name: str = name, original: Any = original) -> Any:
@@ -150,7 +150,7 @@ def test_window_reads_no_snapshot_itself(
     assert table.content_of(table.snapshots[0]) is None
     assert read == []
     finish()
-    assert set(read) == {"files", "read_head", "load"}
+    assert set(read) == {"files", "read_header", "load"}
     assert isinstance(table.content_of(table.snapshots[0]), Settings)
 
 

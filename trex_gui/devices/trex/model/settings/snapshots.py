@@ -48,7 +48,7 @@ def _read(
 ) -> tuple[Snapshot, ...]:
     files, snapshots = history.files(), list[Snapshot]()
     for number, file in enumerate(files, 1):
-        snapshots.append(history.read_head(file, known.get(history.folder / file[2])))
+        snapshots.append(history.read_header(file, known.get(history.folder / file[2])))
         progress(number / len(files))
     return tuple(snapshots)
 
