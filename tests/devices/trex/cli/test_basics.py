@@ -54,7 +54,7 @@ def test_line_errors_of_a_search_are_no_reason_for_still_motors(
     quick_simulator.do("power cycle")
     trexcmd("find")
     result = trexcmd("status", "--baud", "57600")
-    assert "  Nothing keeps them from following serial commands.\n" in result.stdout
+    assert "  Nothing prevents them from following serial commands.\n" in result.stdout
     assert "Errors: none\n" in result.stdout
     latched = "Latched before, perhaps by a search for the board: UART error, Framing error"
     assert latched in result.stdout
@@ -80,7 +80,7 @@ def test_line_errors_during_the_command_are_a_reason_for_still_motors(
 def test_status_shows_every_reason_for_stopped_motors(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
-    assert "  Nothing keeps them from following serial commands.\n" in trexcmd("status").stdout
+    assert "  Nothing prevents them from following serial commands.\n" in trexcmd("status").stdout
     assert json.loads(trexcmd("status", "--json").stdout)["motors"] == []
 
     quick_simulator.do("jumper mode rc", "channel 2 1680us", "power cycle", "channel 2 1680us")
@@ -165,7 +165,7 @@ def test_set_reports_when_a_power_cycle_is_needed(trexcmd: RunCommand) -> None:
         ("get factory_reset", "can only be written"),
         ("calibration set 1 99999 99999 99999 20", "a calibration value is 0 to 16383"),
         ("calibration set 1 3000 2000 4000 20", "minimum 3000 is above neutral 2000"),
-        ("calibration set 1 1ms 2V 2ms 20", "in µs or in V, not in both"),
+        ("calibration set 1 1ms 2V 2ms 20", "cannot contain both µs and V"),
         ("calibration set 1 '1,000 µs' 1500us 2000us 20", "MINIMUM: 1,000 may be 1 or 1000"),
         ("calibration set 1 a 1 2 3", "counts (3750), or like 1500us"),
         ("calibration set 6 1 2 3 4", "1<=x<=5"),
@@ -192,12 +192,12 @@ def test_set_reports_when_a_power_cycle_is_needed(trexcmd: RunCommand) -> None:
         ("motor 1 5 --secnds 1", "unexpected extra arguments"),
         ("stream --seconds nan", "nan is not a number"),
         ("stream --seconds 0", "is not in the range x>0"),
-        ("stream --json --csv -", "exclude each other"),
+        ("stream --json --csv -", "cannot be combined"),
         ("stream --limit 0", "is not in the range x>=1"),
         ("stream --interval -1", "is not in the range x>=0"),
-        ("stream --separator ab", "is not a character such as"),
-        ("stream --separator .", "is not a character such as"),
-        ("stream --json --separator ;", "has no columns"),
+        ("stream --separator ab", "is neither a character such as"),
+        ("stream --separator .", "is neither a character such as"),
+        ("stream --json --separator ;", "has no effect with --json"),
         ("raw GG", "GG"),
         ("raw --seconds 1 81", "--seconds needs a motor command"),
         (f"raw {'81 ' * 300}", "300 bytes are too many"),

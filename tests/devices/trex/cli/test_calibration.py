@@ -43,4 +43,4 @@ def test_analog_board_is_calibrated_in_volts(
 
 def test_calibration_in_the_unit_of_the_other_source_is_rejected(trexcmd: RunCommand) -> None:
     result = trexcmd("calibration", "set", "1", "1V", "2V", "3V", "1V", exits=1)
-    assert "measures its inputs as RC now" in result.stderr
+    assert "currently measures RC inputs" in result.stderr

@@ -193,7 +193,7 @@ def test_restore_defaults_names_inferred_defaults(
     assert "confirms" not in trexcmd("restore-defaults", stdin="n\n", exits=1).stderr
     quick_simulator.do("eeprom motor1_acceleration 9")
     said = trexcmd("restore-defaults", stdin="n\n", exits=1).stderr
-    assert "No source confirms the default of: Motor 1 Acceleration (inferred).\n" in said
+    assert "No source confirms these defaults: Motor 1 Acceleration (inferred).\n" in said
 
 
 def test_restore_defaults_without_changes_still_prompts(
@@ -280,7 +280,7 @@ def test_notes_of_a_file_are_kept_for_the_board(trexcmd: RunCommand, tmp_path: P
 
 def test_last_applied_settings_are_compared_with_board(trexcmd: RunCommand) -> None:
     nothing = trexcmd("diff", "--last", exits=2)
-    assert "No settings were applied to this board from this computer yet." in nothing.stderr
+    assert "No settings have been applied to this board from this computer." in nothing.stderr
     trexcmd("diff", exits=2)
     trexcmd("diff", "--last", "x.txt", exits=2)
 

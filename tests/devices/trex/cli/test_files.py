@@ -103,7 +103,7 @@ def test_file_for_newer_firmware_is_rejected_naming_the_key(
 ) -> None:
     old = start_simulator("--firmware", "1.0", "--unpaced")
     result = trexcmd("set-settings", str(saved), "--port", old.url, exits=1)
-    assert "uart_response_delay: TReX 1.0 does not have it" in result.stderr
+    assert "uart_response_delay: a TReX 1.0 does not have this setting" in result.stderr
 
 
 def test_set_settings_writes_nothing_outside_serial_mode(
@@ -307,7 +307,7 @@ def test_set_settings_converts_a_file_of_the_other_model_when_told(
 ) -> None:
     path = tmp_path / "junior.txt"
     path.write_text(JUNIOR, encoding="utf-8")
-    assert "--convert carries over what fits" in trexcmd("set-settings", str(path), exits=1).stderr
+    assert "--convert carries over the" in trexcmd("set-settings", str(path), exits=1).stderr
     result = trexcmd("set-settings", str(path), "--convert")
     assert "For a TReX 1.2: 2 carried over, 1 changed, 0 left out." in result.stderr
     assert stored(quick_simulator, "motor1_current_limit") == 16

@@ -168,10 +168,8 @@ def test_changed_line_settings_print_new_options(
     options: str,
 ) -> None:
     said = given(trexcmd, tmp_path / "line.txt", **values)
-    sentence = (
-        f"After it is switched off and on, reach it with --port {quick_simulator.url} {options}\n"
-    )
-    assert sentence in said
+    sentence = "After the board is switched off and on, reach it with"
+    assert f"{sentence} --port {quick_simulator.url} {options}\n" in said
 
 
 def test_printed_options_reach_the_board(

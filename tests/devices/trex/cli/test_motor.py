@@ -316,7 +316,7 @@ def test_stop_names_who_holds_the_port_and_guardian_stops_its_motor(
     assert stop.returncode == 1
     if sys.platform == "linux":  # no other system tells who holds a port
         assert f"(process {holder.pid})" in errors
-        assert "Esc in its window stops the motors" in errors
+        assert "press Esc in its window" in errors
     assert outputs(quick_simulator) == [40, 0, 0]
     holder.kill()
     assert comes_true(lambda: braked(quick_simulator))

@@ -54,7 +54,7 @@ def test_decode_explains_invalid_bytes(trexcmd: RunCommand) -> None:
     assert "a data byte outside a packet" in result.stdout
     assert "a command byte inside a packet" in result.stdout
     assert "the packet is not complete" in result.stdout
-    assert "4 of 5 are not packets" in result.stderr
+    assert "4 of 5 parts are not packets" in result.stderr
 
 
 # --- raw ----------------------------------------------------------------------------------

@@ -98,7 +98,7 @@ def test_first_difference_is_shown_with_its_line(trexcmd: RunCommand, transcript
     number = int(result.stdout.split(":")[0].removeprefix("Line "))
     assert "\tAF 07" in transcript.read_text(encoding="utf-8").splitlines()[number - 1]
     result = trexcmd("replay", "--all", str(transcript), exits=1)
-    assert "Different replies: 2, in" in result.stderr
+    assert "Replies differ in 2 of" in result.stderr
     assert result.stdout.count("simulator:") == 2
 
 

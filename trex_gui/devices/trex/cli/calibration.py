@@ -1,4 +1,4 @@
-"""Commands calibration get and calibration set."""
+"""The calibration get and calibration set commands."""
 
 from dataclasses import asdict, astuple, replace
 from typing import Any
@@ -29,7 +29,7 @@ from trex_gui.devices.trex.settings.rules import Context
 
 @click.group()
 def calibration() -> None:
-    """Show or store channel calibrations, for the active input source."""
+    """Show or store the channel calibrations of the active input source."""
 
 
 @calibration.command("get")
@@ -38,19 +38,19 @@ def calibration() -> None:
 def get_command(as_json: bool, **options: Any) -> None:
     """Show the calibration of each channel, in counts and in physical units.
 
-    With --json, the fields of a channel are counts, and pulse_us or voltage_V contains the
-    physical values.
+    With --json, the fields of a channel are counts. pulse_us or voltage_V contains their physical
+    values.
     """
     with open_line(link_settings(options)) as client:
         state = read_board(client)
-    source, rows, learned = state.source, state.calibrations, channels_in(state.calibrated)
+    source, rows, changed = state.source, state.calibrations, channels_in(state.calibrated)
     if as_json:
         report = {
             "source": source.value,
             "channels": [
                 {
                     "channel": channel,
-                    "differs_from_default": channel in learned,
+                    "differs_from_default": channel in changed,
                     **asdict(row),
                     PHYSICAL_KEYS[source]: {
                         name: rounded(source, count) for name, count in asdict(row).items()
@@ -62,7 +62,7 @@ def get_command(as_json: bool, **options: Any) -> None:
         print_json(report)
         return
     for channel, row in rows.items():
-        click.echo(_text(channel, row, source) + ("" if channel in learned else "  (default)"))
+        click.echo(_text(channel, row, source) + ("" if channel in changed else "  (default)"))
 
 
 @calibration.command("set")
@@ -75,15 +75,15 @@ def get_command(as_json: bool, **options: Any) -> None:
 def set_command(channel: int, **options: Any) -> None:
     """Store the calibration of a channel and read it back.
 
-    Values are counts (3750), or have a unit: 1500us for RC pulses, 2.5V for voltages. First
-    saves a snapshot of the stored settings. Writes nothing if the board already has this
+    Values are counts (3750) or have a unit: 1500us for RC pulses, 2.5V for voltages. A snapshot of
+    the stored settings is saved first. Nothing is written if the board already has this
     calibration.
     """
     given = {name: _parse(name, options.pop(name)) for name in CALIBRATION_FIELDS}
     link = link_settings(options)
     sources = {source for _, source in given.values() if source}
     if len(sources) > 1:
-        raise click.UsageError("A calibration is in µs or in V, not in both.")
+        raise click.UsageError("A calibration cannot contain both µs and V.")
     try:
         target = Calibration(**{name: count for name, (count, _) in given.items()})
         target.encode()
@@ -94,7 +94,7 @@ def set_command(channel: int, **options: Any) -> None:
         source = state.source
         if sources - {source}:
             raise BadRequest(
-                f"The board measures its inputs as {source.value} now, so values are in "
+                f"The board currently measures {source.value} inputs, so values must be in "
                 f"{source.unit}."
             )
         key = CalibrationKey.of(source, channel)

@@ -1,4 +1,4 @@
-"""Common steps of commands that change stored settings."""
+"""Steps shared by commands that change stored settings."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -45,11 +45,12 @@ def say_changes(result: Comparison) -> None:
 
 
 def require_consent(
-    file: str, state: DeviceState, target: Mapping[str, int], *, force: bool
+    name: str, state: DeviceState, target: Mapping[str, int], *, force: bool
 ) -> None:
-    """Raise SettingsError for values beyond inferred limits. `force` accepts them.
+    """Raise SettingsError for values beyond inferred limits, unless `force` is set.
 
-    Values that boards with this model and firmware have stored before need no consent.
+    Values that boards with this model and firmware have already stored need no consent. `name` is
+    the file or the setting that the error names.
     """
     known, specs = AcceptedValues().of(state.signature), state.specs
     findings = [
@@ -59,7 +60,7 @@ def require_consent(
         if (problem := specs[key].problem(wire)) is not None
     ]
     if findings and not force:
-        raise SettingsError(file, findings)
+        raise SettingsError(name, findings)
 
 
 def keeper_of(client: TrexClient, state: DeviceState) -> Keeper:
@@ -87,9 +88,10 @@ def change_one(
 ) -> None:
     """Store the setting of `after` that differs from the stored settings.
 
-    `name` is the name of the setting for the user. `command` is the reason for the snapshot.
-    Nothing is written if the board is not in serial mode (Rejected) or the snapshot cannot be saved
-    (SettingsError).
+    `name` is the name of the setting for the user. `command` is the reason in the snapshot.
+
+    Raises Rejected if the board is not in serial mode, or SettingsError if the snapshot cannot be
+    saved. In both cases, nothing is written.
     """
     before, link = settings_of(state), client.settings
     result = compare(before, after)
@@ -119,7 +121,7 @@ def write_one(
 
 
 def board_settings(state: DeviceState) -> Settings:
-    """Return the stored settings with the notes on this computer."""
+    """Return the stored settings with the notes saved on this computer."""
     stored = settings_of(state)
     return replace(stored, notes=record_of(stored).settings.notes)
 
@@ -143,22 +145,22 @@ def record_of(stored: Settings) -> BoardRecord:
 def say_next_steps(
     client: TrexClient, link: ConnectionSettings, state: DeviceState, stored: dict[str, int]
 ) -> None:
-    """Report pending settings, and the options that reach the board.
+    """Report pending settings and the options that reach the board.
 
-    `link` and `state` date from before the write. `stored` contains the written parameters.
+    `link` and `state` are from before the write. `stored` contains the written parameters.
     """
     specs = state.specs
     if pending := sorted(specs[key].name for key in stored if specs[key].needs_power_cycle):
-        say(f"{', '.join(pending)}: takes effect when the board is switched off and on.")
+        say(f"Takes effect when the board is switched off and on: {', '.join(pending)}.")
     if client.settings != link:
         say(f"Reach the board with {as_options(client.settings)} from now on.")
     say_how_to_reach(client.settings, {**state.parameters, **stored}, state.signature.firmware)
 
 
 def say_how_to_reach(used: ConnectionSettings, stored: dict[str, int], firmware: str) -> None:
-    """Report the options that reach the board after its next start, if they change."""
+    """Report the options that reach the board after its next power cycle, if they change."""
     after = after_power_cycle(used, stored, firmware)
     if after is None:
-        say("Its UART settings have an unknown value; find the board with trexcmd find.")
+        say("The UART settings have an unknown value. Find the board with trexcmd find.")
     elif (options := as_options(after)) != as_options(used):
-        say(f"After it is switched off and on, reach it with {options}")
+        say(f"After the board is switched off and on, reach it with {options}")

@@ -1,4 +1,4 @@
-"""Command check-settings."""
+"""The check-settings command."""
 
 from dataclasses import asdict, dataclass
 from typing import Any
@@ -22,7 +22,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 @dataclass(slots=True)
 class _Checked:
     data: bytes
-    text: str | bytes = b""  # with repaired values, but without the changes in `settings`
+    text: str | bytes = b""  # `data` with repaired values; `settings` may have more changes
     settings: Settings | None = None
     repairs: tuple[str, ...] = ()
     findings: tuple[Finding, ...] = ()
@@ -63,7 +63,7 @@ class _Checked:
     def written(self, settings: Settings, *, keep_all: bool) -> str:
         """Return the text with `settings`. It ends with a newline.
 
-        `keep_all` raises SettingsError if comments or order would be lost.
+        With `keep_all`, raises SettingsError if comments or the order of settings would be lost.
         """
         before = self.text if isinstance(self.text, str) else self.text.decode("utf-8")
         try:
@@ -91,20 +91,21 @@ def _board(
         raise click.BadParameter(str(error)) from error
     if firmware and firmware not in model.firmware:
         known = ", ".join(model.firmware)
-        raise click.BadParameter(f"the firmware is {known}, not {firmware}")
+        raise click.BadParameter(f"unknown firmware {firmware}; known versions are {known}")
     return model, firmware or None
 
 
 @click.command("check-settings")
 @click.argument("file", metavar="IN", type=FILE)
 @click.argument("out", required=False, type=FILE)
-@click.option("--fix", is_flag=True, help="Repair what can be repaired, in IN or as OUT.")
+@click.option("--fix", is_flag=True, help="Repair values where possible, in IN or in OUT.")
 @click.option(
     "--for",
     "board",
     metavar="MODEL[-FIRMWARE]",
     callback=_board,
-    help="Convert the settings for trex or trexjr, such as trexjr-1.0; give OUT to save them.",
+    help="Convert the settings for another board, such as trexjr or trexjr-1.0. Give OUT to save "
+    "the result.",
 )
 @json_option
 def check_settings(
@@ -112,17 +113,19 @@ def check_settings(
 ) -> None:
     """Check a settings file without a board. With OUT, write the checked file there.
 
-    Lists errors and warnings by line on standard error; - is standard input or output. With
-    --fix, values with units become wire values, numbers outside a range become the nearest limit,
-    and the proposals of warnings are accepted. With --for, values with another meaning for the
-    other board are converted, and settings that it does not have become comments. Each change is
-    listed; comments and order are kept. Nothing is written while errors remain.
+    Lists errors and warnings by line on standard error. - is standard input or output.
+
+    With --fix, values with units become wire values, numbers outside a range become the nearest
+    limit, and the proposals of warnings are accepted. With --for, values that have a different
+    meaning on the other board are converted, and settings that the other board does not have become
+    comments. Each change is listed. Comments and order are kept. Nothing is written while errors
+    remain.
     """
     target = out if out is not None else file if fix and board is None else None
     if as_json and target == "-":
         raise click.UsageError("--json and OUT cannot both use standard output.")
     if fix and board is not None and out is None:
-        raise click.UsageError("--for never changes IN: name the file to write as OUT.")
+        raise click.UsageError("--for never changes IN. Give the file to write as OUT.")
     name = name_of(file)
     with refusals():
         data = content_of(file)

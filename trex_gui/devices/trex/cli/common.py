@@ -1,4 +1,4 @@
-"""Options and connections that several commands share."""
+"""Options, connections and reports that several commands share."""
 
 import contextlib
 import difflib
@@ -82,7 +82,7 @@ link_options = all_options(
         type=click.Choice(["none", "even", "odd"]),
         default="none",
         show_default=True,
-        help="Parity bit of each byte; not together with --crc.",
+        help="Parity bit of each byte. Cannot be combined with --crc.",
     ),
     crc_option,
     polynomial_option,
@@ -98,20 +98,20 @@ link_options = all_options(
         type=click.IntRange(0, 127),
         default=7,
         show_default=True,
-        help="Device number, for the expanded protocol.",
+        help="Device number for the expanded protocol.",
     ),
     click.option(
         "--protocol",
         type=click.Choice(["compact", "expanded"]),
         default="compact",
         show_default=True,
-        help="expanded (Pololu) addresses one board of several.",
+        help="The expanded (Pololu) protocol addresses one of several boards.",
     ),
     click.option(
         "--reserve",
         metavar="NUMBERS",
         default="",
-        help="Numbers of other devices on the line, such as 0,1; implies --protocol expanded.",
+        help="Numbers of other devices on the line, such as 0,1. Implies --protocol expanded.",
     ),
     timeout_option,
     traffic_option(Lazy("trex_gui.devices.trex.session.traffic_decoder:TrexDecoder")),
@@ -119,10 +119,10 @@ link_options = all_options(
 
 
 def link_settings(options: Mapping[str, Any], url: str | None = None) -> ConnectionSettings:
-    """Create settings from the common options. UsageError if the options conflict."""
+    """Create settings from the common options. Raises UsageError if they conflict."""
     url = url or required_port(options["port"])
     if options["crc"] and options["parity"] != "none":
-        raise click.UsageError("A TReX has either CRC or parity, not both.")
+        raise click.UsageError("A TReX can use either CRC or parity, not both.")
     detection = Detection["CRC7" if options["crc"] else options["parity"].upper()]
     line = LineSettings(options["baud"], detection, options["stop_bits"])
     number = options["device"] if options["protocol"] == "expanded" or options["reserve"] else None
@@ -147,7 +147,7 @@ boards_option = click.option(
 
 
 def grouped(settings: ConnectionSettings, boards: str) -> ConnectionSettings:
-    """Return settings for a group of boards. UsageError if the numbers are invalid."""
+    """Return settings for a group of boards. Raises UsageError if the numbers are invalid."""
     if not boards:
         return settings
     try:
@@ -191,9 +191,10 @@ def open_port(
     settings: ConnectionSettings,
     logged: Callable[[OpenTransport], OpenTransport] = lambda plain: plain,
 ) -> tuple[Transport, ConnectionSettings]:
-    """Open a port, or connect to a server. Also return the settings that address the board.
+    """Open a port or connect to a server.
 
-    `logged` wraps the function that opens the port.
+    Returns the transport, and the settings that address the board. `logged` wraps the function that
+    opens the port.
     """
     computer = host()
     if not is_served(settings.url):
@@ -207,7 +208,7 @@ def open_port(
 
 @contextlib.contextmanager
 def open_line(settings: ConnectionSettings) -> Iterator[TrexClient]:
-    """Open the line. An error ends the program with its message."""
+    """Open the line and yield its client. A StudioError becomes CommandFailed."""
     with refusals(), _open_client(*open_port(settings)) as client:
         yield client
 
@@ -216,7 +217,7 @@ def open_line(settings: ConnectionSettings) -> Iterator[TrexClient]:
 def open_line_to_change(
     settings: ConnectionSettings,
 ) -> Iterator[tuple[TrexClient, frozenset[int] | None]]:
-    """Open the line. Also yield the baud rates that the port supports, `None` if unknown."""
+    """Open the line. Also yield the baud rates that the port supports, or `None` if unknown."""
     with refusals():
         transport, settings = open_port(settings)
         rates = transport.rates(baud_rates())  # allowed only before the first packet
@@ -239,13 +240,13 @@ def identify(client: TrexClient, *, quick: bool = False) -> Signature:
     """Return the signature of the board. See `diagnose` for `quick`.
 
     Raises:
-        NoReply, BadReply: the text contains a remedy.
+        NoReply, BadReply: the message contains a remedy.
     """
     try:
         try:
             return _only_board(client)
         except BadReply:
-            # The echo may have been lost just after the line was opened.
+            # The check just after the line was opened may have missed the echo.
             client.detect_echo()
             return _only_board(client)
     except (NoReply, BadReply) as error:
@@ -314,7 +315,7 @@ PORT_REPORTS = PortReports(_identify, _describe, row_of)
 
 
 def specs_of(name: str) -> list[ParameterSpec]:
-    """Return a parameter's spec for each model and firmware. UsageError if there is none."""
+    """Return a parameter's spec for each model and firmware. Raises UsageError if none has it."""
     specs = []
     for model in device_table().models:
         for firmware in model.firmware:

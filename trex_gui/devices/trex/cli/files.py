@@ -53,14 +53,14 @@ def save_file(file: str, text: str) -> None:
 
 
 def visible(target: Settings, state: DeviceState) -> Settings:
-    """Remove the calibrations of the inactive input source, which the board hides."""
+    """Remove the calibrations of the inactive input source, because the board hides them."""
     calibrations = target.calibrations
     active = {key: value for key, value in calibrations.items() if key.source is state.source}
     if len(active) < len(calibrations):
         others = ", ".join(key for key in CalibrationKey if key in calibrations.keys() - active)
         say(
-            f"Warning: {others} left out: only the calibrations for {state.source.value} inputs, "
-            "the active ones, can be read and written."
+            f"Warning: {others} left out: the inputs are {state.source.value} now, and the board "
+            "hides all other calibrations."
         )
     return replace(target, calibrations=active)
 
@@ -71,7 +71,7 @@ def print_comparison(result: Comparison) -> None:
 
 
 class ComparisonCommand(click.Command):
-    """Command that returns whether all settings are equal.
+    """Command that compares settings. Its callback returns True if all settings are equal.
 
     The exit codes are those of diff(1): 0 equal, 1 different, 2 failure.
     """
@@ -84,7 +84,7 @@ class ComparisonCommand(click.Command):
 def _print_differences(
     before: Settings, after: Settings, names: tuple[str, str], *, as_json: bool
 ) -> bool:
-    """Print the differences between settings. Return whether they are equal."""
+    """Print the differences between settings. Return True if there are none."""
     if before.product != after.product:
         say(
             f"Warning: these settings are for different models: {names[0]} "
@@ -108,7 +108,8 @@ def get_settings(file: str, **options: Any) -> None:
     """Save the board's settings to FILE. - is standard output.
 
     FILE contains all parameters, the notes saved on this computer, and the calibrations of the
-    active input source, because the board hides the others. An existing file is replaced.
+    active input source. The board hides the calibrations of the other source. An existing file is
+    replaced.
     """
     with open_line(link_settings(options)) as client:
         state = read_board(client)
@@ -130,11 +131,12 @@ def get_settings(file: str, **options: Any) -> None:
 @click.option("--last", is_flag=True, help="Compare with the settings last applied to the board.")
 @json_option
 def diff(first: str | None, second: str | None, last: bool, as_json: bool, **options: Any) -> bool:
-    """Show how the second FILE differs from the first, or FILE from the board.
+    """Show how FILE differs from the board, or from another FILE.
 
-    Prints nothing if they are equal; old values are left of new values. With --last, the board is
-    compared with the settings that this computer last applied, in the window or with trexcmd. Exit
-    codes: 0 equal, 1 different, 2 wrong usage or not readable.
+    With two files, shows how the second differs from the first. Old values are to the left of new
+    values. Prints nothing if the settings are equal. With --last, the board is compared with the
+    settings that this computer last applied, in the window or with trexcmd. Exit codes: 0 equal,
+    1 different, 2 wrong usage or unreadable.
     """
     if first == second == "-":
         raise click.UsageError("Only one of the files can be standard input.")
@@ -146,7 +148,7 @@ def diff(first: str | None, second: str | None, last: bool, as_json: bool, **opt
         before = board_settings(state)
         record = record_of(before)
         if record.applied is None:
-            raise CommandFailed("No settings were applied to this board from this computer yet.")
+            raise CommandFailed("No settings have been applied to this board from this computer.")
         after = record.applied_to(before)
         applied = f"{record.applied.astimezone():%Y-%m-%d %H:%M}"
         names = ("the board", f"the settings applied on {applied}")
@@ -171,8 +173,9 @@ def diff(first: str | None, second: str | None, last: bool, as_json: bool, **opt
 def audit(profile: str, ignored: tuple[str, ...], as_json: bool, **options: Any) -> bool:
     """Check that the board stores the settings of PROFILE. - is standard input.
 
-    Notes, and settings that PROFILE does not contain, are not checked. Prints the differences, with
-    the board's values on the left. Exit codes: 0 equal, 1 different, 2 wrong usage or not readable.
+    Notes are not checked, nor are settings that PROFILE does not contain. Prints the differences,
+    with the board's values on the left. Exit codes: 0 equal, 1 different, 2 wrong usage or
+    unreadable.
     """
     left_out = {name if name in CALIBRATION_KEYS else specs_of(name)[0].key for name in ignored}
     target = read_file(profile)
@@ -198,10 +201,10 @@ def audit(profile: str, ignored: tuple[str, ...], as_json: bool, **options: Any)
 )
 @click.argument("file", type=FILE)
 def export(file: str, language: str, **options: Any) -> None:
-    """Write a program to FILE that stores these settings in a board. - is standard output.
+    """Export the board's settings to FILE as a program. - is standard output.
 
-    The program verifies what it stores, uses the line settings of this connection, and has
-    functions to drive and to stop the motors.
+    The program stores the settings in a board and verifies each value. It uses the line settings of
+    this connection, and has functions that drive and stop the motors.
     """
     link = link_settings(options)
     with open_line(link) as client:

@@ -1,4 +1,4 @@
-"""Command history and its subcommands."""
+"""The history command and its subcommands."""
 
 from dataclasses import asdict
 from pathlib import Path
@@ -25,22 +25,22 @@ def _complete_number(_ctx: click.Context, _param: click.Parameter, incomplete: s
     ]
 
 
-_HELP = """List the snapshots of settings, the newest first.
+_HELP = """List the snapshots of settings, newest first.
 
-Each Apply in the window and each set, set-settings, calibration set and restore-defaults saves a
-snapshot first. To restore number 3:
+Apply in the window and the commands set, set-settings, calibration set and restore-defaults save a
+snapshot before they write. To restore snapshot 3:
 
 \b
 trexcmd history diff 3
 trexcmd set-settings "$(trexcmd history path 3)"
 
-Number 1 is the newest; a new snapshot increases the numbers of the others. A snapshot with a name
-can be selected by its name instead, and is kept.
+Number 1 is the newest. Each new snapshot increases the numbers of the older snapshots by one. A
+snapshot with a name can also be selected by its name, and is never removed automatically.
 """
 
 
 @click.group(invoke_without_command=True, help=_HELP)
-@click.option("--find", "words", metavar="TEXT", help="Only snapshots with these words.")
+@click.option("--find", "words", metavar="TEXT", help="List only snapshots with these words.")
 @json_option
 @click.pass_context
 def history(ctx: click.Context, words: str | None, as_json: bool) -> None:
@@ -49,7 +49,7 @@ def history(ctx: click.Context, words: str | None, as_json: bool) -> None:
     elif as_json:
         raise click.UsageError(f"Write --json after {ctx.invoked_subcommand}.")
     elif words is not None:
-        raise click.UsageError(f"{ctx.invoked_subcommand} has no --find.")
+        raise click.UsageError(f"{ctx.invoked_subcommand} has no --find option.")
 
 
 def _list(words: str, *, as_json: bool) -> None:
@@ -66,7 +66,7 @@ def _list(words: str, *, as_json: bool) -> None:
         print_json([_json_row(number, snapshot) for number, snapshot in matches])
         return
     if not matches and terms:
-        say("No snapshot has these words.")
+        say("No snapshot contains these words.")
         return
     if not matches:
         say(
@@ -88,7 +88,7 @@ def _list(words: str, *, as_json: bool) -> None:
 @click.argument("which", metavar="N|FILE", type=FILE, shell_complete=_complete_number)
 @json_option
 def show(which: str, as_json: bool) -> None:
-    """Print the settings of a snapshot: its number in the list, or its file."""
+    """Print the settings of a snapshot, given by its number in the list or by its file."""
     path = _path_of(which)
     settings = read_file(str(path))
     if not as_json:
@@ -114,10 +114,11 @@ def show(which: str, as_json: bool) -> None:
 @json_option
 @click.pass_context
 def diff(ctx: click.Context, /, first: str, second: str | None, **options: Any) -> bool:
-    """Show how the second snapshot differs from the first, or a snapshot from the board.
+    """Show how a snapshot differs from the board, or from another snapshot.
 
-    Prints nothing if they are equal. Exit codes are those of `trexcmd diff`. The board's values are
-    on the left, the values that this snapshot would restore on the right.
+    With two snapshots, shows how the second differs from the first. With one, the board's values
+    are on the left, and the values that the snapshot would restore are on the right. Prints nothing
+    if the settings are equal. The exit codes are those of `trexcmd diff`.
     """
     other = None if second is None else str(_path_of(second))
     return bool(ctx.invoke(diff_settings, first=str(_path_of(first)), second=other, **options))
@@ -130,7 +131,7 @@ def diff(ctx: click.Context, /, first: str, second: str | None, **options: Any) 
 def name(which: str, name: str | None, note: str | None) -> None:
     """Give a snapshot a name, a note or both.
 
-    A snapshot with a name is kept, however many follow it, until its name is removed with "".
+    A snapshot with a name is kept, regardless of the limit, until its name is removed with "".
     """
     given = {"name": name, "note": note}
     texts = {kind: text for kind, text in given.items() if text is not None}
@@ -149,11 +150,11 @@ def path(which: str) -> None:
 
 @history.command("keep")
 @click.argument("count", metavar="COUNT|all", required=False)
-@click.option("--yes", is_flag=True, help="Do not ask.")
+@click.option("--yes", is_flag=True, help="Do not ask for confirmation.")
 def limit_command(count: str | None, yes: bool) -> None:
     """Set the number of snapshots that trexcmd and the window keep, or print it.
 
-    Asks before it removes older snapshots.
+    Asks for confirmation before older snapshots are removed.
     """
     history = SettingsHistory()
     if count is None:
@@ -162,7 +163,7 @@ def limit_command(count: str | None, yes: bool) -> None:
             raise CommandFailed(limit.problem)
         click.echo("all" if limit.count is None else limit.count)
         return
-    new_limit = _count(count)
+    new_limit = _parse_count(count)
     if (excess := len(history.excess(new_limit))) and not yes:
         total = counted(len(history.snapshots()), "snapshot")
         which = "the oldest one" if excess == 1 else f"the oldest {excess}"
@@ -174,16 +175,16 @@ def limit_command(count: str | None, yes: bool) -> None:
     say("All snapshots are kept." if new_limit is None else f"The newest {new_limit} are kept.")
 
 
-def _count(word: str) -> int | None:
+def _parse_count(word: str) -> int | None:
     if word.casefold() == "all":
         return None
     if not word.isascii() or not word.isdecimal() or not 1 <= int(word[:8]) < 10**7:
-        raise click.UsageError(f"{word!r} is neither a number of snapshots, at least 1, nor all.")
+        raise click.UsageError(f"{word!r} is neither a number of snapshots (at least 1) nor all.")
     return int(word)
 
 
 def _path_of(word: str) -> Path:
-    """Return the file of a snapshot by number or name. Any other word is a path."""
+    """Return the file of a snapshot given by number or name. Any other word is a path."""
     is_number = word.isdecimal() and len(word) <= 9
     if not is_number and all(snapshot.name != word for snapshot in SettingsHistory().snapshots()):
         return Path(word)

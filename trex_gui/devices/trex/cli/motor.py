@@ -1,4 +1,4 @@
-"""Commands motor and stop."""
+"""The motor and stop commands."""
 
 import math
 import time
@@ -80,9 +80,9 @@ _SLICE = 0.02  # maximum seconds between two checks for signals
 @link_options
 @click.argument("which", metavar="1|2|aux", type=click.Choice(["1", "2", "aux"]))
 @click.argument("speed", type=int)
-@click.option("--accelerate", is_flag=True, help="Use the acceleration set in the board.")
+@click.option("--accelerate", is_flag=True, help="Use the acceleration stored in the board.")
 @seconds_option
-@click.option("--brake", is_flag=True, help="Brake; SPEED is the braking duty, 0 to 127.")
+@click.option("--brake", is_flag=True, help="Brake the motor. SPEED is the braking duty, 0 to 127.")
 @boards_option
 def motor(
     which: str,
@@ -96,8 +96,8 @@ def motor(
 ) -> None:
     """Run a motor at SPEED, -127 to 127 (auxiliary motor 0 to 127), then stop every motor.
 
-    Runs until Ctrl-C, or for --seconds. At the end, also after a signal or an error, the stop is
-    repeated until the board confirms it.
+    The motor runs until Ctrl-C, or for the time given with --seconds. At the end, the stop is
+    repeated until the board confirms it, even after a signal or an error.
     """
     setpoint = _setpoint(which, speed, accelerate=accelerate, brake=brake)
     run_motors(grouped(link_settings(options), boards), [setpoint], seconds)
@@ -108,7 +108,8 @@ def run_motors(
 ) -> None:
     """Arm the motors, send the commands, and stop after `seconds` or Ctrl-C.
 
-    CommandFailed if the run ends early or with an error. The motors are stopped if possible.
+    Raises CommandFailed if the run ends early or with an error. Even then, the motors are stopped
+    if possible.
     """
     clock, open_port = host().clock, host().open_transport
     wait: Callable[[float], None] = time.sleep
@@ -127,7 +128,7 @@ def run_motors(
     run.conclude()
 
 
-STOP_ID = -1  # request number of the final stop; packets have higher numbers
+STOP_ID = -1  # request ID of the final stop; packets have higher IDs
 
 _CAUSES = {
     TimeoutStop.OFF: "Serial Timeout is off",
@@ -145,10 +146,13 @@ _UNCONFIRMED = "The stop is not confirmed. If a motor still turns, cut its power
     "--robots",
     multiple=True,
     metavar="NAME",
-    help="Stop this served board, or all of them; may be repeated.",
+    help="Stop the served board NAME, or all served boards with the name all. May be repeated.",
 )
 def stop(robots: tuple[str, ...], boards: str, **options: Any) -> None:
-    """Brake both motors and switch the auxiliary motor off. Repeat until confirmed."""
+    """Brake both motors and switch the auxiliary motor off.
+
+    The stop is repeated until the board confirms it.
+    """
     if robots or is_served(options["port"] or ""):
         _stop_served(robots or [options["port"]])
         return
@@ -160,8 +164,8 @@ def stop(robots: tuple[str, ...], boards: str, **options: Any) -> None:
         if not is_held:
             raise
         raise CommandFailed(
-            f"{refusal} If that is TReX Studio: Esc in its window stops the motors, and so does "
-            "closing it."
+            f"{refusal} If TReX Studio uses the port, press Esc in its window or close the window "
+            "to stop the motors."
         ) from refusal
     say("Stopped.")
 
@@ -203,7 +207,7 @@ def _stop_problem(client: TrexClient, run: StopRun) -> str:
     """Return the reason why a motor may still turn. Empty after a confirmed stop."""
     if not run.is_confirmed:
         try:
-            identify(client, quick=True)  # raises the reason for a missing reply
+            identify(client, quick=True)  # raises an error that explains a missing reply
         except (NoReply, BadReply) as error:
             return f"{_UNCONFIRMED} {error}"
         return (
@@ -232,8 +236,8 @@ def _setpoint(which: str, speed: int, *, accelerate: bool, brake: bool) -> Setpo
     return setpoint
 
 
-class _Reader(Keeper):
-    """Keeper that saves nothing, because a run changes no setting."""
+class _ReadOnlyKeeper(Keeper):
+    """Keeper that saves nothing, because a run changes no settings."""
 
     def save(self, board: BoardIdentity, record: BoardRecord | None) -> None:
         pass
@@ -243,8 +247,8 @@ class _Reader(Keeper):
 class _Run:
     """Inbox and listener of a session that drives motors on this thread.
 
-    The motors are armed after the first round of polling, which reads serial control and
-    old errors.
+    The motors are armed after the first round of polling, which reads the latched errors and
+    checks that serial commands control the motors.
     """
 
     _commands: Sequence[Setpoint | SendPacket]
@@ -268,7 +272,7 @@ class _Run:
     _line_error: StudioError | None = None
 
     def __post_init__(self) -> None:
-        self._keepers = {number: _Reader(say, say_warning) for number in self._numbers}
+        self._keepers = {number: _ReadOnlyKeeper(say, say_warning) for number in self._numbers}
         self.boards = {n: BoardMirror(keeper.memory) for n, keeper in self._keepers.items()}
 
     # --- The inbox ----------------------------------------------------------------------
@@ -292,7 +296,7 @@ class _Run:
         self._heartbeat_at = self._now + HEARTBEAT_INTERVAL
         self._end = self._now + self._seconds
         endless = math.isinf(self._seconds)
-        say("Running; Ctrl-C stops." if endless else f"Running {self._seconds:g} s.")
+        say("Running until Ctrl-C." if endless else f"Running for {self._seconds:g} s.")
 
     def _addressed(self, commands: Sequence[Setpoint | SendPacket]) -> list[Request]:
         return [
@@ -321,7 +325,7 @@ class _Run:
             is_changed = report.occasion is ReadReason.SETTING_CHANGED
             cause = "A setting of the board changed" if is_changed else "The board was restarted"
             self._finish(self._named(number, f"{cause}, so the motors were stopped."))
-            return  # no file is saved while motors may move
+            return  # no file may be saved while motors may turn
         for event in self.boards[number].handle(report, self._now, utc_now()):
             match event:
                 case LatchedStatus():
@@ -354,7 +358,7 @@ class _Run:
         elif isinstance(outcome.value, bytes) and outcome.value:
             try:
                 click.echo(hex_text(outcome.value))
-            except (click.ClickException, OSError) as error:  # must not end the session
+            except (click.ClickException, OSError) as error:  # must not end the session early
                 self._finish(str(error))
 
     def _connected(self, number: int | None, state: DeviceState) -> None:
@@ -387,7 +391,7 @@ class _Run:
             say(f"Errors latched before this run: {names}.")
         elif latched.uart & UartError.TIMEOUT:
             self._finish(f"The board reports: {names}.")
-        elif not self._is_ending and not latched.stops_motors():  # else the drive is lost
+        elif not self._is_ending and not latched.stops_motors():  # otherwise, `DriveLost` follows
             say(f"The board reports: {names}.")
             if latched.uart:  # the board may have stopped the motors
                 setpoints = [c for c in self._commands if not isinstance(c, SendPacket)]
@@ -395,14 +399,14 @@ class _Run:
 
     def _handle_control(self, number: int | None, *, by_serial: bool) -> None:
         self._by_serial[number] = by_serial
-        is_known = len(self._by_serial) == len(self._numbers) and all(self._by_serial.values())
-        if is_known and not self._is_running and not self._is_ending:
+        all_by_serial = len(self._by_serial) == len(self._numbers) and all(self._by_serial.values())
+        if all_by_serial and not self._is_running and not self._is_ending:
             self._start()
 
     # --- The end ------------------------------------------------------------------------
 
     def conclude(self) -> None:
-        """Report the end of the run. CommandFailed if it ended early or with an error."""
+        """Report the end of the run. Raises CommandFailed if it ended early or with an error."""
         error = self._line_error or self._stop_error
         if error is not None:
             text = str(error)

@@ -1,4 +1,4 @@
-"""Commands raw and decode."""
+"""The raw and decode commands."""
 
 from typing import Any
 
@@ -21,7 +21,7 @@ from trex_gui.devices.trex.protocol.raw_packets import RawPacket, packets_of, pa
 from trex_gui.devices.trex.session.messages import SendPacket
 
 
-def _bytes(words: tuple[str, ...]) -> bytes:
+def _parse_bytes(words: tuple[str, ...]) -> bytes:
     try:
         return parse_hexadecimal(" ".join(words))
     except BadRequest as error:
@@ -33,8 +33,8 @@ def _bytes(words: tuple[str, ...]) -> bytes:
 @click.option(
     "--motors",
     is_flag=True,
-    help="Permit motor commands (C0 to F1). The motors run until Ctrl-C, or for --seconds; then "
-    "every motor is stopped.",
+    help="Permit motor commands (C0 to F1). The motors run until Ctrl-C, or for the time given "
+    "with --seconds. Then every motor is stopped.",
 )
 @seconds_option
 @click.argument("packet", nargs=-1, required=True)
@@ -43,10 +43,11 @@ def raw(packet: tuple[str, ...], *, motors: bool, seconds: float | None, **optio
 
     Describes the packets first. Several packets are sent one by one, because the board does not
     listen while it replies. Packets that may move a motor are rejected without --motors. With
-    --motors, the stop is repeated until the board confirms it, even after a signal or an error.
+    --motors, the final stop is repeated until the board confirms it, even after a signal or an
+    error.
     """
     link = link_settings(options)
-    packets = packets_of(_bytes(packet), link.framing.polynomial)
+    packets = packets_of(_parse_bytes(packet), link.framing.polynomial)
     for item in packets:
         is_shared = link.device_number is not None and item.writes_everywhere
         board = "Every board on the line" if is_shared else "The board"
@@ -80,11 +81,11 @@ def _effect_text(packet: RawPacket, board: str) -> str:
 @crc_option
 @polynomial_option
 def decode(packet: tuple[str, ...], crc: bool, polynomial: str) -> None:
-    """Describe the packets in HEX, the bytes that a host sends with either protocol.
+    """Describe the packets in HEX, which a host sends with either protocol.
 
-    Units are those of a TReX. The exit code is 1 if some bytes are not a packet.
+    Values are in the units of a TReX. The exit code is 1 if some bytes are not a packet.
     """
-    data = _bytes(packet)
+    data = _parse_bytes(packet)
     try:
         parser = PacketParser(hexadecimal(polynomial) if crc else None)
     except BadRequest as error:
@@ -96,7 +97,7 @@ def decode(packet: tuple[str, ...], crc: bool, polynomial: str) -> None:
         click.echo(f"{first:{widths[0]}}  {second:{widths[1]}}  {words}")
     malformed = sum(isinstance(event, Malformed) for event in events)
     if malformed:
-        raise CommandFailed(f"{malformed} of {len(events)} are not packets.")
+        raise CommandFailed(f"{malformed} of {len(events)} parts are not packets.")
 
 
 def _row(event: Packet | Malformed) -> tuple[str, str, str]:

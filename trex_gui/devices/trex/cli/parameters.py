@@ -1,4 +1,4 @@
-"""Commands set and restore-defaults."""
+"""The set and restore-defaults commands."""
 
 import re
 from dataclasses import replace
@@ -52,13 +52,15 @@ from trex_gui.devices.trex.settings.rules import Context
 def set_command(name: str, value: str, force: bool, **options: Any) -> None:
     """Store one parameter and read it back.
 
-    VALUE without a unit is a wire value, a whole number as in settings files: 15 is 1.5 s for
-    serial_timeout. Any other value has its unit or is a word ("1.5 s", "off"). The decimal
-    separator is a point or a comma; thousands are not separated. First saves a snapshot of the
-    stored settings. Writes nothing if the board has this value already.
+    VALUE without a unit is a wire value: a whole number as in settings files. For example, 15 means
+    1.5 s for serial_timeout. Any other VALUE has a unit ("1.5 s") or is a word ("off"). The decimal
+    separator is a point or a comma. Thousands separators are not allowed.
 
-    With --force, limits that no source confirms do not count: the board may reject the value or
-    store another value. The stored value is remembered as accepted by the firmware.
+    A snapshot of the stored settings is saved first. Nothing is written if the board already has
+    this value.
+
+    With --force, limits that no source confirms are not enforced. The board may reject the value or
+    store a different value. The program remembers that the firmware accepts the stored value.
     """
     link = link_settings(options)
     _check_value(name, value)
@@ -112,13 +114,13 @@ def _check_value(name: str, value: str) -> None:
 
 @click.command("restore-defaults")
 @link_options
-@click.option("--yes", is_flag=True, help="Do not ask.")
+@click.option("--yes", is_flag=True, help="Do not ask for confirmation.")
 def restore_defaults(yes: bool, **options: Any) -> None:
     """Reset every parameter to its factory default.
 
-    Shows what will change and asks. The board resets when it is switched off and on. Channel
-    calibrations do not change (inferred). First saves a snapshot of the stored settings. Does
-    nothing if another board on the line has the device number that this board would get.
+    Shows the changes and asks for confirmation. The board resets when it is switched off and on.
+    Channel calibrations do not change (inferred). A snapshot of the stored settings is saved first.
+    Nothing is written if another board on the line has the device number that this board would get.
     """
     link = link_settings(options)
     with open_line(link) as client:
@@ -139,8 +141,8 @@ def restore_defaults(yes: bool, **options: Any) -> None:
         write_one(client, state, "trexcmd restore-defaults", [(spec.key, spec.maximum)])
     line = specs[ParameterKey.UART_SETTINGS].text(factory.parameters[ParameterKey.UART_SETTINGS])
     say(
-        "The board accepted the reset. Switch it off and on: then every parameter has its "
-        f"default, the board runs at {line} and its device number is {number}. The channel "
+        "The board accepted the reset. Switch it off and on. Then every parameter has its "
+        f"default, the board runs at {line}, and its device number is {number}. The channel "
         "calibrations do not change (inferred)."
     )
     say_how_to_reach(link, dict(factory.parameters), signature.firmware)
@@ -154,4 +156,4 @@ def _announce(result: Comparison, specs: ParameterSet) -> None:
     say_changes(result)
     changing = [specs[row.key] for row in result.rows if row.changed]
     if unsure := unconfirmed_defaults(changing):
-        say(f"No source confirms the default of: {unsure}.")
+        say(f"No source confirms these defaults: {unsure}.")

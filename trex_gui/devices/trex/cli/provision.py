@@ -1,4 +1,4 @@
-"""Command provision."""
+"""The provision command."""
 
 import sys
 from collections.abc import Callable
@@ -33,7 +33,7 @@ from trex_gui.devices.trex.settings.provision_record import (
 )
 
 _RETRY_S = 0.5  # seconds between two attempts to reach a board
-_PULSE = 30  # speed, 0 to 127
+_PULSE_SPEED = 30  # 0 to 127
 _FIRST_S, _NEXT_S = 0.8, 0.25  # maximum seconds until the first and the next repeat of a held key
 _ENTER = {"\r", "\n"}
 _END = {"q", "\x04", ""}  # q, Ctrl-D in a terminal, or the end of a pipe
@@ -50,7 +50,7 @@ _END = {"q", "\x04", ""}  # q, Ctrl-D in a terminal, or the end of a pipe
     show_default=True,
     help="CSV file with a line for each board.",
 )
-@click.option("--name", default="robot {number}", show_default=True, help="Names of new boards.")
+@click.option("--name", default="robot {number}", show_default=True, help="Names for new boards.")
 @click.option(
     "--first",
     type=click.IntRange(0, NUMBERS - 1),
@@ -75,8 +75,8 @@ def provision(
     """Set up one board after another with the settings of PROFILE, on the same cable.
 
     Waits for a board, assigns a free device number and a name to a new board, and shows the
-    differences. Enter writes them, s skips the board, q ends. Every value is read back, and a line
-    is added to the record. Then unplug the board and connect the next board.
+    differences. Press Enter to write them, s to skip the board, or q to end. Every value is read
+    back, and a line is added to the record. Then unplug the board and connect the next board.
 
     Boards have no serial number. A board whose device number is in the record keeps this number,
     and the record says whether its calibrations have changed.
@@ -84,7 +84,7 @@ def provision(
     link = link_settings(options)
     if link.device_number is not None:
         raise click.UsageError(
-            "provision sets up one board at a time, so do not give --protocol expanded."
+            "provision sets up one board at a time and cannot use the expanded protocol."
         )
     if pulse and not sys.stdin.isatty():
         raise click.UsageError("--pulse needs a terminal, because a pipe cannot report a held key.")
@@ -115,7 +115,7 @@ class _Setup:
                 trex = self._wait_for_board(stack)
                 wants_more = self._set_up(trex)
                 if wants_more and not is_last:
-                    say("Unplug it.")
+                    say("Unplug the board.")
                     with suppress(NoReply, PortUnavailable):
                         while trex.is_responding:
                             trex.wait(1.0)
@@ -160,7 +160,7 @@ class _Setup:
             return False
         trex.wait(0.05)  # raises NoReply if the board was unplugged
         if key in _ENTER:
-            self._save(board)  # record the number before the board may get it
+            self._save(board)  # record the number before the board can have it
             result = self._write(trex, board.number, rows)
             if trex.is_responding:
                 board = replace(board, calibrations=fingerprint(settings_of(trex.state)))
@@ -202,12 +202,12 @@ class _Setup:
 
 
 def pulse(trex: Trex, motor: int, typed: Callable[[], str]) -> bool:
-    """Turn a motor slowly while Space is held. Return whether Enter ended it.
+    """Turn a motor slowly while Space is held. Return True if the user pressed Enter.
 
-    `typed` returns the keys typed since its last call.
+    `typed` returns the keys that were typed since its last call.
     """
-    say(f"Hold Space to turn motor {motor}; Enter: go on; q: end.")
-    clock, pressed, presses = host().clock, 0.0, 0  # presses since the motor started
+    say(f"Hold Space to turn motor {motor}; Enter: continue; q: end.")
+    clock, pressed_at, presses = host().clock, 0.0, 0  # presses since the motor started
     typed()
     while True:
         keys = typed()
@@ -215,9 +215,9 @@ def pulse(trex: Trex, motor: int, typed: Callable[[], str]) -> bool:
             trex.stop()
             return "\r" in keys or "\n" in keys
         if " " in keys:
-            pressed, presses = clock(), presses + 1
-            trex.drive(*((_PULSE, None) if motor == 1 else (None, _PULSE)))
-        elif presses and clock() - pressed > (_FIRST_S if presses == 1 else _NEXT_S):
+            pressed_at, presses = clock(), presses + 1
+            trex.drive(*((_PULSE_SPEED, None) if motor == 1 else (None, _PULSE_SPEED)))
+        elif presses and clock() - pressed_at > (_FIRST_S if presses == 1 else _NEXT_S):
             presses = 0
             trex.stop()
             typed()  # drop keys typed during the stop
@@ -225,7 +225,7 @@ def pulse(trex: Trex, motor: int, typed: Callable[[], str]) -> bool:
 
 
 def read_key() -> str:
-    """Read a key from the terminal, or a character from a pipe. Empty at the end."""
+    """Read a key from the terminal, or a character from a pipe. Empty at the end of the pipe."""
     return click.getchar() if sys.stdin.isatty() else sys.stdin.read(1)
 
 

@@ -25,14 +25,14 @@ from trex_gui.devices.trex.session.messages import (
 )
 
 _OPEN_TIMEOUT = 20.0  # seconds for the server to read the board
-_REPLY_TIMEOUT = 10.0  # seconds for a packet, which may wait for requests of other clients
+_REPLY_TIMEOUT = 10.0  # seconds; a packet may wait behind requests of other clients
 
 
 class RemoteTransport:
-    """`Transport` through a server.
+    """`Transport` that reaches a board through a server.
 
     Raises:
-        PortUnavailable: the server cannot be reached, or has no board.
+        PortUnavailable: the server cannot be reached or has no board.
         NoReply: the board does not respond to the server.
     """
 

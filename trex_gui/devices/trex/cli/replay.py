@@ -1,4 +1,4 @@
-"""Command replay, which runs in virtual time."""
+"""The replay command, which runs in virtual time."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
@@ -37,26 +37,26 @@ _MEASURED = (
     c.GetStatus,
     c.GetUartErrors,
 )
-"""Queries of measurements and errors. Only the size of their replies is compared."""
+"""Queries for measurements and errors. Only the sizes of their replies are compared."""
 
 _WAIT = 0.3  # virtual seconds for a reply; the longest write takes 32 ms
-_LONGEST_GAP = 2.0  # virtual seconds between two rows; longer pauses are shortened
+_MAX_GAP = 2.0  # virtual seconds between two rows; longer gaps are shortened
 
-_SAMPLE = 50  # rows examined to find the CRC in use
+_SAMPLE = 50  # rows that are examined to find the CRC polynomial
 
 _JUMPERS = {Mode.RC: "rc", Mode.ANALOG: "analog"}
 
 
 @click.command()
 @click.argument("file", type=FileName(dir_okay=False))
-@click.option("--all", "everything", is_flag=True, help="Print all differences, not only one.")
+@click.option("--all", "everything", is_flag=True, help="Print all differences, not just one.")
 def replay(file: str, everything: bool) -> None:
     """Send the packets of a traffic log to a simulated board and compare the replies.
 
     FILE is a log saved by the traffic page or written by --traffic. The simulated board starts with
-    the model, mode and stored values that the replies in FILE show. No port is opened and no real
-    motor moves. Probes of a search are left out. Measurements and error bits are compared only by
-    size. The exit code is 1 if a reply differs.
+    the model, mode and stored values that the replies in FILE show. No port is opened, and no real
+    motor moves. Probes that searched for a board are left out. For measurements and error bits,
+    only the sizes of the replies are compared. The exit code is 1 if a reply differs.
     """
     with refusals():
         recorded = RecordedTraffic.load(Path(file))
@@ -76,9 +76,9 @@ def replay(file: str, everything: bool) -> None:
         say(f"Warning: {warning}")
     if differing:
         raise CommandFailed(
-            f"Different replies: {differing}, in {counted(len(rows), 'transaction')}."
+            f"Replies differ in {differing} of {counted(len(rows), 'transaction')}."
             if everything
-            else "The simulator replies differently from here on; --all shows every difference."
+            else "A reply differs; --all shows every difference."
         )
     click.echo(f"{counted(len(rows), 'transaction')}, no difference.")
 
@@ -96,7 +96,7 @@ class RecordedTraffic:
 
     @classmethod
     def load(cls, path: Path) -> "RecordedTraffic":
-        """Read a transcript without the probes of searches. SettingsError if nothing remains."""
+        """Read a transcript without search probes. Raises SettingsError if nothing remains."""
         text = load(path, tr("traffic logs"), LARGEST).decode("utf-8", "replace")
         all_rows = read_transcript(text, str(path), TrexDecoder())
         rows = [row for row in all_rows if not row.is_search]
@@ -120,7 +120,11 @@ class RecordedTraffic:
         return traffic
 
     def _record_values(self, row: TranscriptRow, written: set[object]) -> None:
-        """Record values of this row that no earlier row has `written`."""
+        """Record the initial values that a row shows.
+
+        `written` contains the parameters and calibrations that earlier rows changed, so replies no
+        longer show their initial values. If the row changes a value, `written` is updated.
+        """
         packet, reply = last_exchange(self._transaction(row))
         if isinstance(packet, Packet) and isinstance(reply, Reply) and reply.raw:
             parameter = parameter_number(ParameterKey.DEVICE_NUMBER)
@@ -138,11 +142,11 @@ class RecordedTraffic:
             case Packet(command=c.GetParameter(number=number)), Reply(value=int(value)):
                 if number not in written:
                     self.parameters.setdefault(number, value)
-            case Packet(command=c.GetCalibration(channel=number)), Reply(
+            case Packet(command=c.GetCalibration(channel=channel)), Reply(
                 value=Calibration() as calibration
             ):
-                if (self.mode.source, number) not in written:
-                    self.calibrations.setdefault((self.mode.source, number), calibration)
+                if (self.mode.source, channel) not in written:
+                    self.calibrations.setdefault((self.mode.source, channel), calibration)
 
     def _transaction(self, row: TranscriptRow) -> Transaction:
         return Transaction(
@@ -168,12 +172,12 @@ class RecordedTraffic:
         return TrexDecoder().decoded(transaction).text
 
     def replayed(self) -> Iterator[tuple[TranscriptRow, bytes]]:
-        """Yield each row whose reply differs, and the simulator's reply."""
+        """Yield each row whose reply differs, with the reply of the simulator."""
         line = self._line()
         first = self.rows[0].time if self.rows else 0.0
         at, before = line.now, first
         for row in self.rows:
-            at += min(max(row.time - before, 0.0), _LONGEST_GAP)
+            at += min(max(row.time - before, 0.0), _MAX_GAP)
             before = row.time
             line.advance_to(at)
             line.receive()
@@ -217,7 +221,7 @@ class RecordedTraffic:
 
 
 def _polynomial(rows: Sequence[TranscriptRow]) -> int | None:
-    """Return the CRC polynomial that makes most packets readable. `None`: no CRC."""
+    """Return the CRC polynomial that makes the most packets readable. `None`: no CRC."""
 
     def damaged(polynomial: int | None) -> int:
         packets = (item for row in rows[:_SAMPLE] for item in packets_of(row.sent, polynomial))

@@ -1,4 +1,4 @@
-"""Command report."""
+"""The report command."""
 
 import json
 import time
@@ -31,7 +31,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 def report(file: str, **options: Any) -> None:
     """Save a report for support: versions, ports, status, settings and traffic in one zip.
 
-    With -, the report is printed instead. Names of users and computers, network addresses and
+    With -, the report is printed instead. Names of users and computers, network addresses, and
     serial numbers of adapters are masked. If no board replies, the report says why. Reading the
     error bits clears them in the board.
     """
@@ -48,7 +48,7 @@ def report(file: str, **options: Any) -> None:
 
 
 def _parts(options: dict[str, Any]) -> dict[str, Callable[[], str]]:
-    """Read the board for the report. `status.txt` contains the error if this fails."""
+    """Read the board for the report. If this fails, `status.txt` contains the error."""
     if not options["port"]:
         return {}
     settings, clock = link_settings(options), host().clock

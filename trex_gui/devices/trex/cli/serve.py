@@ -1,4 +1,4 @@
-"""Commands serve and robots, for boards on the network."""
+"""The serve and robots commands, for boards on the network."""
 
 import ipaddress
 import secrets
@@ -27,7 +27,7 @@ _SERVICE_FILES = (
     ("/etc/systemd/system/", "trex-serve.service"),
 )
 _INSTALL = """\
-Save these two files (the Debian package has them), then, as root:
+Save these two files (the Debian package contains them). Then run as root:
 
   useradd --system trex
   install -d -o trex -m 700 /etc/trex
@@ -51,7 +51,8 @@ _EVERYWHERE = "0.0.0.0"  # noqa: S104 - users are checked
     "--listen",
     metavar="HOST:PORT",
     default=None,
-    help=f"Listening address. Default: every address at {PORT} with --users, else this computer.",
+    help=f"Listening address. Default: port {PORT} on every address with --users, otherwise only "
+    "on this computer.",
 )
 @click.option("--users", "users_file", type=FileName(dir_okay=False), help="File with the users.")
 @click.option(
@@ -75,9 +76,7 @@ _EVERYWHERE = "0.0.0.0"  # noqa: S104 - users are checked
     help="Encrypt with the certificate and the key in these files.",
 )
 @boards_option
-@click.option(
-    "--install", is_flag=True, help="Print how to start the server with the computer, and end."
-)
+@click.option("--install", is_flag=True, help="Print how to start the server at boot, and end.")
 def serve(
     name: str,
     *,
@@ -90,12 +89,13 @@ def serve(
     boards: str,
     **options: Any,
 ) -> None:
-    """Serve the board to the window, trexcmd and programs of other computers.
+    """Serve the board to TReX Studio, trexcmd and other programs on the network.
 
-    They reach the board as trex://HOST/NAME. One user drives at a time; every user can watch and
-    stop it. This computer stops the motors half a second after the last heartbeat of the driver.
+    These programs reach the board as trex://HOST/NAME. Only one user drives the board at a time.
+    Every user can watch it and stop its motors. This computer stops the motors half a second after
+    the last heartbeat of the user who drives.
 
-    Without --users, only programs on this computer reach the board.
+    Without --users, only programs on this computer can reach the board.
     """
     if install:
         click.echo(_install_text())
@@ -105,19 +105,19 @@ def serve(
             raise click.UsageError("--add-user needs --users FILE.")
         with refusals():
             secret = add_user(Path(users_file), new_user, role)
-        say(f"{new_user} may {role}. The secret, for TREX_SECRET or the file of secrets:")
+        say(f"{new_user} may {role}. Secret for TREX_SECRET or the file of secrets:")
         click.echo(secret)
         return
     if not is_name(name):
         raise click.UsageError(
-            f"A name consists of letters, digits, and -_. between them, not {name!r}."
+            f"A name consists of letters, digits, hyphens, underscores and dots, not {name!r}."
         )
     settings = grouped(link_settings(options), boards)
     with refusals():
         users = read_users(Path(users_file)) if users_file else ()
         address = Address.of_host(listen or (_EVERYWHERE if users else "127.0.0.1"))
         if not users and not _is_local(address.host):
-            raise click.UsageError("Without --users, --listen can only name this computer.")
+            raise click.UsageError("Without --users, --listen must be a loopback address.")
         require_network()
         from trex_gui.devices.trex.serve.served_board import ServedBoard  # noqa: PLC0415 - an extra
 
@@ -132,9 +132,9 @@ def serve(
         )
         public_host = socket.gethostname() if users else address.host
         public_url = Address(public_host, name, "USER" if users else "", address.port).url
-        say(f"Serving {settings.label} as {public_url}. Ctrl-C stops the motors and ends.")
+        say(f"Serving {settings.label} as {public_url}. Ctrl-C stops the motors and the server.")
         if not users:
-            say("Only programs on this computer reach it; --users lets others in.")
+            say("Only programs on this computer can reach the board; --users admits others.")
         elif not tls:
             say("Secrets are checked, but nothing is encrypted without --tls.")
         with Interruption(must_finish=True) as interrupted:
@@ -173,7 +173,7 @@ def read_users(path: Path) -> tuple[User, ...]:
     """
     text = load(path).decode("utf-8", "replace")
     if sys.platform != "win32" and path.stat().st_mode & (stat.S_IRWXG | stat.S_IRWXO):
-        raise BadRequest(f"Others can read the secrets in {path}: chmod 600 {path}.")
+        raise BadRequest(f"Other users can read the secrets in {path}. Run chmod 600 {path}.")
     users: dict[str, User] = {}
     for number, line in enumerate(text.splitlines(), 1):
         words = line.split()
@@ -191,10 +191,10 @@ def read_users(path: Path) -> tuple[User, ...]:
 
 
 def add_user(path: Path, name: str, role: str) -> str:
-    """Add a user to a file, and return the new secret. A missing file is created.
+    """Add a user to a file and return the new secret. A missing file is created.
 
     Raises:
-        StudioError: the name cannot be used, or the file cannot be written.
+        StudioError: the name is invalid or already used, or the file cannot be written.
     """
     if not _is_user(name):
         raise BadRequest(f"A user name consists of letters and digits, not {name!r}.")
@@ -219,15 +219,13 @@ def _is_user(name: str) -> bool:
 
 @click.command()
 @click.argument("hosts", nargs=-1, metavar="[USER@HOST[:PORT]]...")
-@click.option(
-    "--release", metavar="NAME", help="As an owner, end the lease of this board's driver."
-)
+@click.option("--release", metavar="NAME", help="As an owner, end the current lease of this board.")
 @json_option
 def robots(hosts: tuple[str, ...], release: str | None, *, as_json: bool) -> None:
-    """List the served boards, with their drivers and problems.
+    """List the served boards, the users who drive them, and their problems.
 
-    Asks the given computers. Default: this computer, the computers in the file of secrets, and
-    every server that answers on the local network.
+    Queries the given computers. By default, queries this computer, the computers in the file of
+    secrets, and every server that answers on the local network.
     """
     with refusals():
         with Robots() as boards:

@@ -1,4 +1,4 @@
-"""Command set-settings."""
+"""The set-settings command."""
 
 from dataclasses import replace
 from functools import partial
@@ -60,15 +60,15 @@ def _read_numbers(text: str) -> tuple[int, ...]:
 @click.command("set-settings")
 @link_options
 @click.argument("file", type=FILE)
-@click.option("--dry-run", is_flag=True, help="Show what would change, and write nothing.")
+@click.option("--dry-run", is_flag=True, help="Show the changes, but write nothing.")
 @click.option(
-    "--convert", is_flag=True, help="Accept a file for the other model, or for newer firmware."
+    "--convert", is_flag=True, help="Accept a file for another model or for newer firmware."
 )
 @click.option(
     "--devices",
     type=_read_numbers,
     metavar="N,N,...",
-    help="Write to each of these boards on the line; each keeps its number and serial settings.",
+    help="Write to each of these boards on the line. Each keeps its number and serial settings.",
 )
 @click.option(
     "--force", is_flag=True, help="Let the board decide about values beyond inferred limits."
@@ -84,18 +84,18 @@ def set_settings(
 ) -> None:
     """Write the settings of FILE to the board. - is standard input.
 
-    Checks the file, saves a snapshot of the stored settings, writes only the differences, the
-    serial settings last, and reads each value back. Ctrl-C ends the command after the current
+    Checks the file, saves a snapshot of the stored settings, writes only the differences, and reads
+    each value back. Serial settings are written last. Ctrl-C ends the command after the current
     setting. Notes in the file are saved on this computer.
 
-    With --dry-run, the exit code is that of a real run: 0, even if settings differ. `trexcmd audit
-    FILE` exits with 1 if the board has other settings.
+    With --dry-run, the exit code is 0 even if settings differ, as in a real run. `trexcmd audit
+    FILE` exits with 1 if the board has different settings.
 
-    With --convert, values with another meaning for this board are converted, and settings that it
-    does not have are left out. Both are listed.
+    With --convert, values that have a different meaning on this board are converted, and settings
+    that the board does not have are left out. Both are listed.
 
-    With --devices, every board is read and checked before the first is written. The first error
-    ends the command: later boards are unchanged.
+    With --devices, every board is read and checked before anything is written. The first error ends
+    the command. Boards that follow in the list are unchanged.
     """
     target = read_file(file)
     base = link_settings(options)
@@ -131,7 +131,7 @@ def _review(
     convert: bool,
     force: bool,
 ) -> tuple[DeviceState, list[ComparisonRow]]:
-    """Report the changes to the board. Return its state, and the rows to write."""
+    """Report the changes. Return the state of the board, and the rows to write."""
     state = read_board(client)
     if convert:
         conversion = convert_settings(target, state.signature.model, state.signature.firmware)
@@ -156,20 +156,20 @@ def _review(
 
 
 def _fitted(file: str, target: Settings, state: DeviceState) -> Settings:
-    """Return the settings of a file for this board. SettingsError if they do not fit."""
+    """Return a file's settings for this board. Raises SettingsError if they do not fit."""
     board = state.signature
     if target.product != board.model:
         message = (
-            f"these are settings of a {target.product.name}, the board is a {board}; --convert "
-            "carries over what fits"
+            f"these are settings of a {target.product.name}, but the board is a {board}; "
+            "--convert carries over the settings that fit"
         )
         raise SettingsError(name_of(file), [Finding(1, "product", message)])
     known = {spec.key for spec in state.specs.readable}
     if unknown := [key for key in target.parameters if key not in known]:
-        message = f"{board} does not have it; --convert leaves it out"
+        message = f"a {board} does not have this setting; --convert leaves it out"
         raise SettingsError(name_of(file), [Finding(None, key, message) for key in unknown])
     if target.firmware not in {None, board.firmware}:
-        say(f"Warning: these settings are for firmware {target.firmware}, the board is a {board}.")
+        say(f"Warning: these settings are for firmware {target.firmware}. The board is a {board}.")
     return replace(visible(target, state), firmware=board.firmware)
 
 
@@ -204,7 +204,7 @@ def _write(
 
 
 def _say_failures(failed: list[WriteResult], names: dict[str, str]) -> None:
-    """Report failed writes. Settings that were not tried after a fatal error are only listed."""
+    """Report failed writes, and list the settings that were not tried after a fatal error."""
     reported: set[int] = set()
     untried: list[str] = []
     for result in failed:

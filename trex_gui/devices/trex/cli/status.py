@@ -1,4 +1,4 @@
-"""Commands status, get and boards, which change no setting."""
+"""The status, get and boards commands, which change no settings."""
 
 import json
 from typing import Any
@@ -59,10 +59,10 @@ from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.session.messages import Batch, Connected, ReadReason
 from trex_gui.devices.trex.settings.board_records import utc_now
 
-_LATCHES_AGAIN = 0.05
-"""Seconds until a lasting error is latched again, shorter than any serial timeout.
+_LATCH_TIME = 0.05
+"""Seconds until a persistent error is latched again. Shorter than any serial timeout.
 
-Inferred: the board checks faults and limits with its ramps, at 100 Hz.
+Inferred: the board checks faults and limits whenever it updates its ramps, at 100 Hz.
 """
 
 _TITLES = {
@@ -81,27 +81,27 @@ _ERROR_TITLES = {False: "Errors", True: "Latched before, perhaps by a search for
 def status(as_json: bool, **options: Any) -> None:
     """Show the state of the board, its measurements and its parameters.
 
-    Shows the errors since the last read, which clears them in the board. The measured currents may
-    be wrong by 20 % (twin). In the vendor's document, channel 3 has six bits, 0 to 63. The program
-    reads seven (inferred).
+    Shows the errors that occurred since they were last read. Reading clears them in the board. The
+    measured currents may be wrong by 20 % (twin). In the vendor's document, channel 3 has six bits,
+    0 to 63. The program reads seven (inferred).
 
-    With --json, measurements are numbers with the unit in the key, as in stream and in
-    recordings: motor_1_current_A, motor_2_current_A; for each channel raw (counts), pulse_us or
-    voltage_V, null without a valid signal, and remapped (-127 to 127). mode is R or A for RC and
-    analog mode, r or a for serial mode with these inputs. Errors have the name of their column in
-    recordings and a text; is_earlier marks line errors that an earlier search for the board may
-    have caused. Each parameter has its wire value and a text.
+    With --json, measurements are numbers with the unit in the key, as in stream and in recordings.
+    The motor currents are motor_1_current_A and motor_2_current_A. Each channel has raw (counts),
+    pulse_us or voltage_V, and remapped (-127 to 127). Without a valid signal, the first two are
+    null. mode is R or A for RC or analog mode, and r or a for serial mode with these inputs. Each
+    error has a text and the name of its column in recordings. is_earlier marks line errors that an
+    earlier search for the board may have caused. Each parameter has its wire value and a text.
 
-    motors lists each reason why the motors do not follow serial commands, with its effect: stops
-    (or may stop) the motors, blocks serial commands, limits the speed, or note. Past errors are not
-    among the reasons. leds has the pattern that the board shows in this state. If a channel
-    commands a speed and no current flows, safe-start may hold the motors (inferred), but a motor
-    without load looks the same.
+    motors lists the reasons why the motors do not follow serial commands. The effect of a reason is
+    stops (the motors are or may be off), blocks (serial commands have no effect), limits (the speed
+    is lower than commanded) or note. Past errors are not listed. leds contains the pattern that the
+    board shows in this state. If a channel commands a speed and no current flows, safe-start may
+    hold the motors (inferred), but a motor without load looks the same.
 
-    setpoints has the speed at which motors 1, 2 and 3 (auxiliary) are set to turn, -127 to 127, and
-    its source: channel, safe_start (it holds the motor), joint (motor 2 works with motor 1),
-    not_armed (serial commands control the motors, and this command sends none) or unknown. events
-    has the entries of the window's log, such as serial errors.
+    setpoints contains the speeds (-127 to 127) at which motors 1, 2 and 3 (auxiliary) are set to
+    turn. The source of a speed is channel, safe_start (safe-start holds the motor), joint (motor 2
+    works with motor 1), not_armed (serial commands control the motors, and this command sends none)
+    or unknown. events contains the entries of the window's log, such as serial errors.
     """
     with open_line(link_settings(options)) as client:
         identify(client)
@@ -126,7 +126,7 @@ def status(as_json: bool, **options: Any) -> None:
         click.echo(f"{name + ' setpoint:':22}{row['speed']} ({source})")
     click.echo("Motors:")
     if all(row["effect"] == Effect.NOTE.name.lower() for row in report["motors"]):
-        click.echo("  Nothing keeps them from following serial commands.")
+        click.echo("  Nothing prevents them from following serial commands.")
     for row in report["motors"]:
         click.echo(f"  {row['text']} {row['remedy']}".rstrip())
     click.echo("Channels:")
@@ -151,7 +151,7 @@ def status(as_json: bool, **options: Any) -> None:
 @click.argument("name", shell_complete=complete_parameter)
 @json_option
 def get_command(name: str, as_json: bool, **options: Any) -> None:
-    """Show one parameter, such as serial_timeout: its wire value and its meaning."""
+    """Show the wire value of a parameter, such as serial_timeout, and its meaning."""
     if not (known := specs_of(name)[0]).readable:
         raise click.UsageError(f"{known.name} can only be written.")
     with open_line(link_settings(options)) as client:
@@ -175,11 +175,11 @@ def boards(as_json: bool, **options: Any) -> None:
     line settings.
     """
     link = link_settings(options)
-    progress = ProgressLine("Asking")
+    progress = ProgressLine("Probing")
     with open_line(link) as client, Interruption() as interrupted, progress as line:
         reachable = boards_by_number(
             client,
-            lambda number: line(number, NUMBERS, f"for number {number}"),
+            lambda number: line(number, NUMBERS, f"device number {number}"),
             interrupted.__bool__,
         )
     if as_json:
@@ -198,7 +198,7 @@ def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
     remapped = query(client.request, GetRemappedChannels())
     currents = query(client.request, GetCurrents())
     unit = state.signature.model.current_unit
-    client.transport.wait(_LATCHES_AGAIN)
+    client.transport.wait(_LATCH_TIME)
     active = reader.read(client.request)
     now = client.transport.clock()
     samples = (
@@ -265,7 +265,7 @@ def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
 
 
 def _errors(before: LatchedStatus, active: LatchedStatus) -> list[dict[str, str | bool]]:
-    """Return a row per bit. A search for the board may have caused earlier line errors."""
+    """Return a row for each set bit. A search for the board may have caused earlier line errors."""
     status, uart = before.status | active.status, before.uart | active.uart
     earlier = before.uart & ~active.uart & ~UartError.TIMEOUT
     is_announced = bool(earlier) and earlier == uart  # the status bit reports no newer error

@@ -1,4 +1,4 @@
-"""Command stream."""
+"""The stream command."""
 
 import contextlib
 import csv
@@ -26,14 +26,14 @@ from trex_gui.devices.trex.session.polling import Schedule, rates
 
 _FLUSH = 0.25  # maximum seconds until other programs can read a row
 _SLICE = 0.02  # maximum seconds between two checks for signals
-_MAX_FAILURES = 10  # consecutive failures; then the board counts as gone
+_MAX_FAILURES = 10  # consecutive failures after which the board counts as gone
 
 
 def _read_separator(_context: click.Context, _option: click.Parameter, text: str) -> str:
-    """Return the character. Quotes, line ends and characters in numbers are rejected."""
+    """Parse a separator. Quotes, line ends, letters and characters in numbers are invalid."""
     character = {"tab": "\t", r"\t": "\t"}.get(text.lower(), text)
     if len(character) != 1 or character.isalnum() or character in '"\r\n.-+_':
-        raise click.BadParameter(f'{text!r} is not a character such as ";", or "tab".')
+        raise click.BadParameter(f'{text!r} is neither a character such as ";" nor the word "tab".')
     return character
 
 
@@ -44,7 +44,7 @@ def _read_separator(_context: click.Context, _option: click.Parameter, text: str
     "file",
     type=FileName(dir_okay=False, allow_dash=True),
     metavar="FILE|-",
-    help="File for the CSV; - is standard output, the default.",
+    help="CSV file to write. - is standard output, the default.",
 )
 @seconds_option
 @click.option(
@@ -52,7 +52,7 @@ def _read_separator(_context: click.Context, _option: click.Parameter, text: str
     type=FiniteRange(0),
     default=0.0,
     metavar="S",
-    help="Minimum seconds between two rows. Default: every row.",
+    help="Minimum seconds between two rows. By default, every row is written.",
 )
 @click.option("--limit", type=click.IntRange(1), metavar="N", help="End after N rows.")
 @click.option(
@@ -62,7 +62,7 @@ def _read_separator(_context: click.Context, _option: click.Parameter, text: str
     metavar="CHAR",
     help='Character between two columns; "tab" is a tab. Default: a comma.',
 )
-@click.option("--json", "as_json", is_flag=True, help="One JSON object per line instead of CSV.")
+@click.option("--json", "as_json", is_flag=True, help="Write one JSON object per line, not CSV.")
 @click.pass_context
 def stream(
     context: click.Context,
@@ -76,27 +76,27 @@ def stream(
     as_json: bool,
     **options: Any,
 ) -> None:
-    """Write the measurements of the board as CSV: a row for each new pair of motor currents.
+    """Write the board's measurements as CSV, with a row for each new pair of motor currents.
 
-    The header has the units. The other columns of a row contain the newest values. Error bits are
-    in the first row after they were read, which clears them in the board. --interval leaves out
-    rows, but none of their error bits. The measured currents may be wrong by 20 % (twin).
+    The header contains the units. The other columns of a row contain the newest values. Error bits
+    are in the first row after they were read, because reading clears them in the board. --interval
+    leaves out rows, but no error bits. The measured currents may be wrong by 20 % (twin).
     """
     if as_json and file is not None:
         raise click.UsageError(
-            "--json and --csv exclude each other; --json writes to standard output."
+            "--json and --csv cannot be combined. --json writes to standard output."
         )
     if as_json and context.get_parameter_source("separator") is not ParameterSource.DEFAULT:
-        raise click.UsageError("--json has no columns that --separator could separate.")
+        raise click.UsageError("--separator has no effect with --json.")
     settings = link_settings(options)
     with open_line(settings) as client, Interruption() as interrupted:
         unit = identify(client).model.current_unit
         mode = agreed(client.request, GetMode(), has_crc=client.has_crc)
         table = MeasurementTable(mode, unit)
-        with _target(file) as target:  # opened last, so that a missing board changes no file
-            rows = csv.DictWriter(target, list(table.row), lineterminator="\n", delimiter=separator)
+        with _target(file) as target:  # opened last, so a missing board changes no file
+            out = csv.DictWriter(target, list(table.row), lineterminator="\n", delimiter=separator)
             if not as_json:
-                rows.writeheader()
+                out.writeheader()
             count, flushed_at, reason = 0, 0.0, ""
             try:
                 polled = _rows(client, table, seconds, interrupted, interval)
@@ -104,7 +104,7 @@ def stream(
                     if as_json:
                         target.write(json.dumps(row) + "\n")
                     else:
-                        rows.writerow(row)
+                        out.writerow(row)
                     count += 1
                     if (now := client.transport.clock()) - flushed_at >= _FLUSH:
                         flushed_at = now

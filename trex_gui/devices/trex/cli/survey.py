@@ -1,4 +1,4 @@
-"""Command survey."""
+"""The survey command."""
 
 import json
 from collections.abc import Callable, Iterable, Sequence
@@ -29,7 +29,7 @@ from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.version import __version__
 
 _ALL = range(HIGHEST_WIRE + 1)
-_SAMPLES = {0, 1, 2, 4, 8, 16, 32, 64, 127}  # values that reveal unstored bits
+_SAMPLES = {0, 1, 2, 4, 8, 16, 32, 64, 127}  # reveal bits that the board does not store
 _SILENT = "no reply"
 _Store = Callable[[ParameterSpec, int], int]  # writes a value and returns the stored value
 
@@ -37,18 +37,19 @@ _Store = Callable[[ParameterSpec, int], int]  # writes a value and returns the s
 @click.command()
 @link_options
 @click.argument("file", type=FileName(dir_okay=False))
-@click.option("--limits", is_flag=True, help="Also try each range without a source; asks first.")
+@click.option("--limits", is_flag=True, help="Also try each range that has no source. Asks first.")
 @click.option("--as-new", is_flag=True, help="State that the board has its factory settings.")
 def survey(file: str, *, limits: bool, as_new: bool, **options: Any) -> None:
-    """Write facts about a board's firmware to FILE, for the makers of this program.
+    """Write facts about a board's firmware to FILE, for the developers of this program.
 
-    Reads all 128 parameter numbers and the calibrations, and sends every other query, which clears
-    the error bits. An unknown number is a serial error for the board, which may stop motors driven
-    by the channels. FILE names no person, computer, port or adapter, and has no notes.
+    Reads all 128 parameter numbers and the calibrations, and sends every other query. This clears
+    the error bits. The board treats an unknown number as a serial error, which may stop motors that
+    the channels drive. FILE names no person, computer, port or adapter, and contains no notes.
 
-    With --limits, each range that no document confirms is tried: values are written and read back,
-    and the setting is restored. Motors are never driven; device number and serial settings never
-    change. Saves a snapshot first, and restores everything at the end, also after Ctrl-C.
+    With --limits, each range that no document confirms is tried. Values are written and read back,
+    and the setting is restored. Motors are never driven. The device number and the serial settings
+    never change. A snapshot is saved first, and everything is restored at the end, even after
+    Ctrl-C.
     """
     with open_line(link_settings(options)) as client:
         state = read_board(client)
@@ -85,7 +86,7 @@ def survey(file: str, *, limits: bool, as_new: bool, **options: Any) -> None:
 
 
 class _AnyByte(c.GetParameter):
-    """Query of a number that may not be a parameter. Its reply may be any byte."""
+    """Query for a parameter number that may not exist. The reply may be any byte."""
 
     def parse(self, reply: bytes) -> int:
         return reply[0]
@@ -143,7 +144,7 @@ class _Survey:
         self._try(store, spec, stored)
 
     def _try(self, store: _Store, spec: ParameterSpec, wire: int) -> int | None:
-        """Write a value. Return the stored value, `None` if the board rejects it."""
+        """Write a value. Return the stored value, or `None` if the board rejects the write."""
         try:
             return store(spec, wire)
         except Rejected:
@@ -154,7 +155,7 @@ class _Survey:
             return agreed(self._request, c.GetParameter(spec.number), has_crc=self._has_crc)
 
     def _errors_of(self, command: c.Command[Any]) -> list[str]:
-        """Return the errors that a command causes every time."""
+        """Return the errors that a command causes on every attempt."""
         always = ~UartError.TIMEOUT  # the wait for a reply may cause a timeout
         for _ in range(ATTEMPTS):
             query(self._request, c.GetUartErrors())
@@ -180,7 +181,7 @@ class _Survey:
         stored = {f"0x{number:02X}": value for number, value in self.stored.items()}
         tables: dict[str, dict[str, Any]] = {"board": header, "unknown": unknown}
         tables |= {"queries": queries, "stored": stored, **self._tables}
-        lines = [f"# What `trexcmd survey` of TReX Studio {__version__} found out about a board."]
+        lines = [f"# Facts about a board, found by `trexcmd survey` of TReX Studio {__version__}."]
         for name, rows in tables.items():
             lines += ["", f"[{name}]", *(f"{key} = {json.dumps(row)}" for key, row in rows.items())]
         return "\n".join(lines) + "\n"

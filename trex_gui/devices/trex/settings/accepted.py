@@ -37,8 +37,7 @@ class AcceptedValues:
     def add(self, board: Signature, values: Mapping[str, int]) -> Accepted:
         """Save values that a board has stored. Return all values for its model and firmware.
 
-        Raises:
-            SettingsError: the file cannot be written. The earlier values remain.
+        If saving raises a SettingsError, the earlier values remain.
         """
         known = dict(self.of(board))
         for key, wire in values.items():

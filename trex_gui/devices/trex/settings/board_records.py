@@ -172,8 +172,7 @@ class BoardRecords:
     def save(self, board: BoardIdentity, record: BoardRecord | None) -> None:
         """Replace the record of a board. `None` removes it.
 
-        Raises:
-            SettingsError: the file cannot be written. The old record remains.
+        If saving raises a SettingsError, the old record remains.
         """
         replace_file(self.path(board), None if record is None else _text(record))
 

@@ -128,12 +128,9 @@ def compare(before: Settings, after: Settings) -> Comparison:
 
 
 def compare_with_board(stored: Settings, source: InputSource, target: Settings) -> Comparison:
-    """Compare stored settings with `target`.
+    """Compare stored settings with `target`. Raises BadRequest if it does not fit the board.
 
     Only calibrations for `source` are compared, because the board hides all others.
-
-    Raises:
-        BadRequest: `target` does not fit the board.
     """
     if target.product.key != stored.product.key:
         text = tr("These settings are for a {0}, not a {1}")

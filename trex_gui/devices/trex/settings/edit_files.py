@@ -53,8 +53,7 @@ class EditFiles:
     def save(self, board: BoardIdentity, edits: Settings | None) -> None:
         """Replace the saved edits of a board. `None` removes them.
 
-        Raises:
-            SettingsError: the file cannot be written. The earlier edits remain.
+        If saving raises a SettingsError, the earlier edits remain.
         """
         title = ["Edits that were not applied"]
         text = None if edits is None else write_settings(edits, title_lines=title)
@@ -79,8 +78,7 @@ class EditFiles:
 def replace_file(path: Path, text: str | None) -> None:
     """Write a file, and create its folder if necessary. `None` removes the file.
 
-    Raises:
-        SettingsError: writing failed. The old file is unchanged.
+    If writing raises a SettingsError, the old file is unchanged.
     """
     with explained(path, tr("it cannot be written")):
         if text is None:
@@ -106,11 +104,7 @@ def put_aside(path: Path) -> Path | None:
 
 
 def settings_of_board(data: bytes, path: Path, board: BoardIdentity) -> Settings:
-    """Read the settings of a board.
-
-    Raises:
-        SettingsError: the settings are damaged or belong to another model.
-    """
+    """Read a board's settings. Raises SettingsError if they are damaged or for another model."""
     settings, _ = read_settings(data, str(path))
     if settings.product != board.product:
         raise SettingsError.of(

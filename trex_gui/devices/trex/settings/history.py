@@ -164,11 +164,7 @@ class SettingsHistory:
         )
 
     def load(self, snapshot: Snapshot) -> Settings:
-        """Return the settings in a snapshot.
-
-        Raises:
-            SettingsError: the file is missing or damaged.
-        """
+        """Return the settings in a snapshot. Raises SettingsError if it is missing or damaged."""
         settings, _ = read_settings(load(snapshot.path), str(snapshot.path))
         return settings
 
@@ -198,11 +194,7 @@ class SettingsHistory:
         save(snapshot.path, b"\n".join(lines))
 
     def remove(self, snapshot: Snapshot) -> None:
-        """Remove a snapshot. A missing file is not an error.
-
-        Raises:
-            SettingsError: the file cannot be removed.
-        """
+        """Remove a snapshot. Raises SettingsError if its file exists and cannot be removed."""
         with explained(snapshot.path, tr("it cannot be removed")):
             snapshot.path.unlink(missing_ok=True)
 
@@ -232,8 +224,7 @@ class SettingsHistory:
     def set_limit(self, count: int | None) -> tuple[Snapshot, ...]:
         """Set the limit for all programs. Remove the excess snapshots and return them.
 
-        Raises:
-            SettingsError: the limit cannot be saved. No snapshot is removed.
+        If saving raises a SettingsError, no snapshot is removed.
         """
         if count is not None and not 1 <= count < 10**7:
             raise ValueError(tr("a history keeps at least one snapshot, not {0}").format(count))
