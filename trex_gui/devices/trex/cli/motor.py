@@ -114,7 +114,9 @@ def run_motors(
     clock, open_port = host().clock, host().open_transport
     wait: Callable[[float], None] = time.sleep
     if is_served(settings.url) and host().logged:
-        raise click.UsageError("--traffic needs the serial line: give it to trexcmd serve.")
+        raise click.UsageError(
+            "--traffic needs the serial line. Use it with trexcmd serve instead."
+        )
     if not is_served(settings.url):
         with refusals():  # Ctrl-C may interrupt a slow connection over the network
             transport = host().open_transport(settings)
@@ -159,14 +161,14 @@ def stop(robots: tuple[str, ...], boards: str, **options: Any) -> None:
     settings = grouped(link_settings(options), boards)
     try:
         _stop_at(settings)
-    except CommandFailed as refusal:
-        is_held = isinstance(refusal.__cause__, PortUnavailable) and holder_of(settings.url)
+    except CommandFailed as failure:
+        is_held = isinstance(failure.__cause__, PortUnavailable) and holder_of(settings.url)
         if not is_held:
             raise
         raise CommandFailed(
-            f"{refusal} If TReX Studio uses the port, press Esc in its window or close the window "
+            f"{failure} If TReX Studio uses the port, press Esc in its window or close the window "
             "to stop the motors."
-        ) from refusal
+        ) from failure
     say("Stopped.")
 
 
@@ -317,7 +319,7 @@ class _Run:
         number, inner = self._numbers[0], report
         if isinstance(report, OfBoard):
             number, inner = report.number, report.report
-        if number in self.boards:  # a server may have more boards
+        if number in self.boards:  # a server may also report other boards
             self._handle(number, inner)
 
     def _handle(self, number: int | None, report: Report) -> None:

@@ -80,7 +80,7 @@ class BoardRecord:
         return Comparison(tuple(row for row in rows if row.changed))
 
     def after_reading(self, stored: Settings, source: InputSource, now: datetime) -> "BoardRecord":
-        """Add the calibrations of `source`, unless different ones were applied."""
+        """Add the calibrations of `source`, unless different calibrations were applied."""
         known = self.known.get(source)
         if known is not None and known.is_applied:
             if self.calibrations(source) != stored.calibrations:

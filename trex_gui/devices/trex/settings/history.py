@@ -29,7 +29,7 @@ _NO_DATE = datetime.fromtimestamp(0, UTC)
 _HEADER_BYTES = 4096
 _HEADER_LINES = 12
 _MAX_LENGTH = {"name": 60, "note": 300}  # characters
-_NOTE = re.compile(r"# (taken|device number|adapter|reason|name|note): (.*)")
+_DETAIL = re.compile(r"# (taken|device number|adapter|reason|name|note): (.*)")
 _VALUE = re.compile(r"(product|firmware): *['\"]?([^'\"#]*[^'\"# ])")
 
 LIMIT_FILE = "history.txt"
@@ -77,7 +77,7 @@ class SettingsHistory:
     """Folder of snapshots, created when the first snapshot is saved.
 
     If there are more snapshots than the user's limit, the oldest are removed. Snapshots with a name
-    are never removed.
+    are only removed on request.
     """
 
     def __init__(self, folder: Path | None = None) -> None:
@@ -104,13 +104,13 @@ class SettingsHistory:
         self._create_folder()
         firmware = settings.firmware or settings.product.firmware[-1]
         number = settings.parameters.get(ParameterKey.DEVICE_NUMBER)
-        notes = {
+        details = {
             "taken": taken.isoformat(),
             "device number": "" if number is None else str(number),
             "adapter": adapter,
             "reason": reason,
         }
-        lines = [f"{name}: {' '.join(text.split())}" for name, text in notes.items() if text]
+        lines = [f"{name}: {' '.join(text.split())}" for name, text in details.items() if text]
         text = write_settings(settings, title_lines=[*lines, *remarks])
         index = 1
         while not save_new(path := self._path(taken, index, settings.product.key, firmware), text):
@@ -144,9 +144,9 @@ class SettingsHistory:
             header = [line.rstrip("\r") for line in text.split("\n")[:_HEADER_LINES] if text]
         except OSError as error:
             problem = tr("It cannot be read: {0}.").format(error.strerror or error)
-        notes = {found[1]: found[2] for line in header if (found := _NOTE.fullmatch(line))}
+        details = {found[1]: found[2] for line in header if (found := _DETAIL.fullmatch(line))}
         values = {found[1]: found[2] for line in header if (found := _VALUE.match(line))}
-        number, product = notes.get("device number", ""), values.get("product", "")
+        number, product = details.get("device number", ""), values.get("product", "")
         if not problem and product not in {model.name for model in device_table().models}:
             problem = tr("It does not name its board.") if header else tr("It is empty.")
         return Snapshot(
@@ -155,11 +155,11 @@ class SettingsHistory:
             product,
             values.get("firmware", ""),
             int(number) if re.fullmatch("[0-9]{1,3}", number) else None,
-            notes.get("adapter", ""),
-            notes.get("reason", ""),
+            details.get("adapter", ""),
+            details.get("reason", ""),
             problem,
-            notes.get("name", ""),
-            notes.get("note", ""),
+            details.get("name", ""),
+            details.get("note", ""),
             stamp,
         )
 

@@ -1,7 +1,7 @@
 """Notes on settings, stored as comments in a settings file.
 
 Each line of a note is a separate comment, such as `# Note on serial_timeout: the radio drops out`.
-It is usually above its setting. Other programs treat notes as ordinary comments.
+The comment is usually above its setting. Other programs treat notes as ordinary comments.
 """
 
 import re

@@ -31,7 +31,7 @@ class ProvisionedBoard:
     board: str  # model and firmware
     calibrations: str  # hash of the calibrations, because boards have no serial number
     differences: str  # keys of the settings to write, separated by spaces
-    result: str  # ok with details, skipped, begun, or an error
+    result: str  # ok or differs, with details; skipped; begun; or an error
     certainty: str  # `NEW`, `KNOWN`, or `NUMBER_ONLY`
 
     @classmethod
