@@ -103,7 +103,7 @@ def test_parts_stay_inside_the_drawing_at_any_size(drawing: Drawing) -> None:
 
 def test_each_part_opens_its_page_with_the_keyboard(drawing: Drawing) -> None:
     pages: list[str] = []
-    drawing.view.page_wanted.connect(pages.append)
+    drawing.view.page_requested.connect(pages.append)
     parts = drawing.find_all(BoardPart)
     assert len(parts) == 14
     for part in parts:

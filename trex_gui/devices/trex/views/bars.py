@@ -11,7 +11,7 @@ from trex_gui.ui.plotting.axes import Labels, ticks, value_labels
 from trex_gui.ui.widgets.bar import paint_track
 
 # Raw counts. Pulses from 0.5 to 2.5 ms are valid. Ref: Pololu TReX User's Guide 4.b.
-USUAL_AXIS = {InputSource.RC: (2000, 5500), InputSource.ANALOG: (0, 1023)}
+DEFAULT_AXIS = {InputSource.RC: (2000, 5500), InputSource.ANALOG: (0, 1023)}
 _AXIS_STEP = 250  # counts (100 µs)
 _LABEL_STEPS = {  # in µs and in V
     InputSource.RC: (100.0, 200.0, 500.0, 1000.0, 2000.0),
@@ -25,7 +25,7 @@ def input_axis(
     counts = [] if count is None else [count]
     if calibration is not None:
         counts += [calibration.minimum, calibration.maximum]
-    return widened(USUAL_AXIS[source], counts)
+    return widened(DEFAULT_AXIS[source], counts)
 
 
 def widened(axis: tuple[int, int], counts: Iterable[int]) -> tuple[int, int]:
@@ -40,7 +40,7 @@ def widened(axis: tuple[int, int], counts: Iterable[int]) -> tuple[int, int]:
 
 
 def input_labels(source: InputSource, axis: tuple[int, int], limit: int) -> Labels:
-    """Return up to `limit` labels at positions in counts. The last label includes the unit."""
+    """Return up to `limit` labels with positions in counts. The last label includes the unit."""
     low, high = (source.physical(count) for count in axis)
     for step in _LABEL_STEPS[source]:
         values = ticks(low, high, step)

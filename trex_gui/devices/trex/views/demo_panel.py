@@ -421,5 +421,5 @@ class Drawing(BoardRows):
             for start in starts:
                 paint_block(painter, QRectF(start.x() - 9, start.y() - 5, 18, 10))
             for plug in self._plugs:
-                y = plug.y() + plug.height_of_wire
+                y = plug.y() + plug.wire_y
                 paint_block(painter, QRectF(body.left() - 4, y - 9, 10, 18))

@@ -128,7 +128,7 @@ class TrexWorkspace(Workspace):
         start = partial(StartPanel, start_texts(), self._frame, self)
         page = BoardPage(self._device, self._controller.group, start, parent)
         page.setup_requested.connect(partial(self._open, "setup"))
-        page.page_wanted.connect(self.show_page)
+        page.page_requested.connect(self.show_page)
         return page
 
     def _create_channels_page(self, parent: QWidget) -> QWidget:

@@ -14,11 +14,11 @@ from trex_gui.ui.widgets.leds import Leds
 from trex_gui.ui.widgets.painted import Painted, Painter
 
 _SCALE = 1.4  # text size relative to the font of the widget
-_LEFT, _ABOVE, _LEDS = 1.8, 1.3, 1.9  # in lines of text: margins, height of the LEDs
+_LEFT, _ABOVE, _LEDS = 1.8, 1.3, 1.9  # lines of text: left margin, top margin, height of the LEDs
 
 
 class JumperPicture(Painted):
-    """Picture of the jumpers, with a frame around each jumper to move."""
+    """Picture of the jumpers. Each jumper that the user must move has a frame."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
@@ -40,7 +40,7 @@ class JumperPicture(Painted):
         """Show the required jumper positions and the resulting LED patterns.
 
         If `mode` is empty, the mode jumper is off. If `mix` is `None`, the mix jumper is not
-        shown. `moved` contains the jumpers to move: `mode`, `mix`, `so_ground`.
+        drawn. `moved` contains the keys of the jumpers to move: `mode`, `mix` or `so_ground`.
         """
         names = {
             "mode": (tr("Mode: {0}").format(mode) if mode else tr("Mode: off"), bool(mode)),

@@ -34,7 +34,7 @@ SIGNS = {
 
 
 class Reasons(PageHead):
-    """Reasons for the state of the motors. The most important reason is the title."""
+    """Reasons for the state of the motors. The title is the most important reason."""
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__("", parent)
@@ -59,7 +59,7 @@ class Reasons(PageHead):
 
 class BoardPage(QWidget):
     setup_requested = Signal()
-    page_wanted = Signal(str)  # page key
+    page_requested = Signal(str)  # page key
 
     def __init__(
         self,
@@ -68,7 +68,7 @@ class BoardPage(QWidget):
         start: Callable[[QWidget], QWidget],
         parent: QWidget | None = None,
     ) -> None:
-        """Create the page. `start` creates the panel that is visible while disconnected."""
+        """Create the page. `start` creates the panel for a window without a connection."""
         super().__init__(parent)
         self.setObjectName("boardPage")
         self._device = device
@@ -79,7 +79,7 @@ class BoardPage(QWidget):
         drawing = ui.named(ui.Card("", self._report), "boardDrawing", accessible=tr("The board"))
         self._views = SideBySide(drawing)
         self._view = BoardView(device, self._views)
-        self._view.page_wanted.connect(self.page_wanted)
+        self._view.page_requested.connect(self.page_requested)
         self._views.add(self._view)
         self._group, self._others = group, dict[BoardView, Device]()
         ui.column((self._views, 1), self._facts, into=drawing)
@@ -87,17 +87,17 @@ class BoardPage(QWidget):
         self._on_group_changed()
 
         set_up = ui.Card(tr("Set up my robot"), self._report)
-        self._open = ui.named(Note(1, set_up), "setUpOpen")
+        self._open_steps = ui.named(Note(1, set_up), "setUpOpen")
         self._set_up = ui.button(
             set_up, "setUpButton", tr("Set &up my robot…"), on_click=self.setup_requested
         )
-        ui.column((self._open, 1), (self._set_up, 0, Qt.AlignmentFlag.AlignLeft), into=set_up)
+        ui.column((self._open_steps, 1), (self._set_up, 0, Qt.AlignmentFlag.AlignLeft), into=set_up)
         cable = ui.Card(tr("If the cable fails"), self._report)
         ui.column(TimeoutNotice(device, cable), into=cable)
         problems = ui.Card(title_of(tr("Prob&lems")), self._report)
         self._problems = ui.named(Note(1, problems), "boardProblems")
         show = ui.button(problems, "showProblems", tr("Sh&ow them"))
-        show.clicked.connect(lambda: self.page_wanted.emit("errors"))
+        show.clicked.connect(lambda: self.page_requested.emit("errors"))
         ui.column((self._problems, 1), (show, 0, Qt.AlignmentFlag.AlignLeft), into=problems)
         cards = ui.row((set_up, 1), (cable, 1), (problems, 1), spacing=16)
         ui.column(self._reasons, (drawing, 1), cards, into=self._report, margins=0, spacing=8)
@@ -119,7 +119,7 @@ class BoardPage(QWidget):
         others = [device for device in self._group.devices.values() if device is not self._device]
         self._others = {BoardView(device, self._views): device for device in others}
         for view, device in self._others.items():
-            view.page_wanted.connect(self.page_wanted)
+            view.page_requested.connect(self.page_requested)
             self._views.add(view)
             device.telemetry.text_due.connect(self._on_text_due)
             device.link_changed.connect(self._on_text_due)
@@ -138,7 +138,7 @@ class BoardPage(QWidget):
         if state is not None and settings is not None and self._device.is_connected:
             facts = " · ".join(self._facts_of(state, settings))
         self._facts.setText(facts)
-        self._open.setText("" if set_up is None else _open_text(set_up))
+        self._open_steps.setText("" if set_up is None else _open_steps_text(set_up))
         self._show_problems()
         self._on_text_due()
 
@@ -167,7 +167,7 @@ class BoardPage(QWidget):
 
     @Slot()
     def _show_motors(self) -> tuple[DriveInputs, DriveStatus]:
-        """Show the state of the motors. Return its inputs and the first status."""
+        """Show the state of the motors. Return the inputs and the first status."""
         inputs = drive_inputs(self._device)
         statuses = drive_statuses(inputs)
         self._reasons.show_statuses(statuses)
@@ -196,7 +196,7 @@ class BoardPage(QWidget):
         self._on_text_due()
 
 
-def _open_text(set_up: SetUp) -> str:
+def _open_steps_text(set_up: SetUp) -> str:
     steps = {
         tr("sticks learned"): set_up.sticks,
         tr("current limits"): set_up.limits,

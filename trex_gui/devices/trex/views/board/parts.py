@@ -34,7 +34,7 @@ class BoardPart(QAbstractButton, Spoken):
 
     spoken_role = QAccessible.Role.Button
     spoken_from = 0  # index of the first line that is spoken
-    ground = ""  # theme colour of the background, or empty if transparent
+    background = ""  # theme colour, or empty for a transparent background
 
     def __init__(
         self,
@@ -44,7 +44,7 @@ class BoardPart(QAbstractButton, Spoken):
         parent: QWidget,
         color: str = "outline",
     ) -> None:
-        """Create the part. A click calls `open_page`. `color` is a theme colour."""
+        """Create the part. A click calls `open_page`. `color` is the name of a theme colour."""
         super().__init__(parent)
         self.color = color
         never_mirror(self)
@@ -55,7 +55,7 @@ class BoardPart(QAbstractButton, Spoken):
         self.setCursor(Qt.CursorShape.PointingHandCursor)
         self.lines: tuple[str, ...] = ()
         self._painted = QRect()  # area of the current paint event
-        self.alarm = ""  # theme colour of the last line if it is an alarm
+        self.alarm = ""  # theme colour of the last line if that line is an alarm
         self.clicked.connect(open_page)
         theme().changed.connect(self.update)
 
@@ -73,10 +73,10 @@ class BoardPart(QAbstractButton, Spoken):
     def paintEvent(self, event: QPaintEvent) -> None:
         self._painted = event.rect()
         # Set in every paint event, because styles clear it for buttons.
-        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent, bool(self.ground))
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent, bool(self.background))
         with Painter(self) as painter:
-            if self.ground:
-                painter.fillRect(self.rect(), theme().color(self.ground))
+            if self.background:
+                painter.fillRect(self.rect(), theme().color(self.background))
             if self.underMouse() and self.isEnabled():
                 painter.setPen(Qt.PenStyle.NoPen)
                 painter.setBrush(theme().color("selected"))
@@ -87,7 +87,7 @@ class BoardPart(QAbstractButton, Spoken):
         raise NotImplementedError
 
     def write_beside(self, painter: QPainter, left: float) -> None:
-        """Write the lines to the right of `left` if that area needs painting."""
+        """Write the lines to the right of `left` if that area needs to be painted."""
         if self._painted.right() > left:
             area = QRectF(left, 0, self.width() - left, self.height())
             write_lines(painter, area, self.lines, alarm=self.alarm)
@@ -95,20 +95,23 @@ class BoardPart(QAbstractButton, Spoken):
 
 class ChannelPart(BoardPart):
     spoken_from = 2
-    ground = "base"
+    background = "base"
     _axis = (0, 1)
     _count: int | None = None
     _calibration: Calibration | None = None
 
     @property
-    def height_of_bar(self) -> int:
-        """Vertical position of the middle of the bar, in pixels."""
+    def bar_y(self) -> int:
+        """Vertical position of the centre of the bar, in pixels."""
         return round(1.7 * self.fontMetrics().height())
 
     def show_input(
         self, axis: tuple[int, int], count: int | None, calibration: Calibration | None
     ) -> None:
-        """Show a raw count on an axis. `None` means no signal, or an unknown value."""
+        """Show a raw count on an axis.
+
+        A count of `None` means no signal or an unknown value.
+        """
         if (axis, count, calibration) != (self._axis, self._count, self._calibration):
             self._axis, self._count, self._calibration = axis, count, calibration
             self.update()
@@ -122,18 +125,18 @@ class ChannelPart(BoardPart):
         write(painter, line.adjusted(left, 0, -right, 0), role, "muted")
         write(painter, line, value, "window_text", bold=True, align=Qt.AlignmentFlag.AlignRight)
         bar_height = 0.6 * line.height()
-        track = QRectF(area.left(), self.height_of_bar - bar_height / 2, area.width(), bar_height)
+        track = QRectF(area.left(), self.bar_y - bar_height / 2, area.width(), bar_height)
         paint_input(painter, track, self._axis, self._count, self._calibration)
 
 
 class LedPart(BoardPart):
     spoken_from = 1
-    ground = "board"
-    pattern = ""  # argument of `is_lit`, or empty while unknown
+    background = "board"
+    pattern = ""  # argument of `is_lit`, or empty while the pattern is unknown
     _is_lit = False
 
     @property
-    def moves(self) -> bool:
+    def blinks(self) -> bool:
         return self.pattern not in {"", "on", "off"}
 
     def show_moment(self, seconds: float) -> None:
@@ -150,9 +153,9 @@ class LedPart(BoardPart):
 
 
 class JumperPart(BoardPart):
-    """Two pins, with or without a jumper. If the state is unknown, the jumper is dashed."""
+    """Two pins with or without a jumper. A jumper in an unknown state is dashed."""
 
-    ground = "board"
+    background = "board"
     is_on: bool | None = None
 
     def show_jumper(self, is_on: bool | None, *lines: str) -> None:
@@ -250,18 +253,18 @@ class PlugPart(BoardPart):
     """Wire with a plug. A pulled plug is drawn beside its socket."""
 
     is_out = False
-    is_labelled = False  # True if name and state are written above the wire
+    is_labelled = False  # True if the name and the state are written above the wire
 
     def show_plug(self, *lines: str, out: bool) -> None:
         self.is_out = out
         self.show_lines(*lines, alarm="danger" if out else "")
 
     @property
-    def height_of_wire(self) -> float:
+    def wire_y(self) -> float:
         return self.height() - 0.7 * self.fontMetrics().height()
 
     def paint(self, painter: QPainter) -> None:
-        y, end = self.height_of_wire, self.width() - (PULLED if self.is_out else 2)
+        y, end = self.wire_y, self.width() - (PULLED if self.is_out else 2)
         plug = QRectF(end - 12, y - 6, 12, 12)
         painter.setPen(QPen(theme().color("board_edge"), 3))
         painter.drawLine(QPointF(4, y), QPointF(plug.left(), y))

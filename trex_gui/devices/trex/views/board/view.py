@@ -1,4 +1,4 @@
-"""Drawing of the board with its reports."""
+"""Drawing of the board and its live state."""
 
 from collections.abc import Callable, Mapping
 from functools import partial
@@ -42,13 +42,13 @@ _SOURCES = {
 
 _WIRE = 1.4  # lines of text between the board and the parts beside it
 _MIN_HEIGHT, _HEIGHT = 20, 26  # lines of text
-_SERIAL = 3.4  # lines of text: height of the serial line, including 0.8 lines on the board
-_MAX_SCALE = 1.5  # of the font. Larger only if `_MANY_LINES` lines fit.
+_SERIAL = 3.4  # lines of text: height of the serial line, of which 0.8 lines overlap the board
+_MAX_SCALE = 1.5  # maximum font scale, unless `_MANY_LINES` lines fit at a larger scale
 _MANY_LINES = 30
 
 
 class BoardView(QWidget):
-    page_wanted = Signal(str)  # page key
+    page_requested = Signal(str)  # page key
 
     def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(parent)
@@ -62,7 +62,7 @@ class BoardView(QWidget):
         self._motion = Animation(self, self._on_frame)
 
         def opener(page: str) -> Callable[[], object]:
-            return partial(self.page_wanted.emit, page)
+            return partial(self.page_requested.emit, page)
 
         leds, settings = opener("errors"), opener("parameters")
         channels, motors = opener("channels"), opener("motors")
@@ -99,7 +99,7 @@ class BoardView(QWidget):
     def _columns(self) -> tuple[tuple[float, float], ...]:
         """Return the minimum and maximum width of each column, in lines of text.
 
-        The columns are channels, board and motors.
+        The columns are the channels, the board and the motors.
         """
         font, line = self.font(), self.fontMetrics().height()
         roles = text_width(font, *(f"CH5  {tr(role)}  2000 µs " for role in CHANNEL_NAMES.values()))
@@ -128,7 +128,7 @@ class BoardView(QWidget):
         line = round(base * max(1.0, scale))
         for part in self.findChildren(BoardPart):
             part.setFont(scaled_font(self.font(), line / base))
-        extra = max(0.0, width / line - min_size.width() / base)  # spare width, in lines
+        extra = max(0.0, width / line - min_size.width() / base)  # spare width, in lines of text
         columns = [
             round(line * min(maximum, minimum + extra / 4)) for minimum, maximum in self._columns()
         ]
@@ -137,13 +137,13 @@ class BoardView(QWidget):
         channels, body, motors = columns
         body_height = self.height() - round((_SERIAL - 0.8) * line)
         self._body = QRect(left + channels + wire, 1, body, body_height)
-        beside = QRect(left, 1, channels, body_height - 8)  # so that blocks fit between the holes
+        beside = QRect(left, 1, channels, body_height - 8)  # its blocks fit between the holes
         self._place_column(self._channels, beside, round(2.8 * line))
         right = self._body.right() + wire
         self._place_column(
             self._motors, QRect(right, 1, motors, body_height), round(body_height / 3) - 4
         )
-        inside = self._body.adjusted(line + 4, 0, -line - 4, 0)  # between blocks and holes
+        inside = self._body.adjusted(line + 4, 0, -line - 4, 0)  # without blocks and holes
         top = round(3.2 * line)
         half = inside.width() // 2
         for number, led in enumerate(self._leds):
@@ -169,7 +169,7 @@ class BoardView(QWidget):
         with Painter(self) as painter:
             painter.setPen(QPen(theme().color("board_edge"), 5))
             for part in self._channels.values():
-                y = part.y() + part.height_of_bar
+                y = part.y() + part.bar_y
                 painter.drawLine(QPointF(part.geometry().right() + 8, y), QPointF(body.left(), y))
             for motor in self._motors.values():
                 y = motor.geometry().center().y()
@@ -179,7 +179,7 @@ class BoardView(QWidget):
             painter.setFont(self._serial.font())
             paint_body(painter, body, self._shown_name)
             for part in self._channels.values():
-                y = part.y() + part.height_of_bar
+                y = part.y() + part.bar_y
                 paint_block(painter, QRectF(body.left() - 6, y - line / 2, 12, line))
             for motor in self._motors.values():
                 y = motor.geometry().center().y()
@@ -192,7 +192,7 @@ class BoardView(QWidget):
             return name
         return f"{name} · {settings.device_number}"
 
-    # --- Reports ------------------------------------------------------------------------
+    # --- State --------------------------------------------------------------------------
 
     def show_board(self, inputs: DriveInputs) -> None:
         device = self._device
@@ -218,7 +218,7 @@ class BoardView(QWidget):
         self._serial.show_lines(text, alarm=alarm)
         self._show_leds()
         motors = self._motors.values()
-        blinks = any(led.moves for led in self._leds)
+        blinks = any(led.blinks for led in self._leds)
         self._motion.run(blinks or any(motor.speed for motor in motors))
         if self._name() != self._shown_name:
             self._shown_name = self._name()
@@ -293,7 +293,7 @@ class BoardView(QWidget):
                 currents = device.telemetry.motor_currents
                 if currents is not None:
                     lines.append(f"{Number(currents[number - 1]):.2f} A")
-                if not is_alarming:  # only one more line fits
+                if not is_alarming:  # there is space for only one more line
                     lines.append(limit_text(device, number))
             if faults:
                 lines.append(error_names(faults))

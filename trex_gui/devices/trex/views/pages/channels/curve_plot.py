@@ -12,7 +12,7 @@ from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
 from trex_gui.devices.trex.model.calibration_moves import Handle, moved, within_input
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
 from trex_gui.devices.trex.protocol.flags import InputSource
-from trex_gui.devices.trex.views.bars import USUAL_AXIS, input_labels, widened
+from trex_gui.devices.trex.views.bars import DEFAULT_AXIS, input_labels, widened
 from trex_gui.devices.trex.views.pages.channels.curve_handles import HandleLayer, Threshold
 from trex_gui.ui.plotting.axes import count_labels
 from trex_gui.ui.plotting.canvas import PlotCanvas
@@ -41,7 +41,7 @@ class CurvePlot(Painted):
         super().__init__(parent)
         self._source = InputSource.RC
         self._channel = 1
-        self.axis = USUAL_AXIS[self._source]  # raw counts at both ends
+        self.axis = DEFAULT_AXIS[self._source]  # raw counts at both ends
         self._stored: ChannelCurve | None = None
         self._shown: ChannelCurve | None = None
         self._preview: ChannelCurve | None = None
@@ -126,7 +126,7 @@ class CurvePlot(Painted):
             counts += [calibration.minimum, calibration.neutral, calibration.maximum]
         margin = _DRAG_MARGIN[self._source]
         limits = (limit for count in counts for limit in (count - margin, count + margin))
-        self.axis = widened(USUAL_AXIS[self._source], limits)
+        self.axis = widened(DEFAULT_AXIS[self._source], limits)
         self._show_axis()
 
     def _show_axis(self) -> None:

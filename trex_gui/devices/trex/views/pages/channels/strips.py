@@ -25,7 +25,7 @@ from trex_gui.devices.trex.model.channel_text import CHANNEL_NAMES, live_text
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import CHANNELS, InputSource
-from trex_gui.devices.trex.views.bars import USUAL_AXIS, input_axis, paint_input, widened
+from trex_gui.devices.trex.views.bars import DEFAULT_AXIS, input_axis, paint_input, widened
 from trex_gui.ui.theme.icons import icon
 from trex_gui.ui.theme.theme import scaled_font, theme
 from trex_gui.ui.units import units
@@ -58,7 +58,7 @@ class ChannelStrip(QAbstractButton, Spoken):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setCheckable(True)
         self.setAutoExclusive(True)  # arrow keys select the next strip
-        self._axis = USUAL_AXIS[InputSource.RC]
+        self._axis = DEFAULT_AXIS[InputSource.RC]
         self._curve: ChannelCurve | None = None
         self._calibration: Calibration | None = None
         self._count: int | None = None
