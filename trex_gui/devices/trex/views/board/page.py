@@ -68,7 +68,7 @@ class BoardPage(QWidget):
         start: Callable[[QWidget], QWidget],
         parent: QWidget | None = None,
     ) -> None:
-        """Create the page. `start` creates the panel for a window without a connection."""
+        """Create the page. `start` creates the panel for the disconnected state."""
         super().__init__(parent)
         self.setObjectName("boardPage")
         self._device = device

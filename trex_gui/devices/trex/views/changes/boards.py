@@ -20,7 +20,7 @@ _VISIBLE_BOARDS = 6
 
 
 class ApplyToSeveral(QObject):
-    """Previews the changes of a file for each board, and writes it to the checked boards.
+    """Preview the changes of a file for each board, and write the file to the checked boards.
 
     Closing the dialog ends the work after the current board. The window then reports the outcome.
     """
@@ -30,7 +30,7 @@ class ApplyToSeveral(QObject):
         self._boards = boards
         self._device = device
         self.work = ApplyToBoards(boards, device, self)
-        self._name = self._trouble = ""
+        self._name = self._problem = ""
 
         title = title_of(tr("&Write to boards"))
         self._table = table = ui.flat_table(QTableWidget(0, 3, parent), "boardsToWrite", title)
@@ -60,14 +60,14 @@ class ApplyToSeveral(QObject):
         self.dialog.rejected.connect(self.work.cancel)
 
     def open_file(self, document: SettingsDocument) -> None:
-        """Read every board on the line and show the changes of a file."""
+        """Read every board on the line, and show how the file would change each board."""
         if self.work.is_running:
             self.dialog.show_in_front()
             return
-        self._name, self._trouble = document.name, ""
+        self._name, self._problem = document.name, ""
         self._table.setRowCount(0)
         if document.settings is None:
-            self._trouble = tr("This file cannot be used: it has errors. Nothing was changed.")
+            self._problem = tr("This file cannot be used: it has errors. Nothing was changed.")
         else:
             self.work.review(document.settings, [board.number for board in self._boards.boards])
         self._fill()
@@ -129,14 +129,14 @@ class ApplyToSeveral(QObject):
             with_ticks=False,
             # The file is written unchanged, so proposals are omitted.
             remarks=[replace(finding, change={}) for finding in plan.findings] if plan else [],
-            trouble=self._trouble,
+            problem=self._problem,
             action=text if selected else tr("&Write to boards"),
             can_act=bool(selected) and not running and self._device.is_writable and not is_driven,
             close=tr("Close"),
         )
 
     def _on_write_clicked(self, _rows: Rows) -> None:
-        self._trouble = ""
+        self._problem = ""
         self.dialog.question.prompt_before(lambda: self.work.write(self._selected()), self._doubts)
 
     def _doubts(self) -> list[str]:
@@ -172,7 +172,7 @@ class ApplyToSeveral(QObject):
             signal.emit(" ".join(texts))
         elif left_out:
             texts.append(tr("%n board(s) left out; see the Result column.", "", len(left_out)))
-        self._trouble = " ".join(texts)
+        self._problem = " ".join(texts)
 
 
 def _texts(plan: BoardPlan) -> tuple[str, str]:

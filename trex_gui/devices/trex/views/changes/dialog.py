@@ -25,7 +25,7 @@ from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _WIDTH = 760  # pixels
 _MARGIN = 24  # pixels
-_AROUND_BUTTONS = 12  # pixels around the buttons, amber while motors are armed
+_AROUND_BUTTONS = 12  # pixels around the buttons; this area is amber while motors are armed
 Rows = tuple[ComparisonRow, ...]
 TickedOf = Callable[[Comparison], Rows]  # returns the checked rows of a comparison
 
@@ -46,23 +46,23 @@ class Changes:
     caption: str = ""
     rows: Comparison | None = None  # `None`: no table
     sides: tuple[str, str] = ("", "")  # names of the settings before and after
-    with_ticks: bool = True  # True if rows have check boxes
+    with_ticks: bool = True  # True if the rows have check boxes
     outcomes: Mapping[str, str] = field(default_factory=dict)  # key → text in `ComparisonTable`
-    summary: str = ""  # replaces the counts
+    summary: str = ""  # text instead of the counts
     remarks: Sequence[Remark] = ()
     can_accept: bool = False  # True if proposals in the remarks can be accepted
-    trouble: str = ""  # obstacle or error
+    problem: str = ""  # obstacle or error
     action: str = ""  # verb and count on the primary button; empty hides the button
     can_act: bool = False
-    close: str = ""  # text of the closing button, `Cancel` by default
-    closes_first: bool = False  # True if the closing button is the default button
+    close: str = ""  # text of the close button, `Cancel` by default
+    closes_first: bool = False  # True if the close button is the default button
 
 
 class Question(InlinePrompt):
     def prompt_before(
         self, write: Callable[[], object], doubts: Callable[[], Sequence[str]]
     ) -> None:
-        """Call `write`. Prompt first if `doubts` returns names of values."""
+        """Call `write`. Prompt first if `doubts` returns the names of doubtful values."""
         names = doubts()
         if not names:
             write()
@@ -76,7 +76,7 @@ class Question(InlinePrompt):
 
 
 class ChangesDialog(ReusedDialog):
-    """Dialog with a table of changes, a primary button and a stop button. It is not modal."""
+    """Modeless dialog with a table of changes, a primary button and a stop button."""
 
     def __init__(
         self,
@@ -89,11 +89,11 @@ class ChangesDialog(ReusedDialog):
         follows: Sequence[SignalInstance] = (),
         above: QWidget | None = None,
     ) -> None:
-        """`describe` returns the content, or `None` to close the dialog.
+        """Create the dialog.
 
-        It is called when the dialog opens, when a row is checked or unchecked, and when a signal
-        in `follows` is emitted. The primary button calls `act` with the checked rows. `above`:
-        widget above the rows.
+        `describe` returns the content, or `None` to close the dialog. It is called when the dialog
+        opens, when a row is checked or unchecked, and when a signal in `follows` is emitted. The
+        primary button calls `act` with the checked rows. `above` is a widget above the rows.
         """
         super().__init__(parent)
         prefix = names.prefix
@@ -107,9 +107,9 @@ class ChangesDialog(ReusedDialog):
         self._heading = named(Note(1, self), f"{prefix}Head")
         set_style_property(self._heading, "textSize", "title")
         self._caption = label(self, f"{prefix}Caption", wrap=True, size="caption")
-        self._trouble = named(Note(0, self), f"{prefix}Trouble")
+        self._problem = named(Note(0, self), f"{prefix}Trouble")
         if above is not None:
-            above.setParent(self)  # the Tab order follows the order of the children
+            above.setParent(self)  # the Tab order is the order of the children
         self.rows = ComparisonView(self)
         self.findings = FindingsList(prefix, self.rows, self, is_wide=True)
         self._findings_area = ScrollBox(self.findings, self)
@@ -127,7 +127,7 @@ class ChangesDialog(ReusedDialog):
             layout.setContentsMargins(14, 10, 14, 10)
         self._parts = column(
             column(self._heading, self._caption, margins=0, spacing=4),
-            self._trouble,
+            self._problem,
             *([above] if above is not None else []),
             self.rows,
             self._findings_area,
@@ -170,9 +170,9 @@ class ChangesDialog(ReusedDialog):
         self.refresh()
         self.show_in_front()
 
-    def show_trouble(self, text: str) -> None:
+    def show_problem(self, text: str) -> None:
         """Show the error of an action until the next refresh."""
-        self._trouble.show_note(text, alarming=True)
+        self._problem.show_note(text, alarming=True)
 
     @Slot()
     def _on_changed(self) -> None:
@@ -198,7 +198,7 @@ class ChangesDialog(ReusedDialog):
         self._heading.show_note(changes.heading, alarming=changes.has_failed)
         self._caption.setText(changes.caption)
         self._caption.setVisible(bool(changes.caption))
-        self._trouble.show_note(changes.trouble, alarming=True)
+        self._problem.show_note(changes.problem, alarming=True)
         if changes.rows is not None:
             self.rows.show_comparison(
                 changes.rows,
@@ -231,7 +231,7 @@ class ChangesDialog(ReusedDialog):
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         center = self.geometry().center()
-        for _ in range(2):  # the first pass sets the width of the rows
+        for _ in range(2):  # the first pass determines the width of the rows
             self.resize(self.width(), 1)
             self.fit()
         geometry = self.geometry()

@@ -22,7 +22,7 @@ from trex_gui.devices.trex.views.changes.dialog import Changes, ChangesDialog, N
 from trex_gui.ui.translations import error_sentence
 from trex_gui.ui.widgets.builders import button, combo_box, label, no_mnemonic, row
 
-_MAX_NAMES = 3  # settings named in a text; further settings are counted
+_MAX_NAMES = 3  # number of settings named in a text; the others are only counted
 
 GetSettings = Callable[[], Settings | None]
 Report = Callable[[str], object]
@@ -40,11 +40,11 @@ def load_dialog(
 ) -> ChangesDialog:
     """Create the dialog that loads a document as edits.
 
-    `on_staged` is called with a message when the changes have become edits, `on_ended` when the
-    board is gone. `side`: heading of the document's values, `File` by default. `edit`: opens the
-    file in the editor instead.
+    `on_staged` is called with a message when the changes have become edits. `on_ended` is called
+    with a message when the board has been disconnected. `side` is the heading of the document's
+    values, `File` by default. `edit` opens the file in the editor instead.
     """
-    # Read at once: the document may be edited or deleted while the dialog is open.
+    # Read now, because the document may be edited or deleted while the dialog is open.
     name, settings, findings = document.name, document.settings, document.findings
     draft = device.draft
 
@@ -55,8 +55,8 @@ def load_dialog(
             return None
         heading = tr("Load settings from {0}").format(name)
         if settings is None:
-            trouble = tr("This file cannot be used: it has errors. Nothing was changed.")
-            return Changes(heading, remarks=findings, trouble=trouble)
+            problem = tr("This file cannot be used: it has errors. Nothing was changed.")
+            return Changes(heading, remarks=findings, problem=problem)
         board = state.signature
         conversion = convert(settings, board.model, board.firmware)
         is_converted = settings.product != board.model or conversion.alters
@@ -65,7 +65,7 @@ def load_dialog(
         try:
             comparison = diff_against_draft(draft, loaded)
         except BadRequest as error:
-            return Changes(heading, remarks=findings, trouble=error_sentence(error))
+            return Changes(heading, remarks=findings, problem=error_sentence(error))
         present = tuple(row for row in comparison.rows if not row.is_missing)
         rows = replace(comparison, rows=present)
         source = f"{settings.product.name} {settings.firmware or ''}".rstrip()
@@ -86,7 +86,7 @@ def load_dialog(
         try:
             draft.stage(rows, tr("Load {0}").format(name))
         except BadRequest as error:
-            dialog.show_trouble(error_sentence(error))
+            dialog.show_problem(error_sentence(error))
             return
         count = min(len(rows), draft.pending)  # a row may have reverted an edit
         text = tr("{0}: %n change(s) pending. Review them, then write.", "", count)
@@ -135,24 +135,24 @@ def show_comparison(
     on_copied: Report,
     other_changed: SignalInstance | None = None,
 ) -> None:
-    """Open a dialog that compares a document with other settings.
+    """Open a dialog that compares a document with the settings that `other` returns.
 
     `other_changed` is emitted when `other` returns new settings. `on_copied` is called with a
-    message when the user has copied values of the other settings as edits.
+    message when the user has copied values into the document as edits.
     """
     other_settings: Settings | None = None
 
     def describe(ticked_of: TickedOf) -> Changes | None:
         nonlocal other_settings
-        other_settings = other() or other_settings  # keep the last settings if the board is gone
-        own_settings, trouble = document.settings, ""
+        other_settings = other() or other_settings  # keep the last settings after a disconnection
+        own_settings, problem = document.settings, ""
         heading = tr("{0} and {1}").format(document.name, other_name)
         if own_settings is None or other_settings is None:
             return Changes(heading, close=tr("Close"))
         try:
             rows = diff_against_draft(document.draft, other_settings)
         except BadRequest as error:
-            trouble, rows = error_sentence(error), compare(own_settings, other_settings)
+            problem, rows = error_sentence(error), compare(own_settings, other_settings)
         count = len(ticked_of(rows))
         text = tr("%n setting(s) differ, {0} match.", "", len(rows.differing))
         action = tr("&Copy %n value(s) to {0}", "", count).format(no_mnemonic(document.name))
@@ -160,10 +160,10 @@ def show_comparison(
             heading,
             rows=rows,
             sides=(document.name, other_name),
-            with_ticks=not trouble,
+            with_ticks=not problem,
             summary=text.format(rows.equal),
-            trouble=trouble,
-            action="" if trouble else action,
+            problem=problem,
+            action="" if problem else action,
             can_act=count > 0,
             close=tr("Close"),
             closes_first=True,
@@ -173,7 +173,7 @@ def show_comparison(
         try:
             document.draft.stage(rows, tr("Copy values from {0}").format(other_name))
         except BadRequest as error:
-            dialog.show_trouble(error_sentence(error))
+            dialog.show_problem(error_sentence(error))
         else:
             on_copied(tr("%n value(s) copied from {0}.", "", len(rows)).format(other_name))
 
@@ -201,7 +201,8 @@ def show_conversion(
     above = QWidget(parent)
     choice = combo_box(above, "convertBoard", "", items=items)
     row(label(above, text=tr("Convert &for:"), buddy=choice), choice, 1, into=above, margins=0)
-    # Preselect the connected board, or else the other model.
+    # Preselect the connected board. If no board is connected, or if the file is for this board,
+    # preselect the other model.
     before, state = document.settings, device.state if device.is_connected else None
     own = None if before is None else (before.product, before.specs.firmware)
     models = [model for model in device_table().models if own is None or model != own[0]]

@@ -52,7 +52,7 @@ class Review(QObject):
         self._writing = Comparison(())  # changes of the current or last write
         self._outcomes: dict[str, str] = {}
         self._findings: tuple[LintFinding, ...] = ()
-        self._unstaged = self._staged = -1  # undo indexes before and after staging defaults
+        self._unstaged = self._staged = -1  # undo indexes before and after the defaults were staged
 
         draft_changes = device.draft.pending_changed, device.draft.loaded
         self.dialog = ChangesDialog(
@@ -89,7 +89,7 @@ class Review(QObject):
         self._open()
 
     def review_defaults(self, *, serial_only: bool) -> None:
-        """Stage all defaults, or only the serial ones. Closing the review reverts them."""
+        """Stage all defaults, or only the serial defaults. Closing the review reverts them."""
         draft, shown = self._device.draft, self._device.draft.shown
         if self._phase is not _Phase.WRITING and shown is not None:
             self._revert()
@@ -117,7 +117,7 @@ class Review(QObject):
 
     @Slot()
     def close_if_verified(self) -> None:
-        """Close the result if it requires no further action."""
+        """Close the result if it requires no action by the user."""
         if self._phase is _Phase.DONE and not self._problem and self._power.isHidden():
             self.dialog.close()
 
@@ -281,13 +281,13 @@ class Review(QObject):
                 outcomes=self._outcomes,
                 summary=" ",
                 remarks=self._findings,
-                trouble=self._detail,
+                problem=self._detail,
                 close="" if self._is_cancellable else tr("Close"),
             )
         rows, stored = self._changes(), self._device.draft.stored
         if not rows.rows:
             text, obstacle = tr("Nothing to write."), self._obstacle()
-            return Changes(text, rows=rows, summary=" ", trouble=obstacle, close=tr("Close"))
+            return Changes(text, rows=rows, summary=" ", problem=obstacle, close=tr("Close"))
         ticked = ticked_of(rows)
         count = len(ticked)
         if stored is not None:
@@ -302,7 +302,7 @@ class Review(QObject):
             summary=" ",
             remarks=(*self._findings, *self._remarks(ticked)),
             can_accept=self._device.is_writable,
-            trouble=self._obstacle(),
+            problem=self._obstacle(),
             action=tr("&Write %n setting(s)", "", count),
             can_act=self._can_write and count > 0,
         )
