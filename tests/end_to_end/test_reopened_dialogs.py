@@ -22,7 +22,7 @@ def openers(window: WindowDriver) -> dict[str, Callable[[], object]]:
         "helpDialog": lambda: window.window.show_help("safety.md"),
         "historyDialog": lambda: window.trigger("history"),
         "learnDialog": lambda: window.trigger("learn"),
-        "powerCycleDialog": trex(window.program).workspace._settings.guide,
+        "powerCycleDialog": trex(window.program).workspace._settings.show_power_cycle,
         "reviewDialog": lambda: window.trigger("apply"),
     }
 

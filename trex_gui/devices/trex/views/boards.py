@@ -32,7 +32,7 @@ _STATES = {
 
 
 class BoardPanel(QWidget):
-    """Panel that selects a board. Visible if there are several boards, or during a scan."""
+    """Panel that selects a board. It is visible during a scan, and if there are several boards."""
 
     def __init__(
         self, boards: BoardList, device: Device, group: BoardGroup, parent: QWidget | None = None
@@ -142,7 +142,7 @@ class BoardPanel(QWidget):
         self._drive_alone.setEnabled(device.is_writable and is_stopped)
 
     def _show_boards(self) -> None:
-        """Update the items in place, so that the list keeps focus and scroll position."""
+        """Update the items in place, so that the list keeps its focus and scroll position."""
         boards = self._boards.boards
         tips = {
             Presence.SILENT: tr("It replied before. Check its power and its wires."),

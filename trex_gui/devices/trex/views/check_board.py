@@ -87,7 +87,7 @@ class LedsPage(Page):
             leds, caption = Leds(self), ui.label(self, text=description, wrap=True)
             leds.show_patterns(patterns, meaning=description)
             title = ui.label(self, text=meaning, bold=True, wrap=True)
-            # Not aligned: an aligned layout cuts off wrapped text.
+            # The layout is not aligned, because an aligned layout cuts off wrapped text.
             about = ui.column(title, Muted(remedy, self), 1, margins=0, spacing=0)
             rows.addLayout(ui.column(leds, caption, 1, margins=0, spacing=0), row, 0)
             rows.addLayout(about, row, 1)
@@ -99,11 +99,11 @@ class LedsPage(Page):
 
 @dataclass(frozen=True, slots=True)
 class _Step:
-    """Step of the boot loader hand-shake, and the state of the board after it."""
+    """Step of the boot loader hand-shake, and the state of the board after this step."""
 
     title: str
     instruction: str
-    jumpers: tuple[bool, bool, *tuple[str, ...]]  # mix on, SO–G on, jumpers to move
+    jumpers: tuple[bool, bool, *tuple[str, ...]]  # mix is on, SO–G is on, jumpers to move
     leds: tuple[str, str]
     led_text: str
     received: str
@@ -210,10 +210,10 @@ class CheckBoardFlow(Flow):
 
     def shown(self) -> Shown:
         leds, hand_shake = self._pages
-        is_free = self._device.link is ConnectionState.DISCONNECTED
+        is_disconnected = self._device.link is ConnectionState.DISCONNECTED
         is_last = self._index == len(_STEPS)
         for button in (self._find, self._connect):
-            button.setEnabled(is_free)
+            button.setEnabled(is_disconnected)
         self._connect.setVisible(not is_last)
         if self._index:
             hand_shake.show_step(_STEPS[self._index - 1])
@@ -226,7 +226,7 @@ class CheckBoardFlow(Flow):
             note=note,
             is_alarming=is_alarming,
             next=self._connect.text() if is_last else tr("&Next"),
-            may_go_on=is_free or not is_last,
+            may_go_on=is_disconnected or not is_last,
             may_go_back=self._index > 0,
         )
 

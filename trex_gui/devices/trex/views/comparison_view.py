@@ -27,7 +27,7 @@ from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.builders import check_box, column, flat_table, label, row
 
 _ROW_MARGIN = 16
-_MIN_ROWS = 3  # visible at the minimum height
+_MIN_ROWS = 3  # number of rows visible at the minimum height
 _WITH_SIGN = {ComparisonColumn.SETTING, ComparisonColumn.AFTER, ComparisonColumn.OUTCOME}
 
 
@@ -38,7 +38,7 @@ class _Delegate(QStyledItemDelegate):
 
     def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
         super().initStyleOption(option, index)
-        if option.state & QStyle.StateFlag.State_Selected:  # cells retain their colours
+        if option.state & QStyle.StateFlag.State_Selected:  # the cells keep their text colours
             option.state &= ~QStyle.StateFlag.State_Selected
             option.backgroundBrush = QBrush(theme().color("selected"))
 
@@ -50,7 +50,7 @@ class _Delegate(QStyledItemDelegate):
 
 
 class _Table(QTableView):
-    """Table in which the space bar ticks or unticks the current row."""
+    """Table in which the space bar checks or unchecks the current row."""
 
     resized = Signal()
 
@@ -69,9 +69,9 @@ class _Table(QTableView):
 
 
 class ComparisonView(QWidget):
-    """Comparison table with a summary. Never cuts off texts, since users rely on them."""
+    """Comparison table with a summary. Texts are never cut off, because users rely on them."""
 
-    ticked_changed = Signal(int)  # number of ticked changes
+    ticked_changed = Signal(int)  # number of checked changes
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -114,9 +114,9 @@ class ComparisonView(QWidget):
         summary: str = "",
         tick_new: bool = True,
     ) -> None:
-        """Show or update a comparison. `summary` replaces the counts.
+        """Show or update a comparison. `summary` is shown instead of the counts.
 
-        `before` and `after` are the titles of the sides. Check boxes are reset if the titles,
+        `before` and `after` are the titles of the columns. Check boxes are reset if the titles,
         `with_ticks` or `outcomes` change. If `tick_new` is true, new changes are checked.
         """
         shown = (before, after, with_ticks, dict(outcomes))
@@ -136,7 +136,7 @@ class ComparisonView(QWidget):
         self._update()
 
     def show_nothing(self, reason: str = "") -> None:
-        """Hide the table and show the reason. All changes of the next comparison are checked."""
+        """Hide the table and show the reason. In the next comparison, all changes are checked."""
         self.show_comparison(Comparison(()), "", "", summary=reason or " ")
         self._shown = None
 
@@ -189,7 +189,7 @@ class ComparisonView(QWidget):
         self._update()
 
     def _min_width(self, column: int) -> int:
-        """Return the width of the longest word and its sign. Words do not wrap."""
+        """Return the width that the longest word and the sign need. A word does not wrap."""
         font = self._view.font()
         font.setBold(True)
         metrics, table = QFontMetrics(font), self.table

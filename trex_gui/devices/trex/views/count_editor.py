@@ -27,8 +27,8 @@ BARE = re.compile(rf"\s*{DECIMAL}\s*")  # a number without a unit
 class UnitSpinBox(QSpinBox):
     """Base class of spin boxes that convert their input with `parse`.
 
-    A number without a unit is in the displayed unit. Changing the units first accepts the typed
-    text. An icon marks rejected input.
+    A number without a unit is in the displayed unit. If the units change while the user is typing,
+    the typed text is accepted first. An icon marks rejected input.
     """
 
     rejected = Signal(str)  # reason, for the user
@@ -36,14 +36,14 @@ class UnitSpinBox(QSpinBox):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         never_mirror(self)
-        self.own_first = units().own_first  # True if the text is in units of the board
+        self.own_first = units().own_first  # True if the text shows the board's own units
         self.setKeyboardTracking(False)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccelerated(True)
         self._problem = QAction(tr("Not a value"), self)
         set_icon(self._problem, "warning", "danger")
         self.lineEdit().addAction(self._problem, QLineEdit.ActionPosition.LeadingPosition)
-        self._problem.setVisible(False)  # after `addAction`, which shows hidden actions
+        self._problem.setVisible(False)  # set after `addAction`, which shows hidden actions
         self.lineEdit().setTextMargins(4, 0, 0, 0)
         self._typed = ""
         self.lineEdit().textChanged.connect(self._on_text_changed)
@@ -52,7 +52,7 @@ class UnitSpinBox(QSpinBox):
 
     @property
     def problem(self) -> str:
-        """Reason for the warning icon, or empty."""
+        """Reason for the warning icon, or an empty text."""
         return self._problem.toolTip() if self._problem.isVisible() else ""
 
     def _mark(self, problem: str) -> None:
@@ -66,7 +66,7 @@ class UnitSpinBox(QSpinBox):
 
     @property
     def rounding(self) -> str:
-        """Message about the stored value if the input was rounded, or empty."""
+        """Message about the stored value if the input was rounded, or an empty text."""
         stored = self.textFromValue(self.value())
         number, unit, *_ = f"{stored} ".split(" ")
         with suppress(BadRequest):
@@ -83,7 +83,7 @@ class UnitSpinBox(QSpinBox):
             self.interpretText()
         self.own_first = units().own_first
         self.setSuffix("")  # updates the text and the size
-        self.lineEdit().setModified(is_typed)  # so that a delegate commits the value
+        self.lineEdit().setModified(is_typed)  # otherwise a delegate would not commit the value
         self._mark("")
 
     def parse(self, text: str) -> int:
@@ -139,7 +139,7 @@ class UnitDelegate(QStyledItemDelegate):
 
 
 class CountEditor(UnitSpinBox):
-    """Editor for a raw count. Accepts `2.1 ms`, `1500 µs`, `2.5 V` or `3750 counts`."""
+    """Editor for a raw count, entered as `2.1 ms`, `1500 µs`, `2.5 V` or `3750 counts`."""
 
     def __init__(self, source: InputSource, parent: QWidget | None = None) -> None:
         super().__init__(parent)

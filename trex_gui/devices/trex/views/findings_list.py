@@ -17,12 +17,12 @@ from trex_gui.ui.widgets.labels import Sign
 
 Remark = LintFinding | Finding | str  # linter finding, file finding or plain sentence
 
-_MAX_LINES = 60  # further findings are only counted
+_MAX_LINES = 60  # the list only counts the findings after these
 _SIGNS = {Severity.ERROR: ("error", "danger"), Severity.WARNING: ("warning", "warning")}
 
 
 class FindingsList(QWidget):
-    """Findings with buttons for their proposals. Hidden while empty."""
+    """Findings with buttons for their proposals. An empty list is hidden."""
 
     accepted = Signal(object)  # `LintFinding` whose change becomes an edit
     line_chosen = Signal(int)  # line number, from 1
@@ -32,7 +32,8 @@ class FindingsList(QWidget):
     ) -> None:
         """Create the list. `prefix` is the prefix of its object names.
 
-        Tab moves from `after` to the list. If `is_wide` is true, buttons show the whole proposal.
+        The Tab key moves the focus from `after` to the list. If `is_wide` is true, the buttons
+        show whole proposals.
         """
         super().__init__(parent)
         self._after = after
@@ -50,7 +51,7 @@ class FindingsList(QWidget):
     def follow(
         self, linter: SettingsLinter, concerns: Callable[[LintFinding], bool] = bool
     ) -> None:
-        """Show the findings of a linter for which `concerns` is true."""
+        """Show the findings of a linter. `concerns` returns true for each finding to show."""
         self._linter, self._concerns = linter, concerns
         linter.changed.connect(self.refresh)
         self.accepted.connect(linter.accept)
@@ -62,7 +63,7 @@ class FindingsList(QWidget):
         self.show_findings([finding for finding in findings if self._concerns(finding)])
 
     def show_findings(self, findings: Iterable[Remark], *, with_lines: bool = False) -> None:
-        """Show findings. `with_lines` adds buttons that show their lines."""
+        """Show findings. `with_lines` adds buttons that show their lines in the file."""
         shown = tuple(findings)
         if shown != self._findings:
             self._findings, self._with_lines = shown, with_lines

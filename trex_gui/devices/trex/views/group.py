@@ -1,4 +1,4 @@
-"""Dialog that joins boards into a group, and a card for each board."""
+"""Dialog that joins boards into a group, and the cards of the boards."""
 
 from PySide6.QtCore import QSize, Slot
 from PySide6.QtGui import QResizeEvent
@@ -100,11 +100,13 @@ class GroupDialog(ReusedDialog):
     @Slot()
     def _on_join(self) -> None:
         self.close()
-        if self._has_several_boards:  # a board may have disappeared
+        if self._has_several_boards:  # false if a board has disappeared
             self._group.join(self.wheels)
 
 
 class SideBySide(QWidget):
+    """Widgets in a row, or in a column if the row does not fit."""
+
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)
         self._widgets: list[QWidget] = []
@@ -123,7 +125,7 @@ class SideBySide(QWidget):
         self._place()
 
     def minimumSizeHint(self) -> QSize:
-        """Return the size of the column layout. Used if a row does not fit."""
+        """Return the minimum size of a column, because a row may not fit."""
         widths = [widget.minimumSizeHint().width() for widget in self._widgets]
         return QSize(max(widths, default=0), self._box.minimumSize().height())
 
@@ -140,7 +142,7 @@ class SideBySide(QWidget):
 
 
 class GroupCards(QWidget):
-    """Currents and problems of each board in a group. Hidden without a group."""
+    """Currents and problems of each board in a group. Without a group, the widget is hidden."""
 
     def __init__(self, group: BoardGroup, parent: QWidget) -> None:
         super().__init__(parent)

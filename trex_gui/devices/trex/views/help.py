@@ -10,7 +10,7 @@ GUIDE = "https://www.pololu.com/docs/0J1"
 
 _FINDINGS = "messages.md#findings-about-settings"
 
-TOPICS = {  # object name → topic
+TOPICS = {  # object name → help topic
     "boardPage": "status.md",
     "channelsPage": "channels.md",
     "motorsPage": "driving.md",

@@ -45,7 +45,7 @@ class HistoryDialog(ReusedDialog):
         self._newest_selected: tuple[int, Path | None] = 0, None  # row, path
         self._is_fitted = False
         self._refresh_timer = new_timer(self, 0, self._refresh_selection, single_shot=True)
-        # Starts after the window is drawn, since the reading thread slows drawing.
+        # Reading starts after the window is drawn, because the reading thread slows down drawing.
         self._read_timer = new_timer(self, 0, self.refresh, single_shot=True)
 
         notifier = Notifier(self)
@@ -85,7 +85,7 @@ class HistoryDialog(ReusedDialog):
         self._pages.addWidget(halves)
         self._pages.addWidget(empty_page)
         bar.fill(bar.armed, 1, self._close)
-        messages = MessageSpace(self, self._banner, self._question)  # over the heading
+        messages = MessageSpace(self, self._banner, self._question)  # these cover the heading
         heading = ui.label(self, text=self.windowTitle(), size="title")
         parts = ui.column(heading, messages, (self._pages, 1), margins=(8, 8, 8, 0))
         ui.column((parts, 1), bar, into=self, margins=8)
@@ -120,7 +120,7 @@ class HistoryDialog(ReusedDialog):
         view.setEditTriggers(triggers.DoubleClicked | triggers.EditKeyPressed)
         header = view.horizontalHeader()
         header.setStretchLastSection(True)
-        header.setResizeContentsPrecision(50)  # number of measured rows
+        header.setResizeContentsPrecision(50)  # number of rows that are measured
         view.resizeColumnsToContents()
         keys, context = QKeySequence.StandardKey.Delete, Qt.ShortcutContext.WidgetShortcut
         QShortcut(keys, view, self._on_delete_clicked, context=context)
@@ -144,7 +144,7 @@ class HistoryDialog(ReusedDialog):
         return tuple(self._table.snapshots[row] for row in rows)
 
     def _select(self, path: Path | None, otherwise: int = 0) -> None:
-        """Select a snapshot, or the row `otherwise` if it is not listed."""
+        """Select a snapshot, or the row `otherwise` if the snapshot is not listed."""
         listed_row = None if path is None else self._table.row_of(path)
         row = min(otherwise, self._table.rowCount() - 1) if listed_row is None else listed_row
         index, flags = self._table.index(row, 0), QItemSelectionModel.SelectionFlag
@@ -168,7 +168,7 @@ class HistoryDialog(ReusedDialog):
         self._refresh_selection()
 
     def _fit_columns(self) -> None:
-        """Fit the columns once, to the first list of snapshots."""
+        """Fit the columns to the first list of snapshots, and not again."""
         if self._is_fitted or not self._table.snapshots:
             return
         self._is_fitted = True
@@ -259,7 +259,7 @@ class HistoryDialog(ReusedDialog):
 
         in_background(self, remove_all, lambda _: self.refresh(), on_failed)
 
-    def reject(self) -> None:  # also called by Esc and the close buttons
+    def reject(self) -> None:  # Esc and the close buttons also call this
         self._refresh_timer.stop()
         self._read_timer.stop()
         save_geometry(self, "history")

@@ -20,7 +20,7 @@ _NUMBERS = r"((\d|[1-9]\d|1[01]\d|12[0-7])(, *|$))*"  # 0 to 127
 
 
 class LineSettingsDialog(ReusedDialog):
-    chosen = Signal(object)  # new `ConnectionSettings`
+    chosen = Signal(object)  # `ConnectionSettings` that the user has accepted
 
     def __init__(self, settings: ConnectionSettings, parent: QWidget | None = None) -> None:
         super().__init__(parent)

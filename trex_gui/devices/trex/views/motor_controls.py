@@ -1,4 +1,4 @@
-"""Stop and arm buttons, a bar for them, and the dialog before arming."""
+"""Stop and arm buttons, the bar that contains them, and the dialog before arming."""
 
 from collections.abc import Iterable
 
@@ -25,10 +25,10 @@ _ARROWS = {Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down}
 
 
 def arm(device: Device, window: QWidget) -> None:
-    """Arm the motors. Prompts first if a real board needs a serial timeout."""
+    """Arm the motors. Prompt first if a real board needs a serial timeout."""
     motors, warning = device.motors, timeout_warning(device)
     if device.board.other_driver:
-        motors.arm()  # only requests permission to drive
+        motors.arm()  # this only requests permission to drive
         return
     is_real = device.settings is not None and not device.settings.name
     lacks_stop = device.board.timeout_stop.is_fixable
@@ -140,7 +140,7 @@ class TimeoutNotice(QWidget):
 
 
 class LostPanel(QFrame):
-    """Panel that is visible while motors may be turning out of reach."""
+    """Panel that is visible while motors may be turning and the board is out of reach."""
 
     def __init__(self, device: Device, name: str, parent: QWidget) -> None:
         super().__init__(parent)
@@ -158,7 +158,7 @@ class LostPanel(QFrame):
         self.hide()
 
     def show_loss(self, text: str) -> bool:
-        """Show `text` if motors are out of reach. Return true if they are."""
+        """Show `text` and return true if motors may be turning and the board is out of reach."""
         device = self._device
         is_lost = device.stop_may_matter and not device.is_connected
         if is_lost:
@@ -185,7 +185,7 @@ class StopButton(RedButton):
         self._on_link_changed()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Ignore arrow keys. Qt would move the focus, so the next key could drive a motor."""
+        """Ignore arrow keys. Qt would move the focus, and the next key could drive a motor."""
         if event.key() not in _ARROWS:
             super().keyPressEvent(event)
 
@@ -204,7 +204,7 @@ def focus_stop(widget: QWidget) -> None:
 
 
 class MotorBar(ActionBar):
-    """Bar with the stop button. It is amber while motors are armed."""
+    """Bar with the stop button. The bar is amber while motors are armed."""
 
     def __init__(self, device: Device, stop_name: str, parent: QWidget) -> None:
         super().__init__(StopButton(device, stop_name), parent)
@@ -236,18 +236,18 @@ class ArmButton(ConfirmButton):
         if self._motors.armed:
             self._motors.stop()
             focus_stop(self)
-        elif self.accepts_clicks:  # false right after disarming
+        elif self.accepts_clicks:  # false for a short time after disarming
             arm(self._device, self.window())
 
     @Slot()
     def _on_changed(self) -> None:
         armed = self._motors.armed
-        if armed and self.window().focusWidget() is self:  # true even behind a dialog
+        if armed and self.window().focusWidget() is self:  # also true behind a dialog
             focus_stop(self)
         text = tr("Disa&rm") if armed else tr("A&rm motors")
         if text != self.text():
             self.setText(text)
-            self.setDown(False)  # the pressed button has another effect now
+            self.setDown(False)  # the button under the mouse now has another effect
             self.hold_off()
         tip = tr("Stops the motors, and sends nothing until they are armed again")
         if not armed:
@@ -257,7 +257,7 @@ class ArmButton(ConfirmButton):
         self.setEnabled(armed or self._motors.can_arm)
 
 
-_MANY_CHANGES = 88  # count with the longest text
+_MANY_CHANGES = 88  # number of changes with the longest text
 
 
 def apply_text(pending: int) -> str:
@@ -267,23 +267,23 @@ def apply_text(pending: int) -> str:
 class ControlBar(MotorBar):
     apply_requested = Signal()
 
-    _page_shows_state = True  # the first page is the board page
+    _page_shows_state = True  # the window opens on the board page
 
     def __init__(self, device: Device, recording: QWidget, parent: QWidget) -> None:
         super().__init__(device, "stopButton", parent)
         self._device = device
 
-        stop, run = self.stop, ArmButton(device, "runButton", self)
+        stop, arm_button = self.stop, ArmButton(device, "runButton", self)
         self._state = ui.named(Note(1, self), "motorStateLabel")
         self._state.setAlignment(Qt.AlignmentFlag.AlignVCenter)
         reserve_space(self._state)
         tip = tr("Write the changed parameters into the board (Ctrl+Enter)")
         text = apply_text(_MANY_CHANGES)
         self._apply = ui.button(self, "applyButton", text, tip=tip, default=False)
-        ui.set_large(stop, run, self._apply)
+        ui.set_large(stop, arm_button, self._apply)
         self._apply.setMinimumWidth(self._apply.sizeHint().width())
 
-        self.fill(run, self.armed, (self._state, 1), recording, self._apply)
+        self.fill(arm_button, self.armed, (self._state, 1), recording, self._apply)
 
         self._apply.clicked.connect(self.apply_requested)
         motors = device.motors
@@ -301,7 +301,7 @@ class ControlBar(MotorBar):
 
     @Slot(str)
     def set_page(self, key: str) -> None:
-        """Hide the state if the page header shows it."""
+        """Hide the motor state if the page header already shows it."""
         self._page_shows_state = key in {"board", "motors"}
         self._on_changed()
 
@@ -339,7 +339,7 @@ class ControlBar(MotorBar):
         return self._device.is_connected and is_locked_out and motors.locked_for > 0
 
     def _state_text(self, statuses: Iterable[DriveStatus]) -> str:
-        """Return the driving state, or the first blocker other than a fault."""
+        """Return the state of the motors, or the first blocker other than a fault."""
         device, motors = self._device, self._device.motors
         if motors.armed:
             return motors.text

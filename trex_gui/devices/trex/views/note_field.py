@@ -61,7 +61,7 @@ class NoteField(QPlainTextEdit):
     @Slot()
     def _on_typed(self) -> None:
         self._notes.edit(self._key, self.toPlainText(), name=self._name, run=self._undo_step)
-        self._refresh()  # truncates a long note
+        self._refresh()  # shows the saved part of a note that is too long
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)

@@ -28,7 +28,7 @@ class PlaybackWindow(RecordingWindow):
         self._table = TraceTable(self.plot, self)
         table = TraceTableView(self._table, self)
         table.setColumnHidden(TraceColumn.NOW, True)
-        # A long table scrolls, since the plot needs the space.
+        # A long table scrolls, because the plot needs the space.
         table.setMaximumHeight(max(table.minimumHeight(), 8 * self.fontMetrics().height()))
 
         bar, values = MotorBar(device, "playbackStopButton", self), ValuesPanel(playback, self)
@@ -48,7 +48,7 @@ class PlaybackWindow(RecordingWindow):
 
 
 class ValuesPanel(QWidget):
-    """Values at the playback position. Unknown values are shown as dashes."""
+    """Values at the playback position. A dash replaces an unknown value."""
 
     def __init__(self, playback: Playback, parent: QWidget | None = None) -> None:
         super().__init__(parent)

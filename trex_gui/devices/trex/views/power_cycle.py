@@ -1,4 +1,4 @@
-"""Steps of a power cycle, as a panel and as a dialog."""
+"""Steps of a power cycle, in a panel or in a dialog."""
 
 from collections.abc import Sequence
 
@@ -18,7 +18,7 @@ from trex_gui.ui.widgets.step_strip import StepStrip
 
 _STEPS_DONE = {Stage.AWAITING_ON: 1, Stage.BACK: 3}
 
-_RESULTS = {  # (stage, takes long) → text
+_RESULTS = {  # (stage, true if the stage takes long) → text
     (Stage.AWAITING_OFF, False): tr_noop(
         "Switch the board off for at least one second. Waiting for the board to stop responding …"
     ),
@@ -78,7 +78,7 @@ class PowerCyclePage(Page):
         return tr("Switch the board off and on.")
 
     def _result_text(self) -> tuple[str, bool]:
-        """Return the text, and whether it is alarming."""
+        """Return the text, and true if the text is alarming."""
         cycle, waiting = self._cycle, ", ".join(self._cycle.still_waiting)
         stage, takes_long = cycle.stage, cycle.takes_long
         if stage is Stage.BACK and waiting:
@@ -127,8 +127,8 @@ class PowerCycleFlow(Flow):
         if closed:
             self._cycle.end()
 
-    def guide(self) -> None:
+    def start(self) -> None:
         """Show the steps of a power cycle if a board is connected."""
-        if self._device.is_connected:  # not while the window closes
+        if self._device.is_connected:  # false while the window is closing
             self._cycle.start()
             self.show_in_front()

@@ -29,12 +29,12 @@ class ClosePrompt(QObject):
         self._files = files
         self._review = review
         self._frame = frame
-        self._agreed: Settings | None = None  # settings when the user answered, including edits
-        self.keeps_edits = True  # for the next connection of the board
+        self._agreed: Settings | None = None  # settings, with edits, that the last answer covers
+        self.keeps_edits = True  # True if edits are saved for the next connection of the board
         device.draft.pending_changed.connect(self._on_pending_changed)
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        """Return whether the window may close now. `leave` closes it after an answer."""
+        """Return whether the window may close now. `leave` closes the window after an answer."""
         device, draft, question = self._device, self._device.draft, self._frame.question
         agreed, self._agreed = self._agreed, None
         may_leave = agreed is not None and agreed == draft.shown
@@ -77,17 +77,17 @@ class ClosePrompt(QObject):
 
     @Slot()
     def _on_pending_changed(self) -> None:
-        """Clear an earlier answer to discard edits, since it does not cover new edits."""
+        """Clear an earlier decision to discard edits, because it does not cover new edits."""
         self.keeps_edits = True
 
     def _close(self, leave: Callable[[], object], agreed: Settings | None) -> None:
-        """Close the window. Prompts again only if the edits differ from `agreed`."""
+        """Close the window. Prompt again only if the edits differ from `agreed`."""
         self._agreed = agreed
         leave()
 
 
 class RestorePrompt(QObject):
-    """Offers earlier edits and reports lost settings at each connection."""
+    """Prompts about earlier edits and lost settings, shown at each connection."""
 
     def __init__(self, device: Device, files: SettingsFiles, question: InlinePrompt) -> None:
         super().__init__(files)
@@ -107,7 +107,7 @@ class RestorePrompt(QObject):
             self._on_memory_changed()
             return
         if self._question.text:
-            return  # this offer waits until the next connection
+            return  # the offer waits until the next connection
         text = tr(
             "Edited earlier but not applied: %n setting(s) of this {0} ({1}). Restore as pending "
             "edits?",
@@ -157,8 +157,8 @@ class LeasePrompt(QObject):
     def __init__(self, device: Device, question: InlinePrompt, parent: QObject) -> None:
         super().__init__(parent)
         self._device, self._question = device, question
-        self._offered: tuple[str, ...] = ()  # waiting users at the last prompt
-        self._is_waiting = False  # True after a request to drive
+        self._offered: tuple[str, ...] = ()  # users who were waiting at the last prompt
+        self._is_waiting = False  # True after this user has requested to drive
         device.lease_changed.connect(self._on_lease_changed)
         device.connection.motors_stopped.connect(self._on_motors_stopped)
         device.connection.line_closed.connect(self._on_line_closed)
@@ -180,13 +180,13 @@ class LeasePrompt(QObject):
         self._question.reconsider()
 
     def _prompt_to_hand_over(self, user: str) -> None:
-        def still() -> bool:
+        def is_valid() -> bool:
             lease = self._device.board.lease
             return lease is not None and lease.is_mine and user in lease.waiting
 
         text = tr("{0} requests to drive. Handing over stops the motors.").format(user)
         submit = partial(self._device.connection.submit, HandOver(user))
-        self._question.prompt(text, Answer("handOver", tr("Hand over"), submit), still=still)
+        self._question.prompt(text, Answer("handOver", tr("Hand over"), submit), still=is_valid)
 
     @Slot(object)
     def _on_motors_stopped(self, report: MotorsStopped) -> None:
@@ -198,13 +198,13 @@ class LeasePrompt(QObject):
         if lease is None or not lease.may_take or lease.is_mine:
             return
 
-        def still() -> bool:
+        def is_valid() -> bool:
             lease = self._device.board.lease
             return lease is not None and not lease.is_mine and bool(lease.driver)
 
         text = tr("{0} drives. Taking over stops the motors.").format(lease.driver)
         submit = partial(self._device.connection.submit, TakeLease())
-        self._question.prompt(text, Answer("takeOver", tr("Take over"), submit), still=still)
+        self._question.prompt(text, Answer("takeOver", tr("Take over"), submit), still=is_valid)
 
     @Slot()
     def _on_line_closed(self) -> None:

@@ -34,7 +34,7 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets import file_questions
 from trex_gui.ui.widgets.labels import Muted, Note
 
-_MAX_WIDTH = 480  # of the motor buttons, in pixels
+_MAX_WIDTH = 480  # maximum width of the motor buttons, in pixels
 
 _CERTAINTY_TEXTS = {
     NEW: tr_noop("A new board: its device number is not in the record."),
@@ -120,7 +120,7 @@ class ProfilePage(Page):
         self.problem.show_note("")
 
 
-class BoardStep(Page):
+class ProvisionBoardPage(Page):
     def __init__(self, work: Provision, device: Device) -> None:
         super().__init__("provisionBoardPage")
         self._work, self._device = work, device
@@ -173,7 +173,7 @@ class BoardStep(Page):
         return text.format(board.name, board.number, board.board)
 
 
-class MotorsStep(Page):
+class ProvisionMotorsPage(Page):
     def __init__(self, work: Provision, device: Device) -> None:
         super().__init__("provisionMotorsPage", tr("Hold each button: does its motor turn?"))
         self._controls = PulseControls("provision", device, work.pulses, self)
@@ -194,8 +194,8 @@ class ProvisionFlow(Flow):
         self._device = device
         self.work = work = Provision(device, self)
         self._profile_page = ProfilePage(self._start)
-        self._board: BoardStep | None = None
-        self._motors: MotorsStep | None = None
+        self._board: ProvisionBoardPage | None = None
+        self._motors: ProvisionMotorsPage | None = None
         self._is_loading = False
         for changed in (work.changed, device.writer.changed):
             changed.connect(self.changed)
@@ -295,7 +295,7 @@ class ProvisionFlow(Flow):
         if self.work.step is ProvisionStep.PROFILE:
             return self._profile_page
         if self.work.step is ProvisionStep.MOTORS:
-            self._motors = self._motors or MotorsStep(self.work, self._device)
+            self._motors = self._motors or ProvisionMotorsPage(self.work, self._device)
             return self._motors
-        self._board = self._board or BoardStep(self.work, self._device)
+        self._board = self._board or ProvisionBoardPage(self.work, self._device)
         return self._board

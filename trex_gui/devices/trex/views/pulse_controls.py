@@ -22,7 +22,8 @@ from trex_gui.ui.widgets.labels import Note
 class PulseControls(QWidget):
     """Check box, arm button, and a hold button for each motor.
 
-    `below`: motor → widget below its hold button. The owner starts the pulses at `hold_started`.
+    `below` maps motor numbers to the widgets below the hold buttons. The owner starts the pulses
+    when `hold_started` is emitted.
     """
 
     hold_started = Signal(int)  # motor number
@@ -38,20 +39,24 @@ class PulseControls(QWidget):
         super().__init__(parent)
         self._device, self._pulses = device, pulses
         text = tr("The wheels are &off the ground")
-        self._free = ui.check_box(self, f"{name}WheelsFree", text, on_click=pulses.confirm_wheels)
-        self._run_frame = QWidget(self)  # disables the button even when it enables itself
-        run = ArmButton(device, f"{name}RunButton", self._run_frame)
-        run.setAutoDefault(False)
-        self._run_frame.setEnabled(False)
-        ui.row(run, into=self._run_frame, margins=0)
+        self._wheels_free = ui.check_box(
+            self, f"{name}WheelsFree", text, on_click=pulses.confirm_wheels
+        )
+        self._arm_frame = QWidget(
+            self
+        )  # keeps the button disabled even if the button enables itself
+        arm_button = ArmButton(device, f"{name}RunButton", self._arm_frame)
+        arm_button.setAutoDefault(False)
+        self._arm_frame.setEnabled(False)
+        ui.row(arm_button, into=self._arm_frame, margins=0)
         self._note = ui.named(Note(2, self), f"{name}PulseNote")
         self._holds = {motor: self._create_hold(f"{name}Hold{motor}", motor) for motor in (1, 2)}
         motor_widgets: list[QWidget] = []
         for motor, hold in self._holds.items():
             motor_widgets += [hold, below[motor]] if motor in below else [hold]
-        for widget in motor_widgets:  # sets the Tab order
+        for widget in motor_widgets:  # determines the Tab order
             widget.setParent(self)
-        items = self._free, self._run_frame, self._note
+        items = self._wheels_free, self._arm_frame, self._note
         ui.column(*items, *motor_widgets, into=self, margins=0, spacing=6)
         for changed in (pulses.changed, device.telemetry.text_due):
             changed.connect(self.refresh)
@@ -72,10 +77,10 @@ class PulseControls(QWidget):
     def refresh(self) -> None:
         pulses, blocker = self._pulses, self._pulses.blocker
         can_confirm = self._device.is_connected and not pulses.cannot_drive
-        self._free.setEnabled(can_confirm)
-        self._free.setChecked(pulses.wheels_are_free)
-        may_run = can_confirm and pulses.wheels_are_free
-        self._run_frame.setEnabled(may_run or self._device.motors.armed)
+        self._wheels_free.setEnabled(can_confirm)
+        self._wheels_free.setChecked(pulses.wheels_are_free)
+        may_arm = can_confirm and pulses.wheels_are_free
+        self._arm_frame.setEnabled(may_arm or self._device.motors.armed)
         for motor, hold in self._holds.items():
             hold.setEnabled(pulses.motor in {0, motor} and not blocker)
         text = blocker or tr("Armed. The motor turns in short, weak pulses while you hold.")

@@ -42,7 +42,7 @@ class Recordings(RecordingManager["PlaybackWindow"]):
         device.motors.arming_changed.connect(self._on_arming_changed)
 
     def create_window(self, recording: Recording[Header, Record]) -> "PlaybackWindow":
-        # Imported late: the plotting library takes as long to load as all of Qt.
+        # Imported only when needed: the plotting library takes as long to load as all of Qt.
         from trex_gui.devices.trex.model.playback import Playback  # noqa: PLC0415
         from trex_gui.devices.trex.views.playback import PlaybackWindow  # noqa: PLC0415
 

@@ -14,9 +14,9 @@ from trex_gui.ui.widgets.circuit import paint_chassis, write
 from trex_gui.ui.widgets.painted import Animation, Painted, Painter, never_mirror
 
 _TREADS, _TREADS_PER_SECOND = 7, 6.0  # per wheel; at full speed (assumed)
-_SIZE = 392.0, 300.0  # of the drawing, in units of the rectangles below
+_SIZE = 392.0, 300.0  # size of the drawing, in the units of the rectangles below
 _WHEEL, _CHASSIS = QRectF(0, 30, 60, 240), QRectF(86, 0, 220, 300)
-_LEFT_PARTS = {True: QRectF(7, 50, 46, 86), False: QRectF(7, 164, 46, 86)}  # key: forward
+_LEFT_PARTS = {True: QRectF(7, 50, 46, 86), False: QRectF(7, 164, 46, 86)}  # True: forward half
 MOVEMENTS = {  # in Tab order
     Movement.LEFT_FORWARD: tr_noop("Left wheel, forward"),
     Movement.RIGHT_FORWARD: tr_noop("Right wheel, forward"),
@@ -56,9 +56,9 @@ class WheelPart(QPushButton):
 
 
 class RobotView(Painted):
-    """Drawing of the robot and its turning wheels.
+    """Drawing of the robot with turning wheels.
 
-    `with_buttons` splits each wheel into two buttons.
+    If `with_buttons` is true, each wheel consists of two buttons.
     """
 
     wheel_clicked = Signal(object)  # `Movement`
@@ -68,7 +68,7 @@ class RobotView(Painted):
         self.setAccessibleName(tr("The robot from above"))
         self._amounts = dict.fromkeys(Side, 0.0)
         self._colors = dict.fromkeys(Side, "outline")
-        self._shifts = dict.fromkeys(Side, 0.0)  # of the treads, in tread spacings
+        self._shifts = dict.fromkeys(Side, 0.0)  # shift of the treads, in tread spacings
         self._motion = Animation(self, self._on_frame)
         movements = [movement for movement in MOVEMENTS if movement.side] if with_buttons else []
         self._parts = {movement: WheelPart(movement, self) for movement in movements}
@@ -77,7 +77,7 @@ class RobotView(Painted):
         follow_theme(self, "space", self.updateGeometry)
 
     def show_wheel(self, side: Side, amount: float, color: str = "outline") -> None:
-        """Show a wheel turning at `amount`, from -1 to 1."""
+        """Show a wheel that turns at a speed of `amount`, from -1 to 1."""
         if (amount, color) != (self._amounts[side], self._colors[side]):
             self._amounts[side], self._colors[side] = amount, color
             self.update()
@@ -105,7 +105,7 @@ class RobotView(Painted):
     def minimumSizeHint(self) -> QSize:
         return self.sizeHint() / 2
 
-    def robot_place(self) -> QRectF:
+    def robot_area(self) -> QRectF:
         scale = min(self.width() / _SIZE[0], self.height() / _SIZE[1])
         area = QRectF(0, 0, _SIZE[0] * scale, _SIZE[1] * scale).adjusted(2, 2, -2, -2)
         area.moveCenter(QRectF(self.rect()).center())
@@ -113,21 +113,21 @@ class RobotView(Painted):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        area = self.robot_place()
+        area = self.robot_area()
         for movement, part in self._parts.items():
             part.setGeometry(_scaled(_LEFT_PARTS[movement.forward], area, movement.side).toRect())
 
     def paintEvent(self, event: QPaintEvent) -> None:
         del event
         with Painter(self) as painter:
-            area = self.robot_place()
+            area = self.robot_area()
             self.paint_robot(painter, area)
             word = _scaled(_CHASSIS, area).adjusted(0, area.height() / 12, 0, 0)
             word.setHeight(self.fontMetrics().height())
             write(painter, word, tr("front"), "muted", align=Qt.AlignmentFlag.AlignHCenter)
 
     def paint_robot(self, painter: QPainter, area: QRectF) -> None:
-        """Paint the chassis and wheels. Run the animation while a wheel turns."""
+        """Paint the chassis and the wheels. Run the animation while a wheel turns."""
         paint_chassis(painter, _scaled(_CHASSIS, area))
         for side in self._amounts:
             self._paint_wheel(painter, side, _scaled(_WHEEL, area, side))
@@ -169,7 +169,7 @@ def _scaled(part: QRectF, area: QRectF, side: Side | None = Side.LEFT) -> QRectF
 
 
 def _paint_arrow(painter: QPainter, box: QRectF, amount: float, color: str) -> None:
-    """Paint an arrow with a length proportional to `amount`. Negative amounts point down."""
+    """Paint an arrow. Its length is proportional to `amount`. A negative `amount` points down."""
     up = 1 if amount > 0 else -1
     head = min(box.width() * 0.3, box.height() * 0.2)
     length = max(box.height() * 0.85 * min(abs(amount), 1), 2 * head) / 2

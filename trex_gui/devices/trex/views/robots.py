@@ -1,4 +1,4 @@
-"""Dialog for the boards that are served on the network."""
+"""Dialog for boards that are served on the network."""
 
 from collections.abc import Callable
 from functools import partial
@@ -33,12 +33,12 @@ class RobotsDialog(ReusedDialog):
     ) -> None:
         """Create the dialog.
 
-        `connect` is called with a URL, `set_served` with a mapping of URLs to labels.
+        `connect` is called with a URL. `set_served` is called with a mapping of URLs to labels.
         """
         super().__init__(parent)
         self._device, self._connect, self._set_served = device, connect, set_served
         self._rows: list[dict[str, Any]] = []
-        self._robots = Robots()  # keeps connections open, so that a stop is not delayed
+        self._robots = Robots()  # keeps the connections open, so that a stop is not delayed
         self.setObjectName("robotsDialog")
         self.setWindowTitle(title_of(tr("Robots on the net&work…")))
         resize_with_font(self, 820, 420)
@@ -58,11 +58,11 @@ class RobotsDialog(ReusedDialog):
         self._search = ui.button(
             bar, "findRobots", tr("&Search again"), default=False, on_click=self.search
         )
-        self._use = ui.button(
+        self._connect_button = ui.button(
             bar, "connectRobot", tr("&Connect"), default=True, on_click=self._on_connect
         )
         close = ui.button(bar, "closeRobots", tr("Close"), default=False, on_click=self.close)
-        bar.fill(self._stop_all, bar.armed, 1, self._search, close, self._use)
+        bar.fill(self._stop_all, bar.armed, 1, self._search, close, self._connect_button)
         ui.column(Muted(about, self), (self._table, 1), self._note, bar, into=self)
         self.finished.connect(self._on_finished)
         self._table.itemSelectionChanged.connect(self._on_selected)
@@ -106,7 +106,7 @@ class RobotsDialog(ReusedDialog):
 
     @Slot()
     def _on_selected(self) -> None:
-        self._use.setEnabled(bool(self._rows) and self._table.currentRow() >= 0)
+        self._connect_button.setEnabled(bool(self._rows) and self._table.currentRow() >= 0)
         self._stop_all.setEnabled(bool(self._rows))
 
     @Slot()
@@ -117,7 +117,7 @@ class RobotsDialog(ReusedDialog):
 
     @Slot()
     def _on_stop_all(self) -> None:
-        self._device.press_stop()  # without delay
+        self._device.press_stop()  # the board of this window stops without delay
         urls = [row["url"] for row in self._rows]
         self._note.show_note(tr("Stopping …"))
         in_background(self, partial(self._robots.stop, urls), self._on_stopped, self._on_failed)

@@ -62,12 +62,12 @@ class SettingsCommands(QObject):
 
     @Slot()
     def close_if_verified(self) -> None:
-        """Close the review if its result requires no action."""
+        """Close the review if its result requires no action by the user."""
         self._review.close_if_verified()
 
     @Slot()
-    def guide(self) -> None:
-        self._power.guide()
+    def show_power_cycle(self) -> None:
+        self._power.start()
 
     @Slot(object)
     def _on_applied(self, results: tuple[WriteResult, ...]) -> None:
@@ -80,13 +80,13 @@ class SettingsCommands(QObject):
             return
         notifier.cleared.emit()
         if any(result.key == ParameterKey.FACTORY_RESET for result in results):
-            self.guide()
+            self.show_power_cycle()
         elif not self._review.dialog.isVisible():
             notifier.info.emit(tr("%n setting(s) written and verified.", "", len(results)))
 
     @Slot()
     def reload(self) -> None:
-        """Read the settings from the board. Prompts first if there are edits."""
+        """Read the settings from the board. Prompt first if there are edits."""
         device = self._device
 
         def discard_and_reload() -> None:
@@ -106,7 +106,7 @@ class SettingsCommands(QObject):
         """Propose CRC-7 as an edit of the stored line settings."""
         key, parameters = ParameterKey.UART_SETTINGS, self._device.parameters
         if parameters.values.stored.get(key) != parameters.values.active_of(key):
-            self.guide()
+            self.show_power_cycle()
             return
         self.parameter_requested.emit(key)
         wire = parameters.values.value_of(key)

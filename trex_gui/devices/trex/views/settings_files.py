@@ -29,7 +29,7 @@ from trex_gui.ui.widgets.placement import fit_on_screen, resize_with_font
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.settings_editor.window import SettingsEditor
 
-SAMPLES = {  # file name → purpose, which its first comment also states
+SAMPLES = {  # file name → purpose, as stated in the first comment of the file
     "autonomous_robot": tr_noop(
         "A robot without a driver: a computer on board drives it, and no one can catch it"
     ),
@@ -59,7 +59,7 @@ class SettingsFiles(QObject):
         self._prompt_and(self.open_file)
 
     def prompt_for_document(self, use: Callable[[SettingsDocument], object]) -> None:
-        """Prompt for a file and pass it to `use`, even if it has errors."""
+        """Prompt for a file and pass its document to `use`, even if the file has errors."""
         self._prompt_and(lambda path: self._open(path, use))
 
     def _prompt_and(self, use: Callable[[Path], object]) -> None:
@@ -106,7 +106,7 @@ class SettingsFiles(QObject):
                 yield tr("Sample: {0}").format(tr(SAMPLES[path.stem])), create
 
     def open_file(self, path: Path) -> None:
-        """Show the changes that a file would make. Without a board, edit the file."""
+        """Show the changes that a file would make. Without a board, open the file in an editor."""
         if self._device.state is None:
             self.edit_file(path)
         else:
@@ -127,7 +127,7 @@ class SettingsFiles(QObject):
             self.open_editor(document)
 
     def _raise_editor_of(self, path: Path) -> bool:
-        """Raise the window of a file. Return false if it has none."""
+        """Raise the editor of a file. Return false if the file has no editor."""
         for editor in self.editors:
             if editor.document.path == path:
                 _raise(editor)
@@ -187,7 +187,7 @@ class SettingsFiles(QObject):
     def _offer(
         self, document: SettingsDocument, side: str = "", edit: Callable[[], object] | None = None
     ) -> None:
-        """Show the changes that a document would make. `side` replaces the title *File*."""
+        """Show the changes that a document would make. `side` replaces the heading *File*."""
         if self._load_dialog is not None:
             self._load_dialog.close()
         self._load_dialog = dialog = load_dialog(
@@ -213,9 +213,9 @@ class SettingsFiles(QObject):
         self.staged.emit()
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        """Return whether the windows may close now. Prompts for unsaved changes.
+        """Return whether the windows may close now. Prompt first if there are unsaved changes.
 
-        `leave` is called after the changes are saved.
+        `leave` is called after the changes have been saved.
         """
         unfinished = ", ".join(path.name for path in self.shown.saving)
         if unfinished and not file_questions.may_leave_unfinished(self._window, unfinished):

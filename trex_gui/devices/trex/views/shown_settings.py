@@ -27,7 +27,10 @@ from trex_gui.ui.widgets import file_questions
 
 
 class ShownSettings(QObject):
-    """Saves and exports the displayed settings, including edits, in the background."""
+    """Save and export commands for the displayed settings, including edits.
+
+    Files are written in the background.
+    """
 
     saved = Signal(object)  # `Path` of a settings file
 
@@ -62,7 +65,7 @@ class ShownSettings(QObject):
             self.export_file(path, languages.get(path.suffix.lower(), filters[kind]))
 
     def export_file(self, path: Path, language: Language) -> None:
-        """Write a program that applies the settings and drives the motors."""
+        """Export the source code of a program that applies the settings and drives the motors."""
         settings, link = self._device.draft.shown, self._device.settings
         if settings is None or link is None:
             return
@@ -83,8 +86,8 @@ class ShownSettings(QObject):
     def save_file(self, path: Path, then: Callable[[], object] = lambda: None) -> None:
         """Save the settings, then call `then`.
 
-        In an existing file, only values change. Comments and the calibrations of the other input
-        source remain.
+        In an existing file, only the values change. The comments remain, and so do the
+        calibrations of the other input source.
         """
         settings = self._device.draft.shown
         if settings is None:
@@ -136,7 +139,7 @@ class ShownSettings(QObject):
     ) -> tuple[str | None, str]:
         """Return the text to write, and a note on hidden calibrations.
 
-        The text is `None` if the user cancelled.
+        The text is `None` if the user has cancelled.
 
         Raises:
             SettingsError, BadRequest: the settings cannot be written.

@@ -8,12 +8,17 @@ from trex_gui.ui.widgets.circuit import Jumper
 
 def ttl_wiring() -> Wires:
     return Wires(
-        tr("TReX"), tr("Adapter"), (("TX", "SI"), ("RX", "SO"), ("GND", "GND")), _to_connect()
+        tr("TReX"),
+        tr("Adapter"),
+        (("TX", "SI"), ("RX", "SO"), ("GND", "GND")),
+        _jumpers_to_remove(),
     )
 
 
 def start_texts() -> StartTexts:
-    """Return the wiring of a TTL adapter, an RS-232 adapter and a receiver.
+    """Return the texts of the start page, with three kinds of wiring.
+
+    The board is wired to a TTL adapter, an RS-232 adapter or a receiver.
 
     Ref: reference, sections 4 (levels) and 7 (BEC and mode jumpers).
     """
@@ -21,7 +26,7 @@ def start_texts() -> StartTexts:
         tr("TReX"),
         tr("RS-232 port"),
         (("TX, pin 3", "RX"), ("RX, pin 2", "TX"), ("GND, pin 5", "GND")),
-        _to_connect(),
+        _jumpers_to_remove(),
     )
     receiver = Wires(
         tr("TReX"),
@@ -52,5 +57,5 @@ def start_texts() -> StartTexts:
     )
 
 
-def _to_connect() -> tuple[Jumper, ...]:
+def _jumpers_to_remove() -> tuple[Jumper, ...]:
     return (tr("Mode: take it off"), False), (tr("SO–G: take it off"), False)

@@ -23,7 +23,7 @@ _GAP = 16
 
 
 class Page(QWidget):
-    """Page of a step. `side` is the content of the card beside it."""
+    """Page of a step. `side` is the content of the card beside the page."""
 
     def __init__(self, name: str, heading: str = "") -> None:
         super().__init__()
@@ -33,7 +33,7 @@ class Page(QWidget):
         self.side.hide()
 
     def refresh(self) -> None:
-        """Update the page. Called before the page is shown and at each change."""
+        """Update the page. The dialog calls this before it shows the page and at each change."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +46,7 @@ class Shown:
     page: Page
     note: str = ""  # below `page.side`
     is_alarming: bool = False
-    undone: Collection[str] = ()  # titles of earlier steps that are not done
+    undone: Collection[str] = ()  # titles of earlier steps that are not complete
     next: str = ""
     may_go_on: bool = True
     may_go_back: bool = False
@@ -57,7 +57,7 @@ class Shown:
 
 class Flow(QObject):
     changed = Signal()
-    opened = Signal(bool)  # True: activate the dialog
+    opened = Signal(bool)  # true if the dialog must be activated
     closed = Signal()  # the task has ended
 
     name = ""  # prefix of the object names
@@ -67,7 +67,7 @@ class Flow(QObject):
         self.opened.emit(True)
 
     def add_buttons(self, parent: QWidget) -> Sequence[QPushButton]:
-        """Create the buttons of this task besides Back, Skip and Next."""
+        """Create the task's own buttons, in addition to Back, Skip and Next."""
         del parent
         return ()
 
@@ -81,7 +81,7 @@ class Flow(QObject):
     def next(self) -> None: ...
 
     def on_hidden(self, *, closed: bool) -> None:
-        """Stop actions that need a visible dialog. `closed`: false if it was only minimized."""
+        """Stop actions that need a visible dialog. `closed` is false if it was only minimized."""
 
 
 class _Body(QWidget):
@@ -96,7 +96,7 @@ class _Body(QWidget):
         self._page: Page | None = None
 
     def show_page(self, page: Page) -> bool:
-        """Show a page. Return false if it was already visible."""
+        """Show a page. Return false if the page was already visible."""
         if page is self._page:
             return False
         if self._drawing.indexOf(page) < 0:
@@ -132,7 +132,7 @@ class _Body(QWidget):
 
 
 class Steps(ReusedDialog):
-    stays_on_stop = True  # a stop must not lose answers or measurements
+    stays_on_stop = True  # a stop must not discard answers or measurements
 
     def __init__(self, device: Device, flow: Flow, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -214,11 +214,11 @@ class Steps(ReusedDialog):
         self._step_buttons.setVisible(bool(shown.next) or shown.may_go_back or shown.may_skip)
         self._close.setDefault(shown.closes)
         set_look(self._close, "primary" if shown.closes else "")
-        is_free = focused in {None, self, *step_buttons} and not (
+        may_move_focus = focused in {None, self, *step_buttons} and not (
             isinstance(focused, QAbstractButton) and self._is_usable(focused)
         )
-        if is_free or (is_new and focused not in step_buttons):
-            # While Next is disabled, Enter must not press Close. After an alarm, it presses Skip.
+        if may_move_focus or (is_new and focused not in step_buttons):
+            # Enter must not press Close while Next is disabled. After an alarm, it presses Skip.
             skip = [self._skip] if shown.is_alarming else []
             buttons = [self._close] if shown.closes else [self._next, *skip]
             fallback = shown.page.focusProxy() or self

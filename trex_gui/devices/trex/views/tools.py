@@ -1,4 +1,7 @@
-"""Windows other than the pages. Imported when the first window is opened."""
+"""Windows other than the pages.
+
+This module is imported when the first of these windows is opened.
+"""
 
 from collections.abc import Callable
 from dataclasses import dataclass

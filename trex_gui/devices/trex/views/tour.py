@@ -8,8 +8,9 @@ from trex_gui.devices.trex.protocol.flags import CHANNELS
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.tour import Tour, TourStep
 
-SETUP_STEPS = ("driver", "jumpers", "sticks", "motors", "limits", "review")  # with one stick
-_HOLD_S = 1.2  # the end of a stick's travel counts as reached after one second
+# Steps of the set-up for a robot that is driven with one stick.
+SETUP_STEPS = ("driver", "jumpers", "sticks", "motors", "limits", "review")
+_HOLD_S = 1.2  # a stick must be held for one second at each end of its travel
 
 
 def tour_steps(tour: Tour, controller: TrexController) -> Iterator[TourStep]:
@@ -33,7 +34,7 @@ def tour_steps(tour: Tour, controller: TrexController) -> Iterator[TourStep]:
         yield from tour.wait(_HOLD_S)
 
     def is_reached(page: str) -> bool:
-        """Return whether a page is visible. If it is not, try again, since a stop takes time."""
+        """Return true if a page is visible. Otherwise try again, because a stop takes time."""
         return tour.is_visible(page) or (tour.press("learnAgainButton") and False)
 
     yield drive

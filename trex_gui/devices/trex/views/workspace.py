@@ -56,7 +56,7 @@ if TYPE_CHECKING:
 
 
 class TrexWorkspace(Workspace):
-    """Main window content for a TReX. Stores no device state."""
+    """Content of the main window for a TReX. It stores no device state."""
 
     _parameter_shown = Signal(object)  # parameter key
 
@@ -122,7 +122,7 @@ class TrexWorkspace(Workspace):
             boards.changed,
         ):
             changed.connect(self._on_actions_changed)
-        self._undo_watch = device.draft.undo.indexChanged.connect(self._on_actions_changed)
+        self._undo_connection = device.draft.undo.indexChanged.connect(self._on_actions_changed)
 
     def _create_board_page(self, parent: QWidget) -> QWidget:
         start = partial(StartPanel, start_texts(), self._frame, self)
@@ -135,7 +135,7 @@ class TrexWorkspace(Workspace):
         from trex_gui.devices.trex.views.pages.channels.page import ChannelsPage  # noqa: PLC0415
 
         page = ChannelsPage(self._device, self._linter, parent)
-        page.power_cycle_requested.connect(self._settings.guide)
+        page.power_cycle_requested.connect(self._settings.show_power_cycle)
         page.learn_requested.connect(self._learn)
         page.test_requested.connect(self._test_sticks)
         return page
@@ -153,7 +153,7 @@ class TrexWorkspace(Workspace):
 
     def _create_parameters_page(self, parent: QWidget) -> QWidget:
         page = ParametersPage(self._device, self._linter, parent)
-        page.power_cycle_requested.connect(self._settings.guide)
+        page.power_cycle_requested.connect(self._settings.show_power_cycle)
         self._parameter_shown.connect(page.table.show_parameter)
         return page
 
@@ -186,7 +186,7 @@ class TrexWorkspace(Workspace):
         from trex_gui.devices.trex.model.learning.learning import Learning  # noqa: PLC0415
 
         learning = Learning(self._device, self)
-        # Queued, so that the review has its result before the stick test.
+        # Queued, so that the review receives its result before the stick test starts.
         queued = Qt.ConnectionType.QueuedConnection
         learning.stored.connect(self._settings.close_if_verified, queued)
         learning.started.connect(self._controller.demo_board.center_sticks)
@@ -222,7 +222,7 @@ class TrexWorkspace(Workspace):
 
     def findables(self) -> Iterator[Findable]:
         model = self._device.parameters
-        if not model.count:  # no board has been connected yet
+        if not model.count:  # before the first connection
             model = ParameterModel()
             model.load(parameters_of("trex", "1.3"), {}, {}, power_cycled=False)
         for row in model.rows:
@@ -235,7 +235,7 @@ class TrexWorkspace(Workspace):
         device, files, shown = self._device, self.files, self.files.shown
         keys = QKeySequence.StandardKey
         settings = self._settings
-        reload, review, activate = settings.reload, settings.review, settings.guide
+        reload, review, activate = settings.reload, settings.review, settings.show_power_cycle
         tool = self._open
         provision, check_board = partial(tool, "provision"), partial(tool, "check_board")
         factory = partial(settings.review_defaults, serial_only=False)
@@ -361,7 +361,7 @@ class TrexWorkspace(Workspace):
         return self._close_prompt.may_close(leave)
 
     def prepare_to_close(self) -> None:
-        QObject.disconnect(self._undo_watch)  # a destroyed undo stack also emits
+        QObject.disconnect(self._undo_connection)  # an undo stack also emits while it is destroyed
         if not self._close_prompt.keeps_edits:
             self._device.edit_backup.discard()
         children = Qt.FindChildOption.FindDirectChildrenOnly

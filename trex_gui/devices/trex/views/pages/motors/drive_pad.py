@@ -134,8 +134,8 @@ class DrivePad(RobotView):
     def _border(self) -> int:
         return _MARGIN + QFontMetrics(self._small_font()).height()
 
-    def robot_place(self) -> QRectF:
-        field, area = self._field(), super().robot_place()
+    def robot_area(self) -> QRectF:
+        field, area = self._field(), super().robot_area()
         size = area.size() * (field.height() * _ROBOT / max(area.height(), 1))
         return QRectF(field.center() - QPointF(size.width(), size.height()) / 2, size)
 
@@ -185,7 +185,7 @@ class DrivePad(RobotView):
             painter.setPen(QPen(color("highlight" if focus else "track_edge"), 2 if focus else 1))
             painter.setBrush(color("track" if active else "track_off"))
             painter.drawEllipse(field)
-            self.paint_robot(painter, self.robot_place())
+            self.paint_robot(painter, self.robot_area())
             self._paint_words(painter, field)
             if active:
                 self._paint_knob(painter, field)
@@ -193,7 +193,7 @@ class DrivePad(RobotView):
     def _paint_words(self, painter: QPainter, field: QRectF) -> None:
         painter.setFont(self._small_font())
         height = painter.fontMetrics().height()
-        below = (field.bottom() + self.robot_place().bottom() - height) / 2
+        below = (field.bottom() + self.robot_area().bottom() - height) / 2
         words = {field.top() - height - 2: tr("forward"), field.bottom() + 2: tr("back")}
         if self._ceiling < FULL_SCALE:
             share = 100 * self._ceiling / FULL_SCALE
