@@ -15,7 +15,7 @@ from trex_gui.core.texts import title_of
 from trex_gui.core.translation import tr, tr_noop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.document import SettingsDocument
-from trex_gui.devices.trex.protocol.device_table import Model, device_table
+from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.settings.document import Settings, factory_settings
 from trex_gui.devices.trex.views.changes.dialog import ChangesDialog
 from trex_gui.devices.trex.views.changes.files import load_dialog
@@ -99,7 +99,9 @@ class SettingsFiles(QObject):
         text = tr("Factory defaults of a {0}, firmware {1}")
         for model in device_table().models:
             for firmware in reversed(model.firmware):
-                yield text.format(model.name, firmware), partial(_factory_document, model, firmware)
+                defaults = factory_settings(model, firmware)
+                create = partial(_document, defaults, "Factory defaults.")
+                yield text.format(model.name, firmware), create
         for path in sorted(resource("samples").glob("*.txt")):
             if path.stem in SAMPLES:
                 create = partial(SettingsDocument, path.read_text(encoding="utf-8"), path.name)
@@ -258,10 +260,6 @@ class SettingsFiles(QObject):
 def _raise(editor: "SettingsEditor") -> None:
     editor.show()
     editor.activateWindow()
-
-
-def _factory_document(model: Model, firmware: str) -> SettingsDocument:
-    return _document(factory_settings(model, firmware), "Factory defaults.")
 
 
 def _document(settings: Settings, title: str) -> SettingsDocument:

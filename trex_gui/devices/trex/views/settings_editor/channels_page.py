@@ -1,4 +1,4 @@
-"""Page of the calibrations in a settings file."""
+"""Page with the calibrations in a settings file."""
 
 from functools import partial
 
@@ -57,7 +57,7 @@ class DocumentChannels(PlotPage):
     @Slot()
     def _show_channel(self) -> None:
         calibrations, options = self._draft.calibrations, self._card.options
-        for channel, strip in self._strips.of.items():
+        for channel, strip in self._strips.by_channel.items():
             key = CalibrationKey.of(self._source, channel)
             shown = calibrations.shown(key)
             problem = "" if shown is None else concern(shown, self._source)

@@ -1,4 +1,4 @@
-"""PDF file with tables of settings. Changed values are bold."""
+"""PDF file with tables of settings. Values other than the default are bold."""
 
 from collections.abc import Iterable, Mapping
 from datetime import datetime
@@ -15,14 +15,14 @@ from trex_gui.devices.trex.settings.document import Settings
 
 
 def settings_pdf(settings: Settings, name: str, remarks: Iterable[str]) -> bytes:
-    """Return the content of the PDF file. `remarks`: texts below the tables."""
+    """Return the content of the PDF file. `remarks` are texts below the tables."""
     buffer = QBuffer()
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
     writer = QPdfWriter(buffer)
     writer.setPageSize(QPageSize(QPageSize.PageSizeId.A4))
     writer.setTitle(name)
     settings_document(settings, name, remarks).print_(writer)
-    del writer  # completes the file
+    del writer  # this completes the file
     return bytes(buffer.data().data())
 
 

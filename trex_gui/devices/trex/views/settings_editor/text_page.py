@@ -22,11 +22,13 @@ from trex_gui.ui.widgets.painted import Painter
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _MARGIN = 6
-EDITOR_BREAK = re.compile("\r\n|[\n\r\u2029\ufdd0\ufdd1]")  # Qt's line ends, unlike YAML's
+EDITOR_BREAK = re.compile(
+    "\r\n|[\n\r\u2029\ufdd0\ufdd1]"
+)  # line ends in Qt, which differ from those in YAML
 
 
 def with_line_ends(lines: Sequence[str], before: str) -> str:
-    """Join the lines of an editor. Changed lines get the first line end of `before`."""
+    """Join the lines of an editor. Each changed line gets the first line end of `before`."""
     old_ends, old, new = EDITOR_BREAK.findall(before), EDITOR_BREAK.split(before), list(lines)
     if new == old:
         return before
@@ -49,7 +51,7 @@ def _common_length(first: list[str], second: list[str]) -> int:
 
 class TextPage(QWidget):
     checked = Signal()  # the text was checked again
-    repaired = Signal(object)  # tuple with a text for each repair; empty without repairs
+    repaired = Signal(object)  # tuple with a text for each repair, perhaps empty
 
     def __init__(self, document: SettingsDocument, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -85,12 +87,12 @@ class TextPage(QWidget):
         self._on_changed()
 
     def show_line(self, line: int) -> None:
-        """Show a line. `line`: line number in YAML, as in findings."""
+        """Show a line. `line` is a line number in YAML, as in findings."""
         self.editor.show_line(self._editor_lines([line])[line])
         self.editor.setFocus()
 
     def _editor_lines(self, lines: Iterable[int]) -> dict[int, int]:
-        """Return a mapping: line number in YAML → line number in the editor."""
+        """Return the line number in the editor for each line number in YAML."""
         text = self._document.text
         starts = [0, *(match.end() for match in LINE_END.finditer(text))]
         breaks = [match.end() for match in EDITOR_BREAK.finditer(text)]
@@ -108,12 +110,12 @@ class TextPage(QWidget):
         try:
             text, repairs = repair_values(document.text.encode("utf-8"), document.name)
         except SettingsError:
-            repairs = ()  # invalid YAML; the findings show its lines
+            repairs = ()  # the YAML is invalid, and the findings show the lines
         if repairs:
             cursor = QTextCursor(self.editor.document())  # undoable, unlike `setPlainText`
             cursor.select(QTextCursor.SelectionType.Document)
             cursor.insertText(text.removeprefix(BYTE_ORDER_MARK))
-            self._shown = text  # has line ends that the editor would change
+            self._shown = text  # the editor would change some of its line ends
             document.set_text(text)
         self._check_again()
         self.repaired.emit(repairs)
@@ -186,7 +188,7 @@ class NumberedText(QPlainTextEdit):
 
     @property
     def lines(self) -> list[str]:
-        """Lines of the text, with no-break spaces, which `toPlainText` would replace."""
+        """Lines of the text. No-break spaces remain, which `toPlainText` would replace."""
         return self.document().toRawText().split("\u2029")
 
     def mark(self, lines: Mapping[int, str]) -> None:

@@ -37,7 +37,7 @@ _TOOL_BAR = ("new", "open", "save", SEPARATOR, "undo", "redo", SEPARATOR, "send"
 
 
 class SettingsEditor(QMainWindow):
-    send_requested = Signal()  # the user wants to send the settings to the board
+    send_requested = Signal()  # the user requests to send the settings to the board
     new_requested = Signal()
     open_requested = Signal()
     converted = Signal(object)  # `SettingsDocument` for another board
@@ -60,7 +60,7 @@ class SettingsEditor(QMainWindow):
         self._banner = Banner(self)
         self.tabs = named(QTabWidget(self), "editorTabs", accessible=tr("Pages"))
         self.tabs.setDocumentMode(True)
-        self.tabs.tabBar().setDrawBase(False)  # the tool bar already draws a line
+        self.tabs.tabBar().setDrawBase(False)  # the tool bar already draws this line
         parameters = ParameterTable(document.draft, self._linter, self)
         self._text = TextPage(document, self)
         frame = QWidget(self)
@@ -140,7 +140,7 @@ class SettingsEditor(QMainWindow):
         self.addToolBar(bar)
 
     def save(self) -> bool:
-        """Start saving the file. Return whether saving has started."""
+        """Start to save the file. Return whether saving has started."""
         path = self.document.path
         return self._prompt_and_save() if path is None else self.save_to(path, ask=True)
 
@@ -273,7 +273,7 @@ class SettingsEditor(QMainWindow):
         self._banner.show_news(" ".join(parts))
 
     def answer(self) -> SaveAnswer:
-        """Ask the user to save or discard unsaved changes."""
+        """Prompt the user to save or discard unsaved changes. Return the answer."""
         if self.document.modified:
             self.activateWindow()
         return self.saver.answer()
