@@ -1,4 +1,4 @@
-"""Steps of channel learning, or of a stick test."""
+"""Steps of channel learning and of the stick test."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -20,12 +20,12 @@ from trex_gui.devices.trex.views.robot_view import RobotView
 from trex_gui.devices.trex.views.steps import Flow, Page, Shown
 from trex_gui.ui.widgets import builders as ui
 
-# The stick test also has index 1. All other steps have index 0.
+# Index of the step in the strip. The stick test also has index 1, all other steps have index 0.
 _INDICES = {LearningStep.NEUTRAL: 1, LearningStep.TRAVEL: 2, LearningStep.REVIEW: 3}
 
 
 class LearnFlow(Flow):
-    """Steps of channel learning. Reopening the dialog continues learning in progress."""
+    """Steps of channel learning. Learning in progress resumes when the dialog is reopened."""
 
     size = 1040, 660
     apply_requested = Signal()  # the learned values became edits
@@ -33,7 +33,7 @@ class LearnFlow(Flow):
     def __init__(
         self, learning: Learning, parent: QObject | None = None, *, name: str = "learn"
     ) -> None:
-        """Create the flow. With another `name`, it belongs to a larger task and opens no test."""
+        """Create the flow. With another `name`, it is part of a larger task and starts no test."""
         super().__init__(parent)
         self.name = name
         self.learning = learning
@@ -47,11 +47,11 @@ class LearnFlow(Flow):
             learning.stored.connect(self._on_stored)
 
     def learn(self, channels: Sequence[int] = CHANNELS) -> None:
-        """Learn channels if no learning is in progress. Stops the motors first."""
+        """Stop the motors and learn channels, unless learning is already in progress."""
         self._open(partial(self.learning.start, channels))
 
     def test(self, channels: Sequence[int] = CHANNELS) -> None:
-        """Test the sticks with the stored values. Stops the motors first."""
+        """Stop the motors and test the sticks with the stored values."""
         self._open(partial(self.learning.start_test, channels))
 
     def _open(self, start: Callable[[], object]) -> None:
@@ -62,7 +62,7 @@ class LearnFlow(Flow):
 
     @property
     def is_learning(self) -> bool:
-        """True while measurements could be lost. False during a test."""
+        """True while measurements could be lost. It is false during a test."""
         ended = {LearningStep.ENDED, LearningStep.FAILED}
         return not self.learning.is_test and self.learning.step not in ended
 
@@ -172,7 +172,7 @@ class LearnFlow(Flow):
             case LearningStep.TRAVEL:
                 return ChannelRows(learning, "learnTravelPage", TravelRow, learning.channels)
             case LearningStep.REVIEW:
-                # pyqtgraph takes as long to load as Qt, so import it only when needed.
+                # pyqtgraph takes as long to load as Qt, so it is imported only when needed.
                 from trex_gui.devices.trex.views.learning import review_page  # noqa: PLC0415
 
                 return review_page.ReviewPage(learning)
@@ -198,7 +198,7 @@ class LearnFlow(Flow):
 
 
 def _status_note(learning: Learning) -> tuple[str, bool]:
-    """Return a note on the current step, and whether it is alarming."""
+    """Return the note on the current step, and true if the note is alarming."""
     if learning.inputs.stalled:
         text = tr("The board sends no measurements: the line is busy or disturbed. Waiting …")
         return text, True

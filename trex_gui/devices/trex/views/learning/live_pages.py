@@ -1,4 +1,4 @@
-"""Pages with live inputs: at rest, in motion, and in the stick test."""
+"""Pages with live inputs: sticks at rest, sticks in motion, and the stick test."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -27,7 +27,7 @@ from trex_gui.ui.widgets.labels import Muted, Note, Sign
 
 ChannelT = TypeVar("ChannelT", bound=LearnedChannel | StickTest)
 
-_TEXT_WIDTH = 24  # of the text beside a strip, in characters
+_TEXT_WIDTH = 24  # width of the text beside a strip, in characters
 _MIN_LINES = 3.2  # minimum height of a strip, in lines of text
 
 
@@ -57,7 +57,7 @@ class InputStrip(ChannelStrip):
         raw: int | None,
         output: int | None = None,
     ) -> None:
-        """Add a sample if it is new. `raw` is `None` if there is no signal."""
+        """Add a sample if its `time` is new. `raw` is `None` if there is no signal."""
         if (source, marks) != self._scale:
             self._scale = source, marks
             self.set_scale(source, marks)
@@ -140,7 +140,7 @@ class EndState(Enum):
     OPEN = "○", "muted", tr_noop("{0} end: not reached yet")
     HOLD = "▸", "window_text", tr_noop("{0} end: hold it there")
     DONE = "✓", "good", tr_noop("{0} end: reached")
-    NEEDLESS = "", "muted", tr_noop("{0} end: not needed")  # the switch reached its other end
+    NOT_NEEDED = "", "muted", tr_noop("{0} end: not needed")  # a switch reached its other end
 
 
 class EndSign(QLabel):
@@ -199,7 +199,7 @@ class TravelRow(ChannelRow[LearnedChannel]):
             elif way is travel.to_hold:
                 sign.show_state(EndState.HOLD)
             elif travel.is_enough and not reached[way]:
-                sign.show_state(EndState.NEEDLESS)
+                sign.show_state(EndState.NOT_NEEDED)
             else:
                 sign.show_state(EndState.OPEN)
 

@@ -1,4 +1,4 @@
-"""Set-up steps for stick directions and motor wiring."""
+"""Set-up steps for the stick directions and the motor wiring."""
 
 from functools import partial
 
@@ -118,7 +118,7 @@ class SticksPage(Page):
 
 
 class WiringPage(Page):
-    """Page for the motor wiring. The layout does not shift while motors are armed."""
+    """Page for the motor wiring. While motors are armed, the layout does not shift."""
 
     def __init__(self, device: Device, setup: RobotSetup) -> None:
         super().__init__("setupWiringPage", tr("Hold a button, then click what moved"))

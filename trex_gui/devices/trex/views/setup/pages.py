@@ -80,6 +80,7 @@ class JumperPage(Page):
         self._picture.show_jumpers(is_mixed, moved=moved)
 
     def _mode_result(self) -> tuple[bool | None, str]:
+        """Return the result of the check, `None` if unknown, and a text for the user."""
         state = self._device.state
         if self._device.link is ConnectionState.NOT_RESPONDING:
             return None, tr("The board does not respond: it may be switched off.")
@@ -158,7 +159,7 @@ class LimitsPage(Page):
         self._hint.show_note(self._hint_text())
 
     def _show_ramps(self, preset: Preset | None) -> None:
-        """Show the ramps and values of a preset, or of the board if `None`."""
+        """Show the ramps and values of a preset, or those of the board if `preset` is `None`."""
         parameters = self._device.parameters
         values = parameters.values
         wire = values.stored if preset is None else preset.values(parameters.model_key)

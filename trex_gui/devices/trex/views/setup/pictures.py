@@ -18,7 +18,7 @@ from trex_gui.ui.widgets.painted import Painter
 ChoiceT = TypeVar("ChoiceT", bound=Enum | None)
 Paint = Callable[[QPainter, QRectF], None]
 
-_SPAN_S, _REVERSAL_S = 4.0, 2.0  # length of a curve, start of its reversal
+_SPAN_S, _REVERSAL_S = 4.0, 2.0  # seconds: length of the curve, start of the reversal
 
 
 class _Choice(QToolButton):
@@ -55,7 +55,7 @@ class _Choice(QToolButton):
 
 
 class Choices(QWidget):
-    chosen = Signal(object)  # key of the button
+    chosen = Signal(object)  # key of the button that the user has clicked
 
     def __init__(
         self, name: str, texts: Mapping[ChoiceT, str], parent: QWidget, *, columns: int
@@ -128,7 +128,7 @@ def paint_driver(driver: Driver, painter: QPainter, box: QRectF) -> None:
 def paint_ramp(ramp: float, brake: float, painter: QPainter, box: QRectF) -> None:
     """Paint the speed during a start and a reversal.
 
-    `ramp`: seconds to full speed. `brake`: seconds of braking.
+    `ramp` is the time to full speed, `brake` the duration of braking, both in seconds.
     """
 
     def point(seconds: float, speed: float) -> QPointF:
