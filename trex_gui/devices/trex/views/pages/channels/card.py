@@ -1,4 +1,4 @@
-"""Card of a channel of a board or file: curve, fields, options and note."""
+"""Card of one channel, for a board or a file: curve, fields, options and note."""
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
@@ -27,7 +27,7 @@ _SOURCES = (InputSource.RC, InputSource.ANALOG)
 
 
 class ChannelCard(Card):
-    source_chosen = Signal(object)  # `InputSource` of the tab that the user opened
+    source_chosen = Signal(object)  # `InputSource` of the tab that the user has opened
     released = Signal()  # the user released a handle of the curve
     rejected = Signal(str)  # reason why an edit was rejected, for the user
 
@@ -61,7 +61,7 @@ class ChannelCard(Card):
     def lay_out(
         self, beside: QWidget, above: Sequence[QWidget], live: QWidget, *buttons: QWidget
     ) -> None:
-        """Place the page's widgets beside the title, above the curve and around the note."""
+        """Place the page's widgets beside the title, above the curve and around the note field."""
         first, last = buttons
         title = row(self._title, (beside, 1), self.sources, spacing=12)
         legend = row((live, 1), *self._keys, spacing=16)
@@ -69,11 +69,11 @@ class ChannelCard(Card):
         parts = column(title, *above, legend, spacing=4), self.note, self._fields, self.options
         self._inside = column(*parts, below, into=self, spacing=6)
         for widget in (*above, self._fields, self.options, first, self._note_field, last):
-            widget.raise_()  # `tab_order` follows the order of the children
+            widget.raise_()  # for `tab_order`, which follows the order of the children
         tab_order(self)
 
     def add_plot(self) -> None:
-        """Add the curve plot, which imports pyqtgraph."""
+        """Add the curve plot. This imports pyqtgraph."""
         from trex_gui.devices.trex.views.pages.channels.curve_plot import CurvePlot  # noqa: PLC0415
 
         self.plot = plot = CurvePlot(self)

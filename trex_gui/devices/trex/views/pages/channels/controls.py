@@ -26,7 +26,7 @@ _SOURCE = ParameterKey.CHANNEL_INPUT_SOURCE
 class CalibrationFields(QWidget):
     """Four fields in µs, V or counts. Arrow keys change a value by one count."""
 
-    # Valid `Calibration` and the key of its undo step, `None` for a separate undo step
+    # valid `Calibration`, and the key of its undo step (`None` for a separate step)
     edited = Signal(object, object)
     rejected = Signal(str)  # reason why a value is invalid, for the user
 
@@ -35,7 +35,7 @@ class CalibrationFields(QWidget):
         self._source = InputSource.RC
         self._calibration: Calibration | None = None
         self._editors: dict[str, CountEditor] = {}
-        self._run = object()
+        self._undo_step = object()
         titles = {
             "minimum": tr("&Minimum"),
             "neutral": tr("Ne&utral"),
@@ -53,7 +53,7 @@ class CalibrationFields(QWidget):
             layout.addWidget(editor, 1, column)
             follow_theme(editor, "width", partial(_fit, editor))
             editor.valueChanged.connect(partial(self._on_value_changed, field))
-            editor.editingFinished.connect(self._on_run_ended)
+            editor.editingFinished.connect(self._on_step_ended)
             editor.rejected.connect(self.rejected)
             self._editors[field] = editor
 
@@ -79,18 +79,18 @@ class CalibrationFields(QWidget):
             self.show_calibration(self._source, calibration, editable=True)
             self.rejected.emit(problem)
         elif self._editors[field].stepping:
-            self.edited.emit(edited, self._run)
+            self.edited.emit(edited, self._undo_step)
         else:
-            self._on_run_ended()
+            self._on_step_ended()
             self.edited.emit(edited, None)
 
     @Slot()
-    def _on_run_ended(self) -> None:
-        self._run = object()
+    def _on_step_ended(self) -> None:
+        self._undo_step = object()
 
 
 def _fit(editor: CountEditor) -> None:
-    """Fit the minimum width to a typical value. Qt would reserve space for the widest value."""
+    """Fit the minimum width to a typical value. Qt alone would fit it to the widest value."""
     editor.setMinimumWidth(editor.fontMetrics().horizontalAdvance("0000 µs") + 44)
 
 
@@ -139,7 +139,7 @@ class ChannelOptions(QWidget):
     def show_channel(
         self, channel: int, source: InputSource, *, editable: bool, blocker: str = ""
     ) -> None:
-        """Show the options for an input source. `blocker`: reason why they are disabled."""
+        """Show the options for an input source. `blocker` is the reason why they are disabled."""
         self._channel, self._editable = channel, editable and not blocker
         self._blocker = blocker
         self._boxes[ParameterKey.REQUIRED_CHANNELS].setVisible(source is InputSource.RC)
@@ -156,7 +156,7 @@ class ChannelOptions(QWidget):
         )
 
     def _bit(self, key: str, channel: int, *, stored: bool = False) -> bool:
-        """Return a channel's bit in a mask. False if the mask is unknown."""
+        """Return a channel's bit in a mask, or false if the mask is unknown."""
         if not self._parameters.values.can_edit(key):
             return False
         read = self._parameters.values.stored.get if stored else self._parameters.values.value_of
@@ -174,7 +174,7 @@ class ChannelOptions(QWidget):
 
     @Slot()
     def _refresh(self) -> None:
-        """Show the options as they will be after Apply, with edited options in bold."""
+        """Show the options as they will be after Apply. Edited options are bold."""
         for key, box in self._boxes.items():
             with QSignalBlocker(box):
                 box.setChecked(self._bit(key, self._channel))
@@ -212,7 +212,7 @@ class OtherSource(QWidget):
         self._cycle.clicked.connect(self.power_cycle_requested)
 
     def show_source(self, source: InputSource, mode: Mode, known: Known | None) -> None:
-        """Describe the inactive input source. `known`: the last reading of its values."""
+        """Describe the inactive input source. `known` is the last reading of its values."""
         parameters = self._device.parameters
         self._source = source
         name, wire = tr(channel_text.SOURCE_NAMES[source]), int(source is InputSource.ANALOG)

@@ -1,4 +1,4 @@
-"""Handles and switch threshold over the curve of a channel."""
+"""Handles and switch threshold, drawn over the curve of a channel."""
 
 from dataclasses import dataclass
 
@@ -72,7 +72,7 @@ class HandleLayer(QGraphicsObject):
         self.update()
 
     def set_editable(self, editable: bool) -> None:
-        """Show grips if editable. Otherwise release the held handle and show only lines."""
+        """Show grips if the curve is editable. Otherwise release the held handle and hide grips."""
         if not editable:
             self.release()
         self._editable = editable
@@ -159,7 +159,7 @@ class HandleLayer(QGraphicsObject):
         active = handle is self._active
         color = theme().color("pointer" if active else "neutral" if handle.is_deadband else "mark")
         style = Qt.PenStyle.SolidLine if active else Qt.PenStyle.DotLine
-        if active or not handle.is_deadband:  # the deadband shows its own limits
+        if active or not handle.is_deadband:  # the filled deadband already shows these limits
             self._paint_line(painter, x, QPen(color, 2 if active else 1, style))
         if not self._editable:
             return
@@ -179,11 +179,11 @@ class HandleLayer(QGraphicsObject):
         order = sorted(_MAIN, key=lambda handle: self._positions[handle])
         widths = [self._width(self._names[handle]) for handle in order]
         positions = [self._positions[handle] for handle in order]
-        centres = spread(positions, widths, frame.left(), frame.right() + 60, 10)
+        centers = spread(positions, widths, frame.left(), frame.right() + 60, 10)
         top = frame.top() - GRIP - height - 2
-        for handle, width, centre in zip(order, widths, centres or (), strict=False):
+        for handle, width, center_x in zip(order, widths, centers or (), strict=False):
             color = theme().color("pointer" if handle is self._active else "plot_text")
-            box = QRectF(centre - width / 2, top, width + 1, height)
+            box = QRectF(center_x - width / 2, top, width + 1, height)
             self._paint_text(painter, box, self._names[handle], QPen(color))
         muted, name = QPen(theme().color("muted")), tr("deadband")
         left = max(self._positions[handle] for handle in _EDGES) + GRIP + 3

@@ -21,11 +21,11 @@ from trex_gui.ui.widgets.bar import MINUS
 from trex_gui.ui.widgets.builders import column
 from trex_gui.ui.widgets.painted import Painted
 
-_OUTPUT_REACH = FULL_SCALE + 14.0
-_DOT = 5.0
+_OUTPUT_REACH = FULL_SCALE + 14.0  # limit of the output axis in both directions
+_DOT = 5.0  # radius in pixels
 _WIDEST_X_LABEL = "5000 µs"
 _MIN_CURVE_LINES = 4
-_DRAG_MARGIN = {InputSource.RC: 125, InputSource.ANALOG: 0}  # counts beyond the outer handles
+_DRAG_MARGIN = {InputSource.RC: 125, InputSource.ANALOG: 0}  # counts outside the outer handles
 
 
 class CurvePlot(Painted):
@@ -35,13 +35,13 @@ class CurvePlot(Painted):
 
     previewed = Signal(object)  # `Calibration` at the position of the held handle
     released = Signal()  # the held handle was released, even if it was not moved
-    edited = Signal(object)  # `Calibration` after a moved handle was released
+    edited = Signal(object)  # `Calibration` after the user has moved and released a handle
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._source = InputSource.RC
         self._channel = 1
-        self.axis = DEFAULT_AXIS[self._source]  # raw counts at both ends
+        self.axis = DEFAULT_AXIS[self._source]  # raw counts at both ends of the axis
         self._stored: ChannelCurve | None = None
         self._shown: ChannelCurve | None = None
         self._preview: ChannelCurve | None = None
@@ -60,7 +60,7 @@ class CurvePlot(Painted):
         self._dot.setFlag(QGraphicsItem.GraphicsItemFlag.ItemIgnoresTransformations)
         self._dot.setZValue(60)
         self._canvas.add_item(self._dot)
-        self.handles = HandleLayer(self._canvas.small_font())  # over the curve
+        self.handles = HandleLayer(self._canvas.small_font())  # drawn over the curve
         self._canvas.add_overlay(self.handles)
         column(self._canvas, into=self, margins=0)
 
@@ -81,7 +81,7 @@ class CurvePlot(Painted):
         *,
         editable: bool,
     ) -> None:
-        """Show the curve on the board (`stored`) and the curve after Apply (`shown`)."""
+        """Show the curve that the board stores now (`stored`) and after Apply (`shown`)."""
         if (channel, source) != (self._channel, self._source):
             self._cancel_drag()
             self._raw = None
@@ -196,7 +196,7 @@ class CurvePlot(Painted):
         count, input_limit = within_input(shown.calibration, handle, count, self._source)
         calibration, move_limit = moved(shown.calibration, handle, count)
         self._preview = replace(shown, calibration=calibration)
-        # Extend the axis to the handle, so that the handle follows the mouse.
+        # Extend the axis to the handle, so that the handle can follow the mouse.
         low, high = self.axis
         count = handle.count(calibration)
         if not low <= count <= high:

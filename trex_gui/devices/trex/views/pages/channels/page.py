@@ -1,4 +1,4 @@
-"""Page of the channels: live strips and the calibration of the selected channel."""
+"""Page of the channels: live strips, and the calibration of the selected channel."""
 
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -32,7 +32,7 @@ from trex_gui.ui.widgets.labels import PAGE_MARGINS, ElidedLabel, LiveLabel, Pag
 
 
 class ChannelsPage(PlotPage):
-    learn_requested = Signal(object)  # channels (1 to 5) to calibrate from stick movements
+    learn_requested = Signal(object)  # channels (1 to 5) to learn from stick movements
     test_requested = Signal()
     power_cycle_requested = Signal()
 
@@ -40,9 +40,9 @@ class ChannelsPage(PlotPage):
         super().__init__(parent)
         self.setObjectName("channelsPage")
         self._device = device
-        self.source = InputSource.RC  # input source of the shown calibrations
-        self._followed: InputSource | None = None  # last active source that was shown
-        self._control: bool | None = None  # `board.serial_controls` in the shown texts
+        self.source = InputSource.RC  # input source of the calibrations on this page
+        self._followed: InputSource | None = None  # active source that was last selected
+        self._serial_controls: bool | None = None  # `board.serial_controls` in the visible texts
         self._failures: dict[int, tuple[Calibration | None, str]] = {}
         self._rejection = ""
 
@@ -78,7 +78,7 @@ class ChannelsPage(PlotPage):
         self._strips.chosen.connect(self._refresh)
         learn_all.clicked.connect(lambda: self.learn_requested.emit(CHANNELS))
         self._learn.clicked.connect(lambda: self.learn_requested.emit((self.channel,)))
-        # Only findings about options: the note shows a `concern` about the calibration.
+        # Show only findings about options. The note shows a `concern` about the calibration.
         self._findings.follow(
             linter, lambda finding: not CHANNEL_OPTIONS.keys().isdisjoint(finding.keys)
         )
@@ -154,7 +154,7 @@ class ChannelsPage(PlotPage):
     @Slot()
     def _show_texts(self) -> None:
         device, channel, state = self._device, self.channel, self._device.state
-        self._control = device.board.serial_controls
+        self._serial_controls = device.board.serial_controls
         self._head.show_state(self._state_text())
         learned = role = ""
         if state is not None:
@@ -167,7 +167,7 @@ class ChannelsPage(PlotPage):
                 self._options.curve(channel, self._calibration()),
                 self.source,
                 joint=device.board.is_joint,
-                overridden=bool(self._control) and not state.mode.is_serial,
+                overridden=bool(self._serial_controls) and not state.mode.is_serial,
                 mixed=device.mix_jumper.is_on,
             )
         self._learned.show_text(learned)
@@ -185,7 +185,7 @@ class ChannelsPage(PlotPage):
         text = tr("Inputs are read as {0}. They control the motors.")
         if state.mode.is_serial:
             text = tr("Inputs are read as {0}. In serial mode they are only shown.")
-        elif self._control:
+        elif self._serial_controls:
             text = tr("Inputs are read as {0}. Serial commands override them now.")
         return text.format(source)
 
@@ -214,7 +214,7 @@ class ChannelsPage(PlotPage):
 
     def _show_marks(self) -> None:
         calibrations = self._device.calibrations
-        for channel, strip in self._strips.of.items():
+        for channel, strip in self._strips.by_channel.items():
             shown = calibrations.shown(channel)
             strip.set_curve(calibrations.source, self._options.curve(channel, shown))
             problem = self._failure(channel)
@@ -234,7 +234,7 @@ class ChannelsPage(PlotPage):
         self._card.note.show_note(problem or hint, alarming=bool(problem))
 
     def _problem_text(self) -> str:
-        """Return a rejection, a write failure or a concern, or an empty text."""
+        """Return a rejection, a write failure or a concern, or else an empty text."""
         if self._rejection or not self._is_active:
             return self._rejection
         if failure := self._failure(self.channel):
@@ -262,7 +262,7 @@ class ChannelsPage(PlotPage):
     @Slot()
     @only_when_visible
     def _on_text_due(self) -> None:
-        if self._device.board.serial_controls is not self._control:
+        if self._device.board.serial_controls is not self._serial_controls:
             self._show_texts()
         text, plot = "", self._card.plot
         if self._device.telemetry.raw is not None and self._is_active:

@@ -1,4 +1,4 @@
-"""Live strips of the channels, each with value, calibration bar and plot."""
+"""Live strips of the channels, each with a value, a calibration bar and a plot."""
 
 import math
 from collections.abc import Iterable
@@ -38,13 +38,13 @@ from trex_gui.ui.widgets.painted import Painter, never_mirror
 
 STRIP_SECONDS = 10.0
 _INTERVAL = 0.06  # seconds between redraws (two frames)
-_MAX_GAP = 0.5  # maximum seconds between samples that a line connects
-_PADDING, _GAP, _TRACK, _BEYOND = 10, 7, 8, 3  # pixels
+_MAX_GAP = 0.5  # maximum seconds between two samples that a line connects
+_PADDING, _GAP, _TRACK, _OVERHANG = 10, 7, 8, 3  # pixels
 _RIGHT = Qt.AlignmentFlag.AlignRight
 
 
 class ChannelStrip(QAbstractButton, Spoken):
-    """Selectable strip of a channel. Time runs to the right, counts run upwards."""
+    """Selectable strip of a channel. Time increases to the right, counts increase upwards."""
 
     spoken_role = QAccessible.Role.RadioButton
 
@@ -65,7 +65,7 @@ class ChannelStrip(QAbstractButton, Spoken):
         self._value = self._output = self._spoken = self._mark = ""
         self._newest = -math.inf  # time at the right edge
         self._is_broken = True  # True if the next point starts a new line
-        self.lines: list[QPolygonF] = []  # points (time, count), a new line after each gap
+        self.lines: list[QPolygonF] = []  # points (time, count); a new line starts after each gap
         theme().changed.connect(self.update)
 
     def set_curve(self, source: InputSource, curve: ChannelCurve | None) -> None:
@@ -146,7 +146,7 @@ class ChannelStrip(QAbstractButton, Spoken):
 
     def _bar_top(self) -> int:
         height = QFontMetrics(scaled_font(self.font(), 1.15)).height()
-        return _PADDING + height + _GAP - _BEYOND
+        return _PADDING + height + _GAP - _OVERHANG
 
     def sizeHint(self) -> QSize:
         return QSize(2 * self._width(self.font(), self._name), self._bar_top() * 3)
@@ -167,7 +167,7 @@ class ChannelStrip(QAbstractButton, Spoken):
             painter.drawRoundedRect(box, 10, 10)
             if event.rect().top() < self._bar_top():
                 self._paint_texts(painter, area)
-            track = QRectF(area.left(), self._bar_top() + _BEYOND, area.width(), _TRACK)
+            track = QRectF(area.left(), self._bar_top() + _OVERHANG, area.width(), _TRACK)
             paint_input(painter, track, self._axis, self._count, self._calibration)
             top = track.bottom() + _GAP
             self._paint_line(painter, QRectF(area.left(), top, area.width(), area.bottom() - top))
@@ -218,17 +218,17 @@ class ChannelStrips(QWidget):
     chosen = Signal()  # the user selected another channel
 
     def __init__(self, device: Device | None, parent: QWidget) -> None:
-        """`device`: source of live values, `None` for a settings file."""
+        """Create the strips. `device` is the source of live values, `None` for a settings file."""
         super().__init__(parent)
         named(self, "channelStrips", accessible=tr("Channels"))
         self._device = device
-        self._drawn_until = -math.inf  # time of the newest sample in the strips
+        self._drawn_until = -math.inf  # time of the newest drawn sample
         self.channel = 1
-        self.of = {channel: ChannelStrip(channel, self) for channel in CHANNELS}
-        self.of[self.channel].setChecked(True)
-        for channel, strip in self.of.items():
+        self.by_channel = {channel: ChannelStrip(channel, self) for channel in CHANNELS}
+        self.by_channel[self.channel].setChecked(True)
+        for channel, strip in self.by_channel.items():
             strip.toggled.connect(partial(self._on_toggled, channel))
-        column(*((strip, 1) for strip in self.of.values()), into=self, margins=0, spacing=8)
+        column(*((strip, 1) for strip in self.by_channel.values()), into=self, margins=0, spacing=8)
         if device is not None:
             device.telemetry.frame_due.connect(self._on_frame_due)
             device.telemetry.text_due.connect(self._on_text_due)
@@ -246,7 +246,7 @@ class ChannelStrips(QWidget):
 
     def _clear(self) -> None:
         self._drawn_until = -math.inf
-        for strip in self.of.values():
+        for strip in self.by_channel.values():
             strip.clear()
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -265,7 +265,7 @@ class ChannelStrips(QWidget):
         first = max(math.nextafter(self._drawn_until, math.inf), newest - STRIP_SECONDS)
         rows = inputs.rows(first, newest)
         times = inputs.times[rows].tolist()
-        for channel, strip in self.of.items():
+        for channel, strip in self.by_channel.items():
             strip.add_samples(times, inputs.values(channel - 1)[rows].tolist())
         self._drawn_until = newest
 
@@ -277,7 +277,7 @@ class ChannelStrips(QWidget):
         telemetry, source = self._device.telemetry, self._device.calibrations.source
         if telemetry.raw is None and self._drawn_until > -math.inf:
             self._clear()
-        for channel, strip in self.of.items():
+        for channel, strip in self.by_channel.items():
             if telemetry.raw is None:
                 strip.show_unknown()
             else:
