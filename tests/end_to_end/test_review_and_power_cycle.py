@@ -340,7 +340,7 @@ def test_arming_warns_about_the_serial_timeout(connected_window: WindowDriver) -
     window.open_page("parametersPage")
     window.wait(lambda: window.motors.is_available)
     window.motors.arm()
-    window.find(QTabBar, "parameterChoice").setCurrentIndex(ParameterChoice.FOUND)
+    window.find(QTabBar, "parameterChoice").setCurrentIndex(ParameterChoice.WITH_FINDINGS)
     window.click("parameterAccept0")
     assert window.device.parameters.values.value_of("serial_timeout") == 5
 

@@ -55,7 +55,7 @@ def test_not_default_filter_shows_changed_values(model: ParameterModel) -> None:
     model.edit("serial_timeout", FACTORY["serial_timeout"])
     model.edit("motor_mode", 1)
     assert keys(model, "", ParameterChoice.NOT_DEFAULT) == ["motor_mode"]
-    assert keys(model, "", ParameterChoice.FOUND, "device_number") == ["device_number"]
+    assert keys(model, "", ParameterChoice.WITH_FINDINGS, "device_number") == ["device_number"]
 
 
 def test_filters_are_combined(model: ParameterModel) -> None:

@@ -144,7 +144,7 @@ def test_reset_restores_the_default(parameters: ParametersDriver) -> None:
 
 def test_finding_is_accepted_only_while_rows_are_enabled(parameters: ParametersDriver) -> None:
     parameters.open_file(SPECS, ignored_channels=1, required_channels=1)
-    parameters.find(QTabBar, "parameterChoice").setCurrentIndex(ParameterChoice.FOUND)
+    parameters.find(QTabBar, "parameterChoice").setCurrentIndex(ParameterChoice.WITH_FINDINGS)
     parameters.wait(lambda: parameters.has("parameterFinding0"))
     assert parameters.current == "required_channels"
     assert "Set Required Channels to none." in parameters.text("parameterFinding0")

@@ -38,7 +38,7 @@ class ParameterCard(ui.Card):
         self._model, self._view, self._can_edit = draft.parameters, view, True
         self._facts = facts = ui.named(QWidget(self), "parameterFacts")
         box, policy = ScrollBox(facts, self), QSizePolicy.Policy
-        box.setSizePolicy(policy.Preferred, policy.Maximum)  # no gap above the buttons
+        box.setSizePolicy(policy.Preferred, policy.Maximum)  # leaves no gap above the buttons
         self._heading = ui.label(facts, "parameterTitle", wrap=True, size="heading")
         self._value = ui.label(facts, "parameterValue", wrap=True, bold=True)
         self._picture = ParameterPicture(facts)
@@ -94,7 +94,7 @@ class ParameterCard(ui.Card):
         self._tools.setDirection(direction.LeftToRight if fits else direction.TopToBottom)
 
     def _wire_row(self, parent: QWidget) -> QWidget:
-        """Create the field for wire values beyond an inferred limit."""
+        """Create the field for wire values outside an inferred limit."""
         wire = ui.named(QWidget(parent), "parameterWire")
         text = tr("No document confirms this limit. The board may accept other values.")
         note = ui.label(wire, "wireNote", text, wrap=True)

@@ -47,12 +47,12 @@ from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.widgets.behaviour import ENTER
 from trex_gui.ui.widgets.builders import ComboBox, check_box, combo_box, plain, row
 
-_TOLERANCE = 1.01  # factor by which an entered frequency may exceed its limits
+_TOLERANCE = 1.01  # factor by which an entered frequency may lie outside its limits
 _ICON = 16  # pixels
 _SIGNS = {"warning": "warning", "edited": "dirty", "power": "icon"}  # icon → colour
 _UNTOUCHED = "untouched"
 _STEPS = QAbstractSpinBox.StepEnabledFlag
-_BOTH_WAYS = _STEPS.StepUpEnabled | _STEPS.StepDownEnabled
+_BOTH_STEPS = _STEPS.StepUpEnabled | _STEPS.StepDownEnabled
 
 
 class NumberEditor(UnitSpinBox):
@@ -85,7 +85,7 @@ class NumberEditor(UnitSpinBox):
 
 
 class AccelerationEditor(NumberEditor):
-    """Field for the time to full speed, or for speed steps such as `25 per 100 ms`."""
+    """Field for the time to full speed. It also accepts speed steps such as `25 per 100 ms`."""
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(spec, parent)
@@ -96,7 +96,7 @@ class AccelerationEditor(NumberEditor):
         return super()._physical_wire(f"{text} s" if BARE.fullmatch(text) else text)
 
     def stepBy(self, steps: int) -> None:
-        """Step through times, unless wire values are shown. 0 (no ramp) is the shortest time."""
+        """Step through times unless wire values are shown. The shortest time is 0 (no ramp)."""
         if self.own_first:
             super().stepBy(steps)
             return
@@ -107,7 +107,7 @@ class AccelerationEditor(NumberEditor):
         self.selectAll()
 
     def stepEnabled(self) -> QAbstractSpinBox.StepEnabledFlag:  # noqa: N802 # of Qt
-        return _BOTH_WAYS
+        return _BOTH_STEPS
 
 
 class FrequencyEditor(UnitSpinBox):
@@ -144,13 +144,15 @@ class FrequencyEditor(UnitSpinBox):
         self.selectAll()
 
     def stepEnabled(self) -> QAbstractSpinBox.StepEnabledFlag:  # noqa: N802 # of Qt
-        return _BOTH_WAYS
+        return _BOTH_STEPS
 
 
 class ChoiceEditor(ComboBox):
-    """Drop-down list of named values. An item is added for an unknown value."""
+    """Drop-down list of named values. An unknown value is added as an item."""
 
-    valueChanged = Signal(int)  # wire value that the user selected, even if it is unchanged
+    valueChanged = Signal(
+        int
+    )  # wire value after the user has selected an item, even the current item
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -169,7 +171,7 @@ class ChoiceEditor(ComboBox):
 
 
 class ChannelsEditor(QWidget):
-    valueChanged = Signal(int)  # wire value after the user clicked a box
+    valueChanged = Signal(int)  # wire value after the user has clicked a box
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -199,7 +201,7 @@ class ChannelsEditor(QWidget):
 
 
 class LineSettingsEditor(QWidget):
-    valueChanged = Signal(int)  # wire value after the user selected a setting, even if unchanged
+    valueChanged = Signal(int)  # wire value after each selection, even of the current item
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -280,7 +282,7 @@ def editor_for(spec: ParameterSpec, parent: QWidget | None = None) -> Editor:
 class ParameterDelegate(UnitDelegate):
     """Delegate of a `ParameterModel`.
 
-    The editor of a missing value shows the default. Enter or an edit stores the shown value.
+    The editor of a missing value shows the default. Enter or an edit stores this value.
     """
 
     def __init__(
@@ -303,7 +305,7 @@ class ParameterDelegate(UnitDelegate):
         def on_touched() -> None:
             editor.setProperty(_UNTOUCHED, False)
             if not isinstance(editor, UnitSpinBox):
-                self.commitData.emit(editor)  # a number is committed with Enter
+                self.commitData.emit(editor)  # Enter commits a number
 
         editor.valueChanged.connect(on_touched)
         if isinstance(editor, UnitSpinBox):
@@ -350,12 +352,12 @@ class ParameterDelegate(UnitDelegate):
         option.state &= ~QStyle.StateFlag.State_Selected  # `paint` shows the selection
         if index.data(ParameterRole.GROUP) is not None:
             option.state |= QStyle.StateFlag.State_Enabled
-            _write(option, "muted", bold=True)
+            _set_text_color(option, "muted", bold=True)
         elif index.column() != ParameterColumn.NAME:
             if index.data(ParameterRole.DIRTY):
-                _write(option, "dirty", bold=True)
+                _set_text_color(option, "dirty", bold=True)
             elif index.data(Qt.ItemDataRole.EditRole) is None:
-                _write(option, "muted")
+                _set_text_color(option, "muted")
 
     def sizeHint(self, option: QStyleOptionViewItem, index: Index) -> QSize:
         return super().sizeHint(option, index) + QSize(_ICON + 2, 0)
@@ -390,8 +392,8 @@ class ParameterDelegate(UnitDelegate):
         return "power" if index.data(ParameterRole.WAITING) is not None else ""
 
 
-def _write(option: QStyleOptionViewItem, color: str, *, bold: bool = False) -> None:
-    """Set the theme colour of text that is not disabled."""
+def _set_text_color(option: QStyleOptionViewItem, color: str, *, bold: bool = False) -> None:
+    """Set the theme colour of enabled text."""
     palette = QPalette(option.palette)
     for group in (QPalette.ColorGroup.Active, QPalette.ColorGroup.Inactive):
         palette.setColor(group, QPalette.ColorRole.Text, theme().color(color))

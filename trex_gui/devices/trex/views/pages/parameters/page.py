@@ -1,4 +1,4 @@
-"""Page of the parameters of a board or file: filters, table and card of the selection."""
+"""Page of the parameters of a board or a file: filters, table and card of the selection."""
 
 from PySide6.QtCore import QModelIndex, Qt, Signal, Slot
 from PySide6.QtWidgets import QTabBar, QVBoxLayout, QWidget
@@ -19,7 +19,7 @@ from trex_gui.ui.theme.theme import set_look
 from trex_gui.ui.widgets.builders import button, column, label, named, row, search_field
 from trex_gui.ui.widgets.labels import PageHead
 
-_FRAME = 20  # pixels for the frame of the search field
+_FRAME = 20  # pixels: frame of the search field
 
 
 class ParameterTable(QWidget):
@@ -70,13 +70,13 @@ class ParameterTable(QWidget):
         self._update_rows()
 
     def _no_match_note(self) -> QWidget:
-        viewport, centre = self._view.viewport(), Qt.AlignmentFlag.AlignCenter
+        viewport, center = self._view.viewport(), Qt.AlignmentFlag.AlignCenter
         note = named(QWidget(viewport), "noParameterMatches")
         text = label(note, text=tr("No parameter matches."))
         show_all = button(note, "showAllParameters", tr("&Show all parameters"))
         show_all.clicked.connect(self._show_all)
-        column((text, 0, centre), (show_all, 0, centre), into=note)
-        QVBoxLayout(viewport).addWidget(note, 0, centre)
+        column((text, 0, center), (show_all, 0, center), into=note)
+        QVBoxLayout(viewport).addWidget(note, 0, center)
         return note
 
     @Slot()
@@ -85,7 +85,7 @@ class ParameterTable(QWidget):
         self._choice.setCurrentIndex(ParameterChoice.ALL)
 
     def set_rows_enabled(self, enabled: bool) -> None:
-        """Enable or disable edits. Disabled rows can still be searched."""
+        """Enable or disable edits. The search still finds disabled rows."""
         self._view.setEnabled(enabled)
         self._card.set_can_edit(enabled)
 

@@ -21,20 +21,20 @@ from trex_gui.devices.trex.protocol.parameters import (
 from trex_gui.ui.theme.theme import follow_theme, theme
 from trex_gui.ui.widgets.painted import Painted, Painter
 
-Points = tuple[tuple[float, float], ...]  # x and y from 0 to 1, y upwards
+Points = tuple[tuple[float, float], ...]  # x and y from 0 to 1; y increases upwards
 
 _LINES = 7  # height in lines of text
 _MARGIN = 10  # pixels
 _SOLID, _DASHED = Qt.PenStyle.SolidLine, Qt.PenStyle.DashLine
 _DOTTED = Qt.PenStyle.DotLine
 _RC_LOSS_S = 0.5  # seconds until a required channel counts as lost
-_COLOURS = {"motor1": "motor1", "motor2": "motor2", "aux": "auxiliary"}
+_COLORS = {"motor1": "motor1", "motor2": "motor2", "aux": "auxiliary"}
 
 
 @dataclass(frozen=True, slots=True)
 class Stroke:
     points: Points
-    color: str = ""  # theme colour; empty: colour of the parameter
+    color: str = ""  # theme colour; if empty, the colour of the parameter
     style: Qt.PenStyle = _SOLID
 
 
@@ -44,18 +44,21 @@ class Picture:
     caption: str
     lines: tuple[Stroke, ...]
     area: tuple[float, float, float] | None = None  # left, right and height of a filled area
-    caption_position: tuple[float, float] = (0.5, 0.85)  # bottom centre of the caption
+    caption_position: tuple[float, float] = (
+        0.5,
+        0.85,
+    )  # position of the bottom centre of the caption
 
 
 def picture_of(key: str, values: ParameterValues) -> Picture | None:
-    """Return the drawing of a parameter. `None` if its effect or value is unknown."""
+    """Return the drawing of a parameter, or `None` if it has no drawing or no value."""
     kind = key.partition("_")[2] if motor_name(key) else key
     wire, draw = values.value_of(key), _PICTURES.get(kind)
     return None if draw is None or wire is None else draw(values.specs[key], wire, values)
 
 
 def _window(seconds: float, *steps: float) -> float:
-    """Return the first step at least 20 % above `seconds`, or else the last step."""
+    """Return the first step that is at least 20 % above `seconds`, or else the last step."""
     return next((step for step in steps if step >= 1.2 * seconds), steps[-1])
 
 
@@ -105,7 +108,7 @@ def _stop(
 ) -> Picture:
     """Draw a loss of signal.
 
-    `after`: seconds until the motors stop, by default the value of the parameter.
+    `after` is the time until the motors stop in seconds, by default the value of the parameter.
     """
     value, start = spec.text(wire), 0.3
     seconds = wire * spec.scale if after is None else after
@@ -155,7 +158,7 @@ class ParameterPicture(Painted):
 
     def show_parameter(self, key: str, values: ParameterValues) -> None:
         self.picture = picture_of(key, values) if key else None
-        self._color = _COLOURS.get(key.partition("_")[0], "bar")
+        self._color = _COLORS.get(key.partition("_")[0], "bar")
         self.setVisible(self.picture is not None)
         self.update()
 

@@ -27,21 +27,21 @@ from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.behaviour import ENTER, only_when_visible
 
 _EDIT_KEYS = ENTER | {Qt.Key.Key_Space, Qt.Key.Key_Select}
-_MIN_NAME_WIDTH = 20  # minimum width of the names in characters
+_MIN_NAME_WIDTH = 20  # minimum width of the name column in characters
 
 
 class ParameterChoice(IntEnum):
     ALL = 0
     CHANGED = auto()
     NOT_DEFAULT = auto()
-    FOUND = auto()
+    WITH_FINDINGS = auto()
 
 
 @dataclass(frozen=True, slots=True)
 class ParameterFilter:
-    words: tuple[str, ...] = ()  # lower case, searched in name, key and description
+    words: tuple[str, ...] = ()  # in lower case, searched in names, keys and descriptions
     shown: ParameterChoice = ParameterChoice.ALL
-    found: frozenset[str] = frozenset()  # keys with a linter finding
+    finding_keys: frozenset[str] = frozenset()  # keys of parameters with a linter finding
 
     def rows(self, model: ParameterModel) -> list[int]:
         rows: list[int] = []
@@ -55,7 +55,7 @@ class ParameterFilter:
         return rows
 
     def best_match(self, model: ParameterModel) -> QModelIndex:
-        """Return the first visible value with all words in its name, or else the first value."""
+        """Return the first visible value whose name contains all words, or else the first value."""
         keys = [keys[0] for row in self.rows(model) if (keys := model.rows[row].keys)]
         names = ((key, model.text.title(key).casefold()) for key in keys)
         named = (key for key, name in names if all(word in name for word in self.words))
@@ -67,7 +67,7 @@ class ParameterFilter:
         is_shown = {
             ParameterChoice.CHANGED: values.is_modified,
             ParameterChoice.NOT_DEFAULT: values.differs_from_default,
-            ParameterChoice.FOUND: self.found.__contains__,
+            ParameterChoice.WITH_FINDINGS: self.finding_keys.__contains__,
         }.get(self.shown)
         if is_shown is not None and not any(map(is_shown, members)):
             return False
@@ -80,7 +80,7 @@ class ParameterFilter:
 class ParameterView(QTableView):
     """Table of values. Selecting a name selects the first value in its row."""
 
-    wire_value_requested = Signal()  # the user opens the field for wire values
+    wire_value_requested = Signal()  # the user requests the field for wire values
 
     def __init__(self, model: ParameterModel, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -116,7 +116,7 @@ class ParameterView(QTableView):
     @Slot()
     @only_when_visible
     def _fit_columns(self) -> None:
-        """Fit the column of names to its texts. The values of both motors have priority."""
+        """Fit the name column to its texts. The values of both motors have priority."""
         total, index, width = self.viewport().width(), self._model.index, self.sizeHintForIndex
         names, values = [0], [0]
         for number, row in enumerate(self._model.rows):
@@ -131,7 +131,7 @@ class ParameterView(QTableView):
 
     @Slot()
     def _span_rows(self) -> None:
-        """Span headings and values of the whole board over several columns."""
+        """Extend headings and board-wide values over several columns."""
         self._visible = list(range(len(self._model.rows)))
         self.clearSpans()
         for number, row in enumerate(self._model.rows):
@@ -139,10 +139,10 @@ class ParameterView(QTableView):
                 self.setSpan(number, len(row.keys), 1, len(ParameterColumn) - len(row.keys))
         self._fit_columns()
 
-    def show_rows(self, rows: ParameterFilter) -> bool:
+    def show_rows(self, new_filter: ParameterFilter) -> bool:
         """Show the matching rows. Return whether the visible rows changed."""
-        self.filter, before = rows, self._visible
-        self._visible = rows.rows(self._model)
+        self.filter, before = new_filter, self._visible
+        self._visible = new_filter.rows(self._model)
         for row in range(len(self._model.rows)):
             self.setRowHidden(row, row not in self._visible)
         return self._visible != before or self.is_hidden(self.currentIndex())
@@ -151,7 +151,7 @@ class ParameterView(QTableView):
         return not index.isValid() or index.row() not in self._visible
 
     def has_finding(self, key: str) -> bool:
-        return not self.filter.found.isdisjoint(self._model.text.keys_of(key))
+        return not self.filter.finding_keys.isdisjoint(self._model.text.keys_of(key))
 
     @property
     def current_key(self) -> str:
@@ -274,6 +274,6 @@ class ParameterView(QTableView):
 
 
 def _value_at(index: QModelIndex) -> QModelIndex:
-    """Return the first value in the row of a name, or `index` itself for other cells."""
+    """Return the first value in the row of a name. Return other indexes unchanged."""
     is_name = index.column() == ParameterColumn.NAME and index.data(ParameterRole.KEY) is not None
     return index.siblingAtColumn(ParameterColumn.MOTOR1) if is_name else index
