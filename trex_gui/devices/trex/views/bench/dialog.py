@@ -45,7 +45,7 @@ from trex_gui.ui.widgets.scroll_box import ScrollBox
 if TYPE_CHECKING:
     from trex_gui.devices.trex.views.bench.plot import BenchPlot
 
-_PREVIOUS = -1  # list item for the previous test
+_PREVIOUS = -1  # data of the list item for the previous test
 
 
 class BenchDialog(ReusedDialog):
@@ -116,7 +116,7 @@ class BenchDialog(ReusedDialog):
         self._fill_compare()
         self._on_changed()
 
-    def reject(self) -> None:  # also called by Esc and the close buttons
+    def reject(self) -> None:  # Esc and the close buttons also call this
         self.bench.abort(tr("The window of the bench test was closed."))
         super().reject()
 
@@ -128,7 +128,7 @@ class BenchDialog(ReusedDialog):
         self._on_changed()
 
     def _add_plot(self) -> None:
-        """Create the plot after the window is shown. Together they take 200 ms."""
+        """Create the plot after the window is shown, because creating both takes 200 ms."""
         from trex_gui.devices.trex.views.bench.plot import BenchPlot  # noqa: PLC0415 - pyqtgraph
 
         self._plot = BenchPlot(self)
@@ -280,7 +280,7 @@ class BenchDialog(ReusedDialog):
 
 
 def _rows() -> tuple[tuple[str, str, str, str], ...]:
-    """Return the name, `Figures` field, unit and explanation of each row."""
+    """Return the name, the `Figures` field, the unit and the explanation of each row."""
     until_braking = tr("From the first setpoint until braking.")
     return (
         (tr("Peak current"), "peak", "A", tr("The highest reading.")),

@@ -145,7 +145,7 @@ class PlanForm(ui.Card):
             combo.setCurrentIndex(combo.findData(data))
         for box, value in numbers.items():
             if box.value() != value:  # setting the same value would reformat typed text
-                box.setValue(value)  # type: ignore[arg-type]  # an int for the speed
+                box.setValue(value)  # type: ignore[arg-type]  # the speed is an int
         self._at_limit.setChecked(plan.abort_at_limit)
         del blockers
         self.setEnabled(not self._bench.is_driving)
@@ -159,7 +159,7 @@ class PlanForm(ui.Card):
 
 
 class TuningForm(ui.Card):
-    """Form for the ramps and the current limit of a motor."""
+    """Form for the tuned parameters of a motor: ramps and current limit."""
 
     def __init__(self, device: Device, bench: Bench, parent: QWidget) -> None:
         super().__init__("", parent)

@@ -18,9 +18,9 @@ from trex_gui.ui.widgets.builders import column, row
 from trex_gui.ui.widgets.labels import LegendKey
 from trex_gui.ui.widgets.painted import Painted
 
-_SPEED_REACH = 134.0  # limit of the speed axis on both sides
+_SPEED_REACH = 134.0  # limit of the speed axis in both directions
 _AFTER = 0.6  # seconds shown after the end of a test
-_MIN_CURRENT = 2.0  # A. The current axis extends at least to this value.
+_MIN_CURRENT = 2.0  # A; the current axis extends at least to this value
 _MAX_SECONDS_LABELS = 8
 _MAX_CURRENT_LABELS = 4
 
@@ -80,7 +80,7 @@ class BenchPlot(Painted):
         return max(lengths, default=1.0) + _AFTER
 
     def show_plan(self, profile: Profile, abort: float, limit: float | None) -> None:
-        """Show the next profile, its abort current and its current limit, in A."""
+        """Show the planned profile, its abort current and the current limit of the motor, in A."""
         if profile != self._profile:
             self._profile = profile
             self._planned.set_points(*_arrays(profile.course()))
@@ -91,7 +91,7 @@ class BenchPlot(Painted):
         self._limit_key.setText(tr("Limit {0:g} A").format(Number(limit or 0)))
 
     def show_runs(self, run: Run | None, before: Run | None) -> None:
-        """Show a test, which may still be running, and the test to compare it with."""
+        """Show a test, which may still be running, and an earlier test for comparison."""
         self._run, self._before = run, before
         peak = max((amps for test in (run, before) if test for _, amps in test.currents), default=0)
         peak = max(_MIN_CURRENT, 1.05 * peak)
