@@ -1,4 +1,4 @@
-"""Currents of both motors against time, with setpoints, channels and events."""
+"""Page of the motor currents over time, with setpoints, channels and events."""
 
 from PySide6.QtWidgets import QWidget
 

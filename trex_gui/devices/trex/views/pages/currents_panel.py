@@ -1,4 +1,4 @@
-"""Plot of a board's currents, in a page or window. Importing this module loads pyqtgraph."""
+"""Plot of a board's currents, on a page or in a window. Importing this module loads pyqtgraph."""
 
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QCloseEvent, QKeySequence, QShortcut, QShowEvent
@@ -62,7 +62,9 @@ class CurrentsPanel(TracePanel):
         if settings is not None and settings.group:
             title = tr("Board {0}").format(settings.device_number)
         self._head.show_title(title)
-        if name := self._device.board_name:  # the curves remain after a disconnection
+        if (
+            name := self._device.board_name
+        ):  # after a disconnection, the curves and the heading remain
             self.export.heading = f"{tr('Motor currents')}, {name}"
         if note != self._note_text:  # the result of an export remains until the note changes
             self._note_text = note

@@ -19,7 +19,7 @@ class CurrentStrip(PlotCanvas):
     def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(tr("Motor currents"), parent)
         self.setObjectName("currentStrip")
-        self.viewport.setAutoFillBackground(False)  # the card has a background
+        self.viewport.setAutoFillBackground(False)  # the card has its own background
         self._device = device
         self._axis = ValueAxis("A")
         self._curves = {motor: self.add_curve(f"motor{motor}") for motor in _SERIES}
@@ -32,7 +32,7 @@ class CurrentStrip(PlotCanvas):
         span = self._device.telemetry.currents.span
         return span[1] if span is not None else 0.0
 
-    def follow(self) -> None:
+    def draw_if_due(self) -> None:
         if abs(self._newest() - self._end) >= _STEP:
             self.draw()
 

@@ -1,4 +1,4 @@
-"""Controls of one motor: slider, entry box, buttons, current and report."""
+"""Controls of one motor: slider, entry box and buttons, with its current and report."""
 
 from PySide6.QtCore import QEvent, QRect, QRectF, QSignalBlocker, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QKeyEvent, QPainter, QPen, QWheelEvent
@@ -14,18 +14,18 @@ from trex_gui.ui.widgets.bar import WARNING_SIGN, LimitState, limit_state
 from trex_gui.ui.widgets.labels import ElidedLabel, LiveLabel
 from trex_gui.ui.widgets.sliders import PressSlider
 
-_GROOVE, _HANDLE = 14, 36  # widths in pixels; the style sheet repeats the width of the handle
+_GROOVE, _HANDLE = 14, 36  # widths in pixels; the style sheet contains the width of the handle, too
 _MOVING_KEYS = {
     *(Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down),
     *(Qt.Key.Key_PageUp, Qt.Key.Key_PageDown),
 }
-_DISCARDS = {  # events that discard a half-typed number
+_DISCARDING_EVENTS = {  # these events discard a half-typed number
     *(QEvent.Type.FocusOut, QEvent.Type.Hide, QEvent.Type.WindowDeactivate, QEvent.Type.Close)
 }
 
 
 class SpeedSlider(PressSlider):
-    """Vertical slider from `lowest` to 127. A key that moves the slider also holds it.
+    """Vertical slider from `lowest` to 127. A pressed key that moves the slider also holds it.
 
     The End key and the wheel have no effect: a motor must not jump to full speed or follow
     scrolling.
@@ -36,7 +36,7 @@ class SpeedSlider(PressSlider):
         self.setOrientation(Qt.Orientation.Vertical)
         set_look(self, color)
         self._color = color
-        self.ceiling = 0  # highest speed in both directions, 1-127
+        self.ceiling = 0  # maximum speed in both directions, 1 to 127
         self.setPageStep(16)
 
     def limited(self, speed: int) -> int:
@@ -51,12 +51,12 @@ class SpeedSlider(PressSlider):
                 return
             case key if key in _MOVING_KEYS:
                 if event.isAutoRepeat() and not self.held:
-                    return  # after a hold has ended, the key must be pressed again
+                    return  # the hold has ended, so the key must be pressed again
                 self.grab_handle()
         super().keyPressEvent(event)
 
     def keyReleaseEvent(self, event: QKeyEvent) -> None:
-        """End the hold when any key is released. Num Lock may turn an arrow into a digit."""
+        """End the hold when any key is released. Num Lock may turn an arrow key into a digit."""
         super().keyReleaseEvent(event)
         if not event.isAutoRepeat() and not self.isSliderDown():
             self.release()
@@ -64,19 +64,19 @@ class SpeedSlider(PressSlider):
     def wheelEvent(self, event: QWheelEvent) -> None:
         event.ignore()
 
-    def _beside(self) -> int:
-        """Return the space on each side of the handle in pixels. The scale is on the left."""
+    def _side_space(self) -> int:
+        """Return the space on each side of the handle in pixels. The left one has the scale."""
         return self.fontMetrics().horizontalAdvance(f"{signed_text(FULL_SCALE)} ")
 
     def sizeHint(self) -> QSize:
-        return QSize(_HANDLE + 2 * self._beside(), 200)
+        return QSize(_HANDLE + 2 * self._side_space(), 200)
 
     def minimumSizeHint(self) -> QSize:
         return QSize(self.sizeHint().width(), 6 * self.fontMetrics().height())
 
     def initStyleOption(self, option: QStyleOptionSlider) -> None:
         super().initStyleOption(option)
-        option.rect = self.rect().adjusted(self._beside(), 0, -self._beside(), 0)
+        option.rect = self.rect().adjusted(self._side_space(), 0, -self._side_space(), 0)
 
     def _y_of(self, value: int, handle: QRect) -> int:
         travel = self.height() - handle.height()
@@ -122,7 +122,7 @@ class SpeedEntry(QSpinBox):
     would start because the user opened another page. This box shows the setpoint again instead.
     """
 
-    chosen = Signal(int)  # speed that the user entered or stepped to
+    chosen = Signal(int)  # speed that the user has entered or stepped to
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -149,7 +149,7 @@ class SpeedEntry(QSpinBox):
 
     def set_speed(self, speed: int) -> None:
         self._setpoint = speed
-        if speed != self.value() or self._is_typed:  # Qt repaints even an unchanged value
+        if speed != self.value() or self._is_typed:  # Qt would repaint even an unchanged value
             self._is_typed = False
             with QSignalBlocker(self):
                 self.setValue(speed)
@@ -158,7 +158,7 @@ class SpeedEntry(QSpinBox):
         is_entered = event.key() in {Qt.Key.Key_Return, Qt.Key.Key_Enter}
         is_accepted = is_entered and self._is_typed and self.hasAcceptableInput()
         super().keyPressEvent(event)
-        if is_accepted and self._is_typed:  # Qt emits nothing for an unchanged number
+        if is_accepted and self._is_typed:  # Qt emits no signal for an unchanged number
             self._on_value_changed(self.value())
         elif is_entered:
             self.set_speed(self._setpoint)
@@ -167,7 +167,7 @@ class SpeedEntry(QSpinBox):
         event.ignore()
 
     def event(self, event: QEvent) -> bool:
-        if event.type() in _DISCARDS:
+        if event.type() in _DISCARDING_EVENTS:
             self.set_speed(self._setpoint)
         return super().event(event)
 

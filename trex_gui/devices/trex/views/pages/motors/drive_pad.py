@@ -24,14 +24,14 @@ from trex_gui.ui.widgets.behaviour import PressMonitor
 from trex_gui.ui.widgets.circuit import write
 from trex_gui.ui.widgets.painted import Painter
 
-_STRAIGHT = 0.06  # fraction of the travel that counts as zero
-_KNOB = 13  # smallest radius in pixels
+_STRAIGHT = 0.06  # fraction of the travel around the centre that counts as zero
+_KNOB = 13  # minimum radius in pixels
 _MARGIN = 4  # pixels around the field
 _ROBOT = 0.42  # height of the robot as a fraction of the field
 
 
 class DrivePad(RobotView):
-    """Pad that steers while a mouse button or finger holds it. `KeyDriver` handles keys."""
+    """Pad that steers while a mouse button or a finger holds it. `KeyDriver` handles keys."""
 
     spoken_role = QAccessible.Role.Canvas
 
@@ -65,7 +65,7 @@ class DrivePad(RobotView):
             self.update()
 
     def show_setpoints(self, left: int, right: int) -> None:
-        """Move the knob to match these speeds, unless the pad is held."""
+        """Move the knob to the position for these speeds, unless the pad is held."""
         if not self.held:
             full = 2 * max(self._ceiling, abs(left), abs(right))
             self._move_knob((left + right) / full, (left - right) / full)

@@ -1,4 +1,4 @@
-"""Dialog that sets up a gamepad: assignment of axes and buttons, and live state."""
+"""Dialog that sets up a gamepad: assignment of axes and buttons, and their live state."""
 
 from functools import partial
 
@@ -61,7 +61,9 @@ class PadView(QWidget):
 
 
 class PartRow(QWidget):
-    chosen = Signal()  # the user selected an axis, a direction, or a button
+    """Row that assigns a part of the gamepad, an axis or a button, to a use."""
+
+    chosen = Signal()  # the user has selected an axis, its direction or a button
 
     def __init__(self, name: str, parent: QWidget, *, is_axis: bool) -> None:
         super().__init__(parent)
@@ -81,7 +83,7 @@ class PartRow(QWidget):
         self._invert.setAccessibleName(tr("{0}: inverted").format(use))
 
     def set_parts(self, names: list[str], none: str = "") -> None:
-        """List the names of axes or buttons. `none`: text of the entry for no selection."""
+        """List the names of axes or buttons. `none` is the text of an item without a part."""
         items: list[tuple[str, int | None]] = [(none, None)] if none else []
         items += [(name, number) for number, name in enumerate(names)]
         shown = [self._combo.itemText(row) for row in range(self._combo.count())]
@@ -100,7 +102,7 @@ class PartRow(QWidget):
         return Axis(self.number or 0, self._invert.isChecked())
 
     def show_part(self, number: int | None, *, inverted: bool = False) -> None:
-        """Show a selection without emitting `chosen`."""
+        """Show a selected part. Do not emit `chosen`."""
         numbers = [self._combo.itemData(row) for row in range(self._combo.count())]
         self._combo.setCurrentIndex(numbers.index(number) if number in numbers else -1)
         with QSignalBlocker(self._invert):
@@ -108,7 +110,7 @@ class PartRow(QWidget):
 
 
 class GamepadDialog(ReusedDialog):
-    """Dialog that applies changes at once. The owner blocks driving while it is open."""
+    """Dialog that applies changes at once. The owner prevents driving while the dialog is open."""
 
     def __init__(self, gamepad: Gamepad, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -184,7 +186,7 @@ class GamepadDialog(ReusedDialog):
     @Slot()
     def _on_edited(self) -> None:
         hold, stop = self._rows["hold"].number, self._rows["stop"].number
-        if hold is not None and hold == stop:  # a button keeps only its newly selected use
+        if hold is not None and hold == stop:  # only the new use of the button remains
             hold, stop = (None, stop) if stop != self._gamepad.profile.stop else (hold, None)
         profile = GamepadProfile(
             style=Style(self._style.currentData()),

@@ -1,4 +1,4 @@
-"""Gamepad panel: on/off switch, selection, set-up and state."""
+"""Gamepad panel: switch, selection, set-up and state."""
 
 from PySide6.QtCore import QEvent, QSignalBlocker, Qt, Slot
 from PySide6.QtGui import QGuiApplication
@@ -15,7 +15,7 @@ from trex_gui.ui.widgets.labels import Note
 
 
 class GamepadPanel(QWidget):
-    """Panel of a gamepad, which can drive only while the panel is visible."""
+    """Panel of a gamepad. The gamepad drives only while the panel is visible."""
 
     def __init__(
         self, device: Device, parent: QWidget | None = None, *, source: SdlPads | None = None

@@ -28,12 +28,12 @@ _HEADINGS: dict[int, Heading] = {
     Qt.Key.Key_Right: Heading.RIGHT,
     Qt.Key.Key_D: Heading.RIGHT,
 }
-_NEEDS_KEYS = (  # widgets that use arrow keys and letters themselves
+_KEY_WIDGETS = (  # widgets that use arrow keys and letters themselves
     *(QLineEdit, QAbstractSpinBox, QTextEdit, QPlainTextEdit),
     *(QAbstractItemView, QComboBox),
 )
 _MODIFIERS = Qt.KeyboardModifier
-_OTHER_KEYS = _MODIFIERS.ControlModifier | _MODIFIERS.AltModifier | _MODIFIERS.MetaModifier
+_COMMAND_MODIFIERS = _MODIFIERS.ControlModifier | _MODIFIERS.AltModifier | _MODIFIERS.MetaModifier
 _CHANGING_KEYS: set[int] = {  # keys that change the names of other keys
     *(Qt.Key.Key_Shift, Qt.Key.Key_Control, Qt.Key.Key_Alt, Qt.Key.Key_Meta, Qt.Key.Key_AltGr),
     *(Qt.Key.Key_CapsLock, Qt.Key.Key_NumLock, Qt.Key.Key_ScrollLock, Qt.Key.Key_Mode_switch),
@@ -45,15 +45,15 @@ _REPEAT_MS = 20  # X11 delivers the press of a repeated key within this time aft
 class KeyDriver(QObject):
     """Event filter that receives the keys of the page's window before its widgets.
 
-    While `enabled`, keys drive wherever the focus is, except in fields, tables and lists. In the
-    pad, arrow keys always drive.
+    While `enabled` is true, keys drive wherever the focus is, except in fields, tables and lists.
+    While the pad has the focus, keys always drive.
 
     A key is identified by its scan code, since the layout or Num Lock may change its name between
-    press and release. The release of an unknown key, or a key like Shift, releases all keys.
+    press and release. The release of an unknown key, or a key such as Shift, releases all keys.
 
     On X11, a held key repeats as a release and a press with the same timestamp. Qt often handles
     the release before it has received the press, and then marks neither event as a repeat.
-    Without a short wait for the press, the motors would brake occasionally while a key is held.
+    Without a short wait for the press, the motors would occasionally brake while a key is held.
     """
 
     def __init__(self, drive: MomentaryDrive, motors: Motors, page: QWidget, pad: QWidget) -> None:
@@ -63,12 +63,15 @@ class KeyDriver(QObject):
         self._page = page
         self._pad = pad
         self.enabled = False
-        self._keys: dict[int, Heading] = {}  # scan code of a pressed key → heading
+        self._keys: dict[int, Heading] = {}  # scan code of each pressed key → heading
         self._modifiers = Qt.KeyboardModifier.NoModifier
         self._watch = PressMonitor(page)
+        # True if a key repeat arrives as a release and a press
         self.repeats_apart = QGuiApplication.platformName() == "xcb"
-        self._released = 0, 0  # scan code and time of the last release, which may be a repeat
-        self._repeat = new_timer(self, _REPEAT_MS, self._on_key_released, single_shot=True)
+        self._released = 0, 0  # scan code and time of the last release, perhaps of a repeat
+        self._repeat_timer = new_timer(
+            self, _REPEAT_MS, self._on_release_confirmed, single_shot=True
+        )
 
         self._watch.lost.connect(self.release)
         motors.holder_changed.connect(self._on_holder_changed)
@@ -99,15 +102,15 @@ class KeyDriver(QObject):
         return False
 
     def _on_pressed(self, event: QKeyEvent) -> bool:
-        if self._repeat.isActive():
+        if self._repeat_timer.isActive():
             if (_scan_code(event), event.timestamp()) == self._released:
-                self._repeat.stop()
+                self._repeat_timer.stop()
                 return True
-            self._on_key_released()
+            self._on_release_confirmed()
         if self._keys and (_modifiers(event) != self._modifiers or event.key() in _CHANGING_KEYS):
             self.release()
         heading = _HEADINGS.get(event.key())
-        if heading is None or event.modifiers() & _OTHER_KEYS or not self._can_drive():
+        if heading is None or event.modifiers() & _COMMAND_MODIFIERS or not self._can_drive():
             return False
         if not event.isAutoRepeat():
             self._modifiers = _modifiers(event)
@@ -120,8 +123,8 @@ class KeyDriver(QObject):
             return event.key() in _HEADINGS and bool(self._keys)
         if not self._keys:
             return False
-        if self._repeat.isActive():
-            self._on_key_released()
+        if self._repeat_timer.isActive():
+            self._on_release_confirmed()
         scan_code = _scan_code(event)
         is_known = scan_code in self._keys
         if not is_known or _modifiers(event) != self._modifiers:
@@ -129,14 +132,14 @@ class KeyDriver(QObject):
             return is_known
         self._released = scan_code, event.timestamp()
         if self.repeats_apart:
-            self._repeat.start()
+            self._repeat_timer.start()
         else:
-            self._on_key_released()
+            self._on_release_confirmed()
         return True
 
     @Slot()
-    def _on_key_released(self) -> None:
-        self._repeat.stop()
+    def _on_release_confirmed(self) -> None:
+        self._repeat_timer.stop()
         self._keys.pop(self._released[0], None)
         if self._keys:
             self._steer()
@@ -151,7 +154,7 @@ class KeyDriver(QObject):
         return self._drives_with_focus(QApplication.focusWidget())
 
     def _drives_with_focus(self, focus: QWidget | None) -> bool:
-        return focus is self._pad or (self.enabled and not isinstance(focus, _NEEDS_KEYS))
+        return focus is self._pad or (self.enabled and not isinstance(focus, _KEY_WIDGETS))
 
     def _steer(self) -> None:
         forward, turn = keys_setpoint(self._keys.values())
@@ -162,7 +165,7 @@ class KeyDriver(QObject):
 
     def _clear(self) -> None:
         self._keys.clear()
-        self._repeat.stop()
+        self._repeat_timer.stop()
         self._watch.end()
 
     @Slot()
@@ -186,7 +189,7 @@ class KeyDriver(QObject):
 
 
 def _scan_code(event: QKeyEvent) -> int:
-    """Return the negative scan code of a key, or its `Qt.Key` if the system reports none."""
+    """Return the negative scan code of a key, or the `Qt.Key` if there is no scan code."""
     scan_code = event.nativeScanCode()
     return -scan_code if scan_code else event.key()
 

@@ -1,4 +1,4 @@
-"""Driving options, and controls other than pad and sliders."""
+"""Driving options, and controls other than the pad and the sliders."""
 
 from collections.abc import Callable
 from functools import partial
@@ -30,13 +30,13 @@ class _StrengthEntry(SpeedEntry):
         self.chosen.connect(apply)
 
     def set_speed(self, speed: int) -> None:
-        with QSignalBlocker(self):  # a new suffix rewrites the text
+        with QSignalBlocker(self):  # a new suffix also changes the text
             self.setSuffix(f" ({100 * speed / FULL_SCALE:.0f} %)")
         super().set_speed(speed)
 
 
 class SpeedCeiling(QWidget):
-    """Field for a board's speed ceiling, with a hint until the user has set it."""
+    """Field for a board's speed ceiling. A hint is shown until the user has set the ceiling."""
 
     def __init__(self, motors: Motors, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -68,7 +68,7 @@ class SpeedCeiling(QWidget):
 
 
 class DriveWith(ui.Card):
-    """Controls other than pad and sliders. Their states are not stored."""
+    """Controls other than the pad and the sliders. Their states are not stored."""
 
     def __init__(self, device: Device, parent: QWidget) -> None:
         super().__init__(tr("Drive with"), parent)
@@ -94,7 +94,7 @@ class DriveWith(ui.Card):
 
     @Slot()
     def _show_link(self) -> None:
-        """Enable linking only at equal speeds. Linking must not start or accelerate a motor."""
+        """Enable linking only at equal speeds, so that it cannot start or accelerate a motor."""
         motors = self._motors
         can_link = motors.linked or motors.can_link
         self._link.setChecked(motors.linked)
@@ -105,7 +105,7 @@ class DriveWith(ui.Card):
 
 
 class Options(ui.Card):
-    """Rarely changed options. All except the ramp are stored."""
+    """Rarely changed options. All of them except the ramp are stored."""
 
     def __init__(self, motors: Motors, parent: QWidget | None = None) -> None:
         super().__init__(title_of(tr("E&xtra options")), parent)

@@ -45,7 +45,7 @@ from trex_gui.ui.widgets.behaviour import only_when_visible
 from trex_gui.ui.widgets.labels import PAGE_MARGINS, LinkLabel, PageHead
 
 _UNLIMITED = 16_777_215  # QWIDGETSIZE_MAX in C++
-_ANYWHERE = Qt.AlignmentFlag(0)
+_NO_ALIGNMENT = Qt.AlignmentFlag(0)
 _GAP = 8  # pixels between cards
 
 
@@ -66,7 +66,7 @@ class MotorsPage(QWidget):
         self._holder = ""
         self._dragged: int | None = None
         self._is_frozen, self._frozen_area = False, QSize()
-        self._clear_holder = new_timer(self, 0, self._on_event_over, single_shot=True)
+        self._holder_timer = new_timer(self, 0, self._on_event_handled, single_shot=True)
 
         self._head = PageHead("", self)
         ui.named(self._head.title, "motorsReason")
@@ -148,7 +148,7 @@ class MotorsPage(QWidget):
         super().resizeEvent(event)
         self._place_side()
         if self._is_frozen and self._scroll_area_size() != self._frozen_area:
-            self._set_frozen(frozen=False)  # the next frame freezes it again
+            self._set_frozen(frozen=False)  # the next frame freezes the layout again
 
     def _scroll_area_size(self) -> QSize:
         viewport = self.parentWidget()
@@ -163,7 +163,7 @@ class MotorsPage(QWidget):
         if not self._body.count() or direction is not self._beside.direction():
             self._beside.setDirection(direction)
             self._side.setMinimumWidth(side_width if wide else 0)
-            alignment = Qt.AlignmentFlag.AlignTop if self._is_frozen else _ANYWHERE
+            alignment = Qt.AlignmentFlag.AlignTop if self._is_frozen else _NO_ALIGNMENT
             self._body.addWidget(self._drive_box, 0, 0, 1, 1 if wide else 2, alignment)
             self._body.addWidget(self._side, *((0, 1, 1, 1) if wide else (1, 0, 1, 2)))
 
@@ -179,11 +179,11 @@ class MotorsPage(QWidget):
         box = self._drive_box
         self._is_frozen, self._frozen_area = frozen, self._scroll_area_size()
         if (layout := self.layout()) is not None:
-            layout.activate()  # after a show or resize event, the layout is pending
+            layout.activate()  # the layout is still pending after a show or resize event
         height = box.height()
         box.setMinimumHeight(height if frozen else 0)
         box.setMaximumHeight(height if frozen else _UNLIMITED)
-        self._body.setAlignment(box, Qt.AlignmentFlag.AlignTop if frozen else _ANYWHERE)
+        self._body.setAlignment(box, Qt.AlignmentFlag.AlignTop if frozen else _NO_ALIGNMENT)
 
     # --- User actions -------------------------------------------------------------------
 
@@ -204,7 +204,7 @@ class MotorsPage(QWidget):
             self._motors.acquire(_name(number))
 
     def _on_released(self, number: int) -> None:
-        self._clear_holder.start()
+        self._holder_timer.start()
         self._motors.release(_name(number))
         self._show_setpoints()
 
@@ -245,12 +245,12 @@ class MotorsPage(QWidget):
 
     @Slot()
     def _on_holder_changed(self) -> None:
-        """Save the holder for `hideEvent`. Controls lose their hold before that event."""
+        """Save the holder for `hideEvent`. Controls lose their hold before `hideEvent` runs."""
         own = {self._pad_drive.name, self._key_drive.name, *map(_name, self._controls)}
         if self._motors.holder in own:
             self._holder = self._motors.holder
         elif self._holder:
-            self._clear_holder.start()
+            self._holder_timer.start()
         if self._pad.held and not self._pad_drive.held:
             self._pad.release()
 
@@ -263,7 +263,7 @@ class MotorsPage(QWidget):
         group = focused.parentWidget() if focused is not None else None
         is_driving = focused is self._pad or isinstance(group, DriveControl)
         if not motors.armed and is_driving:
-            focus_stop(self)  # Qt would focus a link, and arrow keys would open other pages
+            focus_stop(self)  # otherwise Qt would focus a link, and arrow keys would open pages
         self._pad.setEnabled(motors.armed)
         self._pad.set_can_turn(self._pad_drive.can_turn)
         brake = tr("Brake with {0}").format(share_text(motors.release_brake))
@@ -298,7 +298,7 @@ class MotorsPage(QWidget):
 
     def _setpoint_of(self, number: int, inputs: DriveInputs) -> tuple[int, str]:
         telemetry, setpoint = self._device.telemetry, setpoint_of(self._device, number, inputs)
-        if self._group.wheels and number != AUXILIARY and inputs.armed:  # `number` is a side
+        if self._group.wheels and number != AUXILIARY and inputs.armed:  # here `number` is a side
             drive = self._motors.drive(number)
             return drive.signed if drive else 0, setpoint_text(drive)
         match setpoint.source:
@@ -319,7 +319,7 @@ class MotorsPage(QWidget):
     def _on_frame_due(self) -> None:
         self._update_freeze()
         self._show_setpoints()
-        self._strip.follow()
+        self._strip.draw_if_due()
 
     @Slot()
     @only_when_visible
@@ -333,7 +333,7 @@ class MotorsPage(QWidget):
             report = "" if self._is_unused(number) else report_text(device, number)
             default_text = tr("one way") if number == AUXILIARY else limit_text(device, number)
             amps = currents.get(number) if is_sensed else None
-            if self._group.wheels and number != AUXILIARY:  # the cards above show each motor
+            if self._group.wheels and number != AUXILIARY:  # the group cards show these values
                 amps, report, default_text = None, "", ""
             is_off = board is not None and number in board.shut_down
             limit = device.current_limit(number)
@@ -356,7 +356,7 @@ class MotorsPage(QWidget):
         self._show_options()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Stop the motors if a control is held, a slider is dragged, or the option is on."""
+        """Stop the motors if a control is held or dragged, or if the option requires it."""
         is_dragged = self._dragged is not None and self._motors.armed
         self._dragged = None
         if self._holder or is_dragged:
@@ -368,11 +368,11 @@ class MotorsPage(QWidget):
 
     def changeEvent(self, event: QEvent) -> None:
         if event.type() == QEvent.Type.ActivationChange and self.isActiveWindow():
-            self._clear_holder.start()
+            self._holder_timer.start()
         super().changeEvent(event)
 
     @Slot()
-    def _on_event_over(self) -> None:
+    def _on_event_handled(self) -> None:
         sliders = [control.slider for control in self._controls.values()]
         if self.isActiveWindow() and not any(slider.held for slider in sliders):
             self._dragged = None
@@ -394,7 +394,7 @@ _SILENCE = {
 
 
 def _stored_facts(device: Device) -> _Facts:
-    """Return the stored settings: title → text of a value → key of its parameter."""
+    """Return the stored settings: title → text of each value → key of its parameter."""
     values, motors = device.parameters.values, (1,) if device.board.is_joint else (1, 2)
 
     def both(name: str) -> dict[str, str]:
@@ -419,7 +419,10 @@ def _stored_facts(device: Device) -> _Facts:
 
 
 def _table(facts: _Facts, *, linked: bool) -> str:
-    """Return HTML with titles above values, which link to their parameters if `linked`."""
+    """Return an HTML table with titles above values.
+
+    If `linked` is true, each value links to its parameter.
+    """
 
     def link(text: str, key: str) -> str:
         color = theme().color("warning" if WARNING_SIGN in text else "link").name()
