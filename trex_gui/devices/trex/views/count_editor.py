@@ -123,7 +123,7 @@ class UnitSpinBox(QSpinBox):
 
 
 class UnitDelegate(QStyledItemDelegate):
-    """Delegate that keeps a spin box with invalid input open."""
+    """Delegate that keeps a spin box open while its input is invalid."""
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if (

@@ -17,7 +17,7 @@ from trex_gui.ui.widgets.labels import Sign
 
 Remark = LintFinding | Finding | str  # linter finding, file finding or plain sentence
 
-_MAX_LINES = 60  # the list only counts the findings after these
+_MAX_LINES = 60  # number of findings in the list; the rest are only counted
 _SIGNS = {Severity.ERROR: ("error", "danger"), Severity.WARNING: ("warning", "warning")}
 
 
@@ -49,10 +49,10 @@ class FindingsList(QWidget):
         self.hide()
 
     def follow(
-        self, linter: SettingsLinter, concerns: Callable[[LintFinding], bool] = bool
+        self, linter: SettingsLinter, is_relevant: Callable[[LintFinding], bool] = bool
     ) -> None:
-        """Show the findings of a linter. `concerns` returns true for each finding to show."""
-        self._linter, self._concerns = linter, concerns
+        """Show the relevant findings of a linter."""
+        self._linter, self._is_relevant = linter, is_relevant
         linter.changed.connect(self.refresh)
         self.accepted.connect(linter.accept)
         self.refresh()
@@ -60,7 +60,7 @@ class FindingsList(QWidget):
     @Slot()
     def refresh(self) -> None:
         findings = self._linter.findings
-        self.show_findings([finding for finding in findings if self._concerns(finding)])
+        self.show_findings([finding for finding in findings if self._is_relevant(finding)])
 
     def show_findings(self, findings: Iterable[Remark], *, with_lines: bool = False) -> None:
         """Show findings. `with_lines` adds buttons that show their lines in the file."""

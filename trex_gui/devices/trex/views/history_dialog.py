@@ -85,7 +85,7 @@ class HistoryDialog(ReusedDialog):
         self._pages.addWidget(halves)
         self._pages.addWidget(empty_page)
         bar.fill(bar.armed, 1, self._close)
-        messages = MessageSpace(self, self._banner, self._question)  # these cover the heading
+        messages = MessageSpace(self, self._banner, self._question)  # messages cover the heading
         heading = ui.label(self, text=self.windowTitle(), size="title")
         parts = ui.column(heading, messages, (self._pages, 1), margins=(8, 8, 8, 0))
         ui.column((parts, 1), bar, into=self, margins=8)
@@ -168,7 +168,7 @@ class HistoryDialog(ReusedDialog):
         self._refresh_selection()
 
     def _fit_columns(self) -> None:
-        """Fit the columns to the first list of snapshots, and not again."""
+        """Fit the columns to the first list of snapshots only."""
         if self._is_fitted or not self._table.snapshots:
             return
         self._is_fitted = True

@@ -39,12 +39,9 @@ class PulseControls(QWidget):
         super().__init__(parent)
         self._device, self._pulses = device, pulses
         text = tr("The wheels are &off the ground")
-        self._wheels_free = ui.check_box(
-            self, f"{name}WheelsFree", text, on_click=pulses.confirm_wheels
-        )
-        self._arm_frame = QWidget(
-            self
-        )  # keeps the button disabled even if the button enables itself
+        self._wheels = ui.check_box(self, f"{name}WheelsFree", text, on_click=pulses.confirm_wheels)
+        # Keeps the arm button disabled even if the button enables itself.
+        self._arm_frame = QWidget(self)
         arm_button = ArmButton(device, f"{name}RunButton", self._arm_frame)
         arm_button.setAutoDefault(False)
         self._arm_frame.setEnabled(False)
@@ -56,7 +53,7 @@ class PulseControls(QWidget):
             motor_widgets += [hold, below[motor]] if motor in below else [hold]
         for widget in motor_widgets:  # determines the Tab order
             widget.setParent(self)
-        items = self._wheels_free, self._arm_frame, self._note
+        items = self._wheels, self._arm_frame, self._note
         ui.column(*items, *motor_widgets, into=self, margins=0, spacing=6)
         for changed in (pulses.changed, device.telemetry.text_due):
             changed.connect(self.refresh)
@@ -77,8 +74,8 @@ class PulseControls(QWidget):
     def refresh(self) -> None:
         pulses, blocker = self._pulses, self._pulses.blocker
         can_confirm = self._device.is_connected and not pulses.cannot_drive
-        self._wheels_free.setEnabled(can_confirm)
-        self._wheels_free.setChecked(pulses.wheels_are_free)
+        self._wheels.setEnabled(can_confirm)
+        self._wheels.setChecked(pulses.wheels_are_free)
         may_arm = can_confirm and pulses.wheels_are_free
         self._arm_frame.setEnabled(may_arm or self._device.motors.armed)
         for motor, hold in self._holds.items():

@@ -13,7 +13,7 @@ from trex_gui.ui.widgets.builders import named
 from trex_gui.ui.widgets.circuit import paint_chassis, write
 from trex_gui.ui.widgets.painted import Animation, Painted, Painter, never_mirror
 
-_TREADS, _TREADS_PER_SECOND = 7, 6.0  # per wheel; at full speed (assumed)
+_TREADS, _TREADS_PER_SECOND = 7, 6.0  # number per wheel; rate at full speed (assumed)
 _SIZE = 392.0, 300.0  # size of the drawing, in the units of the rectangles below
 _WHEEL, _CHASSIS = QRectF(0, 30, 60, 240), QRectF(86, 0, 220, 300)
 _LEFT_PARTS = {True: QRectF(7, 50, 46, 86), False: QRectF(7, 164, 46, 86)}  # True: forward half

@@ -27,10 +27,7 @@ from trex_gui.ui.widgets import file_questions
 
 
 class ShownSettings(QObject):
-    """Save and export commands for the displayed settings, including edits.
-
-    Files are written in the background.
-    """
+    """Commands that save or export the displayed settings, including edits, in the background."""
 
     saved = Signal(object)  # `Path` of a settings file
 

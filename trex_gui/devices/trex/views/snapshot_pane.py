@@ -34,9 +34,7 @@ class SnapshotPane(QWidget):
         self._device = device
         self._table = table
         self._snapshots: tuple[Snapshot, ...] = ()
-        self._shown: tuple[Path, str] | None = (
-            None  # path of the snapshot, title of the left column
-        )
+        self._shown: tuple[Path, str] | None = None  # snapshot path, title of the left column
 
         self._title = ui.label(self, "snapshotTitle", wrap=True, size="heading")
         self._rows = ComparisonView(self)
@@ -64,7 +62,7 @@ class SnapshotPane(QWidget):
         self._update_restore()
 
     def _compare(self, snapshot: Snapshot, other: Snapshot | None) -> str:
-        """Compare a snapshot with `other` or the board. Return the reason for a failure.
+        """Compare a snapshot with `other` or the board. Return the reason for a failure, if any.
 
         If no board of the same model is connected, use the adjacent snapshot instead of the board.
         """

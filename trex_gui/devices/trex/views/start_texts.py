@@ -11,7 +11,7 @@ def ttl_wiring() -> Wires:
         tr("TReX"),
         tr("Adapter"),
         (("TX", "SI"), ("RX", "SO"), ("GND", "GND")),
-        _jumpers_to_remove(),
+        _to_remove(),
     )
 
 
@@ -26,7 +26,7 @@ def start_texts() -> StartTexts:
         tr("TReX"),
         tr("RS-232 port"),
         (("TX, pin 3", "RX"), ("RX, pin 2", "TX"), ("GND, pin 5", "GND")),
-        _jumpers_to_remove(),
+        _to_remove(),
     )
     receiver = Wires(
         tr("TReX"),
@@ -57,5 +57,5 @@ def start_texts() -> StartTexts:
     )
 
 
-def _jumpers_to_remove() -> tuple[Jumper, ...]:
+def _to_remove() -> tuple[Jumper, ...]:
     return (tr("Mode: take it off"), False), (tr("SO–G: take it off"), False)

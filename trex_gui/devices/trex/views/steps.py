@@ -40,11 +40,11 @@ class Page(QWidget):
 class Shown:
     """Visible state of the dialog. Next is hidden if its text is empty."""
 
-    title: str  # of the task
-    titles: Sequence[str]  # of all steps
+    title: str  # title of the task
+    titles: Sequence[str]  # titles of all steps
     now: int  # index of the current step
     page: Page
-    note: str = ""  # below `page.side`
+    note: str = ""  # text below `page.side`
     is_alarming: bool = False
     undone: Collection[str] = ()  # titles of earlier steps that are not complete
     next: str = ""
@@ -61,7 +61,7 @@ class Flow(QObject):
     closed = Signal()  # the task has ended
 
     name = ""  # prefix of the object names
-    size = 1040, 600  # of the dialog, in pixels
+    size = 1040, 600  # size of the dialog in pixels
 
     def show_in_front(self) -> None:
         self.opened.emit(True)

@@ -1,7 +1,4 @@
-"""Windows other than the pages.
-
-This module is imported when the first of these windows is opened.
-"""
+"""Windows other than the pages. The first window that is opened imports this module."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -190,7 +190,8 @@ class TrexWorkspace(Workspace):
         queued = Qt.ConnectionType.QueuedConnection
         learning.stored.connect(self._settings.close_if_verified, queued)
         learning.started.connect(self._controller.demo_board.center_sticks)
-        learning.started.connect(lambda: self._tools.learn)  # runs the stick test after a set-up
+        # This creates the flow, which also starts the stick test after a set-up.
+        learning.started.connect(lambda: self._tools.learn)
         return learning
 
     @cached_property

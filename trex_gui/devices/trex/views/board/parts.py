@@ -26,7 +26,7 @@ from trex_gui.ui.widgets.painted import Painter, never_mirror
 PULLED = 10  # pixels between the socket and a pulled plug
 _SPOKES = 5
 WHEEL = 3.9  # diameter, in lines of text
-_TURNS = 0.8  # per second at full speed (symbolic: the board measures no speed)
+_TURNS = 0.8  # turns per second at full speed (symbolic: the board measures no speed)
 
 
 class BoardPart(QAbstractButton, Spoken):
@@ -72,7 +72,7 @@ class BoardPart(QAbstractButton, Spoken):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         self._painted = event.rect()
-        # Set in every paint event, because styles clear it for buttons.
+        # Set the attribute in every paint event, because styles clear it for buttons.
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent, bool(self.background))
         with Painter(self) as painter:
             if self.background:

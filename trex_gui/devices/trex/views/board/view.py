@@ -137,7 +137,7 @@ class BoardView(QWidget):
         channels, body, motors = columns
         body_height = self.height() - round((_SERIAL - 0.8) * line)
         self._body = QRect(left + channels + wire, 1, body, body_height)
-        beside = QRect(left, 1, channels, body_height - 8)  # its blocks fit between the holes
+        beside = QRect(left, 1, channels, body_height - 8)  # all blocks fit between the holes
         self._place_column(self._channels, beside, round(2.8 * line))
         right = self._body.right() + wire
         self._place_column(

@@ -34,7 +34,7 @@ class Names(NamedTuple):
     """Object names of a dialog and its parts."""
 
     dialog: str
-    prefix: str  # prefix of further names
+    prefix: str  # prefix of the other object names
     action: str
     close: str
 

@@ -20,7 +20,7 @@ from trex_gui.devices.trex.views.robot_view import RobotView
 from trex_gui.devices.trex.views.steps import Flow, Page, Shown
 from trex_gui.ui.widgets import builders as ui
 
-# Index of the step in the strip. The stick test also has index 1, all other steps have index 0.
+# Indexes in the step strip. The stick test also has index 1. All other steps have index 0.
 _INDICES = {LearningStep.NEUTRAL: 1, LearningStep.TRAVEL: 2, LearningStep.REVIEW: 3}
 
 
@@ -62,7 +62,7 @@ class LearnFlow(Flow):
 
     @property
     def is_learning(self) -> bool:
-        """True while measurements could be lost. It is false during a test."""
+        """True while measurements could be lost, false during a test."""
         ended = {LearningStep.ENDED, LearningStep.FAILED}
         return not self.learning.is_test and self.learning.step not in ended
 

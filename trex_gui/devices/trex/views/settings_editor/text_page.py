@@ -22,9 +22,8 @@ from trex_gui.ui.widgets.painted import Painter
 from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 _MARGIN = 6
-EDITOR_BREAK = re.compile(
-    "\r\n|[\n\r\u2029\ufdd0\ufdd1]"
-)  # line ends in Qt, which differ from those in YAML
+# Line ends in Qt. YAML defines other line ends.
+EDITOR_BREAK = re.compile("\r\n|[\n\r\u2029\ufdd0\ufdd1]")
 
 
 def with_line_ends(lines: Sequence[str], before: str) -> str:
@@ -188,7 +187,7 @@ class NumberedText(QPlainTextEdit):
 
     @property
     def lines(self) -> list[str]:
-        """Lines of the text. No-break spaces remain, which `toPlainText` would replace."""
+        """Lines of the text. Unlike `toPlainText`, this property keeps no-break spaces."""
         return self.document().toRawText().split("\u2029")
 
     def mark(self, lines: Mapping[int, str]) -> None:

@@ -37,7 +37,7 @@ _TOOL_BAR = ("new", "open", "save", SEPARATOR, "undo", "redo", SEPARATOR, "send"
 
 
 class SettingsEditor(QMainWindow):
-    send_requested = Signal()  # the user requests to send the settings to the board
+    send_requested = Signal()  # the user selected “Send to the board…”
     new_requested = Signal()
     open_requested = Signal()
     converted = Signal(object)  # `SettingsDocument` for another board
@@ -140,7 +140,7 @@ class SettingsEditor(QMainWindow):
         self.addToolBar(bar)
 
     def save(self) -> bool:
-        """Start to save the file. Return whether saving has started."""
+        """Start saving the file. Return whether saving has started."""
         path = self.document.path
         return self._prompt_and_save() if path is None else self.save_to(path, ask=True)
 

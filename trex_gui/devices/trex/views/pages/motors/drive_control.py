@@ -1,4 +1,4 @@
-"""Controls of one motor: slider, entry box and buttons, with its current and report."""
+"""Controls of one motor: slider, entry box, buttons, current and report."""
 
 from PySide6.QtCore import QEvent, QRect, QRectF, QSignalBlocker, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QKeyEvent, QPainter, QPen, QWheelEvent
@@ -14,7 +14,7 @@ from trex_gui.ui.widgets.bar import WARNING_SIGN, LimitState, limit_state
 from trex_gui.ui.widgets.labels import ElidedLabel, LiveLabel
 from trex_gui.ui.widgets.sliders import PressSlider
 
-_GROOVE, _HANDLE = 14, 36  # widths in pixels; the style sheet contains the width of the handle, too
+_GROOVE, _HANDLE = 14, 36  # widths in pixels; the style sheet also contains the width of the handle
 _MOVING_KEYS = {
     *(Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Down),
     *(Qt.Key.Key_PageUp, Qt.Key.Key_PageDown),
@@ -65,7 +65,7 @@ class SpeedSlider(PressSlider):
         event.ignore()
 
     def _side_space(self) -> int:
-        """Return the space on each side of the handle in pixels. The left one has the scale."""
+        """Return the space on each side of the handle in pixels. The scale is on the left side."""
         return self.fontMetrics().horizontalAdvance(f"{signed_text(FULL_SCALE)} ")
 
     def sizeHint(self) -> QSize:

@@ -61,7 +61,7 @@ class PadView(QWidget):
 
 
 class PartRow(QWidget):
-    """Row that assigns a part of the gamepad, an axis or a button, to a use."""
+    """Row that assigns an axis or a button of the gamepad to a use."""
 
     chosen = Signal()  # the user has selected an axis, its direction or a button
 
@@ -83,7 +83,7 @@ class PartRow(QWidget):
         self._invert.setAccessibleName(tr("{0}: inverted").format(use))
 
     def set_parts(self, names: list[str], none: str = "") -> None:
-        """List the names of axes or buttons. `none` is the text of an item without a part."""
+        """List the names of axes or buttons. `none` is the text of the item for no selection."""
         items: list[tuple[str, int | None]] = [(none, None)] if none else []
         items += [(name, number) for number, name in enumerate(names)]
         shown = [self._combo.itemText(row) for row in range(self._combo.count())]
@@ -102,7 +102,7 @@ class PartRow(QWidget):
         return Axis(self.number or 0, self._invert.isChecked())
 
     def show_part(self, number: int | None, *, inverted: bool = False) -> None:
-        """Show a selected part. Do not emit `chosen`."""
+        """Show the selected axis or button without emitting `chosen`."""
         numbers = [self._combo.itemData(row) for row in range(self._combo.count())]
         self._combo.setCurrentIndex(numbers.index(number) if number in numbers else -1)
         with QSignalBlocker(self._invert):

@@ -356,7 +356,7 @@ class MotorsPage(QWidget):
         self._show_options()
 
     def hideEvent(self, event: QHideEvent) -> None:
-        """Stop the motors if a control is held or dragged, or if the option requires it."""
+        """Stop the motors if a control is held or dragged, or if `stop_on_leaving` is checked."""
         is_dragged = self._dragged is not None and self._motors.armed
         self._dragged = None
         if self._holder or is_dragged:

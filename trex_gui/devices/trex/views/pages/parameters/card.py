@@ -78,7 +78,7 @@ class ParameterCard(ui.Card):
             self.setMinimumWidth(max(texts, self._both.sizeHint().width() + 2 * CARD_PADDING + 2))
             self.show_current()
 
-        self._findings.follow(linter, self._concerns)
+        self._findings.follow(linter, self._is_relevant)
         self._both.toggled.connect(self._on_both_toggled)
         self._fold.toggled.connect(self.show_current)
         view.wire_value_requested.connect(self._on_wire_value_requested)
@@ -103,7 +103,7 @@ class ParameterCard(ui.Card):
         ui.column(note, self._wire_value, accept, into=wire, margins=0)
         return wire
 
-    def _concerns(self, finding: LintFinding) -> bool:
+    def _is_relevant(self, finding: LintFinding) -> bool:
         key = self._view.current_key
         return bool(key) and not set(finding.keys).isdisjoint(self._model.text.keys_of(key))
 

@@ -150,9 +150,7 @@ class FrequencyEditor(UnitSpinBox):
 class ChoiceEditor(ComboBox):
     """Drop-down list of named values. An unknown value is added as an item."""
 
-    valueChanged = Signal(
-        int
-    )  # wire value after the user has selected an item, even the current item
+    valueChanged = Signal(int)  # wire value after each selection, even of the current item
 
     def __init__(self, spec: ParameterSpec, parent: QWidget | None = None) -> None:
         super().__init__(parent)

@@ -35,7 +35,7 @@ class ParameterTable(QWidget):
         super().__init__(parent)
         self._model = draft.parameters
         self._user_key = ""  # key of the cell that the user has selected
-        self._is_other_selected = False  # True if that cell is hidden and another cell is selected
+        self._is_other_selected = False  # True if this cell is hidden and another cell is selected
 
         title = tr("Search parameters")
         self._search = search_field(self, "parameterSearch", title, title)

@@ -44,10 +44,7 @@ class Picture:
     caption: str
     lines: tuple[Stroke, ...]
     area: tuple[float, float, float] | None = None  # left, right and height of a filled area
-    caption_position: tuple[float, float] = (
-        0.5,
-        0.85,
-    )  # position of the bottom centre of the caption
+    caption_position: tuple[float, float] = (0.5, 0.85)  # bottom centre of the caption
 
 
 def picture_of(key: str, values: ParameterValues) -> Picture | None:

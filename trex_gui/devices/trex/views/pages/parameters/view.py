@@ -274,6 +274,6 @@ class ParameterView(QTableView):
 
 
 def _value_at(index: QModelIndex) -> QModelIndex:
-    """Return the first value in the row of a name. Return other indexes unchanged."""
+    """Return the first value in the row of a name. Other indexes are returned unchanged."""
     is_name = index.column() == ParameterColumn.NAME and index.data(ParameterRole.KEY) is not None
     return index.siblingAtColumn(ParameterColumn.MOTOR1) if is_name else index
