@@ -7,12 +7,8 @@ from trex_gui.ui.widgets.circuit import Jumper
 
 
 def ttl_wiring() -> Wires:
-    return Wires(
-        tr("TReX"),
-        tr("Adapter"),
-        (("TX", "SI"), ("RX", "SO"), ("GND", "GND")),
-        _to_remove(),
-    )
+    pairs = ("TX", "SI"), ("RX", "SO"), ("GND", "GND")
+    return Wires(tr("TReX"), tr("Adapter"), pairs, _to_remove())
 
 
 def start_texts() -> StartTexts:

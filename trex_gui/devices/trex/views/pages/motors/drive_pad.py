@@ -24,7 +24,7 @@ from trex_gui.ui.widgets.behaviour import PressMonitor
 from trex_gui.ui.widgets.circuit import write
 from trex_gui.ui.widgets.painted import Painter
 
-_STRAIGHT = 0.06  # fraction of the travel around the centre that counts as zero
+_DEAD_ZONE = 0.06  # fraction of the travel around the centre that counts as zero
 _KNOB = 13  # minimum radius in pixels
 _MARGIN = 4  # pixels around the field
 _ROBOT = 0.42  # height of the robot as a fraction of the field
@@ -145,8 +145,8 @@ class DrivePad(RobotView):
     def _setpoint_at(self, position: QPointF) -> tuple[float, float]:
         field = self._field()
         half = max(field.width() / 2, 1)
-        forward = _straightened((field.center().y() - position.y()) / half)
-        turn = _straightened((position.x() - field.center().x()) / half)
+        forward = _limited((field.center().y() - position.y()) / half)
+        turn = _limited((position.x() - field.center().x()) / half)
         return forward, turn if self._can_turn else 0.0
 
     def _move_knob(self, forward: float, turn: float) -> None:
@@ -216,6 +216,6 @@ class DrivePad(RobotView):
         painter.drawEllipse(knob, radius, radius)
 
 
-def _straightened(deflection: float) -> float:
+def _limited(deflection: float) -> float:
     deflection = max(-1.0, min(1.0, deflection))
-    return 0.0 if abs(deflection) < _STRAIGHT else deflection
+    return 0.0 if abs(deflection) < _DEAD_ZONE else deflection
