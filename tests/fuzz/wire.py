@@ -25,7 +25,7 @@ from trex_gui.devices.aracna.session import messages as robot
 from trex_gui.devices.aracna.session.errors import ErrorCode as RobotErrorCode
 from trex_gui.devices.aracna.session.traffic_decoder import AracnaDecoder
 from trex_gui.devices.aracna.simulator.control import control as control_robot
-from trex_gui.devices.aracna.simulator.line import HOLDS, AracnaLine
+from trex_gui.devices.aracna.simulator.line import STORED_BYTES, AracnaLine
 from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, SetAuxiliary, SetMotor, Stop
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import GetSignature, SetParameter
@@ -344,7 +344,7 @@ def check_robot_requests(data: bytes, folder: Path) -> None:
     for at in range(1, len(data), 70):
         harness.line.send(data[at : at + 70])
         harness.line.advance(data[at] / 200)
-        assert len(harness.line.station.held) <= HOLDS
+        assert len(harness.line.station.held) <= STORED_BYTES
         assert len(harness.line.receive()) < LONGEST_REPLIES
     harness.line.drop_unsent()
     harness.do("reset")

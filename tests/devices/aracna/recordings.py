@@ -15,11 +15,11 @@ from trex_gui.devices.aracna.session.messages import (
     Moved,
     Moving,
     NotResponding,
-    Passed,
     PlayEnded,
+    Progress,
     Restarted,
     SpeedsHeld,
-    StepBegun,
+    StepStarted,
     Stuck,
 )
 
@@ -40,11 +40,11 @@ def _all(each: st.SearchStrategy[int]) -> st.SearchStrategy[tuple[int, ...]]:
 
 records: st.SearchStrategy[Record] = st.one_of(
     st.builds(Moving, _times, _all(_places), st.tuples(*[st.none() | _places] * MOTORS), _seconds),
-    st.builds(Passed, _times, st.lists(_heard, max_size=MOTORS).map(tuple)),
+    st.builds(Progress, _times, st.lists(_heard, max_size=MOTORS).map(tuple)),
     st.builds(Moved, _times, _all(_places), _all(_heard), _seconds),
     st.builds(SpeedsHeld, _times, _all(_places), _all(_heard)),
     st.builds(
-        StepBegun,
+        StepStarted,
         _times,
         st.sampled_from(["in", "steps", "out"]),
         st.integers(0, 1000),
@@ -71,10 +71,10 @@ def session(moves: int = 20, *, seconds: float = 2.0, pause: float = 1.0) -> Ite
     for number in range(moves):
         goals = tuple(random.randint(50, 550) for _ in range(MOTORS))
         present = tuple(goal + random.randint(-3, 3) for goal in goals)
-        yield StepBegun(time, "steps", number % 4, number // 4, 0.25)
+        yield StepStarted(time, "steps", number % 4, number // 4, 0.25)
         yield Moving(time, goals, starts, seconds)
         for count in range(1, MOTORS):
-            yield Passed(time + seconds * (0.5 + count / 20), present[:count])
+            yield Progress(time + seconds * (0.5 + count / 20), present[:count])
         time += seconds
         yield Moved(time, goals, present, seconds)
         starts = present

@@ -21,9 +21,9 @@ from trex_gui.devices.aracna.session.messages import (
     Moved,
     Moving,
     NotResponding,
-    Passed,
+    Progress,
     SpeedsHeld,
-    StepBegun,
+    StepStarted,
 )
 
 HEADER = RobotHeader(datetime(2026, 1, 2, 3, 4, 5, tzinfo=UTC), 100.0, version=1, motors=2)
@@ -69,7 +69,7 @@ def test_last_goals_positions_and_speeds_fill_later_rows(folder: Path) -> None:
         folder,
         SpeedsHeld(100.5, (100, 200), (100, 200)),
         Moving(101.0, (512, 0), (None, None), 2.0),
-        Passed(102.0, (510,)),
+        Progress(102.0, (510,)),
         Moved(103.0, (512, 0), (510, 1), 2.0),
         NotResponding(104.0),
     )
@@ -92,7 +92,7 @@ def test_partial_reply_keeps_positions_and_unreadable_position_is_empty(
     _, _, passed, moved = rows(
         folder,
         Moved(103.0, (512, 0), (510, 1), 2.0),
-        Passed(104.0, (300,)),
+        Progress(104.0, (300,)),
         Moved(105.0, (5, 6), (5, -1), 1.0),
     )
     assert (passed["motor_0_present_units"], passed["motor_1_present_units"]) == ("300", "1")
@@ -103,7 +103,7 @@ def test_partial_reply_keeps_positions_and_unreadable_position_is_empty(
 def test_steps_and_markers_are_exported(folder: Path) -> None:
     _, step, marker = rows(
         folder,
-        StepBegun(101.0, "steps", 2, 0, 0.25),
+        StepStarted(101.0, "steps", 2, 0, 0.25),
         Marker(102.0, "fault", 'Motor 3, "silent"\nfor long'),
     )
     assert (step["sample"], step["part"], step["step"], step["round"]) == (
@@ -116,8 +116,8 @@ def test_steps_and_markers_are_exported(folder: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "value", "reason"),
     [
-        ("motors", 0, "0 motors are not 1 to"),
-        ("motors", 10**9, "1000000000 motors are not 1 to"),
+        ("motors", 0, "motors is 1 to 253, not 0"),
+        ("motors", 10**9, "motors is 1 to 253, not 1000000000"),
         ("started_utc", "soon", "Invalid isoformat"),
         ("firmware", None, "int"),
     ],

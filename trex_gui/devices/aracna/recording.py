@@ -1,4 +1,4 @@
-"""Recordings of a robot: header, sample kinds and state."""
+"""Recording format of a robot: header and sample kinds."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -14,7 +14,7 @@ from trex_gui.core.recording.kinds import (
     SampleKind,
     Value,
 )
-from trex_gui.devices.aracna.poses.project import MOST_MOTORS
+from trex_gui.devices.aracna.poses.project import MAX_MOTORS
 from trex_gui.devices.aracna.protocol.joints import DEGREES_PER_SECOND, DEGREES_PER_UNIT
 from trex_gui.devices.aracna.protocol.replies import UNREADABLE
 from trex_gui.devices.aracna.session.messages import (
@@ -22,26 +22,34 @@ from trex_gui.devices.aracna.session.messages import (
     Moved,
     Moving,
     NotResponding,
-    Passed,
     PlayEnded,
+    Progress,
     Restarted,
     SpeedsHeld,
-    StepBegun,
+    StepStarted,
     Stuck,
 )
 from trex_gui.version import __version__
 
 Report = (
-    Moving | Passed | Moved | SpeedsHeld | StepBegun | PlayEnded | Stuck | Restarted | NotResponding
+    Moving
+    | Progress
+    | Moved
+    | SpeedsHeld
+    | StepStarted
+    | PlayEnded
+    | Stuck
+    | Restarted
+    | NotResponding
 )
-"""Recorded reports of the session."""
+"""Reports of the session that are recorded."""
 
 Record = Report | Marker  # times are seconds on the session clock
 
 
 @dataclass(frozen=True, slots=True)
 class RobotHeader:
-    """Header of a recording. `clock`: session clock (s) at the start."""
+    """Header of a recording. `clock`: session clock in seconds at the start."""
 
     started: datetime
     clock: float
@@ -62,7 +70,7 @@ class RobotHeader:
 
     @classmethod
     def from_values(cls, values: Mapping[str, Any]) -> "RobotHeader":
-        """Create a header. Raises ValueError."""
+        """Create a header. Raises ValueError if a value is missing or invalid."""
         try:
             header = cls(
                 started=datetime.fromisoformat(values["started_utc"]).astimezone(UTC),
@@ -72,8 +80,8 @@ class RobotHeader:
             )
         except (KeyError, TypeError, OverflowError) as error:
             raise ValueError(f"the header is incomplete ({error})") from error
-        if not 1 <= header.motors <= MOST_MOTORS:
-            raise ValueError(f"{header.motors} motors are not 1 to {MOST_MOTORS}")
+        if not 1 <= header.motors <= MAX_MOTORS:
+            raise ValueError(f"the number of motors is 1 to {MAX_MOTORS}, not {header.motors}")
         return header
 
 
@@ -89,12 +97,12 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
         return tuple(map(column, range(motors)))
 
     goals = columns("goal", "commanded position, 0 to 1023 (300 degrees)")
-    present = columns("present", "reported position; NULL without an answer", optional=True)
+    present = columns("present", "reported position; NULL without a reply", optional=True)
 
     clears = frozenset({"progress", "speeds"})
 
-    def passed(time: float, replied: int, *cells: int | None) -> Passed:
-        return Passed(time, _positions(cells[:replied]))
+    def progress(time: float, replied: int, *cells: int | None) -> Progress:
+        return Progress(time, _positions(cells[:replied]))
 
     def moved(time: float, seconds: float, *cells: int | None) -> Moved:
         moved_goals = tuple(cell for cell in cells[:motors] if cell is not None)
@@ -115,17 +123,17 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
         ),
         SampleKind(
             "progress",
-            Passed,
-            (Column("answered", "INTEGER", "motors that have answered so far"), *present),
+            Progress,
+            (Column("answered", "INTEGER", "motors that have replied so far"), *present),
             lambda r: (len(r.present), *_cells(r.present, motors)),
-            passed,
+            progress,
             held=True,
             partial=True,
         ),
         SampleKind(
             "present",
             Moved,
-            (Column("duration_s", "REAL", "from the command to the answer"), *goals, *present),
+            (Column("duration_s", "REAL", "from the command to the reply"), *goals, *present),
             lambda r: (r.seconds, *r.goals, *_cells(r.present, motors)),
             moved,
             held=True,
@@ -134,7 +142,7 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
             "speeds",
             SpeedsHeld,
             (
-                *columns("speed", "speed in the servo; NULL without an answer", optional=True),
+                *columns("speed", "speed in the servo; NULL without a reply", optional=True),
                 *columns("speed_setpoint", "commanded speed, 0 (highest) to 1023"),
             ),
             lambda r: (*_cells(r.held, motors), *r.requested),
@@ -143,15 +151,15 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
         ),
         SampleKind(
             "step",
-            StepBegun,
+            StepStarted,
             (
                 Column("part", "TEXT", "in, steps or out"),
                 Column("step", "INTEGER", "from 1"),
                 Column("round", "INTEGER", "from 1"),
-                Column("late_s", "REAL", "start behind schedule"),
+                Column("late_s", "REAL", "delay of the start behind the schedule"),
             ),
             lambda r: (r.part, r.index + 1, r.round + 1, r.late),
-            lambda time, part, step, round_, late: StepBegun(
+            lambda time, part, step, round_, late: StepStarted(
                 time, part, step - 1, round_ - 1, late
             ),
         ),
@@ -165,7 +173,7 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
         SampleKind(
             "stuck",
             Stuck,
-            (Column("stuck_motor", "INTEGER", "NULL: the robot does not answer", optional=True),),
+            (Column("stuck_motor", "INTEGER", "NULL: the robot does not reply", optional=True),),
             lambda r: (r.motor,),
             Stuck,
         ),

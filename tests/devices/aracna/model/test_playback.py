@@ -18,7 +18,7 @@ from trex_gui.devices.aracna.session.messages import (
     Moved,
     Moving,
     NotResponding,
-    Passed,
+    Progress,
     Restarted,
     Stuck,
 )
@@ -66,8 +66,8 @@ def test_curve_is_flat_at_rest_and_linear_in_motion(tmp_path: Path, qtbot: QtBot
         qtbot,
         Moved(T0, (100,) * 8, (100,) * 8, 1.0),
         Moving(T0 + 10, (200,) * 8, (100,) * 8, 2.0),
-        Passed(T0 + 11, (200,)),
-        Passed(T0 + 11.5, (200, 200)),
+        Progress(T0 + 11, (200,)),
+        Progress(T0 + 11.5, (200, 200)),
         Moved(T0 + 12, (200,) * 8, (200,) * 8, 2.0),
     )
     times, columns = playback.traces.samples(playback.start, playback.end)
@@ -107,7 +107,7 @@ def test_stuck_motor_is_known_until_it_answers(tmp_path: Path, qtbot: QtBot) -> 
         tmp_path / "a.trexrec",
         qtbot,
         Moving(T0 + 1, (100,) * 8, (None,) * 8, 1.0),
-        Passed(T0 + 2, (100, 100, 100)),
+        Progress(T0 + 2, (100, 100, 100)),
         Stuck(T0 + 5, 3),
         Moved(T0 + 9, (100,) * 8, (100,) * 3 + (-1,) * 5, 8.0),
     )

@@ -20,20 +20,20 @@ from trex_gui.devices.aracna.session.messages import (
     Moved,
     Moving,
     NotResponding,
-    Passed,
     Play,
     PlayEnded,
+    Progress,
     Restarted,
     SpeedsHeld,
     Step,
-    StepBegun,
+    StepStarted,
     Stuck,
 )
 from trex_gui.ui.devices.connection import ConnectionState
 
 LONG_TIMEOUT = 15_000
 RECORDED = (
-    *(Moving, Passed, Moved, SpeedsHeld, StepBegun, PlayEnded, Stuck, Restarted),
+    *(Moving, Progress, Moved, SpeedsHeld, StepStarted, PlayEnded, Stuck, Restarted),
     *(NotResponding, Marker),
 )
 
@@ -94,7 +94,7 @@ def test_every_report_is_read_back_equal(session: Session) -> None:
         session.robot.play(Play(0, steps, rounds=2))
     found = session.stop()
     assert {type(row) for row in session.reported} >= {
-        *(Moving, Passed, Moved, SpeedsHeld, StepBegun, PlayEnded)
+        *(Moving, Progress, Moved, SpeedsHeld, StepStarted, PlayEnded)
     }
     assert without_markers(found) == session.reported
     texts = [row.text for row in found if isinstance(row, Marker)]
@@ -148,7 +148,7 @@ def test_late_recording_starts_with_known_state(session: Session) -> None:
     session.wait(lambda: session.robot.state.moved is not None)
     known = session.robot.state
     first, second, third, *rest = without_markers(session.stop())
-    assert isinstance(first, Passed)
+    assert isinstance(first, Progress)
     assert isinstance(second, SpeedsHeld)
     assert second.held == speeds.held
     assert isinstance(third, Moving)

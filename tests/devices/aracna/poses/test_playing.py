@@ -23,7 +23,11 @@ from trex_gui.devices.aracna.poses.playing import (
     steps_of,
 )
 from trex_gui.devices.aracna.poses.project import Pose, Sequence, SequenceStep
-from trex_gui.devices.aracna.protocol.joints import CEILING, UNITS_PER_SECOND, factory_limits
+from trex_gui.devices.aracna.protocol.joints import (
+    MAX_EFFECTIVE_SPEED,
+    UNITS_PER_SECOND,
+    factory_limits,
+)
 from trex_gui.devices.aracna.session.messages import Step
 
 LIMITS = factory_limits()
@@ -73,7 +77,7 @@ def test_blend_out_ends_in_built_in_or_own_stand_pose() -> None:
 
 def test_late_motors_are_reported_with_needed_time() -> None:
     steps = (Step((0, 500), 1.0), Step((100, 0), 0.1))
-    needed = pytest.approx(500 / (UNITS_PER_SECOND * CEILING))
+    needed = pytest.approx(500 / (UNITS_PER_SECOND * MAX_EFFECTIVE_SPEED))
     assert late_motors(steps, (0, 500)) == {1: {1: needed}}
 
 

@@ -108,7 +108,7 @@ def test_old_style_pose_is_read_and_written_in_new_style() -> None:
 
 def test_poses_missing_from_file_are_reported_with_line() -> None:
     project, findings = read_ppr(HEAD + "Seq=gait: p1|500, p2|500, p1|100\n")
-    assert project.sequences[0].missing(project.pose_names) == ("p1", "p2")
+    assert project.sequences[0].missing_poses(project.pose_names) == ("p1", "p2")
     assert [finding.line for finding in findings] == [2, 2]
     assert "p1" in findings[0].message
     assert "Seq=gait: p1|500, p2|500, p1|100\n" in write_ppr(project)
@@ -146,7 +146,7 @@ def test_invalid_line_is_reported_with_number_and_kept(line: str, said: str) -> 
 def test_surplus_positions_are_kept_and_reported() -> None:
     text = HEAD + f"Pose=long:{EIGHT}, 9\n"
     project, findings = read_ppr(text)
-    assert project.poses[0].first(8) == (1, 2, 3, 4, 5, 6, 7, 8)
+    assert project.poses[0].for_motors(8) == (1, 2, 3, 4, 5, 6, 7, 8)
     assert "9 positions for 8" in findings[0].message
     assert write_ppr(project) == text
 
@@ -175,7 +175,7 @@ def test_pose_differing_only_in_blanks_is_renamed(lines: tuple[str, str]) -> Non
     assert finding.severity is Severity.WARNING
     assert finding.line == 2 + [" a " in line for line in lines].index(True)
     assert "called a 2 now" in finding.message
-    assert project.sequences[0].missing(project.pose_names) == ()
+    assert project.sequences[0].missing_poses(project.pose_names) == ()
 
 
 @pytest.mark.parametrize("text", ["", "\n", "Pose=a:1\n", "Aracna", "Aracna:many:1", "Aracna:0"])

@@ -4,7 +4,7 @@ from hypothesis import strategies as st
 
 from tests.support.matrix import examples
 from trex_gui.devices.aracna.protocol.replies import (
-    MOST_MOTORS,
+    MAX_MOTORS,
     Hello,
     Led,
     Positions,
@@ -19,7 +19,7 @@ from trex_gui.devices.aracna.protocol.replies import (
 NUMBERS = st.lists(st.integers(-1, 1023), min_size=1, max_size=9).map(tuple)
 REPLIES = st.one_of(
     st.just(Hello()),
-    st.builds(Version, st.integers(0, 99), st.one_of(st.none(), st.integers(1, MOST_MOTORS))),
+    st.builds(Version, st.integers(0, 99), st.one_of(st.none(), st.integers(1, MAX_MOTORS))),
     st.builds(Speeds, NUMBERS),
     st.builds(Positions, NUMBERS),
     st.builds(Led, st.booleans()),

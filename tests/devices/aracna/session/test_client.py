@@ -14,7 +14,7 @@ from trex_gui.devices.aracna.session.client import (
     ReplyLost,
 )
 from trex_gui.devices.aracna.session.errors import printable
-from trex_gui.devices.aracna.session.messages import Passed, Stuck
+from trex_gui.devices.aracna.session.messages import Progress, Stuck
 
 THERE = (600,) * 8
 
@@ -60,13 +60,13 @@ def test_only_queries_follow_late_move_until_it_is_answered() -> None:
     client = client_of(harness)
     client.move(THERE, 1.0)
     events = received(client, 30.0)
-    assert [type(one) for one in events if not isinstance(one, Passed)] == [Stuck]
+    assert [type(one) for one in events if not isinstance(one, Progress)] == [Stuck]
     assert client.awaited_motor == 1
     behind = bytes(harness.transport.sent).partition(b"600\n")[2]
     assert behind == b".q\n" * behind.count(b".q\n")
     assert 1 < behind.count(b".q\n") <= 2 + 29 / QUERY_RETRY
     harness.do("servo 1 free")
-    first, second = [one for one in received(client, 2.0) if not isinstance(one, Passed)]
+    first, second = [one for one in received(client, 2.0) if not isinstance(one, Progress)]
     assert isinstance(first, Answered)
     assert isinstance(first.reply, Positions)
     assert isinstance(second, Answered)

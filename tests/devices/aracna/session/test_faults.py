@@ -17,9 +17,9 @@ from trex_gui.devices.aracna.session.messages import (
     Moved,
     Moving,
     NotResponding,
-    Passed,
     Play,
     PlayEnded,
+    Progress,
     Restarted,
     SetSpeeds,
     SpeedsHeld,
@@ -134,7 +134,7 @@ def test_servo_failing_in_motion_is_reported_stuck_once() -> None:
     assert session.when(Stuck)[0] - session.when(Moving)[1] == pytest.approx(
         88 / 228 * 1.25 + 1.0, abs=0.06
     )
-    assert session.of(Passed)[-1].present == (600,) * 3
+    assert session.of(Progress)[-1].present == (600,) * 3
     assert not session.of(NotResponding)
     outcomes = {outcome.id: outcome.error for outcome in session.of(Outcome)}
     assert outcomes[3] is not None  # closed before this was done

@@ -26,10 +26,10 @@ from trex_gui.devices.aracna.session.messages import (
     SetTimeScale,
     SpeedsHeld,
     Step,
-    StepBegun,
+    StepStarted,
 )
 from trex_gui.devices.aracna.session.player import SequencePlayer
-from trex_gui.devices.aracna.session.servo_estimates import TRUST, ServoEstimates
+from trex_gui.devices.aracna.session.servo_estimates import SPEED_VALIDITY, ServoEstimates
 
 HERE = (512,) * 8
 SLOW = (100,) * 8
@@ -49,7 +49,7 @@ def placed(positions: tuple[int, ...] = HERE, **options: Any) -> ScriptedSession
 
 
 def described(session: ScriptedSession) -> list[tuple[str, int, int]]:
-    return [(begun.part, begun.index, begun.round) for begun in session.of(StepBegun)]
+    return [(begun.part, begun.index, begun.round) for begun in session.of(StepStarted)]
 
 
 # --- Timing ---------------------------------------------------------------------------------
@@ -75,10 +75,10 @@ def test_steps_arrive_in_time_and_begin_on_schedule(
     )
     session = placed().at(1.0, Play(1, steps, time_scale=factor))
     session.until(4.0 + factor * sum(seconds)).run()
-    begun = [report.time for report in session.of(StepBegun)]
+    begun = [report.time for report in session.of(StepStarted)]
     moved = [report.time for report in session.of(Moved)][1:]
     assert [ended.ending for ended in session.of(PlayEnded)] == [Ending.DONE]
-    late = [report.late for report in session.of(StepBegun)]
+    late = [report.late for report in session.of(StepStarted)]
     if not reachable:
         return
     due = begun[0]
@@ -100,7 +100,7 @@ def test_arrival_times_match_travel_time_formula() -> None:
         )
         assert moving.expected == pytest.approx(formula)
         assert formula <= moved.time - moving.time <= formula + ROUND_TRIP
-    assert all(begun.late < 0.03 for begun in session.of(StepBegun))
+    assert all(begun.late < 0.03 for begun in session.of(StepStarted))
 
 
 def test_all_motors_of_step_arrive_together() -> None:
@@ -120,25 +120,25 @@ def test_all_motors_of_step_arrive_together() -> None:
 def test_schedule_does_not_drift_over_30_rounds() -> None:
     steps = (step(560, 0.4), step(460, 0.4))
     session = placed().at(1.0, Play(1, steps, rounds=30)).until(27.0).run()
-    begun = [report.time for report in session.of(StepBegun)]
+    begun = [report.time for report in session.of(StepStarted)]
     assert len(begun) == 60
     assert begun[-1] - begun[0] == pytest.approx(59 * 0.4, abs=0.01)
-    assert session.when(PlayEnded)[0] - session.when(StepBegun)[0] == pytest.approx(24.0, abs=0.2)
+    assert session.when(PlayEnded)[0] - session.when(StepStarted)[0] == pytest.approx(24.0, abs=0.2)
 
 
 def test_steps_rarely_resend_unchanged_speeds() -> None:
     steps = (step(560, 0.5), step(460, 0.5))
     session = placed().at(1.0, Play(1, steps, rounds=10)).until(13.0).run()
-    assert len(session.of(SpeedsHeld)) <= 5 + 10 / TRUST, "but to see that they are held"
+    assert len(session.of(SpeedsHeld)) <= 5 + 10 / SPEED_VALIDITY, "but to see that they are held"
 
 
 def test_late_steps_are_reported_and_none_is_skipped() -> None:
     steps = (step(1000, 0.2), step(20, 0.2))
     session = placed().at(1.0, Play(1, steps, rounds=5)).until(10.0).run()
     assert described(session) == [("steps", index, turn) for turn in range(5) for index in (0, 1)]
-    assert max(begun.late for begun in session.of(StepBegun)) > 0.3
+    assert max(begun.late for begun in session.of(StepStarted)) > 0.3
     # The clock restarts, so that delays do not accumulate.
-    assert session.of(StepBegun)[-1].late < 1.0
+    assert session.of(StepStarted)[-1].late < 1.0
     starts, ends = session.when(Moving), session.when(Moved)
     assert all(end <= start for end, start in zip(ends, starts[1:], strict=False))
 
@@ -156,7 +156,7 @@ def test_end_finishes_current_step_and_plays_blend_out() -> None:
     play = Play(1, (step(560, 0.5), step(460, 0.5)), 0, (), (step(512, 0.4),))
     session = placed().at(1.0, play).at(2.7, EndPlay()).until(8.0).run()
     assert described(session)[-2:] == [("steps", 1, 1), ("out", 0, 0)]
-    assert session.when(StepBegun)[-1] == pytest.approx(3.0, abs=0.1)
+    assert session.when(StepStarted)[-1] == pytest.approx(3.0, abs=0.1)
     assert [ended.ending for ended in session.of(PlayEnded)] == [Ending.ENDED]
     assert session.stage.goals == HERE
 
@@ -179,7 +179,7 @@ def test_valid_time_scale_applies_from_next_step() -> None:
     session = placed().at(1.0, Play(1, (step(560, 0.5), step(460, 0.5)), 3))
     session.at(1.1, SetTimeScale(0.0)).at(1.1, SetTimeScale(float("nan")))
     session.at(1.7, SetTimeScale(2.0)).until(6.0).run()
-    times = session.when(StepBegun)
+    times = session.when(StepStarted)
     gaps = [b - a for a, b in itertools.pairwise(times)]
     assert gaps == pytest.approx([0.5, 0.5, 1.0, 1.0, 1.0], abs=0.04)
 
@@ -237,7 +237,7 @@ def test_blend_in_precedes_rounds_and_blend_out_follows(
         player.on_arrival()
         if len(reports) == end_after:
             player.end()
-    begun = [report for report in reports if isinstance(report, StepBegun)]
+    begun = [report for report in reports if isinstance(report, StepStarted)]
     seen = [(step.part, step.index, step.round) for step in begun]
     cut = whole if end_after is None else whole[:end_after]
     assert seen == [*cut, *out]

@@ -16,7 +16,7 @@ from trex_gui.devices.aracna.session.messages import (
     SpeedsHeld,
     Step,
 )
-from trex_gui.devices.aracna.session.servo_estimates import TRUST
+from trex_gui.devices.aracna.session.servo_estimates import SPEED_VALIDITY
 
 SLOW = (30,) * 8
 FASTEST = 2.28 * 30 * 1.25
@@ -68,7 +68,7 @@ def test_speed_is_limited_again_soon_after_power_cut_near_goal(cut: float, secon
     steps = (Step((300,) * 8, 1.5), Step((500,) * 8, 1.5))
     session.at(0.5, Move(1, (300,) * 8, (100,) * 8)).at(1.5, Play(2, steps, 0))
     session.at(cut, "servo power off").at(cut + seconds, "servo power on")
-    seen = watched(session, cut + seconds + TRUST, 5.0)
+    seen = watched(session, cut + seconds + SPEED_VALIDITY, 5.0)
     session.run()
     assert 0 < max(seen) < 300, "200 units in 1.4 s"
 

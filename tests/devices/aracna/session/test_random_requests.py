@@ -23,7 +23,7 @@ from trex_gui.devices.aracna.session.messages import (
     SetSpeeds,
     SetTimeScale,
     Step,
-    StepBegun,
+    StepStarted,
 )
 
 PLACES = st.sampled_from([(400,) * 8, (512,) * 8, (600,) * 8, (5, 6)])
@@ -96,7 +96,7 @@ def _assert_it_makes_sense(session: ScriptedSession) -> None:
                 moves = True
             case Moved():
                 moves = False
-            case StepBegun(part="steps", index=0, round=0):
+            case StepStarted(part="steps", index=0, round=0):
                 begun += 1
             case PlayEnded():
                 ended += 1

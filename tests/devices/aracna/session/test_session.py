@@ -16,7 +16,7 @@ from trex_gui.devices.aracna.session.messages import (
     Moved,
     Moving,
     NotResponding,
-    Passed,
+    Progress,
     Restarted,
     SetSpeeds,
     SpeedsHeld,
@@ -108,7 +108,7 @@ def test_move_reports_each_arrival_and_then_completion() -> None:
     [moving] = session.of(Moving)
     assert moving.starts == (None,) * 8
     assert moving.expected == pytest.approx(600 / 228)  # the longest possible distance
-    assert [len(passed.present) for passed in session.of(Passed)] == list(range(8))
+    assert [len(passed.present) for passed in session.of(Progress)] == list(range(8))
     [moved] = session.of(Moved)
     assert moved.present == (600,) * 8
     assert moved.seconds == pytest.approx(88 / 228, abs=0.06)

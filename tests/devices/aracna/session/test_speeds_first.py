@@ -19,7 +19,7 @@ from trex_gui.devices.aracna.session.messages import (
     SetSpeeds,
     SpeedsHeld,
     Step,
-    StepBegun,
+    StepStarted,
     Stuck,
 )
 
@@ -156,7 +156,7 @@ def test_newest_limits_apply_to_moves_and_playback() -> None:
     session.at(3.1, Move(2, THERE, FAST)).at(5.0, Move(4, HERE, FAST))
     session.at(7.0, Play(3, (Step((530,) * 8, 0.5), Step((545,) * 8, 0.5)), rounds=0))
     session.on(
-        lambda report: isinstance(report, StepBegun) and report.round == 2,
+        lambda report: isinstance(report, StepStarted) and report.round == 2,
         SetLimits((Limits(535, 540),) * 8),
     )
     session.until(12.0).run()

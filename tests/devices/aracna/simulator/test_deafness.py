@@ -6,7 +6,7 @@ import pytest
 
 from tests.support.aracna import BOOT, AracnaHarness
 from trex_gui.devices.aracna.simulator.firmware import State
-from trex_gui.devices.aracna.simulator.line import HOLDS, OWN
+from trex_gui.devices.aracna.simulator.line import OWN, STORED_BYTES
 
 VERSION = b".q1,8\r\n"
 SPEEDS = b".v100,100,100,100,100,100,100,100\n"
@@ -134,8 +134,8 @@ def test_busy_board_keeps_three_bytes_of_longer_command_and_restarts(
     boots_before = harness.line.station.firmware.boots
     harness.line.send(line)
     harness.line.advance(0.0095)
-    assert len(harness.line.station.held) == HOLDS
-    assert harness.line.station.bytes_missed == len(line) - HOLDS
+    assert len(harness.line.station.held) == STORED_BYTES
+    assert harness.line.station.bytes_missed == len(line) - STORED_BYTES
     assert is_free(harness).endswith(b".h\r\n")
     assert harness.line.station.firmware.boots == boots_before + 1
     assert harness.request(b".q\n") == VERSION

@@ -22,7 +22,7 @@ from tests.support.window import LEFT, WidgetDriver
 from trex_gui.devices.aracna.model.library import ItemKind, Library
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.poses.project import SequenceStep
-from trex_gui.devices.aracna.session.messages import Play, Step, StepBegun, Stuck
+from trex_gui.devices.aracna.session.messages import Play, Step, StepStarted, Stuck
 from trex_gui.devices.aracna.views.poses.name_list import NameList
 from trex_gui.devices.aracna.views.poses.page import PosesPage
 from trex_gui.ui.devices.connection import ConnectionState
@@ -142,7 +142,7 @@ class PosesPageDriver(WidgetDriver):
         self.robot.state.present = present
         self.robot.changed.emit()
 
-    def show_playing(self, play: Play | None, step: StepBegun | None = None) -> None:
+    def show_playing(self, play: Play | None, step: StepStarted | None = None) -> None:
         self.robot.state.play, self.robot.state.step = play, step
         self.robot.changed.emit()
 
@@ -334,7 +334,7 @@ def test_during_playback_step_is_marked_and_only_speed_can_change(driver: PosesP
     assert driver.robot.plays == [], "there is no robot"
     driver.connect()
     driver.page.play()
-    driver.show_playing(driver.robot.plays[0], StepBegun(0.0, "steps", 1, 0, 0.0))
+    driver.show_playing(driver.robot.plays[0], StepStarted(0.0, "steps", 1, 0, 0.0))
     driver.page.play()
     assert len(driver.robot.plays) == 1
     assert not driver.button("aracnaPlay").isEnabled()

@@ -18,7 +18,7 @@ from trex_gui.core.recording.kinds import Marker
 from trex_gui.devices.aracna.model.recordings import RobotPlayback
 from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.recording import Record, RobotHeader
-from trex_gui.devices.aracna.session.messages import Moved, Moving, Passed, SpeedsHeld
+from trex_gui.devices.aracna.session.messages import Moved, Moving, Progress, SpeedsHeld
 from trex_gui.devices.aracna.views.playback import JointValues, RobotPlaybackWindow
 from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
 from trex_gui.ui.plotting.plot import TracePlot
@@ -29,7 +29,7 @@ SAMPLE_SESSION: list[Record] = [
     SpeedsHeld(T0 + 1, (100,) * MOTORS, (100, 0, *(100,) * 5, -1)),
     Marker(T0 + 1, "fault", "Motor 7 does not answer (−1)"),
     Moving(T0 + 10, GOALS, (None,) * MOTORS, 2.0),
-    Passed(T0 + 11, (201, 199, 200)),
+    Progress(T0 + 11, (201, 199, 200)),
     Moved(T0 + 12, GOALS, REACHED, 2.0),
     Marker(T0 + 40, "note", "Not moved: No robot is connected that could move."),
     Marker(T0 + 60, "stop", "Nothing more is sent."),

@@ -71,7 +71,7 @@ def query(port: str | None, extra_timeout: float, *, as_json: bool) -> None:
 def led(state: str, port: str | None, extra_timeout: float) -> None:
     """Switch the debug LED of the board, to identify the robot. Never moves a motor.
 
-    The LED is off after each start of the board. Prints the reported state.
+    The LED is off after each start of the board. The command prints the reported state.
     """
     with CommandSession(port_settings(port, extra_timeout)) as session:
         click.echo("on" if session.set_led(on=state == "on") else "off")
@@ -81,10 +81,10 @@ def led(state: str, port: str | None, extra_timeout: float) -> None:
 @_line_options
 @click.argument("values", metavar="SPEED...", nargs=-1, required=True, type=_POSITION)
 def speeds(values: tuple[int, ...], port: str | None, extra_timeout: float) -> None:
-    """Set the speed of every motor: one value for all, or one for each.
+    """Set the speed of every motor: one value for all motors, or one for each.
 
-    A unit is 0.67 degrees per second. 0 is unlimited. Prints the speeds that the servos report.
-    They keep these speeds until they lose power.
+    A unit is 0.67 degrees per second, and 0 is unlimited. The command prints the speeds that the
+    servos report. The servos keep these speeds until they lose power.
     """
     with CommandSession(port_settings(port, extra_timeout)) as session:
         motors = session.robot.motors
@@ -97,15 +97,15 @@ def speeds(values: tuple[int, ...], port: str | None, extra_timeout: float) -> N
 @aracna.command()
 @_line_options
 @click.argument("values", metavar="[POSITION...]", nargs=-1, type=_POSITION)
-@click.option("--pose", "name", metavar="NAME", help="A pose of --file, or a built-in one.")
+@click.option("--pose", "name", metavar="NAME", help="Pose from --file, or a built-in pose.")
 @click.option("--file", type=FileName(), metavar="FILE", help="Pose file (.ppr) with the pose.")
 @click.option(
     "--speed",
     type=_POSITION,
     default=100,
     show_default=True,
-    help="Speed of every motor, set first: positions are unknown before the first move. "
-    "0 is unlimited.",
+    help="Speed of every motor, 0 to 1023. 0 is unlimited. It is set before the move, because "
+    "positions are unknown before the first move.",
 )
 @_no_limits_option
 def pose(
@@ -120,8 +120,8 @@ def pose(
 ) -> None:
     """Move every motor to a position, 0 to 1023 (512 is the centre), and wait.
 
-    Takes one position for each motor, or the name of a pose. Positions outside the joints' limits
-    are rejected. Positions of a pose are cropped. Prints the final positions.
+    Give one position for each motor, or the name of a pose. Positions outside the joints' limits
+    are rejected, but positions of a pose are cropped. The command prints the final positions.
     """
     if bool(values) == (name is not None):
         raise click.UsageError("Give either one position for each motor, or --pose NAME.")
@@ -146,7 +146,9 @@ def pose(
 @aracna.command()
 @_line_options
 @click.argument("file", type=FileName())
-@click.option("--sequence", "name", metavar="NAME", help="Which one, if the file has several.")
+@click.option(
+    "--sequence", "name", metavar="NAME", help="Sequence to play, if the file has several."
+)
 @click.option("--rounds", type=click.IntRange(1), show_default="1")
 @click.option("--loop", is_flag=True, help="Play until Ctrl-C.")
 @click.option(
@@ -170,7 +172,7 @@ def play(
 ) -> None:
     """Play a sequence of a pose file (.ppr), after a slow move to its start.
 
-    Positions outside the joints' limits are cropped and reported. After Ctrl-C nothing more is
+    Positions outside the joints' limits are cropped and reported. After Ctrl-C, nothing more is
     sent, and the running step continues to its end.
     """
     if loop and rounds is not None:
@@ -180,7 +182,7 @@ def play(
     settings = port_settings(port, extra_timeout)
     with (
         Interruption() as interrupted,
-        CommandSession(settings, interrupted, motors=False) as session,
+        CommandSession(settings, interrupted, report_motors=False) as session,
     ):
         limits = _limits(session.robot.motors, lifted=no_limits)
         with refusals():
@@ -256,7 +258,7 @@ def _report_crops(pose: Pose, limits: tuple[Limits, ...]) -> tuple[int, ...]:
     goals = cropped(pose, limits)
     if problem := mismatch([pose], len(limits)):
         say(f"{pose.name}: {problem}")
-    for motor, (position, goal) in enumerate(zip(pose.first(len(limits)), goals, strict=True)):
+    for motor, (position, goal) in enumerate(zip(pose.for_motors(len(limits)), goals, strict=True)):
         if position != goal:
             say(f"{pose.name}: motor {motor} is sent to {goal}, its limit, not to {position}.")
     return goals

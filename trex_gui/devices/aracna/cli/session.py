@@ -1,4 +1,4 @@
-"""Session of a command, and an Aracna's reports for list and find."""
+"""Session of a command, and reports on a port for `trexcmd list` and `trexcmd find`."""
 
 import itertools
 from collections.abc import Iterator, Mapping, Sequence
@@ -29,13 +29,13 @@ from trex_gui.devices.aracna.session.messages import (
     Moved,
     Moving,
     NotResponding,
-    Passed,
     Play,
+    Progress,
     Report,
     SetLed,
     SetSpeeds,
     SpeedsHeld,
-    StepBegun,
+    StepStarted,
     Stuck,
 )
 from trex_gui.devices.aracna.session.session import AracnaSession
@@ -66,9 +66,9 @@ class CommandSession:
         settings: PortSettings,
         interrupted: Interruption | None = None,
         *,
-        motors: bool = True,
+        report_motors: bool = True,
     ) -> None:
-        """`motors`: print the arrival of each motor instead of each step."""
+        """`report_motors`: print the final position of each motor instead of each step."""
         self._host = host()
         self._inbox = RequestQueue(self._host.condition())
         self._reports = RequestQueue(self._host.condition())
@@ -78,7 +78,7 @@ class CommandSession:
         )
         self._is_connected = False
         self._interrupted = interrupted
-        self._motors = motors
+        self._report_motors = report_motors
         self._reported = 0
         self._expected = 0.0
         self._is_moving = False
@@ -175,21 +175,21 @@ class CommandSession:
         match report:
             case Moving(expected=expected):
                 self._reported, self._is_moving, self._expected = 0, True, expected
-                if self.halted:  # the motion had been sent before the halt
+                if self.halted:  # the motion was sent before the halt
                     say(NO_STOP.format(expected))
-            case Passed(present=present) if self._motors:
-                self._report_motors(present)
+            case Progress(present=present) if self._report_motors:
+                self._say_positions(present)
             case Moved(goals=goals, present=present):
                 self._is_moving, self.moved = False, report
                 faults = map(str, missed_goals(goals, present).values())
                 self.faults += [fault for fault in faults if fault not in self.faults]
-                if self._motors:
-                    self._report_motors(present)
-            case StepBegun(part=part, index=index, round=number, late=late) if not self._motors:
+                if self._report_motors:
+                    self._say_positions(present)
+            case StepStarted(_, part, index, number, late) if not self._report_motors:
                 title = "blend in" if part == "in" else f"round {number + 1}, step {index + 1}"
                 say(f"{title}{f', {late:.2f} s late' if late >= 0.05 else ''}")
 
-    def _report_motors(self, present: Sequence[int]) -> None:
+    def _say_positions(self, present: Sequence[int]) -> None:
         for motor in range(self._reported, len(present)):
             position = present[motor]
             say(f"motor {motor}: {position if position >= 0 else 'could not be read (-1)'}")

@@ -16,7 +16,7 @@ from trex_gui.devices.aracna.model.robot import Robot
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.protocol.joints import degrees
 from trex_gui.devices.aracna.recording import FORMAT, Record, Report, RobotHeader
-from trex_gui.devices.aracna.session.messages import Moving, Passed, SpeedsHeld
+from trex_gui.devices.aracna.session.messages import Moving, Progress, SpeedsHeld
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.playback.player import Curves, RecordingPlayer
 from trex_gui.ui.plotting.history import SampleHistory
@@ -25,11 +25,10 @@ from trex_gui.ui.runtime import now
 from trex_gui.ui.workers.record_thread import RecordThread
 
 COLORS = ("motor1", "motor2", "good", "dirty", "danger", "muted", "warning", "plot_text")
-"""Theme colours of the curves by motor. Each curve also shows its number."""
+"""Theme colours of the curves by motor. Each curve also shows the number of its motor."""
 
 MAX_ROWS = 2_000_000  # drawn rows: two hours at the robot's highest rate, 144 MB
-_NO_GAP = math.inf  # an unreported position has not changed
-
+_NO_GAP = math.inf  # curves have no gaps: without a report, a position has not changed
 
 _Row = tuple[float, ...]  # time (s), then the position of each motor (degrees; NaN if unknown)
 
@@ -75,7 +74,7 @@ class AracnaRecorder(RecordThread[Record]):
             records.append(replace(state.moved, time=time))
         elif any(position is not None for position in state.present):
             positions = tuple(-1 if position is None else position for position in state.present)
-            records.append(Passed(time, positions))
+            records.append(Progress(time, positions))
         if state.speeds is not None:
             records.append(SpeedsHeld(time, state.speeds.requested, state.speeds.held))
         if state.moving is not None and state.ends_at is not None:

@@ -48,11 +48,11 @@ from trex_gui.ui.workers.session_thread import SessionFactory
 FIRST_SPEED = 100
 """Speed of the servos, 67 degrees per second, until the user changes it.
 
-Positions are unknown before the first motion, and a servo is unlimited after power-up."""
+Positions are unknown before the first motion, and a servo's speed is unlimited after power-up."""
 
 
 class Robot(DeviceConnection[PortSettings]):
-    """Robot, connected or not. Without a request, only the session sends queries.
+    """Robot, connected or not. Without a request, its session sends only queries.
 
     Positions and speeds are tuples with one value for each motor, motor 0 first, in the servo's
     units. `reported` is emitted after `state` includes the report.
@@ -159,12 +159,12 @@ class Robot(DeviceConnection[PortSettings]):
 
     @Slot()
     def _send_limits(self) -> None:
-        self.submit(SetLimits(self.limits.first(self.state.motors)))
+        self.submit(SetLimits(self.limits.for_motors(self.state.motors)))
 
     # --- Commands -----------------------------------------------------------------------
 
     def move(self, goals: Sequence[int]) -> bool:
-        """Move every motor after a running motion. Return False if rejected."""
+        """Move every motor to its goal after any running motion. Return False if rejected."""
         if not self._can_move():
             return False
         cropped = self.limits.crop(goals)
@@ -189,7 +189,7 @@ class Robot(DeviceConnection[PortSettings]):
             self.changed.emit()
 
     def drag(self, goals: Sequence[int]) -> None:
-        """Send goals once the robot is ready. They replace older goals."""
+        """Send goals once the robot is ready. They replace unsent goals."""
         if self.dragging and self.link is ConnectionState.CONNECTED:
             self._request_move(self.limits.crop(goals), dragged=True)
 
@@ -199,7 +199,7 @@ class Robot(DeviceConnection[PortSettings]):
             self.changed.emit()
 
     def set_speeds(self, speeds: Sequence[int]) -> None:
-        """Set speeds, 0-1023 (0: unlimited), now or after the sequence."""
+        """Set speeds, 0-1023 (0: unlimited). During a sequence, they apply to the next move."""
         values = tuple(speeds)
         self.speeds, self.speeds_chosen = values, True
         if (
@@ -275,7 +275,7 @@ class Robot(DeviceConnection[PortSettings]):
         self.submit_now(*((Halt(), Close()) if ending else (Halt(),)))
 
     def stop_because(self, reason: str) -> str:
-        """Halt for a `reason`, a clause without full stop. Return reason and effect.
+        """Halt for a `reason`, a clause without a full stop. Return the reason and the effect.
 
         Return an empty text if no robot is connected and no earlier motion may be running.
         """

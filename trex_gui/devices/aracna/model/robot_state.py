@@ -10,12 +10,12 @@ from trex_gui.devices.aracna.session.messages import (
     Moved,
     Moving,
     NotResponding,
-    Passed,
     Play,
     PlayEnded,
+    Progress,
     Restarted,
     SpeedsHeld,
-    StepBegun,
+    StepStarted,
     Stuck,
 )
 
@@ -27,17 +27,17 @@ class RobotState:
     motors: int
     version: int | None = None
     present: tuple[int | None, ...] = ()  # positions; `None`: unknown
-    goals: tuple[int, ...] | None = None  # last sent
-    moving: Moving | None = None  # a `.c` without a reply
+    goals: tuple[int, ...] | None = None  # last sent goals
+    moving: Moving | None = None  # unanswered `.c`
     moved: Moved | None = None
     awaited_motor: int = 0
     stuck: Stuck | None = None
     uncertain: bool = False  # True while an unobserved motion may be running
-    unobserved_until: float | None = None  # time when that motion should end
+    unobserved_until: float | None = None  # time at which this motion should end
     speeds: SpeedsHeld | None = None
     led: bool | None = None  # debug LED; `None` before it was switched
     play: Play | None = None
-    step: StepBegun | None = None  # running step
+    step: StepStarted | None = None  # running step
     stats: LineStats = field(default_factory=LineStats)
 
     def __post_init__(self) -> None:
@@ -49,7 +49,7 @@ class RobotState:
                 self.moving, self.goals = report, goals
                 self.awaited_motor, self.stuck, self.moved = 0, None, None
                 self.uncertain, self.unobserved_until = False, None  # every motor has a new goal
-            case Passed(present=present):
+            case Progress(present=present):
                 self._set_present(present)
                 self.awaited_motor = min(len(present), self.motors - 1)
                 if self.stuck is not None and self.stuck.motor != self.awaited_motor:
@@ -70,7 +70,7 @@ class RobotState:
                 # A robot that replies to `.q` does not wait for a motor. Servos may still be
                 # moving, because a reset by opening the port does not stop them.
                 self._stop_observing()
-            case StepBegun():
+            case StepStarted():
                 self.step = report
             case PlayEnded():
                 self.play = self.step = None
@@ -122,7 +122,7 @@ class RobotState:
 
     @property
     def moving_until(self) -> float | None:
-        """End of any motion on the session clock."""
+        """Expected end of any motion, on the session clock."""
         return self.unobserved_until if self.moving is None else self.ends_at
 
     @property

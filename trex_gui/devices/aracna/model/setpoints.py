@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from trex_gui.devices.aracna.protocol.joints import CENTRE, MOTORS, Limits, factory_limits
+from trex_gui.devices.aracna.protocol.joints import CENTER, MOTORS, Limits, factory_limits
 from trex_gui.ui.preferences import Preferences
 
 _KEY = "aracna/limits"
@@ -25,7 +25,7 @@ class JointLimits(QObject):
             return self._all[motor]
         return factory_limits(motor + 1)[motor]
 
-    def first(self, motors: int) -> tuple[Limits, ...]:
+    def for_motors(self, motors: int) -> tuple[Limits, ...]:
         return tuple(self.of(motor) for motor in range(motors))
 
     @property
@@ -64,18 +64,18 @@ class JointLimits(QObject):
 
 
 class Targets(QObject):
-    """Goals on the sliders, sent or not, within the limits."""
+    """Goals of the sliders, cropped to the limits. They need not have been sent."""
 
     changed = Signal()
 
     def __init__(self, limits: JointLimits, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._limits = limits
-        self.goals = limits.crop((CENTRE,) * MOTORS)
+        self.goals = limits.crop((CENTER,) * MOTORS)
         limits.changed.connect(self._on_limits_changed)
 
     def set_count(self, motors: int) -> None:
-        missing = (CENTRE,) * (motors - len(self.goals))
+        missing = (CENTER,) * (motors - len(self.goals))
         self.set_all((*self.goals[:motors], *missing))
 
     def set(self, motor: int, position: int) -> None:

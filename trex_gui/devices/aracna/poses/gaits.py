@@ -1,10 +1,14 @@
 """Built-in poses and gaits.
 
-Ref: CreativeMachinesLab/aracna `RobotPi/PiConstants.py` (poses: an inner and an outer position for
-all legs, several outside the joints' limits), `RobotPi/commonGaits.py` (poses, each with a
-duration, linearly interpolated and repeated in a loop) and `RobotPi/RobotPi.py` (3 s to flat, then
-3 s to stand). Gaits marked `ours` use the authors' poses, but are not by the authors. All poses are
-cropped to the limits that were tuned on the robot. The authors' programs also crop goals.
+Ref: CreativeMachinesLab/aracna:
+
+- `RobotPi/PiConstants.py`: poses with one inner and one outer position for all legs. Several
+  positions are outside the joints' limits.
+- `RobotPi/commonGaits.py`: gaits. A gait is a loop of poses with durations, linearly interpolated.
+- `RobotPi/RobotPi.py`: 3 s to flat, then 3 s to stand.
+
+Gaits marked `ours` use the authors' poses, but are not by the authors. All poses are cropped to the
+limits that were tuned on the robot. The authors' programs also crop goals.
 """
 
 import math
@@ -15,7 +19,7 @@ from trex_gui.core.translation import tr_noop
 from trex_gui.devices.aracna.poses.project import Pose, Sequence, SequenceStep
 from trex_gui.devices.aracna.protocol.joints import MOTORS, crop, factory_limits
 
-SLOW_SECONDS = 3.0  # the authors' robot takes this long to lie flat, and to stand up
+SLOW_SECONDS = 3.0  # the authors' robot takes 3 s to lie flat, and 3 s to stand up
 
 
 def all_legs(name: str, inner: int, outer: int) -> Pose:
@@ -57,7 +61,7 @@ class Gait(Sequence):
 def _gait(
     name: str, about: str, *stages: tuple[Pose, float], cyclic: bool = True, ours: bool = False
 ) -> Gait:
-    """Return a gait. A stage is a pose and the seconds to reach it."""
+    """Create a gait. A stage is a pose and the seconds to reach it."""
     steps = tuple(SequenceStep(pose.name, round(1000 * seconds)) for pose, seconds in stages)
     return Gait(name, steps, tuple(pose for pose, _ in stages), about, cyclic, ours)
 
@@ -68,10 +72,10 @@ _SWING = 300
 
 
 def _star(swung: int) -> Gait:
-    """Return a star gait. The outer joint of leg `swung` (0-3) swings to lower positions first.
+    """Create a star gait. The outer joint of leg `swung` (0-3) first swings to a lower position.
 
-    The authors number a star gait by the leg's inner motor, and define gaits 2 and 6. Gaits 0 and 4
-    are inferred for the neighbouring legs.
+    The authors number a star gait by the inner motor of this leg. They define gaits 2 and 6. Gaits
+    0 and 4, for the neighbouring legs, are inferred.
     """
     opposite = (swung + 2) % 4
     standing = ((swung + 1) % 4, (swung + 3) % 4)

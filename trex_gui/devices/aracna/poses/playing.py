@@ -7,11 +7,11 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.poses.gaits import SLOW_SECONDS, STAND, Gait
 from trex_gui.devices.aracna.poses.project import Pose, Sequence
-from trex_gui.devices.aracna.protocol.joints import CENTRE, Limits, crop, travel_seconds
+from trex_gui.devices.aracna.protocol.joints import CENTER, Limits, crop, travel_seconds
 from trex_gui.devices.aracna.session.messages import Step
 
 Present = Many[int | None]  # position of each motor; `None`: unknown
-COMMAND_SECONDS = 0.1  # shortest step: `.v` and `.c` without motion take 42-55 and 33-37 ms
+COMMAND_SECONDS = 0.1  # shortest step; without motion, `.v` takes 42-55 ms and `.c` 33-37 ms
 
 
 def steps_of(
@@ -19,7 +19,7 @@ def steps_of(
 ) -> tuple[Step, ...]:
     """Return the steps of a sequence or gait, cropped to each motor's limits.
 
-    Raises BadRequest if steps or poses are missing.
+    Raises BadRequest if it has no steps, or if a pose is not defined.
     """
     return tuple(
         Step(cropped(pose, limits), seconds * time_scale, pose.name)
@@ -28,18 +28,18 @@ def steps_of(
 
 
 def mismatch(poses: Iterable[Pose], motors: int) -> str:
-    """Return a sentence if poses are for another number of motors, or an empty text."""
+    """Return a warning if poses are for another number of motors, otherwise an empty text."""
     counts = {len(pose.positions) for pose in poses} - {motors}
     if not counts:
         return ""
     text = tr("The poses are for {0} motors, the robot has {1}: the last positions are left out.")
     if max(counts) < motors:
         text = tr("The poses are for {0} motors, the robot has {1}: its last motors go to {2}.")
-    return text.format(max(counts), motors, CENTRE)
+    return text.format(max(counts), motors, CENTER)
 
 
 def cropped(pose: Pose, limits: Many[Limits]) -> tuple[int, ...]:
-    return crop(pose.first(len(limits)), limits)
+    return crop(pose.for_motors(len(limits)), limits)
 
 
 def blend_in(
@@ -47,8 +47,8 @@ def blend_in(
 ) -> tuple[Step, ...]:
     """Return the slow step to the start. Empty if it is not necessary.
 
-    A cyclic gait starts in its last pose, a sequence in its first. Raises BadRequest if steps or
-    poses are missing.
+    A cyclic gait starts in its last pose, and a sequence in its first pose. Raises BadRequest like
+    `steps_of`.
     """
     index = 0
     if isinstance(played, Gait):
@@ -61,7 +61,7 @@ def blend_in(
 
 
 def blend_out(limits: Many[Limits], poses: Iterable[Pose] = ()) -> tuple[Step, ...]:
-    """Return the slow step to the pose `stand`, by default the built-in pose."""
+    """Return the slow step to the pose `stand`. The default is the built-in pose."""
     stand = next((pose for pose in poses if pose.name == STAND.name), STAND)
     return (Step(cropped(stand, limits), SLOW_SECONDS, stand.name),)
 
@@ -69,7 +69,7 @@ def blend_out(limits: Many[Limits], poses: Iterable[Pose] = ()) -> tuple[Step, .
 def late_motors(
     steps: Many[Step], start: Present = (), *, again: bool = False
 ) -> dict[int, dict[int, float]]:
-    """Return the seconds that slow motors need: step → motor → seconds.
+    """Return the time that slow motors need: step index → motor → seconds.
 
     A motor at an unknown position does not count as slow. `again`: the steps repeat.
     """
@@ -101,7 +101,7 @@ def _late_in(step: Step, before: Present) -> dict[int, float]:
 
 def stages_of(played: Sequence, poses: Iterable[Pose]) -> list[tuple[Pose, float]]:
     known = {pose.name: pose for pose in (played.poses if isinstance(played, Gait) else poses)}
-    if missing := played.missing(known):
+    if missing := played.missing_poses(known):
         raise BadRequest(
             tr("{0} uses poses that are not defined: {1}").format(played.name, ", ".join(missing))
         )

@@ -1,17 +1,17 @@
-"""`.ppr` files: poses and sequences of the editor PyPose, one item per line.
+"""`.ppr` files of the editor PyPose: poses and sequences, one per line.
 
     Name:count:resolution:resolution...
     Pose=name:512, 512, ...
     Seq=name: pose|500, pose|500, ...
     Nuke=...
 
-Ref: CreativeMachinesLab/aracna `RaspberryPypose/project.py`. There the last of two items with the
-same name wins, missing positions are 512, wrong resolutions are 1024, and a line without prefix is
-a pose of an older version. `Nuke` lines belong to code that PyPose generated for legged robots.
-They are retained. Blanks around a name are ignored, because PyPose strips the names in steps and
-therefore does not find a pose with blanks around its name.
+Ref: CreativeMachinesLab/aracna `RaspberryPypose/project.py`. In PyPose, the last of two items with
+the same name wins, missing positions become 512, wrong resolutions become 1024, and a line without
+a prefix is a pose from an older version. PyPose strips the names in steps, so it does not find a
+pose with blanks around its name. Here, blanks around a name are ignored.
 
-Unreadable lines are written back unchanged.
+`Nuke` lines are for code that PyPose generated for legged robots. They and unreadable lines are
+written back unchanged.
 """
 
 import re
@@ -25,16 +25,16 @@ from trex_gui.core.files import Finding, SettingsError, Severity, load
 from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.poses.project import (
     LONGEST_MS,
-    MOST_MOTORS,
+    MAX_MOTORS,
     RESOLUTION,
     SHORTEST_MS,
     Pose,
     Project,
     Sequence,
     SequenceStep,
-    free_number,
+    numbered_name,
 )
-from trex_gui.devices.aracna.protocol.joints import CENTRE, HIGHEST, MOTORS
+from trex_gui.devices.aracna.protocol.joints import CENTER, HIGHEST, MOTORS
 
 SUFFIX = ".ppr"
 
@@ -76,9 +76,9 @@ def read_file(path: Path) -> PoseFile:
 def read_ppr(text: str) -> tuple[Project, tuple[Finding, ...]]:
     """Return the project in a text, with findings. Never rejects a text.
 
-    An error marks an unused line. A warning marks an assumption.
+    A finding is an error if its line is not used, and a warning if something was assumed.
     """
-    separator = "\r" if "\r" in text and "\n" not in text else "\n"  # "\r": from an old Macintosh
+    separator = "\r" if "\r" in text and "\n" not in text else "\n"  # old Macintosh files use "\r"
     lines = text.split(separator)
     line_end = "\r\n" if lines[0].endswith("\r") else separator
     if lines[-1] == "":
@@ -97,7 +97,7 @@ def read_ppr(text: str) -> tuple[Project, tuple[Finding, ...]]:
     sequences = reader.with_unique_names(reader.sequences, "sequence")
     known = {pose.name for pose in poses}
     for number, sequence in reader.sequences:
-        for missing in sequence.missing(known):
+        for missing in sequence.missing_poses(known):
             message = tr("sequence {0} uses the pose {1}, which is not in the file").format(
                 sequence.name, missing
             )
@@ -107,10 +107,10 @@ def read_ppr(text: str) -> tuple[Project, tuple[Finding, ...]]:
 
 
 def write_ppr(project: Project) -> str:
-    """Return a pose file in PyPose's format. Short poses are padded."""
+    """Return a project in PyPose's format. Missing positions become the centre."""
     lines = [":".join([project.name, str(project.motors), *map(str, project.resolutions)])]
     for pose in project.poses:
-        positions = pose.first(max(project.motors, len(pose.positions)))
+        positions = pose.for_motors(max(project.motors, len(pose.positions)))
         lines.append(f"{_POSE}{pose.name}:{_joined(positions)}")
     for sequence in project.sequences:
         steps = (f"{step.pose_name}|{step.milliseconds}" for step in sequence.steps)
@@ -128,7 +128,7 @@ class _Reader:
         self.sequences: list[tuple[int, Sequence]] = []
         self.rest: list[str] = []
         self.findings: list[Finding] = []
-        self._padded: set[int] = set()  # lines with blanks around the name
+        self._with_blanks: set[int] = set()  # numbers of lines with blanks around the name
 
     def warn(self, line: int, message: str) -> None:
         self.findings.append(Finding(line, None, message, Severity.WARNING))
@@ -136,7 +136,7 @@ class _Reader:
     def header(self, line: str) -> tuple[str, tuple[int, ...]]:
         name, *numbers = line.split(":")
         count = _number(numbers[0]) if numbers else None
-        if count is None or not 1 <= count <= MOST_MOTORS:
+        if count is None or not 1 <= count <= MAX_MOTORS:
             self.warn(1, _no_header())
             return name, (RESOLUTION,) * MOTORS
         resolutions = tuple(number for number in map(_number, numbers[1:]) if number)
@@ -149,7 +149,7 @@ class _Reader:
     def read_line(self, number: int, line: str, motors: int) -> None:
         name = line.removeprefix(_SEQUENCE).removeprefix(_POSE).partition(":")[0]
         if name != name.strip():
-            self._padded.add(number)
+            self._with_blanks.add(number)
         try:
             if line.startswith(_SEQUENCE):
                 self.sequences.append((number, _sequence(line.removeprefix(_SEQUENCE))))
@@ -167,8 +167,8 @@ class _Reader:
         count = len(pose.positions)
         if count < motors:
             text = tr("pose {0} has {1} positions of {2}; missing ones become {3}")
-            self.warn(number, text.format(pose.name, count, motors, CENTRE))
-            pose = Pose(pose.name, pose.first(motors))
+            self.warn(number, text.format(pose.name, count, motors, CENTER))
+            pose = Pose(pose.name, pose.for_motors(motors))
         elif count > motors:
             text = tr(
                 "pose {0} has {1} positions for {2} servos; the last ones are kept, but not used"
@@ -177,18 +177,18 @@ class _Reader:
         self.poses.append((number, pose))
 
     def with_unique_names(self, items: list[tuple[int, ItemT]], kind: str) -> tuple[ItemT, ...]:
-        """Return the items with unique names. Of equal names, the last is retained.
+        """Return the items with unique names. Of equally named items, the last keeps its name.
 
-        An item without blanks around its name has priority, because steps can name only such items.
+        An item without blanks around its name has priority, because PyPose finds only such items.
         """
         taken = {item.name for _, item in items}
-        by_priority = sorted(items, key=lambda item: (item[0] not in self._padded, item[0]))
+        by_priority = sorted(items, key=lambda item: (item[0] not in self._with_blanks, item[0]))
         last = {item.name: number for number, item in by_priority}
         next_numbers: dict[str, int] = {}
         for index, (number, item) in enumerate(items):
             if last[item.name] != number:
                 first = next_numbers.get(item.name, 2)
-                name, next_numbers[item.name] = free_number(item.name, taken, first)
+                name, next_numbers[item.name] = numbered_name(item.name, taken, first)
                 taken.add(name)
                 text = tr("line {0} has this {1} again, and counts; this one is called {2} now")
                 self.warn(number, text.format(last[item.name], tr(kind), name))
@@ -235,7 +235,7 @@ def _name(line: str, no_colon: str, kind: str) -> tuple[str, str]:
 
 
 def _fields(values: str) -> list[str]:
-    """Split values. Ignores a comma after the last value."""
+    """Split values at commas. A comma after the last value is ignored."""
     fields = values.split(",")
     if not fields[-1].strip():
         fields.pop()

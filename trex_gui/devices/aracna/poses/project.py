@@ -6,37 +6,37 @@ from dataclasses import dataclass
 
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
-from trex_gui.devices.aracna.protocol.joints import CENTRE, HIGHEST, MOTORS
+from trex_gui.devices.aracna.protocol.joints import CENTER, HIGHEST, MOTORS
 
-SHORTEST_MS = 1
+SHORTEST_MS = 1  # minimum duration of a step
 LONGEST_MS = 3_600_000  # an hour; PyPose itself offers up to 5000 ms
 DEFAULT_MS = 500  # PyPose's default for a step
 RESOLUTION = 1024  # number of positions of a servo
-MOST_MOTORS = 253  # servos that a bus can address (identifiers 0-252)
-_LONGEST_NAME = 100
+MAX_MOTORS = 253  # servos that a bus can address (identifiers 0-252)
+_MAX_NAME_LENGTH = 100
 _SEPARATORS = ":,|"  # between names and values in a pose file
 
 
 @dataclass(frozen=True, slots=True)
 class Pose:
-    """Named positions (0-1023, motor 0 first). Raises BadRequest."""
+    """Named positions (0-1023), motor 0 first. Raises BadRequest for an invalid value."""
 
     name: str
     positions: tuple[int, ...]
 
     def __post_init__(self) -> None:
         if not _is_name(self.name) or not all(0 <= value <= HIGHEST for value in self.positions):
-            raise BadRequest(f"no pose: {self!r}")
+            raise BadRequest(f"invalid pose: {self!r}")
 
-    def first(self, motors: int) -> tuple[int, ...]:
-        """Return `motors` positions. Missing positions become the centre."""
+    def for_motors(self, motors: int) -> tuple[int, ...]:
+        """Return the positions of `motors` motors. Missing positions become the centre."""
         missing = max(motors - len(self.positions), 0)
-        return self.positions[:motors] + (CENTRE,) * missing
+        return self.positions[:motors] + (CENTER,) * missing
 
 
 @dataclass(frozen=True, slots=True)
 class SequenceStep:
-    """Named pose and the time to reach it, up to an hour. Raises BadRequest."""
+    """Name of a pose, and the time to reach it (up to an hour). Raises BadRequest."""
 
     pose_name: str
     milliseconds: int = DEFAULT_MS
@@ -44,7 +44,7 @@ class SequenceStep:
     def __post_init__(self) -> None:
         has_time = SHORTEST_MS <= self.milliseconds <= LONGEST_MS
         if not is_usable_in_step(self.pose_name) or not has_time:
-            raise BadRequest(f"no step: {self!r}")
+            raise BadRequest(f"invalid step: {self!r}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,9 +56,9 @@ class Sequence:
 
     def __post_init__(self) -> None:
         if not _is_name(self.name):
-            raise BadRequest(f"no sequence: {self!r}")
+            raise BadRequest(f"invalid sequence: {self!r}")
 
-    def missing(self, known: Collection[str]) -> tuple[str, ...]:
+    def missing_poses(self, known: Collection[str]) -> tuple[str, ...]:
         used = dict.fromkeys(step.pose_name for step in self.steps)
         return tuple(name for name in used if name not in known)
 
@@ -71,10 +71,10 @@ class Project:
     """
 
     name: str = "Aracna"
-    resolutions: tuple[int, ...] = (RESOLUTION,) * MOTORS  # positions of each servo
+    resolutions: tuple[int, ...] = (RESOLUTION,) * MOTORS  # number of positions of each servo
     poses: tuple[Pose, ...] = ()
     sequences: tuple[Sequence, ...] = ()
-    rest: tuple[str, ...] = ()  # other lines, which stay at the end
+    rest: tuple[str, ...] = ()  # other lines, written at the end of the file
     line_end: str = "\n"
 
     @property
@@ -93,7 +93,7 @@ class Project:
 
 
 def is_usable_in_step(pose_name: str) -> bool:
-    """Return whether a step can name a pose. Commas and bars separate steps."""
+    """Return True if a step can contain this name. A comma or a bar would end the name."""
     return not any(sign in pose_name for sign in ",|\r\n")
 
 
@@ -103,11 +103,11 @@ def _is_name(name: str) -> bool:
 
 def free_name(name: str, taken: Iterable[str]) -> str:
     names = set(taken)
-    return free_number(name, names)[0] if name in names else name
+    return numbered_name(name, names)[0] if name in names else name
 
 
-def free_number(name: str, taken: AbstractSet[str], first: int = 2) -> tuple[str, int]:
-    """Return the name with the first free number, and the next number."""
+def numbered_name(name: str, taken: AbstractSet[str], first: int = 2) -> tuple[str, int]:
+    """Append the first free number to a name. Also return the number after it."""
     number = first
     while f"{name} {number}" in taken:
         number += 1
@@ -118,9 +118,9 @@ def checked_name(name: str, taken: Iterable[str]) -> str:
     """Strip a name. Raises BadRequest if it is taken or invalid."""
     stripped = name.strip()
     is_valid = stripped.isprintable() and not any(sign in _SEPARATORS for sign in stripped)
-    if not is_valid or not 0 < len(stripped) <= _LONGEST_NAME:
+    if not is_valid or not 0 < len(stripped) <= _MAX_NAME_LENGTH:
         text = tr("a name has 1 to {0} printable characters, and no colon, comma or bar")
-        raise BadRequest(text.format(_LONGEST_NAME))
+        raise BadRequest(text.format(_MAX_NAME_LENGTH))
     if stripped in set(taken):
         raise BadRequest(tr("the name {0} is taken").format(stripped))
     return stripped

@@ -1,7 +1,8 @@
-"""Command lines to the robot, with one value of one to four digits per motor.
+"""Command lines to the robot.
 
-The firmware does not reject invalid lines. Too few values restart it, an empty field counts as 10,
-and letters count as digits.
+Speeds and positions are sent as one value of one to four digits per motor. The firmware does not
+reject invalid lines. Too few values restart it, an empty field counts as 10, and letters count as
+digits.
 """
 
 from collections.abc import Sequence
@@ -12,7 +13,7 @@ from trex_gui.devices.aracna.protocol.joints import HIGHEST
 
 BAUD = 38_400  # 38400 8N1, without flow control
 QUERY = b".q\n"  # the chip stores its three bytes while the firmware is busy
-EMPTY = b"\n"  # ends an incomplete line in the firmware's buffer, without other effect
+EMPTY = b"\n"  # ends an incomplete line in the firmware's buffer, without any other effect
 
 
 def led(*, on: bool) -> bytes:
@@ -20,7 +21,7 @@ def led(*, on: bool) -> bytes:
 
 
 def speeds(values: Sequence[int], motors: int) -> bytes:
-    """Return the command for the servos' speeds, 0-1023 (0: unlimited)."""
+    """Return the command that sets the servos' speeds, 0-1023 (0: unlimited)."""
     return _line("v", tr_noop("the speed of motor {0} is 0 to {1}, not {2}"), values, motors)
 
 

@@ -1,7 +1,7 @@
-"""Eight joints: their positions on the robot, limits and servo units.
+"""Eight joints: their places on the robot, their limits, and the servos' units.
 
 Ref: CreativeMachinesLab/aracna `RobotPi/RobotPi.py` (even motors are inner joints),
-`RobotPi/PiConstants.py` (limits tuned on the robot), `RobotPi/SineModel.py` (positions of the legs,
+`RobotPi/PiConstants.py` (limits tuned on the robot), `RobotPi/SineModel.py` (places of the legs,
 given for the nine-motor ancestor QuadraTot and assumed for Aracna); Robotis AX-12 and AX-18
 documentation (units).
 """
@@ -15,15 +15,15 @@ from trex_gui.core.translation import tr, tr_noop
 
 MOTORS = 8
 HIGHEST = 1023  # highest position and highest speed setting
-CENTRE = 512  # middle of a servo's travel, 150 degrees
+CENTER = 512  # middle of a servo's travel, 150 degrees
 DEGREES_PER_UNIT = 300 / 1023
 UNITS_PER_SECOND = 2.28  # position units per second for each unit of speed (0.1114 rpm)
 DEGREES_PER_SECOND = 0.669  # degrees per second for each unit of speed
-CEILING = 870
-"""Highest effective speed setting: 97 rpm without load, AX-18A at 12 V.
+MAX_EFFECTIVE_SPEED = 870
+"""Highest effective speed setting: 97 rpm for an AX-18A at 12 V without load.
 
-The published CAD of the robot uses AX-18A. An AX-12A reaches 59 rpm, a setting of about 530."""
-
+The published CAD model of the robot has AX-18A servos. An AX-12A reaches 59 rpm, a setting of about
+530."""
 
 LEGS = tr_noop("Front left"), tr_noop("Front right"), tr_noop("Back right"), tr_noop("Back left")
 """Leg of each pair of motors (inner and outer joint), seen from above with the front up.
@@ -58,7 +58,7 @@ class Limits:
 FACTORY_LIMITS = (Limits(50, 600), Limits(0, 550))
 """Limits of the inner and outer joints.
 
-They protect the body and the screws, but legs can still collide.
+They protect the body and the screws, but the legs can still collide with each other.
 """
 
 
@@ -67,7 +67,7 @@ def factory_limits(motors: int = MOTORS) -> tuple[Limits, ...]:
 
 
 def crop(goals: Iterable[float], limits: Sequence[Limits]) -> tuple[int, ...]:
-    """Return the nearest allowed goals. Motors without limits are not cropped."""
+    """Return the nearest allowed goals. Without limits, a motor's goal is only rounded."""
     count = len(limits)
     return tuple(
         limits[motor].crop(goal) if motor < count else round(goal)
@@ -88,13 +88,13 @@ def degrees_per_second(speed: int) -> float | None:
     return speed * DEGREES_PER_SECOND if speed else None
 
 
-def travel_seconds(distance: int, speed: int, ceiling: int = CEILING) -> float:
-    """Return the seconds for a distance in units, without load."""
-    return abs(distance) / (UNITS_PER_SECOND * min(speed or ceiling, ceiling))
+def travel_seconds(distance: int, speed: int, max_speed: int = MAX_EFFECTIVE_SPEED) -> float:
+    """Return the seconds that a servo without load needs for a distance in units."""
+    return abs(distance) / (UNITS_PER_SECOND * min(speed or max_speed, max_speed))
 
 
 def speed_for(distance: int, seconds: float) -> int:
-    """Return the lowest sufficient speed (1-1023), or the highest speed."""
+    """Return the lowest speed (1-1023) that suffices, or 1023 if every speed is too low."""
     if seconds <= 0:
         return HIGHEST if distance else 1
     needed = math.ceil(abs(distance) / (UNITS_PER_SECOND * seconds) - 1e-9)

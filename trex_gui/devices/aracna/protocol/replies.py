@@ -6,9 +6,9 @@ from dataclasses import dataclass
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS
 
 UNREADABLE = -1  # value of a servo without reply
-MOST_MOTORS = 11  # more values of four digits do not fit into the firmware's 59-character buffer
+MAX_MOTORS = 11  # more values of four digits do not fit into the firmware's 59-character buffer
 
-_MOTORS_BY_VERSION = {0: 2}  # for firmware that does not report the number
+_MOTORS_BY_VERSION = {0: 2}  # for firmware that does not report its number of motors
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,7 +18,7 @@ class Hello:
 
 @dataclass(frozen=True, slots=True)
 class Version:
-    """Reply to `.q`. `motors`: `None` in builds before 22 Sep 2012."""
+    """Reply to `.q`. `motors`: `None` from firmware built before 22 Sep 2012."""
 
     version: int
     motors: int | None
@@ -63,7 +63,7 @@ ANSWERS: dict[str, type[Reply]] = {
     "l": Led,
 }
 
-_LONGEST = 200  # bytes without a line end; the longest reply for eight motors has 43
+_MAX_LENGTH = 200  # maximum bytes of a line; the longest reply for eight motors has 43
 _NUMBER = rb"-1|0|[1-9]\d{0,4}"  # printed by `%d`: no padding, no sign except in -1
 _QUERY = re.compile(rb"\.q(0|[1-9]\d{0,4})(?:,([1-9]\d{0,2}))?")
 _VALUES = re.compile(rb"\.([vc])((?:%b)(?:,(?:%b))*)" % (_NUMBER, _NUMBER))
@@ -76,7 +76,7 @@ def read_line(line: bytes) -> Reply:
         return Hello()
     if match := _QUERY.fullmatch(line):
         motors = None if match[2] is None else int(match[2])
-        if (motors or 0) > MOST_MOTORS:
+        if (motors or 0) > MAX_MOTORS:
             return Unrecognized(line)
         return Version(int(match[1]), motors)
     if match := _VALUES.fullmatch(line):
@@ -100,13 +100,13 @@ def read_lines(line: bytes) -> list[Reply]:
 
 
 def _chunks(line: bytes) -> list[bytes]:
-    return [line[at : at + _LONGEST] for at in range(0, max(len(line), 1), _LONGEST)]
+    return [line[at : at + _MAX_LENGTH] for at in range(0, max(len(line), 1), _MAX_LENGTH)]
 
 
 class Reader:
     r"""Parses received lines, which end in `\r\n` or `\n`.
 
-    The first line is ignored if its beginning is missing.
+    An unrecognized first line is ignored, because its beginning may be missing.
     """
 
     def __init__(self) -> None:
@@ -117,7 +117,7 @@ class Reader:
     def arrived(self) -> tuple[int, ...] | None:
         """Positions in an incomplete `.c` reply. `None` without such a reply.
 
-        A number counts after its comma, when the firmware waits for the next motor.
+        A position counts only after its comma. The firmware then waits for the next motor.
         """
         match = _PARTIAL.fullmatch(self._rest)
         return None if match is None else tuple(map(int, match[1].split(b",")[:-1]))

@@ -3,9 +3,9 @@
 The reply to `.c` arrives motor by motor, so no call waits for the whole reply. The session sends a
 command, listens in short slices, and receives events.
 
-Only a single `.q` may follow a command without reply: the chip stores its three bytes while the
-firmware is busy. The reply to `.q` means that the firmware is free. A late reply to the command
-precedes it.
+Only a single `.q` may follow an unanswered command, because the chip can store just its three bytes
+while the firmware is busy. The reply to this `.q` means that the firmware is free. A late reply to
+the command arrives before it.
 """
 
 from collections.abc import Sequence
@@ -34,21 +34,21 @@ from trex_gui.devices.aracna.session.errors import (
     RobotNoReplyError,
     printable,
 )
-from trex_gui.devices.aracna.session.messages import LineStats, Passed, Stuck
+from trex_gui.devices.aracna.session.messages import LineStats, Progress, Stuck
 
 LINE = SerialFormat(commands.BAUD)
 
-REPLY_TIMEOUT = 1.0  # seconds for `.q` and `.v`; the slowest reply takes 0.06 s on a wire
+REPLY_TIMEOUT = 1.0  # seconds for all commands but `.c`; the slowest reply takes 0.06 s on a wire
 QUERY_RETRY = 5.0
-"""Seconds until `.q` is repeated after an incomplete reply. A repetition is harmless, because the
-chip stores a single `.q`."""
+"""Seconds after which `.q` is repeated if a reply is still incomplete. A repetition is harmless,
+because the chip stores only one `.q`."""
 
-_SAVED_BYTES = 48  # received bytes saved for error messages
+_SAVED_BYTES = 48  # maximum number of received bytes saved for error messages
 
 
 @dataclass(frozen=True, slots=True)
 class SentCommand:
-    """Pending command. `timeout`: seconds after `sent`."""
+    """Pending command. `sent`: time on the session clock. `timeout`: seconds after `sent`."""
 
     letter: str
     values: tuple[int, ...]
@@ -67,7 +67,7 @@ class Answered:
 
 @dataclass(frozen=True, slots=True)
 class ReplyLost:
-    """Event: no reply will arrive. `robot_free`: a later `.q` was answered."""
+    """Event: no reply will arrive. `robot_free`: True if a later `.q` was answered."""
 
     command: SentCommand
     error: RobotError
@@ -77,13 +77,13 @@ class ReplyLost:
 
 @dataclass(frozen=True, slots=True)
 class Voided:
-    """Event: the firmware has started, so that a pending command is void."""
+    """Event: the firmware has started. Any pending command is void."""
 
     command: SentCommand | None
     time: float
 
 
-CommandEvent = Answered | Passed | Stuck | ReplyLost | Voided
+CommandEvent = Answered | Progress | Stuck | ReplyLost | Voided
 
 
 class AracnaClient:
@@ -92,13 +92,13 @@ class AracnaClient:
         self.settings = settings.at(LINE)
         self.motors = 0  # 0 before the first reply to `.q`
         self.pending: SentCommand | None = None
-        self.received = b""  # first bytes, for a diagnosis
+        self.received = b""  # first received bytes, for a diagnosis
         self.stats = LineStats()
         self._unrecognized = b""
         self._reader = Reader()
-        self._arrived: tuple[int, ...] | None = None
-        self._is_late = False
-        self._query_deadline: float | None = None  # for a `.q` after the pending command
+        self._arrived: tuple[int, ...] | None = None  # positions in the last `Progress`
+        self._is_late = False  # True from a `Stuck` until another position arrives
+        self._query_deadline: float | None = None  # for the reply to a `.q` after the command
 
     @property
     def extra_time(self) -> float:
@@ -107,7 +107,7 @@ class AracnaClient:
 
     @property
     def awaited_motor(self) -> int | None:
-        """First motor missing from an incomplete `.c` reply. `None` without such a reply."""
+        """First motor without a position in an incomplete `.c` reply, or `None`."""
         arrived = self._reader.arrived
         return None if arrived is None else len(arrived)
 
@@ -119,7 +119,7 @@ class AracnaClient:
         self._send("q", (), commands.QUERY, timeout)
 
     def set_speeds(self, values: Sequence[int]) -> None:
-        """Set the speeds, 0-1023, of all motors. Raises BadRequest."""
+        """Set the speed of each motor, 0-1023. Raises BadRequest for invalid values."""
         line = commands.speeds(values, self.motors)
         self._send("v", tuple(values), line, REPLY_TIMEOUT)
 
@@ -127,7 +127,7 @@ class AracnaClient:
         self._send("l", (int(on),), commands.led(on=on), REPLY_TIMEOUT)
 
     def move(self, goals: Sequence[int], timeout: float) -> None:
-        """Move all motors to goals, 0-1023. Raises BadRequest."""
+        """Move each motor to its goal, 0-1023. Raises BadRequest for invalid values."""
         line = commands.positions(goals, self.motors)
         self._send("c", tuple(goals), line, timeout)
 
@@ -148,17 +148,17 @@ class AracnaClient:
     def listen(self, seconds: float = 0.0) -> list[CommandEvent]:
         """Return new events. Wait up to `seconds` for the first byte."""
         data = self.transport.read(1, seconds) if seconds > 0 else b""
-        checked = self.transport.clock()  # bytes received later are late
+        timeouts_at = self.transport.clock()  # bytes received later are late
         try:
             data += self.transport.discard()
-        except BadReply:  # bytes that keep arriving may identify their sender
+        except BadReply:  # bytes keep arriving; they may identify their sender
             data += self.transport.read(_SAVED_BYTES, 0.0)
         now = self.transport.clock()
         self.received = (self.received + data)[:_SAVED_BYTES]
         events: list[CommandEvent] = []
         for reply in self._reader.feed(data):
             events += self._handle(reply, now)
-        return events + self._check_partial_reply(now) + self._check_timeouts(checked)
+        return events + self._check_partial_reply(now) + self._check_timeouts(timeouts_at)
 
     def _handle(self, reply: Reply, now: float) -> list[CommandEvent]:
         if isinstance(reply, Hello):
@@ -170,7 +170,7 @@ class AracnaClient:
             if self._matches(command, reply):
                 self._count_reply(command, now)
                 self.pending = None
-                if self._query_deadline is not None:  # the reply to the `.q` is next
+                if self._query_deadline is not None:  # the reply to the `.q` follows
                     self._query_deadline = None
                     self.pending = SentCommand("q", (), now, REPLY_TIMEOUT + self.extra_time)
                 return [Answered(command, reply, now)]
@@ -181,8 +181,8 @@ class AracnaClient:
             if isinstance(reply, Unrecognized):
                 self._unrecognized = reply.line
             if command is not None and command.letter == "c":
-                late = max(command.sent + command.timeout, now)
-                self._send_query(late + REPLY_TIMEOUT + self.extra_time)
+                late_at = max(command.sent + command.timeout, now)
+                self._send_query(late_at + REPLY_TIMEOUT + self.extra_time)
         return []
 
     def _matches(self, command: SentCommand, reply: Reply) -> bool:
@@ -199,7 +199,7 @@ class AracnaClient:
             self._is_late = False
             elapsed = now - self.pending.sent + REPLY_TIMEOUT + self.extra_time
             self.pending = replace(self.pending, timeout=max(self.pending.timeout, elapsed))
-        return [Passed(now, arrived or ())]
+        return [Progress(now, arrived or ())]
 
     def _check_timeouts(self, now: float) -> list[CommandEvent]:
         command = self.pending
@@ -208,7 +208,7 @@ class AracnaClient:
         if self._query_deadline is not None and now >= self._query_deadline:
             if self.awaited_motor is None:
                 return [self._lose(now, robot_free=False)]
-            # The reply to the `.q` may be lost, together with the end of the line.
+            # The reply to the `.q` may have been lost together with the end of the line.
             self._query_deadline = None
             self._send_query(now + QUERY_RETRY)
         if self._is_late or now < command.sent + command.timeout:

@@ -10,13 +10,13 @@ from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.protocol import commands
 
 TOLERANCE = 12
-"""Maximum difference in units between a goal and a reached position: 3.5 degrees.
+"""Maximum difference in units (3.5 degrees) at which a goal counts as reached.
 
-A free servo stops at its goal if its compliance margin is 0. A greater difference means a
-load on the servo, or a loss of power during the motion."""
+A free servo stops at its goal if its compliance margin is 0. A greater difference means that the
+servo carries a load, or that it lost power during the motion."""
 
-FAR = 50
-"""Difference in units from which a motor has failed, as in the authors' self-test. The motor is
+ABORT_TOLERANCE = 50
+"""Difference in units above which a sequence is aborted, as in the authors' self-test. The motor is
 blocked, or servo power was off."""
 
 
@@ -91,7 +91,7 @@ class RobotInternalError(RobotError, InternalError):
 
 
 def diagnose(settings: PortSettings, received: bytes) -> RobotError:
-    """Return the error for a missing Aracna, based on received bytes."""
+    """Return the reason why no Aracna was found, based on the received bytes."""
     line, query = settings.text(), commands.QUERY.strip()
     if not received.strip(b"\r\n"):
         return RobotNoReplyError(ErrorCode.NO_ROBOT, line)
@@ -112,7 +112,7 @@ def suggests_scan(error: BaseException) -> bool:
 def missed_goals(
     goals: Sequence[int], present: Sequence[int], tolerance: int = TOLERANCE
 ) -> dict[int, RobotError]:
-    """Return an error for each motor that is off its goal or unreadable."""
+    """Return an error for each motor that missed its goal or is unreadable."""
     errors = {}
     for motor, (goal, position) in enumerate(zip(goals, present, strict=False)):
         if position < 0:

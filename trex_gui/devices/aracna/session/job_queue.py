@@ -15,8 +15,8 @@ Job = Move | SetSpeeds | SetLed  # one command; a `Move` may send its speeds fir
 class JobQueue:
     """Queued jobs in order, and the job in flight.
 
-    Every job gets exactly one outcome. `is_setting_speeds`: only the speeds of the motion in flight
-    were sent.
+    Every job gets exactly one outcome. `is_setting_speeds`: True while only the speeds of the
+    motion in flight have been sent.
     """
 
     def __init__(self, report: Callable[[Report], None]) -> None:
@@ -33,7 +33,10 @@ class JobQueue:
         return bool(self._queued)
 
     def add(self, job: Job) -> None:
-        """Queue a job. It replaces queued speeds or goals. Speeds precede motions."""
+        """Queue a job.
+
+        New speeds replace queued speeds and precede motions. A new motion replaces a queued motion.
+        """
         superseded = [queued for queued in self._queued if type(queued) is type(job)]
         for queued in superseded if isinstance(job, Move | SetSpeeds) else ():
             self._queued.remove(queued)
@@ -50,9 +53,9 @@ class JobQueue:
         self._report(Outcome(job.id, error=RobotError(ErrorCode.SUPERSEDED)))
 
     def send_next(self, send: Callable[[Job], bool]) -> None:
-        """Send the first job. A BadRequest from `send` is its outcome.
+        """Send the first job. A BadRequest from `send` becomes the outcome of the job.
 
-        `send` returns True if it sent only speeds. The motion then follows.
+        `send` returns True if it sent only the speeds of a motion. The goals then follow.
         """
         self._in_flight = job = self._queued.popleft()
         try:
@@ -70,7 +73,7 @@ class JobQueue:
             self._queued.appendleft(job)
 
     def finish(self, value: object = None, error: StudioError | None = None) -> bool:
-        """End the job in flight. Return whether a job was in flight."""
+        """End the job in flight. Return False if no job was in flight."""
         job, self._in_flight = self._in_flight, None
         self.is_setting_speeds = False
         if job is not None:
@@ -82,7 +85,7 @@ class JobQueue:
             self._report(Outcome(request.id, error=error))
 
     def drop(self, reason: StudioError) -> None:
-        """Drop queued jobs, and a motion that was not sent."""
+        """Drop queued jobs, and a motion whose goals were not sent."""
         if self.is_setting_speeds:
             self.finish(error=reason)
         jobs, self._queued = self._queued, deque()

@@ -2,16 +2,16 @@
 
 from enum import Enum, auto
 
-KEEPALIVE_INTERVAL = 2.0  # seconds between a reply and the query of an idle robot
+KEEPALIVE_INTERVAL = 2.0  # seconds from a reply to the next query of an idle robot
 QUERY_INTERVAL = 0.5  # seconds between queries while a reply is awaited
 RECONNECT_INTERVAL = 1.0  # seconds between queries of a robot that does not respond
-BOOT_TIME = 1.1  # seconds after `.h`: the firmware blinks for 1 s and reads nothing
-BOOT_TIMEOUT = 6.0  # timeout in seconds of a restart, including a boot loader
-CONNECT_TIMEOUT = 15.0  # timeout in seconds of a connection to a robot that keeps restarting
+BOOT_TIME = 1.1  # seconds from `.h` to the next query; the firmware reads nothing for 1 s
+BOOT_TIMEOUT = 6.0  # maximum duration of a restart in seconds, including a boot loader
+CONNECT_TIMEOUT = 15.0  # maximum seconds to connect to a robot that keeps restarting
 
 
 class QueryReason(Enum):
-    """Reason to await the reply to `.q` before other commands."""
+    """Reason to await a reply to `.q` before other commands are sent."""
 
     CONNECTING = auto()
     RESTARTED = auto()
@@ -34,7 +34,7 @@ class LivenessMonitor:
         return self.reason in {None, QueryReason.UNCERTAIN}
 
     def on_missing_reply(self, now: float) -> None:
-        """Schedule a query before other commands."""
+        """Schedule a query that precedes other commands."""
         if self.reason is None:
             self.reason = QueryReason.UNCERTAIN
             self._query_at = now

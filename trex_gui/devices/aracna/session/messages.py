@@ -1,7 +1,7 @@
 """Requests to an Aracna session, and its reports.
 
-Positions and speeds are tuples with a value per motor, motor 0 first: positions 0-1023 in the
-servo's units, speeds 0-1023 (0: unlimited). Times are seconds on the session clock.
+Positions and speeds are tuples with one value per motor, motor 0 first. Positions are 0-1023 in the
+servo's units, and speeds 0-1023 (0: unlimited). Times are seconds on the session clock.
 """
 
 from dataclasses import dataclass
@@ -28,7 +28,7 @@ class SetSpeeds:
 
 @dataclass(frozen=True, slots=True)
 class SetLed:
-    """Switch the debug LED. The outcome is its state."""
+    """Switch the debug LED. The outcome is its reported state."""
 
     id: int
     on: bool
@@ -40,7 +40,7 @@ class Move:
 
     Replaces a queued `Move`. With `speeds`, the motion runs at these speeds or not at all. They are
     sent first, unless the servos already have them. A rejected speed is an error. `dragged`: True
-    for one of many moves in a row, during which reported speeds are trusted longer.
+    for the moves of a drag, during which reported speeds stay valid longer.
     """
 
     id: int
@@ -51,7 +51,7 @@ class Move:
 
 @dataclass(frozen=True, slots=True)
 class SetLimits:
-    """Set the limits of each motor for later goals."""
+    """Set each motor's limits, to which later goals are cropped."""
 
     limits: tuple[Limits, ...]
 
@@ -67,9 +67,10 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class Play:
-    """Play steps `rounds` times (0: endless), between the blends.
+    """Play steps `rounds` times (0: endlessly), between blend-in and blend-out.
 
-    `PlayEnded` follows. Aborted steps have no blend-out. `time_scale` 2 is half as fast.
+    A `PlayEnded` follows. An aborted sequence has no blend-out. A `time_scale` of 2 halves the
+    speed.
     """
 
     id: int
@@ -82,7 +83,7 @@ class Play:
 
 @dataclass(frozen=True, slots=True)
 class SetTimeScale:
-    """Change the playing sequence's time scale from the next step on."""
+    """Change the time scale of the playing sequence from the next step on."""
 
     time_scale: float
 
@@ -107,7 +108,7 @@ Request = SetSpeeds | SetLed | SetLimits | Move | Play | SetTimeScale | EndPlay 
 
 @dataclass(frozen=True, slots=True)
 class LineStats:
-    """Counts since the robot's first reply, reported once a second if changed."""
+    """Statistics since the robot's first reply. Changes are reported at most once a second."""
 
     requests: int = 0  # sent commands, including a pending command
     replies: int = 0
@@ -119,7 +120,7 @@ class LineStats:
 
     @property
     def finished(self) -> tuple[int, ...]:
-        """Counts without a pending command."""
+        """Counts that a pending command does not change."""
         return self.replies, self.timeouts, self.corrupted, self.unrecognized, self.restarts
 
 
@@ -136,12 +137,12 @@ class Restarted:
     """The board has restarted (`.h`). Pending requests are void, but servos continue."""
 
     time: float
-    voided: bool
+    voided: bool  # True if requests were pending
 
 
 @dataclass(frozen=True, slots=True)
 class Moving:
-    """A `.c` was sent. `expected`: seconds until its reply."""
+    """A `.c` was sent. `expected`: estimated seconds until its reply."""
 
     time: float
     goals: tuple[int, ...]
@@ -150,7 +151,7 @@ class Moving:
 
 
 @dataclass(frozen=True, slots=True)
-class Passed:
+class Progress:
     """Incomplete reply to a `.c`. `present`: positions so far."""
 
     time: float
@@ -180,9 +181,9 @@ class SpeedsHeld:
 class Stuck:
     """The reply to a `.c` is late, because the robot waits for `motor`.
 
-    The firmware waits for ever for a servo that is blocked or does not respond. Reported once per
-    command. `Moved` may still follow. Queued requests are dropped. Requests that need an idle robot
-    are rejected until it has replied.
+    The firmware waits for ever for a servo that is blocked or does not respond. A `Moved` may still
+    follow, or another `Stuck` for a later motor. Queued requests are dropped. Requests that need an
+    idle robot are rejected until it has replied.
     """
 
     time: float
@@ -198,10 +199,10 @@ class NotResponding:
 
 
 @dataclass(frozen=True, slots=True)
-class StepBegun:
+class StepStarted:
     """A step starts, `late` seconds behind schedule.
 
-    `part`: `in`, `steps` or `out`. `index` within the part and `round` count from 0.
+    `part`: `in`, `steps` or `out`. `index` (within the part) and `round` count from 0.
     """
 
     time: float
@@ -237,12 +238,12 @@ Report = (
     | Connected
     | Restarted
     | Moving
-    | Passed
+    | Progress
     | Moved
     | SpeedsHeld
     | Stuck
     | NotResponding
-    | StepBegun
+    | StepStarted
     | PlayEnded
     | Outcome
     | Closed

@@ -1,8 +1,8 @@
 """Player of a sequence of steps.
 
-Steps are timed by a clock that does not drift. A step is due when the previous steps should have
-ended. The time for `.v`, `.c` and their replies counts towards a step's seconds. If the robot is
-too slow, the next step starts late and is shortened by at most half its seconds.
+The schedule does not drift: a step is due when the previous steps should have ended. The seconds of
+a step include the time for `.v`, `.c` and their replies. If the robot is too slow, the next step
+starts late and is shortened by at most half of its seconds.
 """
 
 import itertools
@@ -19,34 +19,34 @@ from trex_gui.devices.aracna.session.messages import (
     PlayEnded,
     Report,
     Step,
-    StepBegun,
+    StepStarted,
 )
 from trex_gui.devices.aracna.session.servo_estimates import ServoEstimates
 
 REPLY_TIME = 0.04  # duration in seconds of a `.c` without motion: 33 to 37 ms on a wire
-_SHORTEST = 0.5  # minimum fraction of a late step's time for its motion
-_SCALES = (0.05, 20.0)
+_MIN_FRACTION = 0.5  # minimum part of a late step's seconds that is left for its motion
+_TIME_SCALES = (0.05, 20.0)  # minimum and maximum
 
 
 ScheduledStep = tuple[str, int, int, Step]
-"""Part of the sequence (`in`, `steps` or `out`), index and round of a step, and the step."""
+"""Part of the sequence (`in`, `steps` or `out`), index in the part, round, and step."""
 
 
 def check_play(play: Play, motors: int) -> None:
     """Raise BadRequest for a sequence that the robot cannot play."""
     steps = (*play.blend_in, *play.steps, *play.blend_out)
-    is_possible = (
+    is_valid = (
         ((play.rounds > 0 and bool(steps)) or (play.rounds == 0 and bool(play.steps)))
         and _is_scale(play.time_scale)
         and all(0 < step.seconds < math.inf for step in steps)
         and all(0 <= goal <= HIGHEST for step in steps for goal in step.goals)
     )
-    if not is_possible or any(len(step.goals) != motors for step in steps):
+    if not is_valid or any(len(step.goals) != motors for step in steps):
         raise BadRequest(tr("A robot with {0} motors cannot play this.").format(motors))
 
 
 def _is_scale(time_scale: float) -> bool:
-    return _SCALES[0] <= time_scale <= _SCALES[1]
+    return _TIME_SCALES[0] <= time_scale <= _TIME_SCALES[1]
 
 
 def _schedule(play: Play) -> Iterator[ScheduledStep]:
@@ -66,7 +66,7 @@ class SequencePlayer:
         self._report = report
         self.servos = servos
         self._play: Play | None = None
-        self._goals: tuple[int, ...] | None = None  # goals of the running step, if unsent
+        self._goals: tuple[int, ...] | None = None  # unsent goals of the running step
         self._is_moving = False
 
     @property
@@ -103,16 +103,16 @@ class SequencePlayer:
             self._report(Outcome(play.id, None if error else ending, error))
 
     def seconds_to_next(self, now: float) -> float:
-        """Return the seconds until the next command, infinite without a command."""
+        """Return the seconds until the next command. Infinite if no command is scheduled."""
         if self._play is None or self._is_moving:
             return math.inf
         return 0.0 if self._goals is not None else max(0.0, self._due - now)
 
     def next_speeds(self, now: float) -> tuple[int, ...] | None:
-        """Start the due step. Return its speeds if they must be set.
+        """Start the step that is due. Return its speeds if they must be set.
 
-        After the last step, return the speeds from before the sequence. Otherwise the next move
-        could take minutes, because the last step may have set very low speeds.
+        After the last step, return the speeds that the servos had before the sequence. Otherwise
+        the next move could take minutes, because the last step may have set very low speeds.
         """
         if self._play is None or self._goals is not None:
             return None
@@ -122,7 +122,7 @@ class SequencePlayer:
                 return before
             self.stop(now, Ending.ENDED if self._is_ending else Ending.DONE)
             return None
-        if not self._part:  # first step: earlier requests have been sent
+        if not self._part:  # before the first step, all earlier requests have been sent
             speeds = tuple(speed for speed in self.servos.speeds if speed is not None)
             self._speeds_before = speeds if len(speeds) == len(self.servos.speeds) else None
             self._due = now
@@ -132,13 +132,13 @@ class SequencePlayer:
             self._due = now
         self._due += seconds
         self._goals = self.servos.crop(step.goals)
-        self._report(StepBegun(now, self._part, index, number, late))
+        self._report(StepStarted(now, self._part, index, number, late))
         # Leaves time for the `.c`. `speeds_to` leaves time for the `.v`.
-        remaining = max(self._due - now - REPLY_TIME, seconds * _SHORTEST)
+        remaining = max(self._due - now - REPLY_TIME, seconds * _MIN_FRACTION)
         return self.servos.speeds_to(self._goals, remaining)
 
     def next_goals(self) -> tuple[int, ...] | None:
-        """Return the goals of the step after its speeds. `None`: nothing to send."""
+        """Return the running step's goals once its speeds are set. `None`: nothing to send."""
         goals, self._goals = self._goals, None
         self._is_moving = goals is not None
         return goals

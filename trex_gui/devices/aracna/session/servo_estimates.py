@@ -9,17 +9,17 @@ from trex_gui.devices.aracna.protocol.joints import HIGHEST, Limits, crop, speed
 from trex_gui.devices.aracna.session.errors import missed_goals
 
 ASSUMED_SPEED = 100  # for a servo of unknown speed; low, so that no timeout expires early
-SET_SPEEDS_TIME = 0.055  # maximum duration of a `.v` in s, with a pause of 25 ms and the read-back
+SET_SPEEDS_TIME = 0.055  # maximum seconds of a `.v`, with a pause of 25 ms and the read-back
 
-TRUST = 2.0
+SPEED_VALIDITY = 2.0
 """Validity of reported speeds during a drag or a sequence, in seconds.
 
-A servo is unlimited after a loss of power, and only the reply to a `.v` shows that. Speeds are
-repeated this often, which takes `SET_SPEEDS_TIME`."""
+After a loss of power, a servo's speed is unlimited, and only the reply to a `.v` shows that.
+Therefore, speeds are set again after this time, which takes `SET_SPEEDS_TIME`."""
 
-TRUST_BEFORE_MOVE = 0.5  # validity in seconds before a single `Move`
+SPEED_VALIDITY_BEFORE_MOVE = 0.5  # validity in seconds before a single `Move`
 
-_MAX_RATIO = 1.05  # accepted ratio of a speed to the needed speed
+_MAX_RATIO = 1.05  # maximum accepted ratio of a speed to the needed speed
 _ARRIVED = 5  # units; a motor this close to its goal needs no motion
 MARGIN, ALLOWANCE = 1.25, 1.0  # factor on the time without load, and extra seconds
 
@@ -51,8 +51,8 @@ class ServoEstimates:
         self.clear_positions()
         self.clear_speeds()
 
-    def expire_speeds(self, now: float, trust: float = TRUST) -> None:
-        if now - self._speeds_reported_at > trust:
+    def expire_speeds(self, now: float, validity: float = SPEED_VALIDITY) -> None:
+        if now - self._speeds_reported_at > validity:
             self.clear_speeds()
 
     def on_positions(self, goals: Sequence[int], present: Sequence[int], now: float) -> None:
@@ -71,10 +71,10 @@ class ServoEstimates:
         self.speeds = tuple(None if value < 0 else value for value in speeds)
 
     def seconds_to(self, goals: Sequence[int]) -> float:
-        """Return the time of the slowest motor, without load.
+        """Return the seconds that the slowest motor needs, without load.
 
-        An unknown position counts as the farthest. An unknown speed counts as the slowest known
-        speed, but at most `ASSUMED_SPEED`.
+        An unknown position counts as the farthest from the goal. An unknown speed counts as the
+        slowest known speed, but at most `ASSUMED_SPEED`.
         """
         slowest = min([ASSUMED_SPEED, *(speed for speed in self.speeds if speed)])
         return max(
@@ -83,7 +83,7 @@ class ServoEstimates:
         )
 
     def speeds_to(self, goals: Sequence[int], seconds: float) -> tuple[int, ...] | None:
-        """Return speeds for a motion in `seconds`. `None`: the current speeds suffice.
+        """Return the speeds for a motion of `seconds`. `None`: the present speeds are suitable.
 
         The time includes setting the speeds. A motor at its goal keeps its speed. A motor at an
         unknown position gets at most `ASSUMED_SPEED`.

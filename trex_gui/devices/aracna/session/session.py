@@ -1,8 +1,8 @@
 """Session loop on a line to the robot: requests in, reports out.
 
-It uses neither threads nor Qt. Without a request it sends only `.q`, because a TReX may be on the
-port, and every other line may harm a TReX at some settings. (With a newline before `.q`, a TReX
-at 38400 baud with odd parity may read both as a command.) The robot has no stop command. After
+The loop uses neither threads nor Qt. Without a request it sends only `.q`, because a TReX may be on
+the port, and any other line may harm a TReX at some settings. (If a newline precedes `.q`, a TReX
+at 38400 baud with odd parity may read both as a command.) The robot has no stop command. After a
 `Halt`, the loop merely sends no more commands.
 """
 
@@ -24,7 +24,7 @@ from trex_gui.devices.aracna.session.client import (
     Voided,
 )
 from trex_gui.devices.aracna.session.errors import (
-    FAR,
+    ABORT_TOLERANCE,
     ErrorCode,
     RobotBusyError,
     RobotError,
@@ -46,8 +46,8 @@ from trex_gui.devices.aracna.session.messages import (
     Moved,
     Moving,
     NotResponding,
-    Passed,
     Play,
+    Progress,
     Report,
     Request,
     Restarted,
@@ -60,14 +60,14 @@ from trex_gui.devices.aracna.session.messages import (
 )
 from trex_gui.devices.aracna.session.player import SequencePlayer
 from trex_gui.devices.aracna.session.servo_estimates import (
-    TRUST,
-    TRUST_BEFORE_MOVE,
+    SPEED_VALIDITY,
+    SPEED_VALIDITY_BEFORE_MOVE,
     ServoEstimates,
     move_timeout,
 )
 
 STATS_INTERVAL = 1.0  # seconds between reports of the line's statistics
-_SLICE = 0.02  # timeout in seconds of a read
+_READ_TIMEOUT = 0.02  # seconds
 _IDLE = 0.05  # maximum wait in seconds for requests, between checks for `.h`
 
 
@@ -121,7 +121,7 @@ class AracnaSession:
     def _step(self) -> None:
         if self._client.pending is not None:
             self._handle_requests(0.0)
-            self._handle(self._client.listen(_SLICE))
+            self._handle(self._client.listen(_READ_TIMEOUT))
         else:
             self._handle_requests(max(SHORTEST_WAIT, min(self._seconds_to_wait(), _IDLE)))
             self._handle(self._client.listen())
@@ -193,7 +193,7 @@ class AracnaSession:
             raise RobotNoReplyError(ErrorCode.STUCK)
 
     def _drop(self, now: float, ending: Ending, reason: StudioError) -> None:
-        """Drop queued requests. After a halt, the command in flight continues."""
+        """Drop queued requests and stop playing. After a halt, the command in flight continues."""
         is_halt = ending is Ending.HALTED
         if not is_halt:
             self._jobs.finish(error=reason)
@@ -205,14 +205,15 @@ class AracnaSession:
     def _send(self, job: Job) -> bool:
         """Send a job. Return True if only the speeds of a motion were sent.
 
-        Raises BadRequest for invalid values, or a wrong number of values.
+        Raises BadRequest for invalid values or a wrong number of values.
         """
         match job:
             case Move(goals=goals, speeds=speeds, dragged=dragged):
-                trust = TRUST if dragged else TRUST_BEFORE_MOVE
-                self._servos.expire_speeds(self._now(), trust)
+                validity = SPEED_VALIDITY if dragged else SPEED_VALIDITY_BEFORE_MOVE
+                self._servos.expire_speeds(self._now(), validity)
                 if speeds is not None and speeds != self._servos.speeds:
-                    commands.positions(self._servos.crop(goals), self._client.motors)  # validates
+                    # Raises BadRequest before the speeds are sent.
+                    commands.positions(self._servos.crop(goals), self._client.motors)
                     self._client.set_speeds(speeds)
                     return True
                 self._move(goals)
@@ -246,7 +247,7 @@ class AracnaSession:
                 case Answered(time=time):
                     self._liveness.on_reply(time)
                     self._on_answered(event)
-                case Passed(time=time):
+                case Progress(time=time):
                     self._liveness.on_reply(time)
                     self._report(event)
                 case Stuck():
@@ -270,7 +271,7 @@ class AracnaSession:
                 self._servos.on_positions(command.values, present, now)
                 self._report(moved := Moved(now, command.values, present, now - command.sent))
                 self._player.on_arrival()
-                errors = missed_goals(command.values, present, FAR).values()
+                errors = missed_goals(command.values, present, ABORT_TOLERANCE).values()
                 if missed := tuple(e for e in errors if e.code is ErrorCode.GOAL_MISSED):
                     error = RobotNoReplyError(ErrorCode.GOALS_MISSED, missed)
                     self._player.stop(now, Ending.MISSED, error)

@@ -35,11 +35,11 @@ class AracnaDecoder(Decoder):
         return sent == b".q\n"
 
     def may_move(self, sent: bytes) -> bool:
-        """Return whether a line sets positions. The robot ignores its first character."""
+        """Return True if a line sets positions. The robot ignores a line's first character."""
         return any(line[1:2] == b"c" for line in sent.split(b"\n"))
 
     def is_whole(self, transaction: Transaction) -> bool:
-        """Return whether a restart, or a reply to the last command, has arrived."""
+        """Return True after a restart, or after a reply to the last command."""
         lines = transaction.received.split(b"\n")[:-1]
         if not transaction.sent:
             return bool(lines)
@@ -47,7 +47,7 @@ class AracnaDecoder(Decoder):
         return any(line.startswith((last, b".h")) for line in lines)
 
     def goes_with(self, transaction: Transaction, sent: bytes) -> bool:
-        """Return whether a line is a query after an unanswered command."""
+        """Return True for a query that follows an unanswered command."""
         is_late = transaction.sent[:2] in {b".c", b".v", b".l"} and not self.is_whole(transaction)
         return sent == b".q\n" and is_late
 
@@ -96,7 +96,7 @@ class AracnaDecoder(Decoder):
 
 
 def _answers(reply: Reply, sent: bytes) -> bool:
-    """Return whether a reply answers or voids a command."""
+    """Return True if a reply answers a command or reports a restart."""
     kind = ANSWERS.get(sent[1:2].decode("latin-1"))
     return kind is None or isinstance(reply, kind | Hello)
 

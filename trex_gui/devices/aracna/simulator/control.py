@@ -151,7 +151,7 @@ SIMULATOR = SimulatorPlugin(
         click.Option(
             ["--motors"],
             type=click.IntRange(1, MOTORS),
-            help="Number of motors; 2 make a robot of version 0.  [default: 8]",
+            help="Number of motors. A robot with 2 motors has version 0.  [default: 8]",
         ),
     ),
     build=simulate,

@@ -10,8 +10,8 @@ from enum import Enum
 
 from trex_gui.devices.aracna.simulator.servos import Register, Servo
 
-BUFFER = 59  # characters of a line with its newline; the sixtieth byte ends the string
-BLINKING = 1.0  # seconds after `.h`, in which the firmware reads nothing
+BUFFER = 59  # maximum characters of a line with its newline; the sixtieth byte ends the string
+BLINKING = 1.0  # seconds after `.h` during which the firmware reads nothing
 _BLINKS = 10  # toggles of the LED while blinking; an even number leaves it off
 PARSING = 0.000038  # seconds from the end of a line to its reply, observed
 SPEED_PAUSE = 0.025  # seconds between writing and reading back the speeds
@@ -22,12 +22,11 @@ Inferred, like `READING`, from round trips: 42 to 55 ms for `.v`, 33 to 37 ms fo
 motion."""
 
 READING = 0.00095  # duration of a read packet in seconds, with or without a reply
-_BATCH = 0.05  # period in seconds of polls that are simulated together
+_BATCH = 0.05  # seconds of polls that are simulated as one pause
 
-
-_ARRAY = 4
-_SMASHED = 11  # characters of a field that destroy the stack
-_UNUSED = 10
+_ARRAY = 4  # bytes of the array that receives the characters of a field
+_UNUSED = 10  # initial value of each byte of the array
+_OVERFLOW = 11  # number of characters in a field that overwrites the stack
 _SEPARATORS = b",\n"
 
 
@@ -42,21 +41,21 @@ class State(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Pause:
-    """Wait of the busy program, which reads nothing."""
+    """Wait of the busy program, which reads nothing meanwhile."""
 
     seconds: float
 
 
 @dataclass(frozen=True, slots=True)
 class Transmit:
-    """Wait for a free transmit buffer. The byte is then written."""
+    """Wait until the transmit buffer is free. The byte is then written into it."""
 
     byte: int
 
 
 @dataclass(frozen=True, slots=True)
 class Receive:
-    """Wait for a byte, which is sent into the generator."""
+    """Wait for a received byte, which is sent into the generator."""
 
 
 Request = Pause | Transmit | Receive
@@ -118,7 +117,7 @@ class Firmware:
         return bytes(line)
 
     def _execute(self, line: bytes) -> Program:
-        """Execute a line by its second character."""
+        """Execute the command that is named by the second character of a line."""
         self.state = State.ANSWERING
         self.counters["commands"] += 1
         yield Pause(PARSING)
@@ -161,7 +160,7 @@ class Firmware:
 
     @staticmethod
     def _await(servo: Servo) -> Program:
-        """Poll the moving flag until it is 0. Without a reply it is -1."""
+        """Poll a servo's moving flag until it is 0. Without a reply, the flag reads as -1."""
         while True:
             yield Pause(READING)
             if servo.read(Register.MOVING) == 0:
@@ -188,8 +187,8 @@ def _values(line: bytes, motors: int) -> list[int]:
     check. Characters after the last value are ignored. The servos ignore invalid values.
 
     Raises:
-        Restart: a value is missing, or a field has eleven or more characters. With ten,
-            the original firmware replies half of the time, and the simulator always replies.
+        Restart: a value is missing, or a field has eleven or more characters. With ten characters,
+            the original firmware replies only half of the time. The simulator always replies.
     """
     fields: list[bytes] = []
     start = 2
@@ -197,7 +196,7 @@ def _values(line: bytes, motors: int) -> list[int]:
         if len(fields) < motors and line[index] in _SEPARATORS:
             fields.append(line[start:index])
             start = index + 1
-    if len(fields) < motors or any(len(field) >= _SMASHED for field in fields):
+    if len(fields) < motors or any(len(field) >= _OVERFLOW for field in fields):
         raise Restart
     return [_number(field) for field in fields]
 
@@ -205,10 +204,10 @@ def _values(line: bytes, motors: int) -> list[int]:
 def _number(field: bytes) -> int:
     """Convert a field as the firmware does.
 
-    Inferred from known values: an empty field is 10, `abc` is 49, `0x1F` is 721 and `1e3` is 633.
-    Signs and points result in more than 1023. The array starts as four tens. Each character stores
-    its distance from "0" in eight bits. Trailing non-digits count as unused. The result has sixteen
-    bits.
+    Inferred from known values: an empty field is 10, `abc` is 49, `0x1F` is 721 and `1e3` is 633. A
+    field with a sign or a point is above 1023. The array initially contains four tens. Each
+    character is stored as its difference from "0" in eight bits. Trailing non-digits count as
+    unused. The result has sixteen bits.
     """
     digits = [(byte - ord("0")) & 0xFF for byte in field[:_ARRAY]]
     digits += [_UNUSED] * (_ARRAY - len(digits))

@@ -7,7 +7,7 @@ from functools import partial
 from trex_gui.core.simulator.line import SimulatedLine
 from trex_gui.core.simulator.sampling import RateConverter, ReceiveError, rates_differ
 from trex_gui.core.transport.settings import Parity, SerialFormat
-from trex_gui.devices.aracna.protocol.joints import CENTRE, MOTORS
+from trex_gui.devices.aracna.protocol.joints import CENTER, MOTORS
 from trex_gui.devices.aracna.simulator.firmware import (
     Firmware,
     Pause,
@@ -20,23 +20,23 @@ from trex_gui.devices.aracna.simulator.servos import Servo
 
 OWN = SerialFormat(38_400)  # settings of a matching host: 38400 8N1
 REAL_BAUD = 16_000_000 / 16 / 26  # 38461.5 bit/s, from a clock of 16 MHz
-HOLDS = 3  # bytes that the UART stores for a busy program: two buffers and a shift register
+STORED_BYTES = 3  # capacity of the UART while the program is busy: two buffers, a shift register
 
-_OLD_MOTORS = 2  # number of motors of version 0, of 22 Sep 2012
+_OLD_MOTORS = 2  # number of motors of version 0 (22 Sep 2012)
 
 
 class RobotStation:
     """Board with its firmware.
 
     The UART is polled, not interrupt-driven: bytes are read only while the program waits for them.
-    The transmitter is double-buffered, and the program waits only until its buffer is free.
-    Therefore, it reads while the last two bytes of a reply are still being sent.
+    The transmitter is double-buffered, and the program waits only until the buffer is free.
+    Therefore, the program already reads while the last two bytes of a reply are being sent.
 
     Attributes:
-        keeps_last: True if the last of more than three bytes is retained, otherwise the third.
-            According to the data sheet, a new byte replaces the byte in the shift register.
-            Observed: only if the last byte is retained, a `.v` in reply to `.h` restarts the
-            firmware repeatedly.
+        keeps_last: of more than three bytes, the UART stores two and the last (True) or the first
+            three (False). According to the data sheet, a new byte replaces the byte in the shift
+            register. Observed: a `.v` in reply to `.h` restarts the firmware repeatedly. This
+            happens only if the last byte is stored.
     """
 
     line_format = OWN
@@ -51,8 +51,8 @@ class RobotStation:
         self._line = line
         self._program: Program | None = None
         self._is_waiting = False
-        self._moved_at = 0.0  # time when the last byte enters the shift register
-        self._sent_at = 0.0  # time when the last byte has left the wire
+        self._moved_at = 0.0  # time at which the last byte enters the shift register
+        self._sent_at = 0.0  # time at which the last byte is completely sent
         self._input = RateConverter(line.timeline, OWN, OWN.baud, self._receive_sampled)
         self._output: RateConverter | None = None
 
@@ -76,7 +76,7 @@ class RobotStation:
         self.firmware.led = False
 
     def reset(self) -> None:
-        """Reset the board without its servos."""
+        """Reset the board, but not its servos."""
         self.power_off()
         self.power_on()
 
@@ -96,7 +96,7 @@ class RobotStation:
     def _receive(self, byte: int) -> None:
         if not self.powered:
             return
-        if len(self.held) < HOLDS:
+        if len(self.held) < STORED_BYTES:
             self.held.append(byte)
         else:
             self.bytes_missed += 1
@@ -147,7 +147,7 @@ class RobotStation:
 
 
 class AracnaLine(SimulatedLine):
-    """Robot with its wire, switched on. Servos and boot take time even if unpaced."""
+    """Robot with its wire. Motions and the boot take time even on an unpaced line."""
 
     def __init__(
         self,
@@ -167,7 +167,7 @@ class AracnaLine(SimulatedLine):
         super().__init__(paced=paced, seed=seed)
         if version is None:
             version = 0 if motors == _OLD_MOTORS else 1
-        self.servos = tuple(map(Servo, positions or (CENTRE,) * motors))
+        self.servos = tuple(map(Servo, positions or (CENTER,) * motors))
         self.station = RobotStation(Firmware(self.servos, version, boot_loader), self)
         self.stations = (self.station,)
         self.station.power_on()

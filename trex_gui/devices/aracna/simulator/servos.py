@@ -1,13 +1,13 @@
 """AX servos: position, goal, speed, and faults.
 
-Ref: Robotis AX-12 and AX-18 documentation. Servos continue during a restart of the board.
+Ref: Robotis AX-12 and AX-18 documentation. Servos keep moving during a restart of the board.
 """
 
 import math
 from collections import Counter
 from enum import Enum
 
-from trex_gui.devices.aracna.protocol.joints import CEILING, HIGHEST, UNITS_PER_SECOND
+from trex_gui.devices.aracna.protocol.joints import HIGHEST, MAX_EFFECTIVE_SPEED, UNITS_PER_SECOND
 
 FAILED = -1  # value of a servo without reply in the firmware's library
 _EPSILON = 1e-9  # seconds; absorbs the rounding of summed times
@@ -20,7 +20,7 @@ class Register(Enum):
 
 
 class Servo:
-    """AX servo. It stops while `alive` is false, then continues its motion (assumed)."""
+    """AX servo. It stops while `alive` is False, then continues its motion (assumed)."""
 
     def __init__(self, position: float = 512) -> None:
         self.position = float(position)  # in units, with a fraction while it moves
@@ -45,7 +45,7 @@ class Servo:
             self.speed = value
 
     def read(self, register: Register) -> int:
-        """Return the value of a register, -1 without reply."""
+        """Return the value of a register, or -1 if the servo does not reply."""
         if not self.answers:
             return FAILED
         if self.to_fail[register] > 0:
@@ -63,7 +63,7 @@ class Servo:
 
     @property
     def moving(self) -> bool:
-        """True if the goal is not reached, even if the servo is blocked or dead.
+        """True until the goal is reached, even if the servo is blocked or dead.
 
         The compliance margin is 0, because the firmware never writes it. Ref: AX-12 control table.
         """
@@ -71,10 +71,10 @@ class Servo:
 
     @property
     def rate(self) -> float:
-        """Units per second, 0 if the servo cannot move."""
+        """Speed in units per second, 0 if the servo cannot move."""
         if not self.answers or self.blocked:
             return 0.0
-        speed = min(self.speed or CEILING, CEILING)
+        speed = min(self.speed or MAX_EFFECTIVE_SPEED, MAX_EFFECTIVE_SPEED)
         return UNITS_PER_SECOND * speed * (1 - self.load)
 
     @property

@@ -18,7 +18,7 @@ from trex_gui.devices.aracna.model.texts import (
     speed_text,
     spoken_joint,
 )
-from trex_gui.devices.aracna.protocol.joints import CENTRE
+from trex_gui.devices.aracna.protocol.joints import CENTER
 from trex_gui.devices.aracna.protocol.replies import UNREADABLE
 from trex_gui.devices.aracna.views.motion_bar import StopSequenceButton
 from trex_gui.devices.aracna.views.robot.drawing import RobotDrawing
@@ -31,7 +31,7 @@ _NONE = "–"
 
 
 class RobotPlaybackWindow(RecordingWindow):
-    """Recording of a robot. The stop button acts on the connected robot."""
+    """Window of a robot's recording. Its stop button acts on the connected robot."""
 
     def __init__(self, playback: RobotPlayback, robot: Robot) -> None:
         plot_name = tr("Plot of the motors' positions against time")
@@ -77,7 +77,7 @@ class RobotPlaybackWindow(RecordingWindow):
         state = self.playback.state()
         goals = state.goals  # `None` before the first goals
         if goals is None:
-            goals = tuple(CENTRE if value is None else value for value in state.present)
+            goals = tuple(CENTER if value is None else value for value in state.present)
         self._drawing.show_robot(state, goals)
         self._joints.show_state(state)
         remaining = max((state.moving_until or 0.0) - self.playback.position, 0.0)

@@ -135,7 +135,7 @@ class PlayBar(QWidget):
         """Update the preview if necessary. Replies arrive 30 times a second."""
         state = self._robot.state
         has_moved = state.play is None and state.present != self._present
-        if has_moved or self._robot.limits.first(state.motors) != self._limits:
+        if has_moved or self._robot.limits.for_motors(state.motors) != self._limits:
             self._update_preview()
         else:
             self._show_playing()
@@ -143,7 +143,7 @@ class PlayBar(QWidget):
     @Slot()
     def _update_preview(self) -> None:
         state, played = self._robot.state, self._motions.played
-        self._limits, self._present = self._robot.limits.first(state.motors), state.present
+        self._limits, self._present = self._robot.limits.for_motors(state.motors), state.present
         limits, present, poses = self._limits, self._present, self._library.project.poses
         self._request = None
         if played is None:
@@ -169,7 +169,7 @@ class PlayBar(QWidget):
         start = play.blend_in[-1].goals if play.blend_in else present
         late = late_motors(scaled, start, again=play.rounds != 1)
         used = [pose for pose, _ in stages_of(played, poses)]
-        is_cropped = any(pose.first(len(limits)) != cropped(pose, limits) for pose in used)
+        is_cropped = any(pose.for_motors(len(limits)) != cropped(pose, limits) for pose in used)
         other = mismatch(used, len(limits))
         sentences = (
             other,

@@ -139,7 +139,7 @@ class PoseBox(ui.Card):
     def _on_go_to_clicked(self) -> None:
         commit_typed()
         if (pose := self._pose) is not None:
-            self._robot.move(pose.first(self._robot.state.motors))
+            self._robot.move(pose.for_motors(self._robot.state.motors))
 
     @Slot()
     def _on_set_to_present_clicked(self) -> None:

@@ -1,8 +1,8 @@
-"""Sketch of the robot from above: reported positions in solid lines, goals dashed.
+"""Sketch of the robot from above: solid lines for reported positions, dashed lines for goals.
 
 No publication describes how a servo's angle turns a leg, so the sketch does not use kinematics.
-Every angle is drawn flat, reduced so that legs do not overlap, and mirrored so that equal angles
-look alike on both sides.
+Every angle is drawn flat. It is reduced so that legs do not overlap, and mirrored so that equal
+angles look alike on both sides.
 """
 
 import math
@@ -21,7 +21,7 @@ from trex_gui.ui.widgets.builders import Card, column, label
 from trex_gui.ui.widgets.circuit import paint_chassis, write
 from trex_gui.ui.widgets.painted import Painted, Painter
 
-_CENTRE = 150.0
+_CENTER = 150.0  # degrees
 _REDUCTION = 0.35  # drawn angle divided by the servo's angle
 _BODY = 0.24  # half the edge length of the body; both axes of the picture span -1 to 1
 _HIP = 0.26
@@ -31,6 +31,7 @@ _LEG = 0.08  # width of a leg
 _RADIUS = 0.075
 _REACH = 0.13  # maximum distance at which the mouse points at a joint
 _MAX_WIDTH = 130  # maximum width of the widget beside the drawing, in average characters
+
 Point = tuple[float, float]
 
 
@@ -44,7 +45,7 @@ class DrawnLeg:
 
 
 def drawn_legs(positions: tuple[float, ...]) -> tuple[DrawnLeg, ...]:
-    """Return the legs with two known positions (units), in motor order."""
+    """Return the legs in motor order. A leg needs the positions (units) of two motors."""
     return tuple(
         _drawn_leg(motor // 2, positions[motor], positions[motor + 1])
         for motor in range(0, min(len(positions), MOTORS) - 1, 2)
@@ -55,9 +56,9 @@ def _drawn_leg(number: int, inner: float, outer: float) -> DrawnLeg:
     outward = 135.0 - 90 * number  # degrees anticlockwise from the right, with the front up
     mirror = 1 if number % 2 else -1
     hip = _along((0.0, 0.0), outward, _HIP * math.sqrt(2))
-    first = outward + mirror * _REDUCTION * (degrees(inner) - _CENTRE)
+    first = outward + mirror * _REDUCTION * (degrees(inner) - _CENTER)
     knee = _along(hip, first, _UPPER)
-    second = first + mirror * _REDUCTION * (degrees(outer) - _CENTRE)
+    second = first + mirror * _REDUCTION * (degrees(outer) - _CENTER)
     return DrawnLeg(hip, knee, _along(knee, second, _LOWER))
 
 
@@ -96,7 +97,7 @@ class RobotDrawing(Painted):
 
     @Slot(int)
     def mark(self, motor: int) -> None:
-        """Highlight a motor's joint. -1: none."""
+        """Highlight a motor's joint, or no joint (-1)."""
         if motor != self._marked:
             self._marked = motor
             self.update()
@@ -132,7 +133,7 @@ class RobotDrawing(Painted):
         return nearest
 
     def _solid(self) -> tuple[DrawnLeg, ...]:
-        """Return the legs at reported positions, or at goals if unknown."""
+        """Return the legs at their reported positions. Goals replace unknown positions."""
         pairs = zip(self._state.present, self._goals, strict=False)
         return drawn_legs(tuple(goal if present is None else present for present, goal in pairs))
 
@@ -191,7 +192,7 @@ class RobotDrawing(Painted):
 
 
 class RobotCard(Card):
-    """Drawing of a robot with a remark. `beside`: widget next to it."""
+    """Card with the drawing of a robot and a remark. `beside`: the widget next to the card."""
 
     def __init__(self, robot: Robot, remark: str, beside: QWidget, parent: QWidget) -> None:
         super().__init__(parent=parent)
@@ -215,6 +216,7 @@ class RobotCard(Card):
         self._beside.setMaximumWidth(max(limit, self._beside.minimumSizeHint().width()))
 
     def show_in(self, width: int) -> None:
+        """Show the card if it fits beside the widget within `width` pixels."""
         needed = self.drawing.minimumSizeHint().width() + 3 * CARD_PADDING
         self.setVisible(width >= self._beside.minimumSizeHint().width() + needed)
 

@@ -16,7 +16,7 @@ from trex_gui.devices.aracna.model.texts import (
     stuck_text,
 )
 from trex_gui.devices.aracna.poses.gaits import STAND
-from trex_gui.devices.aracna.protocol.joints import CENTRE
+from trex_gui.devices.aracna.protocol.joints import CENTER
 from trex_gui.devices.aracna.views.robot.drawing import RobotCard
 from trex_gui.devices.aracna.views.robot.joint_table import JointTable, SpeedBox
 from trex_gui.ui.devices.connection import ConnectionState
@@ -41,7 +41,7 @@ class RobotPage(QWidget):
         self._head = PageHead("", self._content)
         self._head.title.setObjectName("aracnaTitle")
         joints = ui.Card(parent=self._content)
-        set_look(joints, "compact")  # so that it fits a low screen
+        set_look(joints, "compact")  # so that the table fits on a low screen
         table = JointTable(robot, joints)
         self.controls = Controls(robot, table, joints)
         ui.column((table, 1), self.controls, into=joints, spacing=4)
@@ -121,14 +121,14 @@ class CommonSpeedBox(SpeedBox):
 
     def __init__(self, name: str, accessible: str, parent: QWidget | None = None) -> None:
         super().__init__(name, accessible, parent)
-        self.setMinimumWidth(self.sizeHint().width())  # also for differing speeds
+        self.setMinimumWidth(self.sizeHint().width())  # also while the speeds differ
 
     @property
     def differ(self) -> bool:
         return self.value() == self._DIFFER
 
     def show_speeds(self, speeds: Sequence[int]) -> None:
-        """Show the speeds without a signal. Unchanged speeds do not replace typed text."""
+        """Show the speeds without emitting a signal. Unchanged speeds do not replace typed text."""
         value = speeds[0] if len(set(speeds)) == 1 else self._DIFFER
         lowest = min(value, 0)
         if (value, lowest) == (self.value(), self.minimum()):
@@ -146,7 +146,7 @@ class CommonSpeedBox(SpeedBox):
             self.setValue(steps * self.singleStep())
 
     def focusInEvent(self, event: QFocusEvent) -> None:
-        """Select the text of differing speeds, also after a click."""
+        """Select the remark that the speeds differ, also after a click."""
         super().focusInEvent(event)
         if self.differ:
             QTimer.singleShot(0, self, self.selectAll)
@@ -165,13 +165,13 @@ class Controls(QWidget):
             "Centre",
             tr("Ce&ntre"),
             tr("512 = 150°; nothing moves yet"),
-            lambda: self._aim_at((CENTRE,) * robot.state.motors),
+            lambda: self._aim_at((CENTER,) * robot.state.motors),
         )
         self._stand = self._button(
             "Stand",
             tr("S&tand"),
             tr("Inner 512, outer 550; nothing moves yet"),
-            lambda: self._aim_at(STAND.first(robot.state.motors)),
+            lambda: self._aim_at(STAND.for_motors(robot.state.motors)),
         )
         self._speed = CommonSpeedBox("aracnaSpeedAll", tr("Speed of all motors"), self)
         self._move = self._button("Move", tr("Mo&ve"), "", self.move_now)
@@ -238,7 +238,7 @@ class Controls(QWidget):
 
     @Slot()
     def _on_goal_edited(self) -> None:
-        """Send the goals in live mode. A key or spin box counts as a drag."""
+        """Send the goals in live mode. An edit by key or spin box counts as a drag."""
         robot = self._robot
         if self._is_live and robot.dragging:
             robot.drag(robot.targets.goals)
