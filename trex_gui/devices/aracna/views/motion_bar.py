@@ -1,4 +1,4 @@
-"""Stop button, and row below the pages with the robot's activity."""
+"""Stop button, and the row below the pages that shows the robot's activity."""
 
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QWidget
@@ -18,7 +18,7 @@ _REFRESH_MS = 100
 
 
 class StopSequenceButton(RedButton):
-    """Halts the robot, as Esc does. Also used in windows that may cover the pages."""
+    """Button that halts the robot, like Esc. Also used in windows that may cover the pages."""
 
     def __init__(self, robot: Robot, name: str, parent: QWidget | None = None) -> None:
         super().__init__(name, title_of(tr("&Stop sequence")), robot.halt, parent)
@@ -36,7 +36,7 @@ class StopSequenceButton(RedButton):
 
 
 class MotionBar(ActionBar):
-    """Row with the stop button, which does not end a running motion."""
+    """Row with the stop button. The button does not end a running motion."""
 
     def __init__(self, robot: Robot, recording: QWidget, parent: QWidget) -> None:
         super().__init__(StopSequenceButton(robot, "aracnaStopButton"), parent)

@@ -17,7 +17,7 @@ from trex_gui.ui.log import Log, LogEntry
 
 
 class RobotProblemsPage(ProblemsPage):
-    """Problems in the log, merged by text. The robot has no error bits."""
+    """Problems in the log, merged by text. The robot itself reports no error bits."""
 
     def __init__(self, robot: Robot, log: Log, message_help: MessageHelp, parent: QWidget) -> None:
         super().__init__("aracnaErrors", robot.traffic, parent)

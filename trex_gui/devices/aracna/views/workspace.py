@@ -89,7 +89,7 @@ class AracnaWorkspace(Workspace):
                 *diagnostics.pages(lambda _parent: problems, lambda _parent: traffic),
             )
         )
-        self.create_pages()  # otherwise existing pages would cover the first page
+        self.create_pages()  # a page outside the tabs would cover the first page
         self.recordings = AracnaRecordings(robot, self)
         self.recordings.accept_drops(frame, self)
         self.bar = MotionBar(robot, self.recordings.indicator, self)
@@ -268,7 +268,7 @@ class AracnaWorkspace(Workspace):
         return self._poses.files.may_close(leave)
 
     def prepare_to_close(self) -> None:
-        QObject.disconnect(self._undo_watch)  # the undo stack also emits when it is destroyed
+        QObject.disconnect(self._undo_watch)  # the undo stack also emits when destroyed
         self._demo.hide_dock()
 
     def finish(self) -> None:

@@ -25,7 +25,7 @@ _MAX_FINDINGS = 8  # findings in a message, which must fit into the window
 
 
 class PoseFiles(QObject):
-    """Opens and saves the file of a library. Prompts before data is lost."""
+    """Opens and saves the file of a library. Prompts the user before edits are lost."""
 
     opened = Signal()
     used = Signal(object)  # `Path` of an opened or saved file
@@ -102,7 +102,7 @@ class PoseFiles(QObject):
         self._notifier.info.emit(tr("Saved in {0}.").format(path))
 
     def may_close(self, leave: Callable[[], object]) -> bool:
-        """Prompt before edits are lost. `leave` is called after they are saved."""
+        """Prompt before edits are lost. `leave` is called once they are saved."""
         commit_typed()
         return self._saver.may_leave(self._saver.answer(), self.save, leave)
 

@@ -196,7 +196,7 @@ class StepTable(QTableWidget):
     def __init__(self, library: Library, parent: QWidget | None = None) -> None:
         super().__init__(0, len(StepColumn), parent)
         self._library = library
-        self._key: ItemKey | None = None  # may be missing from the library
+        self._key: ItemKey | None = None  # the library may no longer contain this item
         self.steps: tuple[SequenceStep, ...] = ()
         self._notes: dict[int, str] = {}
         self._running: int | None = None

@@ -19,7 +19,7 @@ _LINES = 3
 class NameList(QListWidget):
     """Editable list of poses or sequences. Built-in gaits follow the sequences.
 
-    F2 renames an item, Del deletes it, and Alt+arrows move it.
+    F2 renames an item, Del deletes it, and Alt with an arrow key moves it.
     """
 
     chosen = Signal()  # the current item has changed

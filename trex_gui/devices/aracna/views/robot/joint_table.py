@@ -1,4 +1,4 @@
-"""Table of joints, with a row per motor."""
+"""Table of joints, with one row per motor."""
 
 from PySide6.QtCore import QEvent, QObject, QPointF, QRect, QSignalBlocker, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QPainter, QPen, QPolygonF
@@ -22,14 +22,13 @@ from trex_gui.ui.widgets.labels import LiveLabel
 from trex_gui.ui.widgets.sliders import PressSlider
 
 _LEG, _NAME, _SLIDER, _UNITS, _DEGREES, _PRESENT, _STATE, _SPEED, _LOW, _HIGH = range(10)
-_ALTERNATING = (_SPEED, _LOW, _HIGH)
-
+_ALTERNATING = (_SPEED, _LOW, _HIGH)  # either the speeds or the limits are visible
 
 _WEDGE = 7  # height in pixels
 
 
 class JointSlider(PressSlider):
-    """Slider from 0 to 1023. Its handle is the goal.
+    """Slider from 0 to 1023. Its handle shows the goal.
 
     A wedge shows the present position. Outside the limits, the groove is thin and grey.
     """
@@ -106,7 +105,7 @@ class SpeedBox(ui.SpinBox):
 
     @Slot()
     def update_suffix(self) -> None:
-        """Show the speed in degrees per second, even if signals were blocked."""
+        """Show the speed in degrees per second. Call this after a change with blocked signals."""
         self.setSuffix(f" = {speed_text(self.value())}")
 
 
@@ -226,7 +225,7 @@ class JointRow(QObject):
             self._robot.set_speeds(speeds)
 
     def _on_limit_edited(self) -> None:
-        """Set the limits. A limit that crosses the other limit shifts it."""
+        """Set the limits. If the edited limit crosses the other limit, both become equal."""
         before = self._robot.limits.of(self._motor)
         low, high = self.low.value(), self.high.value()
         if low > high:
