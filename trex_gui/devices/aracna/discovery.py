@@ -1,15 +1,16 @@
 r"""Search for an Aracna, without moving any device.
 
-The probe is `\n.q\n` at 38400 8N1. An Aracna reads an empty line and its only query without side
-effects. A TReX at 38400 baud does not read a command in the probe, but at another rate it may read
-the start of a command. Therefore, FF at 1200 baud terminates an incomplete packet before and after
-the probe, as in the search for a TReX. The tests check this for every TReX.
+The probe is `\n.q\n` at 38400 8N1. An Aracna reads it as an empty line followed by its only query.
+Neither has a side effect. A TReX at 38400 baud does not find a command in the probe, but at another
+rate it may find the start of a command. Therefore, FF at 1200 baud terminates any incomplete packet
+before and after the probe, as in the search for a TReX. The tests check this at every rate of a
+TReX.
 
-At a fixed rate, as behind a plain network port, FF has no effect, and some boards would read the
-probe as a command. There, the probe is sent only if the user has selected an Aracna for the port.
+On a port with a fixed rate, such as a plain network port, FF has no effect, and some boards would
+read the probe as a command. Such a port is probed only if the user has selected an Aracna for it.
 
-Opening a port may reset the board, which reports `.h` and does not listen for a second. Therefore,
-the probe is repeated.
+Opening a port may reset the board. It then reports `.h` and does not listen for a second.
+Therefore, the probe is repeated.
 """
 
 import contextlib
@@ -37,10 +38,10 @@ from trex_gui.devices.aracna.session.errors import ErrorCode, diagnose
 
 PROBE = commands.EMPTY + commands.QUERY
 
-PROBES = 5  # attempts; with listening they take 3.2 s on a local port
+PROBES = 5  # maximum number of attempts, which take 3.2 s on a local port
 _PROBE_INTERVAL = 0.45  # seconds
-_SLICE = 0.02  # timeout in seconds of a read
-_SAVED_BYTES = 48  # received bytes saved for the diagnosis
+_READ_TIMEOUT = 0.02  # seconds
+_SAVED_BYTES = 48  # maximum number of received bytes saved for the diagnosis
 
 _HELLO = b"h\r\n"
 _EVIDENCE: dict[Enum, Evidence] = {
@@ -73,7 +74,7 @@ class AracnaProber:
     parts = (PROBES,)
 
     def __init__(self, settings: PortSettings, *, full: bool = False, known: bool = False) -> None:
-        """`full` has no effect, because there is only one line setting."""
+        """`full` has no effect, because an Aracna has only one line setting."""
         del full
         self.found: list[FoundRobot] = []
         self._settings = settings.at(LINE)
@@ -98,7 +99,7 @@ class AracnaProber:
         progress: Callable[[ScanProgress], None],
         cancelled: Callable[[], bool],
     ) -> None:
-        del part  # the only part
+        del part  # there is only one part
         extra = self._settings.timeouts.extra
         if not wire.is_configurable and not self._known:
             self._not_sent = tr(
@@ -122,7 +123,7 @@ class AracnaProber:
                 return
             if done == 0:
                 with contextlib.suppress(BadReply):
-                    wire.discard()  # replies to other probers
+                    wire.discard()  # replies to earlier probes for other devices
             wire.write(PROBE)
             self._listen(wire, _PROBE_INTERVAL + wire.latency + extra)
             if self.found:
@@ -137,7 +138,7 @@ class AracnaProber:
     def _listen(self, wire: Transport, seconds: float) -> None:
         end = wire.clock() + seconds
         while not self.found and (remaining := end - wire.clock()) > 0:
-            data = wire.read(1, min(remaining, _SLICE))
+            data = wire.read(1, min(remaining, _READ_TIMEOUT))
             try:
                 data += wire.discard()
             except BadReply:  # bytes keep arriving

@@ -15,7 +15,8 @@ ARACNA = DevicePlugin(
     tour=Lazy(f"{_PACKAGE}.views.tour:tour_steps"),
     commands={
         "aracna": CommandInfo(
-            Lazy(f"{_PACKAGE}.cli.commands:aracna"), "Query an Aracna, move it, play its poses."
+            Lazy(f"{_PACKAGE}.cli.commands:aracna"),
+            "Query and move an Aracna, and play its sequences.",
         )
     },
     simulator=Lazy(f"{_PACKAGE}.simulator.control:SIMULATOR"),

@@ -14,7 +14,7 @@ from trex_gui.ui.notifier import Notifier
 
 
 class AracnaController(DeviceController[PortSettings]):
-    """Controller that stops by sending nothing more. A motion ends by itself."""
+    """Controller whose stop sends nothing more. A running motion ends by itself."""
 
     def __init__(
         self,

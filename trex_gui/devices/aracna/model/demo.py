@@ -21,7 +21,7 @@ class FirmwareState(Enum):
 
 @dataclass(frozen=True, slots=True)
 class DemoServo:
-    """State of a servo. `alive` is false if it is `dead` or without power."""
+    """State of a simulated servo. `alive` is False for a servo that is dead or has no power."""
 
     position: int
     goal: int
@@ -86,7 +86,7 @@ class DemoRobot(DemoDevice[RobotSnapshot]):
         super().__init__(simulator, read_snapshot, parent)
 
     def restart(self) -> None:
-        """Reset the board without its servos."""
+        """Reset the board, but not its servos."""
         self._send("reset")
 
     def set_servo_power(self, on: bool) -> None:
@@ -99,7 +99,7 @@ class DemoRobot(DemoDevice[RobotSnapshot]):
         self._send(f"servo {motor} {'block' if blocked else 'free'}")
 
     def lose(self, fault: str) -> None:
-        """Lose a part of the next transfer. `fault`: control line without `line`."""
+        """Lose a part of the next transfer. `fault`: control line after the word `line`."""
         self._send(f"line {fault}")
 
     def repair(self) -> None:

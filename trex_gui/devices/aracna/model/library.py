@@ -44,8 +44,8 @@ class ItemKey:
 class Library(QObject):
     """Project in which each edit is an undo step.
 
-    Edits raise `BadRequest`, and change nothing, for an invalid, unknown or existing name, or a
-    position outside 0-1023. Saving retains the undo steps.
+    An edit raises `BadRequest` and changes nothing if a name is invalid, unknown or taken, or if a
+    position is outside 0-1023. The undo steps remain after saving.
     """
 
     changed = Signal()  # poses, sequences, file or saved state have changed
@@ -56,7 +56,7 @@ class Library(QObject):
         self.project = self._saved = Project(poses=BUILT_IN_POSES)
         self.path: Path | None = None
         self.on_disk: bytes | None = None  # content of the file as opened or saved
-        self._opened = object()  # a different object for each file
+        self._opened = object()  # identifies the open file
 
     @property
     def name(self) -> str:
@@ -83,7 +83,7 @@ class Library(QObject):
         self._load(file.project, path, file.data)
 
     def content(self) -> Content:
-        """Return the content to save. Later edits stay unsaved."""
+        """Return the content to save, without later edits."""
         text, project, opened = write_ppr(self.project), self.project, self._opened
 
         def record_saved(path: Path) -> None:
@@ -182,7 +182,7 @@ class Library(QObject):
         for index, item in enumerate(items):
             if item.name == name:
                 return items, index
-        raise BadRequest(f"there is nothing called {name}")
+        raise BadRequest(f"the name {name} is unknown")
 
     def _with(self, kind: ItemKind, index: int, replacement: Many[Any]) -> Project:
         items: tuple[Any, ...] = getattr(self.project, kind.value)

@@ -13,7 +13,7 @@ from trex_gui.ui.translations import error_text
 
 
 def joint_text(motor: int) -> str:
-    """Return motor and joint, such as `0 inner`, or only the motor."""
+    """Return a motor and its joint, such as `0 inner`. The joint is unknown from motor 8 on."""
     if motor >= MOTORS:
         return str(motor)
     return f"{motor} {tr('outer') if motor % 2 else tr('inner')}"
@@ -53,7 +53,7 @@ def missed_goals_text(state: RobotState) -> str:
 def difference_text(state: RobotState, motor: int, *, is_observed: bool = True) -> tuple[str, bool]:
     """Return a motor's problem, `moving …` or its difference from the goal.
 
-    Also return True for a problem.
+    Also return True for a problem. `is_observed`: True if the robot responds.
     """
     present = state.present[motor]
     difference = ""
@@ -73,7 +73,7 @@ def difference_text(state: RobotState, motor: int, *, is_observed: bool = True) 
 
 
 def activity_text(state: RobotState, remaining: float) -> tuple[str, bool]:
-    """Return the activity of a robot, and True if it calls for caution.
+    """Return the activity of a robot. Also return True if it calls for caution.
 
     `remaining`: seconds until a motion should end.
     """
@@ -109,7 +109,7 @@ def _playing_text(state: RobotState) -> str:
     if step.part != "steps":
         return tr("Playing blend-in.") if step.part == "in" else tr("Playing blend-out.")
     number, round_ = step.index + 1, step.round + 1
-    if play is None:  # a recording has only the steps
+    if play is None:  # a recording does not contain the `Play`
         return tr("Playing step {0}, round {1}.").format(number, round_)
     text = tr("Playing step {0} of {1} “{2}”, round {3} of {4}.")
     name = play.steps[step.index].name
