@@ -189,7 +189,7 @@ def check_robot_replies(data: bytes, folder: Path) -> None:
     taken = [one for _, one in ROBOT_REQUESTS if one not in late]
     _check_session(reports, taken, RobotErrorCode.INTERNAL)
     assert session.stage.transport.closed
-    assert session.line.now < session.begun + 120
+    assert session.line.now < session.started_at + 120
 
 
 def check_scan(data: bytes, folder: Path) -> None:

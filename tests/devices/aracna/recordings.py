@@ -29,20 +29,22 @@ T0 = HEADER.clock
 
 _times = st.floats(0, 1e6).map(lambda seconds: T0 + seconds)
 _seconds = st.floats(0, 1e5)
-_places = st.integers(0, 1023)
-_heard = st.integers(-1, 1023)
+_positions = st.integers(0, 1023)
+_reported = st.integers(-1, 1023)
 _texts = st.text(st.characters(exclude_categories=["Cs"]), max_size=40)
 
 
-def _all(each: st.SearchStrategy[int]) -> st.SearchStrategy[tuple[int, ...]]:
-    return st.tuples(*[each] * MOTORS)
+def _all(values: st.SearchStrategy[int]) -> st.SearchStrategy[tuple[int, ...]]:
+    return st.tuples(*[values] * MOTORS)
 
 
 records: st.SearchStrategy[Record] = st.one_of(
-    st.builds(Moving, _times, _all(_places), st.tuples(*[st.none() | _places] * MOTORS), _seconds),
-    st.builds(Progress, _times, st.lists(_heard, max_size=MOTORS).map(tuple)),
-    st.builds(Moved, _times, _all(_places), _all(_heard), _seconds),
-    st.builds(SpeedsHeld, _times, _all(_places), _all(_heard)),
+    st.builds(
+        Moving, _times, _all(_positions), st.tuples(*[st.none() | _positions] * MOTORS), _seconds
+    ),
+    st.builds(Progress, _times, st.lists(_reported, max_size=MOTORS).map(tuple)),
+    st.builds(Moved, _times, _all(_positions), _all(_reported), _seconds),
+    st.builds(SpeedsHeld, _times, _all(_positions), _all(_reported)),
     st.builds(
         StepStarted,
         _times,
@@ -88,11 +90,11 @@ def session(moves: int = 20, *, seconds: float = 2.0, pause: float = 1.0) -> Ite
     yield Marker(time, "stop", "Nothing more is sent.")
 
 
-def write(path: Path, what: list[Record], header: RobotHeader = HEADER) -> int:
+def write(path: Path, content: list[Record], header: RobotHeader = HEADER) -> int:
     """Write a recording. Return its size."""
     writer = RecordingWriter[RobotHeader, Record](path, FORMAT, header)
-    for at in range(0, len(what), 7):
-        writer.write(what[at : at + 7])
+    for at in range(0, len(content), 7):
+        writer.write(content[at : at + 7])
     writer.finish()
     size = writer.size
     writer.close()
@@ -104,7 +106,7 @@ def open_recording(path: Path) -> Recording[RobotHeader, Record]:
 
 
 def read_all(path: Path) -> tuple[list[Record], list[str]]:
-    """Return all records of a file, and its problems."""
+    """Return the records and the problems of a file."""
     recording = open_recording(path)
     numbers = range(1, recording.count + 1, CHUNK)
     found = [record for first in numbers for record in recording.read(first, first + CHUNK - 1)]

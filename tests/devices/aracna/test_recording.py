@@ -34,9 +34,9 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("recordings")
 
 
-def rows(folder: Path, *what: Record) -> list[dict[str, str]]:
+def rows(folder: Path, *content: Record) -> list[dict[str, str]]:
     """Return the rows that a spreadsheet reads."""
-    write(folder / "a.trexrec", list(what), HEADER)
+    write(folder / "a.trexrec", list(content), HEADER)
     recording = open_recording(folder / "a.trexrec")
     target = folder / "a.csv"
     export_span(recording, target, (-math.inf, math.inf), recording.header.values())
@@ -46,11 +46,11 @@ def rows(folder: Path, *what: Record) -> list[dict[str, str]]:
 
 
 @examples(25)
-@given(what=st.lists(records, max_size=30))
-def test_every_record_is_read_as_written(folder: Path, what: list[Record]) -> None:
+@given(content=st.lists(records, max_size=30))
+def test_every_record_is_read_as_written(folder: Path, content: list[Record]) -> None:
     path = folder / "any.trexrec"
-    assert write(path, what) == path.stat().st_size
-    assert read_all(path) == (what, [])
+    assert write(path, content) == path.stat().st_size
+    assert read_all(path) == (content, [])
     recording = open_recording(path)
     assert recording.header == recordings.HEADER
     recording.close()
@@ -65,7 +65,7 @@ def test_first_row_describes_robot_and_start_time(folder: Path) -> None:
 
 
 def test_last_goals_positions_and_speeds_fill_later_rows(folder: Path) -> None:
-    _, speeds, goals, passed, moved, silent = rows(
+    _, speeds, goals, progress, moved, silent = rows(
         folder,
         SpeedsHeld(100.5, (100, 200), (100, 200)),
         Moving(101.0, (512, 0), (None, None), 2.0),
@@ -77,9 +77,9 @@ def test_last_goals_positions_and_speeds_fill_later_rows(folder: Path) -> None:
     assert speeds["motor_1_speed_units"] == "200"
     assert goals["motor_0_goal_units"] == "512"
     assert goals["motor_0_present_units"] == ""
-    assert passed["motor_0_present_units"] == "510"
-    assert passed["motor_0_present_deg"] == "149.6"
-    assert passed["motor_1_present_units"] == ""
+    assert progress["motor_0_present_units"] == "510"
+    assert progress["motor_0_present_deg"] == "149.6"
+    assert progress["motor_1_present_units"] == ""
     assert moved["motor_1_present_units"] == "1"
     assert moved["motor_0_speed_units"] == "100"
     assert silent["motor_0_goal_units"] == "512"
@@ -89,13 +89,13 @@ def test_last_goals_positions_and_speeds_fill_later_rows(folder: Path) -> None:
 def test_partial_reply_keeps_positions_and_unreadable_position_is_empty(
     folder: Path,
 ) -> None:
-    _, _, passed, moved = rows(
+    _, _, progress, moved = rows(
         folder,
         Moved(103.0, (512, 0), (510, 1), 2.0),
         Progress(104.0, (300,)),
         Moved(105.0, (5, 6), (5, -1), 1.0),
     )
-    assert (passed["motor_0_present_units"], passed["motor_1_present_units"]) == ("300", "1")
+    assert (progress["motor_0_present_units"], progress["motor_1_present_units"]) == ("300", "1")
     assert moved["motor_0_present_units"] == "5"
     assert moved["motor_1_present_units"] == moved["motor_1_present_deg"] == ""
 

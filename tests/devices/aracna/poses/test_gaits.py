@@ -5,7 +5,6 @@ import math
 import pytest
 
 from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES, GAITS, Gait
-from trex_gui.devices.aracna.poses.playing import blend_in, steps_of
 from trex_gui.devices.aracna.protocol.joints import crop, factory_limits
 
 
@@ -30,7 +29,7 @@ def test_built_in_poses_repeat_joint_pair_within_limits(name: str, inner: int, o
     assert pose.positions == (min(max(inner, 50), 600), min(outer, 550)) * 4
 
 
-def test_every_built_in_motion_fits_the_usual_limits() -> None:
+def test_every_built_in_pose_is_within_factory_limits() -> None:
     for pose in (*BUILT_IN_POSES, *(pose for one in GAITS for pose in one.poses)):
         assert crop(pose.positions, factory_limits()) == pose.positions, pose.name
 
@@ -39,23 +38,17 @@ def test_every_built_in_motion_fits_the_usual_limits() -> None:
 def test_star_gait_lifts_diagonal_legs_and_swings_outer_joints(number: int) -> None:
     star = gait(f"star {number}")
     assert [step.milliseconds for step in star.steps] == [500, 200, 500, 200]
-    off = [[position - 300 for position in pose.positions] for pose in star.poses]
+    offsets = [[position - 300 for position in pose.positions] for pose in star.poses]
     swung, opposite = number + 1, (number + 5) % 8
-    ours, others = {number, (number + 4) % 8}, {(number + 2) % 8, (number + 6) % 8}
+    swinging, standing = {number, (number + 4) % 8}, {(number + 2) % 8, (number + 6) % 8}
     for changes, lifted, swing in zip(
-        off, [others, ours, ours, others], [300, 300, -300, 0], strict=True
+        offsets, [standing, swinging, swinging, standing], [300, 300, -300, 0], strict=True
     ):
         expected = [0] * 8
         for motor in lifted:
             expected[motor] = -200
         expected[swung], expected[opposite] = min(-swing, 250), min(swing, 250)
         assert changes == expected
-
-
-def test_cyclic_gait_starts_in_last_pose() -> None:
-    steps = steps_of(gait("push-ups"), (), factory_limits())
-    [slow] = blend_in(gait("push-ups"), (), factory_limits())
-    assert slow.goals == steps[-1].goals != steps[0].goals
 
 
 def test_sine_gait_follows_sine_function() -> None:

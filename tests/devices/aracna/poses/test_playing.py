@@ -1,4 +1,4 @@
-"""Steps within the joints' limits, and late motors."""
+"""Steps of sequences and gaits: limits, blends and late motors."""
 
 import pytest
 from hypothesis import given
@@ -56,15 +56,16 @@ def test_sequence_without_steps_is_rejected() -> None:
         steps_of(Sequence("nothing"), BUILT_IN_POSES, LIMITS)
 
 
-def test_looping_gait_blends_in_slowly_unless_at_start() -> None:
+def test_cyclic_gait_blends_in_to_last_pose_unless_robot_is_there() -> None:
     star = next(gait for gait in GAITS if gait.name == "star 6")
     [step] = blend_in(star, (), LIMITS, (None,) * 8)
     assert step.seconds == 3.0
-    assert step.goals == steps_of(star, (), LIMITS)[-1].goals
+    first, *_, last = steps_of(star, (), LIMITS)
+    assert step.goals == last.goals != first.goals
     assert blend_in(star, (), LIMITS, step.goals) == ()
 
 
-def test_sequence_blends_in_slowly_to_first_pose_and_standing_up_does_not() -> None:
+def test_sequence_blends_in_to_first_pose_but_stand_up_does_not() -> None:
     assert blend_in(SEQUENCE, BUILT_IN_POSES, LIMITS) == (Step(FLAT_GOALS, 3.0, "flat"),)
     assert blend_in(STAND_UP, (), LIMITS) == ()
 
@@ -118,14 +119,14 @@ def test_estimate_exceeds_step_times_only_with_late_motors(
 
 
 @pytest.mark.parametrize(
-    ("positions", "said"),
+    ("positions", "message"),
     [
         (8, ""),
         (18, "are for 18 motors, the robot has 8: the last positions are left out"),
         (2, "are for 2 motors, the robot has 8: its last motors go to 512"),
     ],
 )
-def test_poses_for_other_motor_count_are_reported(positions: int, said: str) -> None:
+def test_poses_for_other_motor_count_are_reported(positions: int, message: str) -> None:
     text = mismatch([STAND, Pose("other", (512,) * positions)], 8)
-    assert said in text
-    assert bool(said) is bool(text)
+    assert message in text
+    assert bool(message) is bool(text)

@@ -13,10 +13,10 @@ from trex_gui.core.resource_files import resource
 from trex_gui.devices.aracna.poses.ppr import read_file, read_ppr, write_ppr
 from trex_gui.devices.aracna.poses.project import Pose, Project, Sequence, SequenceStep
 
-HEAD = "Aracna:8:1024:1024:1024:1024:1024:1024:1024:1024\n"
+HEADER = "Aracna:8:1024:1024:1024:1024:1024:1024:1024:1024\n"
 EIGHT = "1, 2, 3, 4, 5, 6, 7, 8"
 AS_PYPOSE_WRITES = (
-    HEAD
+    HEADER
     + f"Pose=a b:{EIGHT}\n"
     + "Pose=zero:0, 0, 0, 0, 0, 0, 0, 0\n"
     + "Seq=there: a b|500, zero|5000, p3|1\n"
@@ -34,13 +34,6 @@ def test_pypose_file_is_written_back_byte_for_byte() -> None:
     assert write_ppr(project) == AS_PYPOSE_WRITES
 
 
-def test_carriage_return_line_ends_are_kept() -> None:
-    text = AS_PYPOSE_WRITES.replace("\n", "\r")
-    project, _ = read_ppr(text)
-    assert [pose.name for pose in project.poses] == ["a b", "zero"]
-    assert write_ppr(project) == text
-
-
 @pytest.mark.parametrize("first", ["Pose=a: 1, 2, 3, 4, 5, 6, 7, 8\n", "Aracna:8\n"])
 def test_byte_order_mark_is_removed_from_first_line(tmp_path: Path, first: str) -> None:
     path = tmp_path / "marked.ppr"
@@ -52,7 +45,7 @@ def test_byte_order_mark_is_removed_from_first_line(tmp_path: Path, first: str) 
 
 @pytest.mark.parametrize("line", ["Pose=:1, 2, 3, 4, 5, 6, 7, 8", "Pose= :1, 2", "Seq=: a|500"])
 def test_unnamed_items_are_kept_but_not_used(line: str) -> None:
-    text = f"{HEAD}Pose=a:{EIGHT}\n{line}\n"
+    text = f"{HEADER}Pose=a:{EIGHT}\n{line}\n"
     project, [finding] = read_ppr(text)
     assert (finding.line, finding.severity) == (3, Severity.ERROR)
     assert "name" in finding.message
@@ -82,13 +75,13 @@ def test_wrong_resolution_count_is_reported_and_set_to_1024() -> None:
 
 
 def test_missing_positions_become_512_with_warning() -> None:
-    project, findings = read_ppr(HEAD + "Pose=short:1, 2, 3\n")
+    project, findings = read_ppr(HEADER + "Pose=short:1, 2, 3\n")
     assert project.poses == (Pose("short", (1, 2, 3, 512, 512, 512, 512, 512)),)
     [(line, message)] = messages(findings)
     assert line == 2
     assert "3 positions of 8" in message
     assert findings[0].severity is Severity.WARNING
-    assert read_ppr(HEAD + "Pose=none:\n")[0].poses == (Pose("none", (512,) * 8),)
+    assert read_ppr(HEADER + "Pose=none:\n")[0].poses == (Pose("none", (512,) * 8),)
 
 
 def test_short_pose_is_written_padded_with_512() -> None:
@@ -100,14 +93,14 @@ def test_short_pose_is_written_padded_with_512() -> None:
 
 
 def test_old_style_pose_is_read_and_written_in_new_style() -> None:
-    project, findings = read_ppr(HEAD + f"stand:{EIGHT}\n")
+    project, findings = read_ppr(HEADER + f"stand:{EIGHT}\n")
     assert findings == ()
     assert project.poses == (Pose("stand", (1, 2, 3, 4, 5, 6, 7, 8)),)
-    assert write_ppr(project) == HEAD + f"Pose=stand:{EIGHT}\n"
+    assert write_ppr(project) == HEADER + f"Pose=stand:{EIGHT}\n"
 
 
-def test_poses_missing_from_file_are_reported_with_line() -> None:
-    project, findings = read_ppr(HEAD + "Seq=gait: p1|500, p2|500, p1|100\n")
+def test_undefined_poses_are_reported_with_line() -> None:
+    project, findings = read_ppr(HEADER + "Seq=gait: p1|500, p2|500, p1|100\n")
     assert project.sequences[0].missing_poses(project.pose_names) == ("p1", "p2")
     assert [finding.line for finding in findings] == [2, 2]
     assert "p1" in findings[0].message
@@ -115,7 +108,7 @@ def test_poses_missing_from_file_are_reported_with_line() -> None:
 
 
 @pytest.mark.parametrize(
-    ("line", "said"),
+    ("line", "message"),
     [
         ("just words", "no colon"),
         ("Seq=no colon", "colon"),
@@ -132,19 +125,19 @@ def test_poses_missing_from_file_are_reported_with_line() -> None:
         ("Seq=s: a|1.5", "'a|1.5'"),
     ],
 )
-def test_invalid_line_is_reported_with_number_and_kept(line: str, said: str) -> None:
-    text = HEAD + f"Pose=good:{EIGHT}\n" + line + "\n"
+def test_invalid_line_is_reported_with_number_and_kept(line: str, message: str) -> None:
+    text = HEADER + f"Pose=good:{EIGHT}\n" + line + "\n"
     project, findings = read_ppr(text)
     assert [pose.name for pose in project.poses] == ["good"]
     assert project.sequences == ()
     [finding] = findings
     assert (finding.line, finding.severity) == (3, Severity.ERROR)
-    assert said in finding.message
+    assert message in finding.message
     assert write_ppr(project) == text
 
 
 def test_surplus_positions_are_kept_and_reported() -> None:
-    text = HEAD + f"Pose=long:{EIGHT}, 9\n"
+    text = HEADER + f"Pose=long:{EIGHT}, 9\n"
     project, findings = read_ppr(text)
     assert project.poses[0].for_motors(8) == (1, 2, 3, 4, 5, 6, 7, 8)
     assert "9 positions for 8" in findings[0].message
@@ -152,7 +145,7 @@ def test_surplus_positions_are_kept_and_reported() -> None:
 
 
 def test_first_of_two_poses_with_same_name_is_renamed() -> None:
-    project, findings = read_ppr(HEAD + f"Pose=a:{EIGHT}\n" + "Pose=a:8, 2, 3, 4, 5, 6, 7, 8\n")
+    project, findings = read_ppr(HEADER + f"Pose=a:{EIGHT}\n" + "Pose=a:8, 2, 3, 4, 5, 6, 7, 8\n")
     assert [(pose.name, pose.positions[0]) for pose in project.poses] == [("a 2", 1), ("a", 8)]
     [(line, message)] = messages(findings)
     assert line == 2
@@ -160,21 +153,20 @@ def test_first_of_two_poses_with_same_name_is_renamed() -> None:
 
 
 def test_blanks_around_names_are_ignored() -> None:
-    project, findings = read_ppr(HEAD + f"Pose= sp :{EIGHT}\nSeq= s :  sp |500\n")
+    project, findings = read_ppr(HEADER + f"Pose= sp :{EIGHT}\nSeq= s :  sp |500\n")
     assert findings == ()
     assert project.poses == (Pose("sp", (1, 2, 3, 4, 5, 6, 7, 8)),)
     assert project.sequences == (Sequence("s", (SequenceStep("sp", 500),)),)
-    assert write_ppr(project) == HEAD + f"Pose=sp:{EIGHT}\nSeq=s: sp|500\n"
+    assert write_ppr(project) == HEADER + f"Pose=sp:{EIGHT}\nSeq=s: sp|500\n"
 
 
 @pytest.mark.parametrize("lines", [("Pose=a:1\n", "Pose= a :2\n"), ("Pose= a :2\n", "Pose=a:1\n")])
 def test_pose_differing_only_in_blanks_is_renamed(lines: tuple[str, str]) -> None:
-    project, findings = read_ppr(HEAD + "".join(lines) + "Seq=s: a|500\n")
+    project, findings = read_ppr(HEADER + "".join(lines) + "Seq=s: a|500\n")
     assert {pose.name: pose.positions[0] for pose in project.poses} == {"a": 1, "a 2": 2}
     [finding] = [one for one in findings if "is called a 2 now" in one.message]
     assert finding.severity is Severity.WARNING
     assert finding.line == 2 + [" a " in line for line in lines].index(True)
-    assert "called a 2 now" in finding.message
     assert project.sequences[0].missing_poses(project.pose_names) == ()
 
 
@@ -234,8 +226,8 @@ _LINES = st.one_of(
 @given(st.lists(_LINES, max_size=6).map("\n".join))
 def test_unusable_lines_are_written_back_unchanged(text: str) -> None:
     project, findings = read_ppr(text)
-    parting = "\n" if "\n" in text else "\r"
-    lines = [line.removesuffix("\r") for line in text.split(parting)]
+    separator = "\n" if "\n" in text else "\r"
+    lines = [line.removesuffix("\r") for line in text.split(separator)]
     for finding in findings:
         if finding.severity is Severity.ERROR:
             assert finding.line is not None
@@ -246,12 +238,14 @@ def test_sample_file_matches_pypose_format() -> None:
     text = resource("aracna/sample.ppr").read_text(encoding="utf-8")
     project, findings = read_ppr(text)
     assert findings == ()
+    assert [one.name for one in project.sequences] == ["stand up", "star 6", "push-ups"]
     assert write_ppr(project) == text
 
 
-def test_long_file_is_read_within_the_time_limit_of_a_test() -> None:
+def test_long_file_is_read_within_time_limit() -> None:
+    """The time limit is that of every test."""
     lines = "a:1\nSeq=a: b|1\nnothing\n"
-    text = HEAD + lines * (256 * 1024 // len(lines))
+    text = HEADER + lines * (256 * 1024 // len(lines))
     project, findings = read_ppr(text)
     assert len(findings) >= text.count("\n") - 2
     assert len(project.poses + project.sequences) + len(project.rest) == text.count("\n") - 1

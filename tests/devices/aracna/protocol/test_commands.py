@@ -6,7 +6,7 @@ from trex_gui.devices.aracna.protocol import commands
 VALUES = [0, 9, 10, 99, 100, 999, 1000, 1023]
 
 
-def test_line_has_one_number_for_each_motor_and_ends_with_newline_alone() -> None:
+def test_command_has_one_number_for_each_motor_and_ends_with_newline() -> None:
     assert commands.positions(VALUES, 8) == b".c0,9,10,99,100,999,1000,1023\n"
     assert commands.speeds(VALUES[:2], 2) == b".v0,9\n"
     assert (commands.QUERY, commands.EMPTY) == (b".q\n", b"\n")

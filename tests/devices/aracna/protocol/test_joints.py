@@ -1,4 +1,4 @@
-"""Units and joints, compared with Robotis's and the authors' figures."""
+"""Units and joints, compared with figures from Robotis and the robot's authors."""
 
 import pytest
 from hypothesis import given
@@ -23,18 +23,18 @@ def test_speed_0_means_maximum_speed() -> None:
 
 
 @pytest.mark.parametrize(
-    ("distance", "speed", "ceiling", "seconds"),
+    ("distance", "speed", "max_speed", "seconds"),
     [(1023, 1023, 530, 0.85), (1023, 100, 870, 4.5), (1023, 1, 870, 450)],
 )
 def test_travel_takes_documented_time(
-    distance: int, speed: int, ceiling: int, seconds: float
+    distance: int, speed: int, max_speed: int, seconds: float
 ) -> None:
-    assert joints.travel_seconds(distance, speed, ceiling) == pytest.approx(seconds, rel=0.01)
+    assert joints.travel_seconds(distance, speed, max_speed) == pytest.approx(seconds, rel=0.01)
 
 
 @examples(40)
 @given(distance=st.integers(-1023, 1023), seconds=st.floats(0.05, 60))
-def test_speed_for_time_is_lowest_that_arrives_in_time(distance: int, seconds: float) -> None:
+def test_speed_for_time_is_lowest_sufficient_speed(distance: int, seconds: float) -> None:
     speed = joints.speed_for(distance, seconds)
     assert 1 <= speed <= 1023
     unlimited = 10_000
@@ -51,7 +51,7 @@ def test_speed_for_time_matches_authors_formula() -> None:
 
 @examples(40)
 @given(st.integers(-2000, 3000), st.integers(0, 1023), st.integers(0, 1023))
-def test_crop_returns_allowed_value_and_keeps_allowed_ones(value: int, one: int, two: int) -> None:
+def test_crop_changes_only_values_outside_limits(value: int, one: int, two: int) -> None:
     limits = Limits(min(one, two), max(one, two))
     cropped = limits.crop(value)
     assert limits.allow(cropped)

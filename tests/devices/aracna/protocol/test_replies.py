@@ -50,7 +50,7 @@ def pieces(data: bytes, cuts: list[int]) -> list[bytes]:
 
 @examples(40)
 @given(replies=st.lists(st.tuples(REPLIES, ENDS)), cuts=st.lists(st.integers(0, 400)))
-def test_chunk_boundaries_do_not_change_replies(
+def test_replies_are_read_from_chunks_of_any_size(
     replies: list[tuple[Reply, bytes]], cuts: list[int]
 ) -> None:
     stream = b"".join(written(reply) + end for reply, end in replies)
@@ -69,7 +69,7 @@ PIECES_OF_LINES = st.sampled_from(
     data=st.one_of(st.binary(max_size=500), st.lists(PIECES_OF_LINES).map(b"".join)),
     cuts=st.lists(st.integers(0, 500)),
 )
-def test_chunk_boundaries_do_not_change_reading_of_any_bytes(data: bytes, cuts: list[int]) -> None:
+def test_chunk_size_does_not_change_reading_of_any_bytes(data: bytes, cuts: list[int]) -> None:
     whole, cut = Reader(), Reader()
     at_once = whole.feed(data)
     assert [reply for piece in pieces(data, cuts) for reply in cut.feed(piece)] == at_once
@@ -99,7 +99,7 @@ def test_hello_is_read_after_truncated_reply() -> None:
     assert reader.feed(b".h\r\n") == [Unrecognized(b".c520,5"), Hello()]
 
 
-def test_motors_are_counted_at_each_comma() -> None:
+def test_position_counts_after_its_comma() -> None:
     reader = Reader()
     arrived = []
     for byte in b".c520,-1,7\r":
@@ -112,7 +112,7 @@ def test_motors_are_counted_at_each_comma() -> None:
     assert reader.arrived is None
 
 
-def test_other_partial_lines_count_no_motors() -> None:
+def test_other_partial_line_has_no_positions() -> None:
     for rest in (b".q1", b".cx", b".c520,x", b".c520,,", b"c520,", b""):
         reader = Reader()
         reader.feed(rest)

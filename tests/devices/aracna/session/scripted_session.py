@@ -16,7 +16,7 @@ Action = Request | Callable[[], object] | str
 
 
 class ScriptedSession:
-    """Runs a session with actions at times since its start, then closes it.
+    """Session that performs actions at set times and then closes.
 
     An action is a request, a control line of the robot, or a function.
     """
@@ -24,7 +24,7 @@ class ScriptedSession:
     def __init__(self, *, booted: bool = True, **options: Any) -> None:
         self.stage = AracnaHarness(booted=booted, **options)
         self.line = self.stage.line
-        self.begun = self.line.now
+        self.started_at = self.line.now
         self.reports: list[Report] = []
         self.times: list[float] = []
         self._actions: deque[tuple[float, Action]] = deque()
@@ -35,17 +35,17 @@ class ScriptedSession:
 
     def at(self, time: float, action: Action) -> "ScriptedSession":
         """Add an action at a time (s) after the start. Times must not decrease."""
-        self._actions.append((self.begun + time, action))
+        self._actions.append((self.started_at + time, action))
         return self.until(time)
 
     def on(self, matches: Callable[[Report], bool], action: Action) -> "ScriptedSession":
-        """Add an action for the next matching report. Actions are used in order."""
+        """Add an action for the next matching report. Actions are performed in order."""
         self._when.append((matches, action))
         return self
 
     def until(self, time: float) -> "ScriptedSession":
-        """Extend the session to this time."""
-        self._end = max(self._end, self.begun + time)
+        """Extend the session to a time (s) after the start."""
+        self._end = max(self._end, self.started_at + time)
         return self
 
     def run(self) -> "ScriptedSession":
@@ -60,7 +60,7 @@ class ScriptedSession:
     def when(self, kind: type) -> list[float]:
         """Return the times of reports of a kind, in seconds since the start."""
         return [
-            time - self.begun
+            time - self.started_at
             for time, report in zip(self.times, self.reports, strict=True)
             if isinstance(report, kind)
         ]

@@ -26,7 +26,7 @@ def client_of(harness: AracnaHarness, motors: int = 8) -> AracnaClient:
 
 
 def received(client: AracnaClient, seconds: float) -> list[CommandEvent]:
-    """Listen in small slices for a duration."""
+    """Listen for some seconds. Return the events."""
     end = client.transport.clock() + seconds
     events: list[CommandEvent] = []
     while client.transport.clock() < end:
@@ -62,9 +62,9 @@ def test_only_queries_follow_late_move_until_it_is_answered() -> None:
     events = received(client, 30.0)
     assert [type(one) for one in events if not isinstance(one, Progress)] == [Stuck]
     assert client.awaited_motor == 1
-    behind = bytes(harness.transport.sent).partition(b"600\n")[2]
-    assert behind == b".q\n" * behind.count(b".q\n")
-    assert 1 < behind.count(b".q\n") <= 2 + 29 / QUERY_RETRY
+    following = bytes(harness.transport.sent).partition(b"600\n")[2]
+    assert following == b".q\n" * following.count(b".q\n")
+    assert 1 < following.count(b".q\n") <= 2 + 29 / QUERY_RETRY
     harness.do("servo 1 free")
     first, second = [one for one in received(client, 2.0) if not isinstance(one, Progress)]
     assert isinstance(first, Answered)

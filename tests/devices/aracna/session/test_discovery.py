@@ -52,7 +52,7 @@ def diagnosis(harness: AracnaHarness) -> str:
 
 def test_robot_is_found_at_its_only_line_setting() -> None:
     harness = AracnaHarness()
-    begun = harness.now
+    start = harness.now
     result = search(harness)
     [found] = result.found
     assert isinstance(found, FoundRobot)
@@ -63,22 +63,22 @@ def test_robot_is_found_at_its_only_line_setting() -> None:
         None,
         False,
     )
-    assert harness.now - begun < 0.6
+    assert harness.now - start < 0.6
     assert harness.transport.closed
 
 
 def test_aracna_is_found_before_long_trex_search_and_answers_first_query() -> None:
     harness = AracnaHarness()
-    begun = harness.now
+    start = harness.now
     result = search_both(harness.transport)
     assert (result.device, result.found[0].name) == ("aracna", "Aracna 1")
-    assert harness.now - begun < 3.0
+    assert harness.now - start < 3.0
     assert harness.transport.closed
     harness.line.host = LINE
-    assert harness.request(b".q\n") == b".q1,8\r\n", "the probes leave nothing in its line buffer"
+    assert harness.request(b".q\n") == b".q1,8\r\n", "the line buffer is empty after the probes"
 
 
-def test_trex_is_found_on_port_of_earlier_aracna() -> None:
+def test_trex_is_found_on_port_where_aracna_is_expected() -> None:
     wire = Wire(SimulatedBoards([a_board()]))
     assert search_both(wire, "aracna").device == "trex"
 
@@ -107,14 +107,14 @@ def test_early_build_with_two_motors_is_found() -> None:
     assert (found.name, found.motors) == ("Aracna 0", 2)
 
 
-# --- Messages if nothing was found ------------------------------------------------------------
+# --- Messages if nothing is found -------------------------------------------------------------
 
 
 def test_silent_port_is_reported_for_both_devices() -> None:
     harness = unpowered()
-    begun = harness.now
+    start = harness.now
     assert not search(harness).found
-    assert harness.now - begun < 3.0
+    assert harness.now - start < 3.0
     trex, aracna = search_both(harness.transport).lines
     assert trex.startswith("No TReX responds on virtual at any baud rate")
     assert aracna.startswith("No Aracna responds on virtual at 38400 baud")
@@ -150,14 +150,14 @@ def test_reply_to_aracna_probe_is_reported_first() -> None:
     sent = 0
     write = harness.transport.write
 
-    def writes(data: bytes) -> None:
+    def reply_to_probe(data: bytes) -> None:
         nonlocal sent
         write(data)
         if data == PROBE:
             sent += 1
             harness.line.inject(b"ERR 7\r\n")
 
-    harness.transport.write = writes  # type: ignore[method-assign]
+    harness.transport.write = reply_to_probe  # type: ignore[method-assign]
     aracna, trex = search_both(harness.transport).lines
     assert sent == 5
     assert "not like an Aracna" in aracna
@@ -204,7 +204,7 @@ def test_search_does_not_move_aracna(*, mute: bool) -> None:
     ids=lambda settings: settings.text(),
 )
 @pytest.mark.parametrize("first", ["trex", "aracna"])
-def test_search_sends_no_command_that_trex_obeys(
+def test_search_sends_no_command_that_trex_executes(
     settings: LineSettings, first: str, orders: list[str]
 ) -> None:
     board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
@@ -214,58 +214,62 @@ def test_search_sends_no_command_that_trex_obeys(
     assert not board.memory.writes
 
 
-BEGUN: list[State] = [(first, *rest) for first in range(0x80, 0xF2) for rest in ((), (1,), (1, 2))]
+INCOMPLETE_PACKETS: list[State] = [
+    (first, *rest) for first in range(0x80, 0xF2) for rest in ((), (1,), (1, 2))
+]
 
 
-def orders_obeyed(
-    questions: Sequence[tuple[bytes, SerialFormat]],
+def executed_commands(
+    probes: Sequence[tuple[bytes, SerialFormat]],
     own: LineSettings,
-    begun: Iterable[State],
+    states: Iterable[State],
     *,
-    rinsed: bool,
+    flushed: bool,
 ) -> set[str]:
-    """Return every order that a board may obey, for probes in any order and number.
+    """Return every command that a board may execute, for any sequence of the probes.
 
-    Every device number and every checksum counts as valid.
+    `states`: initial states of the board. Every device number and every checksum counts as valid.
     """
-    obeyed: set[str] = set()
+    executed: set[str] = set()
     for crc in (False, True) if own.detection is Detection.NONE else (False,):
-        states = set(begun)
-        fresh = states
-        while fresh:
-            before, left = fresh, set()
-            if rinsed:
-                before, first = hear(before, FLUSH_BYTE, FLUSH_LINE, own, crc=crc)
-                obeyed |= first
-            for question, line in questions:
-                heard, more = hear(before, question, line, own, crc=crc)
-                obeyed |= more
-                left |= heard
-            fresh = left - states
-            states |= left
-    return obeyed
+        known = set(states)
+        new = known
+        while new:
+            before, after = new, set()
+            if flushed:
+                before, commands = hear(before, FLUSH_BYTE, FLUSH_LINE, own, crc=crc)
+                executed |= commands
+            for probe, line in probes:
+                reached, commands = hear(before, probe, line, own, crc=crc)
+                executed |= commands
+                after |= reached
+            new = after - known
+            known |= after
+    return executed
 
 
 def test_probe_and_session_query_cannot_form_trex_motor_command() -> None:
-    """Any device number, any polynomial, and any bytes before the probe."""
+    """This applies to any device number, any polynomial, and any bytes before the probe."""
     for own in OWN:
-        assert not orders_obeyed([(PROBE, LINE)], own, [(), *BEGUN], rinsed=True), own.text()
-        assert not orders_obeyed([(QUERY, LINE)], own, [()], rinsed=False), own.text()
+        states = [(), *INCOMPLETE_PACKETS]
+        assert not executed_commands([(PROBE, LINE)], own, states, flushed=True), own.text()
+        assert not executed_commands([(QUERY, LINE)], own, [()], flushed=False), own.text()
 
 
 @pytest.mark.parametrize("own", sampled(OWN, every=3), ids=lambda own: own.text())
 def test_mixed_probes_cannot_form_motor_command(own: LineSettings) -> None:
-    """Any order and number of probes, any device number and any polynomial."""
+    """This applies to any sequence of probes, any device number and any polynomial."""
     probes = [(each.data, each.line) for each in attempts() if each.line != own]
-    assert not orders_obeyed([*probes, (PROBE, LINE)], own, [()], rinsed=True)
+    assert not executed_commands([*probes, (PROBE, LINE)], own, [()], flushed=True)
 
 
 def test_probe_without_flush_byte_would_start_trex_motor() -> None:
-    """Shows that the tests above can fail."""
-    assert "c5 05" in orders_obeyed([(PROBE, LINE)], LineSettings(28800), [()], rinsed=False)
+    """Without the flush byte, the tests above would fail."""
+    settings = LineSettings(28800)
+    assert "c5 05" in executed_commands([(PROBE, LINE)], settings, [()], flushed=False)
 
 
 def test_probe_at_fixed_rate_would_start_trex_motor() -> None:
     """The flush byte has no effect at another rate."""
-    questions = [(FLUSH_BYTE, LINE), (PROBE, LINE)]
-    assert "c5 05" in orders_obeyed(questions, LineSettings(28800), [()], rinsed=False)
+    probes = [(FLUSH_BYTE, LINE), (PROBE, LINE)]
+    assert "c5 05" in executed_commands(probes, LineSettings(28800), [()], flushed=False)

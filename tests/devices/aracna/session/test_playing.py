@@ -1,4 +1,4 @@
-"""Sequences: steps on a clock, at speeds that arrive in time."""
+"""Sequences: the schedule of steps, and speeds that reach the goals in time."""
 
 import itertools
 from typing import Any
@@ -35,21 +35,21 @@ HERE = (512,) * 8
 SLOW = (100,) * 8
 
 ROUND_TRIP = 0.04
-"""Seconds that a `.c` takes without motion: 33 to 37 ms, and a slice of ours."""
+"""Seconds of a `.c` without motion: 33 to 37 ms, and some time until the session reads."""
 
 
 def step(position: int, seconds: float, *others: int) -> Step:
     return Step((position, *(others or (position,) * 7)), seconds)
 
 
-def placed(positions: tuple[int, ...] = HERE, **options: Any) -> ScriptedSession:
-    """Return a robot whose positions are known after half a second."""
+def positioned(positions: tuple[int, ...] = HERE, **options: Any) -> ScriptedSession:
+    """Return a session in which positions are known after half a second."""
     session = ScriptedSession(positions=positions, **options)
     return session.at(0.1, SetSpeeds(90, (1023,) * 8)).at(0.3, Move(91, positions))
 
 
-def described(session: ScriptedSession) -> list[tuple[str, int, int]]:
-    return [(begun.part, begun.index, begun.round) for begun in session.of(StepStarted)]
+def steps_of(session: ScriptedSession) -> list[tuple[str, int, int]]:
+    return [(one.part, one.index, one.round) for one in session.of(StepStarted)]
 
 
 # --- Timing ---------------------------------------------------------------------------------
@@ -61,10 +61,10 @@ def described(session: ScriptedSession) -> list[tuple[str, int, int]]:
     positions=st.lists(st.integers(0, 1023), min_size=4, max_size=4),
     factor=st.floats(0.5, 2.0),
 )
-def test_steps_arrive_in_time_and_begin_on_schedule(
+def test_steps_start_on_schedule_and_end_in_time(
     seconds: list[float], positions: list[int], factor: float
 ) -> None:
-    # Reachable: 1984 units/s at the ceiling, in at least half of a step's time
+    # A goal is reachable at up to 1984 units/s, in at least half of a step's time.
     steps = tuple(step(place, time) for time, place in zip(seconds, positions, strict=False))
     distances = [
         abs(a - b) for a, b in zip([512, *positions], positions[: len(steps)], strict=False)
@@ -73,16 +73,16 @@ def test_steps_arrive_in_time_and_begin_on_schedule(
         travel_seconds(distance, 870) < one.seconds * factor - 0.12
         for distance, one in zip(distances, steps, strict=True)
     )
-    session = placed().at(1.0, Play(1, steps, time_scale=factor))
+    session = positioned().at(1.0, Play(1, steps, time_scale=factor))
     session.until(4.0 + factor * sum(seconds)).run()
-    begun = [report.time for report in session.of(StepStarted)]
+    started = [report.time for report in session.of(StepStarted)]
     moved = [report.time for report in session.of(Moved)][1:]
     assert [ended.ending for ended in session.of(PlayEnded)] == [Ending.DONE]
     late = [report.late for report in session.of(StepStarted)]
     if not reachable:
         return
-    due = begun[0]
-    for one, start, end, lateness in zip(steps, begun, moved, late, strict=True):
+    due = started[0]
+    for one, start, end, lateness in zip(steps, started, moved, late, strict=True):
         assert start == pytest.approx(due, abs=0.03)
         assert lateness == pytest.approx(start - due, abs=1e-6)
         due += one.seconds * factor
@@ -91,7 +91,7 @@ def test_steps_arrive_in_time_and_begin_on_schedule(
 
 def test_arrival_times_match_travel_time_formula() -> None:
     steps = (step(600, 1.0), step(300, 0.5), step(310, 2.0), step(900, 0.8))
-    session = placed().at(1.0, Play(1, steps, rounds=3)).until(15.0).run()
+    session = positioned().at(1.0, Play(1, steps, rounds=3)).until(15.0).run()
     for moving, moved in zip(session.of(Moving)[1:], session.of(Moved)[1:], strict=True):
         speeds = [held.held for held in session.of(SpeedsHeld) if held.time <= moving.time][-1]
         formula = max(
@@ -100,12 +100,12 @@ def test_arrival_times_match_travel_time_formula() -> None:
         )
         assert moving.expected == pytest.approx(formula)
         assert formula <= moved.time - moving.time <= formula + ROUND_TRIP
-    assert all(begun.late < 0.03 for begun in session.of(StepStarted))
+    assert all(report.late < 0.03 for report in session.of(StepStarted))
 
 
 def test_all_motors_of_step_arrive_together() -> None:
     far = step(900, 1.0, 562, 462, 612, 412, 512, 712, 100)
-    session = placed().at(1.0, Play(1, (far,))).until(5.0).run()
+    session = positioned().at(1.0, Play(1, (far,))).until(5.0).run()
     [_, held, *_] = session.of(SpeedsHeld)
     moving = session.of(Moving)[1]
     times = [
@@ -119,25 +119,25 @@ def test_all_motors_of_step_arrive_together() -> None:
 
 def test_schedule_does_not_drift_over_30_rounds() -> None:
     steps = (step(560, 0.4), step(460, 0.4))
-    session = placed().at(1.0, Play(1, steps, rounds=30)).until(27.0).run()
-    begun = [report.time for report in session.of(StepStarted)]
-    assert len(begun) == 60
-    assert begun[-1] - begun[0] == pytest.approx(59 * 0.4, abs=0.01)
+    session = positioned().at(1.0, Play(1, steps, rounds=30)).until(27.0).run()
+    started = [report.time for report in session.of(StepStarted)]
+    assert len(started) == 60
+    assert started[-1] - started[0] == pytest.approx(59 * 0.4, abs=0.01)
     assert session.when(PlayEnded)[0] - session.when(StepStarted)[0] == pytest.approx(24.0, abs=0.2)
 
 
 def test_steps_rarely_resend_unchanged_speeds() -> None:
     steps = (step(560, 0.5), step(460, 0.5))
-    session = placed().at(1.0, Play(1, steps, rounds=10)).until(13.0).run()
-    assert len(session.of(SpeedsHeld)) <= 5 + 10 / SPEED_VALIDITY, "but to see that they are held"
+    session = positioned().at(1.0, Play(1, steps, rounds=10)).until(13.0).run()
+    assert len(session.of(SpeedsHeld)) <= 5 + 10 / SPEED_VALIDITY, "only to confirm the speeds"
 
 
 def test_late_steps_are_reported_and_none_is_skipped() -> None:
     steps = (step(1000, 0.2), step(20, 0.2))
-    session = placed().at(1.0, Play(1, steps, rounds=5)).until(10.0).run()
-    assert described(session) == [("steps", index, turn) for turn in range(5) for index in (0, 1)]
-    assert max(begun.late for begun in session.of(StepStarted)) > 0.3
-    # The clock restarts, so that delays do not accumulate.
+    session = positioned().at(1.0, Play(1, steps, rounds=5)).until(10.0).run()
+    assert steps_of(session) == [("steps", index, turn) for turn in range(5) for index in (0, 1)]
+    assert max(report.late for report in session.of(StepStarted)) > 0.3
+    # The schedule is shifted, so that delays do not accumulate.
     assert session.of(StepStarted)[-1].late < 1.0
     starts, ends = session.when(Moving), session.when(Moved)
     assert all(end <= start for end, start in zip(ends, starts[1:], strict=False))
@@ -154,8 +154,8 @@ def test_first_step_from_unknown_position_is_slow() -> None:
 
 def test_end_finishes_current_step_and_plays_blend_out() -> None:
     play = Play(1, (step(560, 0.5), step(460, 0.5)), 0, (), (step(512, 0.4),))
-    session = placed().at(1.0, play).at(2.7, EndPlay()).until(8.0).run()
-    assert described(session)[-2:] == [("steps", 1, 1), ("out", 0, 0)]
+    session = positioned().at(1.0, play).at(2.7, EndPlay()).until(8.0).run()
+    assert steps_of(session)[-2:] == [("steps", 1, 1), ("out", 0, 0)]
     assert session.when(StepStarted)[-1] == pytest.approx(3.0, abs=0.1)
     assert [ended.ending for ended in session.of(PlayEnded)] == [Ending.ENDED]
     assert session.stage.goals == HERE
@@ -163,7 +163,7 @@ def test_end_finishes_current_step_and_plays_blend_out() -> None:
 
 @pytest.mark.parametrize("time", [1.0, 1.03, 1.2, 1.55, 1.99])
 def test_halt_sends_no_further_step_and_reports_motion_end(time: float) -> None:
-    session = placed().at(1.0, Play(1, (step(600, 0.5), step(400, 0.5)), 0)).at(time, Halt())
+    session = positioned().at(1.0, Play(1, (step(600, 0.5), step(400, 0.5)), 0)).at(time, Halt())
     session.until(4.0).run()
     [ended] = session.of(PlayEnded)
     assert ended.ending is Ending.HALTED
@@ -176,7 +176,7 @@ def test_halt_sends_no_further_step_and_reports_motion_end(time: float) -> None:
 
 
 def test_valid_time_scale_applies_from_next_step() -> None:
-    session = placed().at(1.0, Play(1, (step(560, 0.5), step(460, 0.5)), 3))
+    session = positioned().at(1.0, Play(1, (step(560, 0.5), step(460, 0.5)), 3))
     session.at(1.1, SetTimeScale(0.0)).at(1.1, SetTimeScale(float("nan")))
     session.at(1.7, SetTimeScale(2.0)).until(6.0).run()
     times = session.when(StepStarted)
@@ -185,7 +185,7 @@ def test_valid_time_scale_applies_from_next_step() -> None:
 
 
 def test_moves_and_speeds_are_rejected_during_playback() -> None:
-    session = placed().at(1.0, Play(1, (step(560, 0.5), step(460, 0.5))))
+    session = positioned().at(1.0, Play(1, (step(560, 0.5), step(460, 0.5))))
     session.at(1.2, Move(2, HERE)).at(1.2, Play(3, (step(1, 1),))).at(1.2, SetSpeeds(4, SLOW))
     session.until(5.0).run()
     errors = {outcome.id: outcome.error for outcome in session.of(Outcome)}
@@ -208,7 +208,7 @@ def test_moves_and_speeds_are_rejected_during_playback() -> None:
     ],
 )
 def test_invalid_play_request_is_rejected(play: Play) -> None:
-    session = placed().at(1.0, play).until(2.0).run()
+    session = positioned().at(1.0, play).until(2.0).run()
     [outcome] = [outcome for outcome in session.of(Outcome) if outcome.id == 1]
     assert isinstance(outcome.error, BadRequest)
     assert not session.of(PlayEnded)
@@ -228,8 +228,8 @@ def test_blend_in_precedes_rounds_and_blend_out_follows(
     reports: list[Report] = []
     player = SequencePlayer(reports.append, ServoEstimates(8))
     player.start(Play(1, (one,) * many, rounds, (one,) * before, (one,) * after), 0.0)
-    whole = [("in", index, 0) for index in range(before)]
-    whole += [("steps", index, turn) for turn in range(rounds) for index in range(many)]
+    expected = [("in", index, 0) for index in range(before)]
+    expected += [("steps", index, turn) for turn in range(rounds) for index in range(many)]
     out = [("out", index, 0) for index in range(after)]
     while player.is_playing:
         player.next_speeds(0.0)
@@ -237,7 +237,6 @@ def test_blend_in_precedes_rounds_and_blend_out_follows(
         player.on_arrival()
         if len(reports) == end_after:
             player.end()
-    begun = [report for report in reports if isinstance(report, StepStarted)]
-    seen = [(step.part, step.index, step.round) for step in begun]
-    cut = whole if end_after is None else whole[:end_after]
-    assert seen == [*cut, *out]
+    started = [report for report in reports if isinstance(report, StepStarted)]
+    played = [(step.part, step.index, step.round) for step in started]
+    assert played == [*expected[:end_after], *out]

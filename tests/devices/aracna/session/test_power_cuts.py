@@ -1,6 +1,6 @@
-"""Cuts of servo power, which users cut to stop the robot.
+"""Cuts of the servo power, by which users stop the robot.
 
-After a power cut a servo is unlimited, and the link does not report it.
+After a power cut, a servo's speed is unlimited, and the link does not report it.
 """
 
 import pytest
@@ -20,22 +20,22 @@ from trex_gui.devices.aracna.session.servo_estimates import SPEED_VALIDITY
 
 SLOW = (30,) * 8
 FASTEST = 2.28 * 30 * 1.25
-"""Units a second of a motor at that speed, and what an instant between two looks adds."""
+"""Units per second of a motor at speed `SLOW`, with a margin for the sampling."""
 
 
-def watched(session: ScriptedSession, begin: float, seconds: float) -> list[float]:
+def sampled_speeds(session: ScriptedSession, begin: float, seconds: float) -> list[float]:
     """Return the speed of motor 0 in units/s, sampled every 20 ms."""
-    seen: list[float] = []
-    places: list[float] = []
+    speeds: list[float] = []
+    positions: list[float] = []
 
-    def look() -> None:
-        places.append(session.line.servos[0].position)
-        if len(places) > 1:
-            seen.append(abs(places[-1] - places[-2]) / 0.02)
+    def sample() -> None:
+        positions.append(session.line.servos[0].position)
+        if len(positions) > 1:
+            speeds.append(abs(positions[-1] - positions[-2]) / 0.02)
 
     for turn in range(round(seconds / 0.02)):
-        session.at(begin + turn * 0.02, look)
-    return seen
+        session.at(begin + turn * 0.02, sample)
+    return speeds
 
 
 @pytest.mark.parametrize("cut", [0.4, 0.8, 3.5], ids="{} s".format)
@@ -44,10 +44,10 @@ def test_move_after_power_cut_in_motion_keeps_requested_speed(cut: float) -> Non
     session.at(0.5, Move(1, (110,) * 8, SLOW)).at(3.0, Move(2, (600,) * 8, SLOW))
     session.at(4.0, "servo power off").at(4.0 + cut, "servo power on")
     session.at(4.7 + cut, Move(3, (600,) * 8, SLOW))
-    seen = watched(session, 4.72 + cut, 2.0)
+    seen = sampled_speeds(session, 4.72 + cut, 2.0)
     session.run()
     assert 0 < max(seen) < FASTEST
-    assert session.when(SpeedsHeld)[-1] > 4.0 + cut, "set again"
+    assert session.when(SpeedsHeld)[-1] > 4.0 + cut, "the speeds were set again"
     assert session.stage.speeds == SLOW
 
 
@@ -68,7 +68,7 @@ def test_speed_is_limited_again_soon_after_power_cut_near_goal(cut: float, secon
     steps = (Step((300,) * 8, 1.5), Step((500,) * 8, 1.5))
     session.at(0.5, Move(1, (300,) * 8, (100,) * 8)).at(1.5, Play(2, steps, 0))
     session.at(cut, "servo power off").at(cut + seconds, "servo power on")
-    seen = watched(session, cut + seconds + SPEED_VALIDITY, 5.0)
+    seen = sampled_speeds(session, cut + seconds + SPEED_VALIDITY, 5.0)
     session.run()
     assert 0 < max(seen) < 300, "200 units in 1.4 s"
 
@@ -78,7 +78,7 @@ def test_move_after_power_cut_near_goal_keeps_requested_speed(cut: float) -> Non
     session = ScriptedSession(positions=[300] * 8).at(0.5, Move(1, (390,) * 8, SLOW))
     session.at(cut, "servo power off").at(cut + 0.3, "servo power on")
     session.at(cut + 0.8, Move(2, (900,) * 8, SLOW))
-    seen = watched(session, cut + 0.82, 1.5)
+    seen = sampled_speeds(session, cut + 0.82, 1.5)
     session.run()
     assert 0 < max(seen) < FASTEST
 
@@ -90,7 +90,7 @@ def test_sequence_does_not_resume_when_power_returns() -> None:
     session.at(5.8, "servo power off").at(7.3, "servo power on").until(20.0).run()
     [ended] = session.of(PlayEnded)
     assert ended.ending is Ending.MISSED
-    assert not [when for when in session.when(Moving) if when > 7.3]
+    assert not [time for time in session.when(Moving) if time > 7.3]
     [error] = [one.error for one in session.of(Outcome) if one.id == 2]
     assert "from its goal 300" in str(error)
     assert "does not continue by itself" in str(error)

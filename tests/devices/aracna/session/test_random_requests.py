@@ -46,29 +46,29 @@ FAULTS = st.sampled_from(
         *("line garbage 0d0a", "line garbage ff002e680d0a", "servo 2 lose position"),
     ]
 )
-MENDING = ("line mute off", "line drop 0", "line drop 0 sent", "servo 3 alive", "servo 5 free")
+REPAIRS = ("line mute off", "line drop 0", "line drop 0 sent", "servo 3 alive", "servo 5 free")
 
 
 @given(
-    acts=st.lists(st.tuples(st.floats(0, 1.5), REQUESTS | FAULTS), max_size=25),
+    actions=st.lists(st.tuples(st.floats(0, 1.5), REQUESTS | FAULTS), max_size=25),
     keeps_last=st.booleans(),
 )
 # Shrinking takes too long for a test.
 @examples(40, phases=(Phase.explicit, Phase.generate))
 def test_every_request_has_one_outcome_and_robot_recovers(
-    acts: list[tuple[float, Callable[[int], Request] | str]], *, keeps_last: bool
+    actions: list[tuple[float, Callable[[int], Request] | str]], *, keeps_last: bool
 ) -> None:
     session = ScriptedSession(keeps_last=keeps_last)
     time, numbers = 0.2, set()
-    for number, (pause, act) in enumerate(acts):
+    for number, (pause, action) in enumerate(actions):
         time += pause
-        if isinstance(act, str):
-            session.at(time, act)
+        if isinstance(action, str):
+            session.at(time, action)
         else:
-            request = act(number)
+            request = action(number)
             numbers |= {number} if hasattr(request, "id") else set()
             session.at(time, request)
-    for line in MENDING:
+    for line in REPAIRS:
         session.at(time, line)
     session.at(time + 1.0, Halt()).at(time + 20.0, SetSpeeds(98, (500,) * 8))
     session.at(time + 21.0, Move(99, (444,) * 8)).until(time + 24.0).run()
@@ -79,27 +79,27 @@ def test_every_request_has_one_outcome_and_robot_recovers(
     assert last[99] is None
     assert session.of(Moved)[-1].goals == session.stage.goals == (444,) * 8
     assert all(abs(position - 444) <= 2 for position in session.stage.positions)
-    _assert_it_makes_sense(session)
+    _assert_reports_are_consistent(session)
 
 
-def _assert_it_makes_sense(session: ScriptedSession) -> None:
-    """Check that only an idle robot gets commands and that sequences end."""
-    is_there, moves = False, False
-    begun = ended = 0
+def _assert_reports_are_consistent(session: ScriptedSession) -> None:
+    """Check that only an idle, connected robot gets a motion, and that sequences end."""
+    is_connected, is_moving = False, False
+    started = ended = 0
     for report in session.reports:
         match report:
             case Connected():
-                is_there = True
+                is_connected = True
             case Moving():
-                assert is_there
-                assert not moves
-                moves = True
+                assert is_connected
+                assert not is_moving
+                is_moving = True
             case Moved():
-                moves = False
+                is_moving = False
             case StepStarted(part="steps", index=0, round=0):
-                begun += 1
+                started += 1
             case PlayEnded():
                 ended += 1
             case Restarted() | NotResponding():
-                is_there, moves = False, False
-    assert ended >= begun
+                is_connected, is_moving = False, False
+    assert ended >= started

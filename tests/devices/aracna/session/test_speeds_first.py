@@ -1,4 +1,4 @@
-"""Speeds before each motion, and outdated goals."""
+"""Speeds that precede motions, outdated requests, and limits."""
 
 import re
 
@@ -30,7 +30,7 @@ FAST = (700,) * 8
 
 
 def lines(session: ScriptedSession, letter: str) -> list[str]:
-    """Return the sent commands of a letter. Equal values are merged."""
+    """Return the values of sent commands with a letter. Equal values are merged."""
     sent = bytes(session.stage.transport.sent).decode().splitlines()
     return [re.sub(r"^(\d+)(,\1)+$", r"\1", line[2:]) for line in sent if line[1:2] == letter]
 
@@ -49,7 +49,7 @@ def test_move_needs_servo_power_and_keeps_requested_speed() -> None:
     assert "Check the servo power" in errors(session)[2]
     assert errors(session)[3] == ""
     [moved] = session.of(Moved)
-    assert moved.seconds > 1.2, "88 units at 30 are 1.29 s"
+    assert moved.seconds > 1.2, "88 units at speed 30 take 1.29 s"
     assert [held.held for held in session.of(SpeedsHeld)] == [(-1,) * 8, (-1,) * 8, SLOW]
 
 
@@ -73,9 +73,7 @@ def test_lost_speed_reply_prevents_motion(lost: str) -> None:
 def test_drag_does_not_resend_confirmed_speeds() -> None:
     session = ScriptedSession().at(0.2, Move(1, THERE, FAST)).at(1.5, Move(2, HERE, FAST))
     session.at(3.0, Move(3, THERE, FAST, dragged=True)).until(5.0).run()
-    assert lines(session, "v") == ["700", "700"], (
-        "before a move, and not again for a drag behind it"
-    )
+    assert lines(session, "v") == ["700", "700"], "before each move, but not before the drag"
     assert lines(session, "c") == ["600", "512", "600"]
 
 
@@ -120,13 +118,13 @@ def test_rejected_step_speed_ends_playback() -> None:
 # --- The newest request ---------------------------------------------------------------------
 
 
-def test_latest_speed_applies_to_next_motion() -> None:
+def test_newest_speed_applies_to_next_motion() -> None:
     session = ScriptedSession().at(0.2, Move(1, HERE, FAST)).at(3.0, Move(2, THERE, (100,) * 8))
     session.at(3.15, Move(5, HERE, (100,) * 8))
     session.at(3.2, SetSpeeds(3, FAST)).at(3.2, SetSpeeds(4, (20,) * 8)).until(8.0).run()
     assert lines(session, "v") == ["700", "100", "20"]
     assert lines(session, "c") == ["512", "600", "512"]
-    assert session.of(Moved)[-1].seconds > 1.8, "86 units at 20 are 1.89 s"
+    assert session.of(Moved)[-1].seconds > 1.8, "86 units at speed 20 take 1.89 s"
     assert "A newer request" in errors(session)[3]
     assert errors(session)[4] == ""
 
@@ -139,7 +137,7 @@ def test_newer_move_replaces_queued_move() -> None:
     assert "A newer request" in errors(session)[2]
 
 
-def test_newer_move_replaces_move_during_its_speeds() -> None:
+def test_newer_move_replaces_move_whose_speeds_are_being_set() -> None:
     session = ScriptedSession().at(0.2, Move(1, THERE, SLOW)).at(0.21, Move(2, HERE, SLOW))
     session.until(3.0).run()
     assert lines(session, "c") == ["512"]

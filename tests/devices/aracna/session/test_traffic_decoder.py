@@ -49,7 +49,7 @@ def test_chunk_size_does_not_change_decoded_rows(
     assert reports(AracnaDecoder(), pieces_of(said, cut)) == whole
 
 
-def test_only_positions_may_move() -> None:
+def test_only_positions_may_move_a_motor() -> None:
     decoder = AracnaDecoder()
     assert decoder.may_move(b".v1,2\n.c1,2\n")
     assert not decoder.may_move(b".q\n.v1,2\n")
@@ -80,7 +80,7 @@ def test_late_reply_is_shown_with_its_command() -> None:
     assert second[0].startswith("query version")
 
 
-def test_command_ended_only_by_next_query_is_a_fault() -> None:
+def test_command_without_its_own_reply_is_a_fault() -> None:
     pieces = [
         TrafficEvent(1.0, TrafficDirection.SENT, b".c5,6\n"),
         TrafficEvent(4.0, TrafficDirection.SENT, b".q\n"),
@@ -93,6 +93,6 @@ def test_command_ended_only_by_next_query_is_a_fault() -> None:
 
 
 @given(st.binary(max_size=40))
-def test_shown_bytes_read_back(data: bytes) -> None:
+def test_shown_bytes_are_read_back_equal(data: bytes) -> None:
     decoder = AracnaDecoder()
     assert decoder.bytes_of(decoder.shown(data)) == data

@@ -72,7 +72,7 @@ def test_unpowered_board_rejects_reset(harness: AracnaHarness) -> None:
     assert control(harness.line, "reset") == "error the board has no power; power on starts it"
 
 
-def test_show_reports_current_led_and_servo_states(harness: AracnaHarness) -> None:
+def test_show_reports_led_and_servo_states(harness: AracnaHarness) -> None:
     harness.request(b".v50,50,50,50,50,50,50,50\n.l1\n.c\n", 3)
     harness.request(b".l1\n")
     harness.do("servo 2 dead")

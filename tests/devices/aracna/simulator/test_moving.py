@@ -4,10 +4,10 @@ import pytest
 
 from tests.support.aracna import AracnaHarness
 
-UNITS_A_SECOND = 2.28
-"""For each unit of speed: 0.1114 rpm."""
+UNITS_PER_SECOND = 2.28
+"""Position units per second for each unit of speed (0.1114 rpm)."""
 
-CEILING = 870
+MAX_EFFECTIVE_SPEED = 870
 BUS = 0.02
 """Seconds that packets to eight servos, polls and bytes may add to a travel time."""
 
@@ -16,16 +16,16 @@ def line(letter: str, values: list[int]) -> bytes:
     return f".{letter}{','.join(map(str, values))}\n".encode()
 
 
-def stamps(harness: AracnaHarness, goals: list[int]) -> tuple[list[float], bytes]:
-    """Send goals. Return when each motor's value was complete, and the reply."""
+def arrival_times(harness: AracnaHarness, goals: list[int]) -> tuple[list[float], bytes]:
+    """Send goals. Return the time at which each motor's value was complete, and the reply."""
     request = line("c", goals)
     harness.line.send(request)
-    begun = harness.now + len(request) * harness.line.byte_time
+    start = harness.now + len(request) * harness.line.byte_time
     reply, times = b"", []
-    while not reply.endswith(b"\n") and harness.now < begun + 60:
+    while not reply.endswith(b"\n") and harness.now < start + 60:
         reply += harness.line.read(1, 1)
         if reply[-1:] in {b",", b"\r"}:
-            times.append(harness.now - begun)
+            times.append(harness.now - start)
     return times, reply
 
 
@@ -34,10 +34,10 @@ def test_reply_gives_each_value_once_motor_has_arrived() -> None:
     speeds = [100, 50, 200, 10, 150, 100, 300, 400]
     harness = AracnaHarness()
     harness.request(line("v", speeds))
-    times, reply = stamps(harness, goals)
+    times, reply = arrival_times(harness, goals)
 
     travels = [
-        abs(goal - 512) / (UNITS_A_SECOND * speed)
+        abs(goal - 512) / (UNITS_PER_SECOND * speed)
         for goal, speed in zip(goals, speeds, strict=True)
     ]
     assert reply == line("c", goals).replace(b"\n", b"\r\n")
@@ -50,34 +50,34 @@ def test_reply_gives_each_value_once_motor_has_arrived() -> None:
 @pytest.mark.parametrize(
     ("speed", "start", "seconds"),
     [
-        (1023, 0, 1023 / (UNITS_A_SECOND * CEILING)),
-        (0, 0, 1023 / (UNITS_A_SECOND * CEILING)),
-        (870, 0, 1023 / (UNITS_A_SECOND * CEILING)),
+        (1023, 0, 1023 / (UNITS_PER_SECOND * MAX_EFFECTIVE_SPEED)),
+        (0, 0, 1023 / (UNITS_PER_SECOND * MAX_EFFECTIVE_SPEED)),
+        (870, 0, 1023 / (UNITS_PER_SECOND * MAX_EFFECTIVE_SPEED)),
         (530, 0, 0.85),  # top speed of an AX-12A
         (100, 0, 4.5),
-        (1, 1000, 450 * 23 / 1023),  # the whole travel takes 450 s
+        (1, 1000, 450 * 23 / 1023),  # the full travel takes 450 s
     ],
 )
 def test_travel_takes_documented_time(speed: int, start: int, seconds: float) -> None:
     harness = AracnaHarness(positions=[start] * 8)
     harness.request(line("v", [speed] * 8))
-    times, _ = stamps(harness, [1023] * 8)
+    times, _ = arrival_times(harness, [1023] * 8)
     assert times[-1] == pytest.approx(seconds, rel=0.01, abs=2 * BUS)
 
 
 @pytest.mark.parametrize(
-    ("letter", "value", "least", "most"),
+    ("letter", "value", "minimum", "maximum"),
     [("c", 512, 32.5, 33.5), ("c", 1023, 36.5, 37.5), ("v", 0, 42, 46), ("v", 1000, 52, 56)],
 )
 def test_round_trip_without_motion_takes_documented_time(
-    letter: str, value: int, least: float, most: float
+    letter: str, value: int, minimum: float, maximum: float
 ) -> None:
     harness = AracnaHarness(positions=[value] * 8)
     request = line(letter, [value] * 8)
-    begun = harness.now
+    start = harness.now
     harness.line.send(request)
     assert harness.line.read(len(request) + 1, 1) == request.replace(b"\n", b"\r\n")
-    assert least <= (harness.now - begun) * 1000 <= most
+    assert minimum <= (harness.now - start) * 1000 <= maximum
 
 
 def test_first_reply_bytes_precede_any_arrival() -> None:
@@ -101,6 +101,6 @@ def test_load_slows_servo() -> None:
     harness = AracnaHarness()
     harness.request(line("v", [100] * 8))
     harness.do("servo 2 load 0.5")
-    times, _ = stamps(harness, [740] * 8)
+    times, _ = arrival_times(harness, [740] * 8)
     assert times[1] == pytest.approx(1, abs=BUS)
     assert times[2] == pytest.approx(2, abs=BUS)

@@ -6,7 +6,7 @@ from click.testing import CliRunner
 from trex_gui.cli.simulator import main
 
 REJECTED = [
-    # the default, but given explicitly
+    # TReX is the default model, but the option is given.
     ("--aracna --model trex", "--model does not apply to the device aracna"),
     ("--aracna --mix", "--mix does not apply to the device aracna"),
     ("--aracna --eeprom somewhere", "--eeprom does not apply to the device aracna"),

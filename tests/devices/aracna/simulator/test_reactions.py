@@ -1,7 +1,7 @@
-"""Reactions of the firmware to a line, as in the document's tables.
+"""Reactions of the firmware to a line, as in the tables of the protocol document.
 
-Eight servos are at 300, with the highest speed. A row is a name, the sent bytes, the received
-bytes, and the goals or speeds of the servos afterwards.
+Eight servos are at 300 and have the highest speed. A row contains a name, the sent bytes and the
+expected reply.
 """
 
 import pytest
@@ -12,7 +12,7 @@ HELLO = b".h\r\n"
 SILENCE = b""
 VERSION = b".q1,8\r\n"
 START = 300
-REFUSED = START
+REJECTED = START
 
 
 def values(first: object, rest: object = START) -> str:
@@ -25,19 +25,19 @@ def row_of(first: int, rest: int) -> tuple[int, ...]:
 
 QUERIES = [
     ("query", b".q\n", VERSION),
-    ("query with anything behind it", b".qxyz\n", VERSION),
+    ("query followed by other characters", b".qxyz\n", VERSION),
     ("query with a carriage return", b".q\r\n", VERSION),
     ("query in a query", b".q.q\n", VERSION),
     ("query without its dot", b"xq\n", VERSION),
     ("query of two letters", b"qq\n", VERSION),
-    ("query behind a blank", b" q\n", VERSION),
-    ("query behind a byte that is no character", b"\xffq\n", VERSION),
-    ("query behind an empty line", b"\n.q\n", VERSION),
-    ("two queries glued together", b".q\n.q\n", VERSION * 2),
-    ("query of capital letter", b".Q\n", SILENCE),
+    ("query after a blank", b" q\n", VERSION),
+    ("query after a byte that is not a character", b"\xffq\n", VERSION),
+    ("query after an empty line", b"\n.q\n", VERSION),
+    ("two queries without a pause", b".q\n.q\n", VERSION * 2),
+    ("query with a capital letter", b".Q\n", SILENCE),
     ("query of one letter", b"q\n", SILENCE),
-    ("query behind two dots", b"..q\n", SILENCE),
-    ("query without an end", b".q", SILENCE),
+    ("query after two dots", b"..q\n", SILENCE),
+    ("query without a line end", b".q", SILENCE),
     ("query ended by a carriage return alone", b".q\r", SILENCE),
 ]
 
@@ -46,8 +46,8 @@ SILENT = [
     ("empty line with a carriage return", b"\r\n", SILENCE),
     ("dot alone", b".\n", SILENCE),
     ("hello from the host", b".h\n", SILENCE),
-    ("torque, which is nowhere", b".t1\n", SILENCE),
-    ("planned: read pins", b".r\n", SILENCE),
+    ("torque, which is not implemented", b".t1\n", SILENCE),
+    ("read pins, which is only planned", b".r\n", SILENCE),
     ("capital C", b".C" + values(500).encode() + b"\n", SILENCE),
     ("a word", b"hello\n", SILENCE),
     ("zero bytes", b"\x00\x00\x00\n", SILENCE),
@@ -57,19 +57,19 @@ SILENT = [
 LED = [
     ("LED on", b".l1\n", b".l1\r\n"),
     ("LED off", b".l0\n", b".l0\r\n"),
-    ("LED asked", b".l\n", b".l0\r\n"),
-    ("LED set to what it knows not", b".l2\n", b".l0\r\n"),
+    ("LED queried", b".l\n", b".l0\r\n"),
+    ("LED set to an invalid value", b".l2\n", b".l0\r\n"),
     ("LED without its dot", b"xl1\n", b".l1\r\n"),
-    ("LED on, then asked", b".l1\n.l\n", b".l1\r\n.l1\r\n"),
+    ("LED on, then queried", b".l1\n.l\n", b".l1\r\n.l1\r\n"),
 ]
 
 CUT = [
     ("59 characters with the newline", b".q" + b"x" * 56 + b"\n", VERSION),
     ("59 characters, then the newline", b".q" + b"x" * 57 + b"\n", VERSION),
-    ("59 characters without an end", b".q" + b"x" * 57, VERSION),
-    ("58 characters without an end", b".q" + b"x" * 56, SILENCE),
+    ("59 characters without a line end", b".q" + b"x" * 57, VERSION),
+    ("58 characters without a line end", b".q" + b"x" * 56, SILENCE),
     ("cut, the rest is a query", b".q" + b"x" * 57 + b"xq\n", VERSION * 2),
-    ("cut, the rest is none", b".q" + b"x" * 57 + b"qx\n", VERSION),
+    ("cut, the rest is not a query", b".q" + b"x" * 57 + b"qx\n", VERSION),
     ("cut twice", b"x" * 118 + b".q\n", VERSION),
 ]
 
@@ -96,8 +96,8 @@ RESTARTING = [
     ("positions without values", b".c\n"),
     ("speeds without values", b".v\n"),
     ("positions with seven values", b".c300,300,300,300,300,300,300\n"),
-    ("positions of six commas", b".c,,,,,,\n"),
-    ("positions of letters without commas", b".cabc\n"),
+    ("six commas", b".c,,,,,,\n"),
+    ("letters without commas", b".cabc\n"),
     ("positions cut before the eighth comma", b".c" + b"0000300," * 8 + b"\n"),
     ("values separated by blanks", b".c300 300 300 300 300 300 300 300\n"),
     ("field of eleven digits", f".c{values('12345678901')}\n".encode()),
@@ -117,20 +117,20 @@ def test_too_few_values_or_long_field_restart_firmware(harness: AracnaHarness, l
 
 FIELDS = [
     ("plain", "520", 520),
-    ("nothing", "0", 0),
-    ("the highest", "1023", 1023),
+    ("zero", "0", 0),
+    ("highest value", "1023", 1023),
     ("leading zero", "0520", 520),
     ("empty", "", 10),
-    ("one too high", "1024", REFUSED),
+    ("one too high", "1024", REJECTED),
     ("five characters, first four used", "00520", 52),
     ("ten characters, first four used", "0520000000", 520),
-    ("leading blank", " 520", REFUSED),
-    ("plus", "+520", REFUSED),
-    ("minus", "-154", REFUSED),
-    ("minus nothing", "-0", REFUSED),
-    ("point in front", ".5", REFUSED),
-    ("point", "5.5", REFUSED),
-    ("blank behind", "520 ", 520),
+    ("leading blank", " 520", REJECTED),
+    ("plus", "+520", REJECTED),
+    ("minus", "-154", REJECTED),
+    ("minus zero", "-0", REJECTED),
+    ("leading point", ".5", REJECTED),
+    ("point", "5.5", REJECTED),
+    ("trailing blank", "520 ", 520),
     ("letters", "abc", 49),
     ("hexadecimal", "0x1F", 721),
     ("exponent", "1e3", 633),
@@ -159,9 +159,9 @@ WHOLE = [
     ("trailing comma", f".c{values(520)},\n", values(520)),
     ("seven values and a comma", ".c" + "300," * 7 + "\n", "300," * 7 + "10"),
     ("seven commas", ".c,,,,,,,\n", values(10, 10)),
-    ("a word behind the last value", f".c{values(520)},nonsense\n", values(520)),
-    ("carriage return behind three digits", f".c{values(300, 520)}\r\n", values(300, 520)),
-    ("carriage return behind four digits", f".c{values(300, 1023)}\r\n", values(300, 1023)),
+    ("a word after the last value", f".c{values(520)},nonsense\n", values(520)),
+    ("carriage return after three digits", f".c{values(300, 520)}\r\n", values(300, 520)),
+    ("carriage return after four digits", f".c{values(300, 1023)}\r\n", values(300, 1023)),
     ("no dot", f"xc{values(520)}\n", values(520)),
     ("twenty values, cut at 59", ".c" + ",".join(["520"] * 20) + "\n", values(520, 520)),
 ]
@@ -183,7 +183,7 @@ def test_first_accepted_goal_enables_torque(harness: AracnaHarness) -> None:
     assert [servo.torque for servo in harness.line.servos] == [False] + [True] * 7
 
 
-OF_TWO = [
+TWO_MOTORS = [
     ("query", b".q\n", b".q0,2\r\n"),
     ("two positions", b".c520,300\n", b".c520,300\r\n"),
     ("two speeds", b".v7,1023\n", b".v7,1023\r\n"),
@@ -194,7 +194,7 @@ OF_TWO = [
 
 
 @pytest.mark.parametrize(
-    ("line", "reply"), [pytest.param(line, reply, id=name) for name, line, reply in OF_TWO]
+    ("line", "reply"), [pytest.param(line, reply, id=name) for name, line, reply in TWO_MOTORS]
 )
 def test_version_0_has_two_motors(line: bytes, reply: bytes) -> None:
     harness = AracnaHarness(motors=2, positions=[START] * 2)

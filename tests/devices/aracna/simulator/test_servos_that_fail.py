@@ -1,4 +1,4 @@
-"""Servos that are dead, blocked or without power, or miss a request."""
+"""Servos that are dead or blocked, have no power, or do not reply once."""
 
 import pytest
 
@@ -7,11 +7,11 @@ from tests.support.aracna import AracnaHarness
 SPEEDS = b".v50,50,50,50,50,50,50,50\n"
 HELD = b".v50,50,50,50,50,50,50,50\r\n"
 GOALS = b".c520,520,520,520,520,520,520,520\n"
-FAR = b".c740,740,740,740,740,740,740,740\n"
+FAR_GOALS = b".c740,740,740,740,740,740,740,740\n"
 ARRIVED = b".c740,740,740,740,740,740,740,740\r\n"
 
 
-def test_dead_servo_reports_and_accepts_no_speed(harness: AracnaHarness) -> None:
+def test_dead_servo_neither_reports_nor_accepts_a_speed(harness: AracnaHarness) -> None:
     harness.do("servo 3 dead")
     assert harness.request(SPEEDS) == b".v50,50,50,-1,50,50,50,50\r\n"
     harness.do("servo 3 alive")
@@ -28,7 +28,7 @@ def test_dead_servo_stalls_reply_in_mid_line_until_it_recovers(harness: AracnaHa
 
 def test_servo_failing_in_motion_arrives_after_recovery(harness: AracnaHarness) -> None:
     harness.request(SPEEDS)
-    harness.line.send(FAR)
+    harness.line.send(FAR_GOALS)
     harness.line.advance(1)
     harness.do("servo 3 dead")
     stopped = harness.positions[3]
@@ -47,22 +47,22 @@ def test_reset_ends_reply_stalled_by_dead_servo(harness: AracnaHarness) -> None:
     assert harness.request(b".q\n") == b".h\r\n.q1,8\r\n"
 
 
-@pytest.mark.parametrize(("hindered", "freed"), [("block", "free"), ("load 1", "load 0.9")])
+@pytest.mark.parametrize(("hindrance", "release"), [("block", "free"), ("load 1", "load 0.9")])
 def test_held_servo_stays_moving_until_freed(
-    harness: AracnaHarness, hindered: str, freed: str
+    harness: AracnaHarness, hindrance: str, release: str
 ) -> None:
-    harness.do(f"servo 6 {hindered}")
-    assert harness.request(FAR, 20) == b".c740,740,740,740,740,740,"
+    harness.do(f"servo 6 {hindrance}")
+    assert harness.request(FAR_GOALS, 20) == b".c740,740,740,740,740,740,"
     assert harness.line.servos[6].moving
     assert harness.positions[6] == 512
-    harness.do(f"servo 6 {freed}")
+    harness.do(f"servo 6 {release}")
     assert harness.request(b"") == b"740,740\r\n"
 
 
 def test_blocked_servo_at_goal_delays_nothing(harness: AracnaHarness) -> None:
-    harness.request(FAR)
+    harness.request(FAR_GOALS)
     harness.do("servo 6 block")
-    assert harness.request(FAR) == ARRIVED
+    assert harness.request(FAR_GOALS) == ARRIVED
 
 
 def test_reply_stalls_after_letter_without_servo_power(harness: AracnaHarness) -> None:

@@ -11,24 +11,24 @@ GOALS = b".c512,512,512,512,512,512,512,512\n"
 
 
 def test_query_takes_about_three_milliseconds(harness: AracnaHarness) -> None:
-    begun = harness.now
+    start = harness.now
     harness.line.send(b".q\n")
     assert harness.line.read(7, 1) == VERSION
-    assert (harness.now - begun) * 1000 == pytest.approx(2.6, abs=0.1)
+    assert (harness.now - start) * 1000 == pytest.approx(2.6, abs=0.1)
 
 
 def test_unpaced_bytes_take_no_time_but_servos_and_boot_do() -> None:
     harness = AracnaHarness(paced=False)
-    begun = harness.now
+    start = harness.now
     harness.line.send(b".q\n")
     assert harness.line.read(7, 1) == VERSION
-    assert harness.now == pytest.approx(begun + PARSING)
+    assert harness.now == pytest.approx(start + PARSING)
     harness.line.send(b".v100,100,100,100,100,100,100,100\n.c740,512,512,512,512,512,512,512\n")
     assert harness.line.read(35, 1).startswith(b".v100,")
     harness.do("reset")
     harness.line.send(b".q\n")
     assert harness.line.read(11, 2) == b".h\r\n" + VERSION
-    assert harness.now - begun == pytest.approx(1.0366, abs=0.001)
+    assert harness.now - start == pytest.approx(1.0366, abs=0.001)
 
 
 @pytest.mark.parametrize("baud", [300, 19200, 115200])
@@ -86,15 +86,15 @@ def test_drop_unsent_discards_queued_bytes(harness: AracnaHarness) -> None:
 # --- Cut replies --------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("passing", [0, 1, 6, 7])
+@pytest.mark.parametrize("delivered", [0, 1, 6, 7])
 def test_cut_reply_ends_early_and_next_reply_is_complete(
-    harness: AracnaHarness, passing: int
+    harness: AracnaHarness, delivered: int
 ) -> None:
-    harness.do(f"line cut {passing}")
+    harness.do(f"line cut {delivered}")
     answer = harness.request(GOALS)
-    assert answer == b".c512,512,"[:passing]
+    assert answer == b".c512,512,"[:delivered]
     assert harness.request(b".q\n") == VERSION
-    assert harness.line.faults.counters["dropped"] == 35 - passing
+    assert harness.line.faults.counters["dropped"] == 35 - delivered
 
 
 def test_cut_applies_to_next_reply_until_it_is_cancelled(harness: AracnaHarness) -> None:
