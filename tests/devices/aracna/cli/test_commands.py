@@ -1,4 +1,4 @@
-"""Commands of `trexcmd aracna`, with a robot whose bytes take no time."""
+"""Commands of `trexcmd aracna`, with a robot on an unpaced line."""
 
 import json
 import re
@@ -103,7 +103,7 @@ def test_pose_moves_slowly_and_reports_each_motor(
     assert {servo["speed"] for servo in robot.show()["servos"]} == {100}
 
 
-def test_pose_beyond_joint_limits_is_rejected_before_sending(
+def test_pose_outside_joint_limits_is_rejected_before_sending(
     trexcmd: RunCommand, robot: SimulatedDevice
 ) -> None:
     result = trexcmd("aracna", "pose", "20", *["551"] * 7, exits=2)
@@ -200,7 +200,7 @@ def test_play_reports_error_of_early_step_at_the_end(
 
 
 @pytest.mark.parametrize(
-    ("words", "code", "says"),
+    ("words", "code", "message"),
     [
         ((), 2, "Which sequence?"),
         (("--sequence", "x"), 2, "The file has: nod, reach, ghost."),
@@ -210,9 +210,9 @@ def test_play_reports_error_of_early_step_at_the_end(
     ],
 )
 def test_play_rejects_invalid_sequence(
-    trexcmd: RunCommand, file: str, words: tuple[str, ...], code: int, says: str
+    trexcmd: RunCommand, file: str, words: tuple[str, ...], code: int, message: str
 ) -> None:
-    assert says in trexcmd("aracna", "play", file, *words, exits=code).stderr
+    assert message in trexcmd("aracna", "play", file, *words, exits=code).stderr
 
 
 def test_ctrl_c_ends_play_loop_after_current_step(

@@ -100,7 +100,7 @@ def test_board_can_be_restarted_and_switched_off(panel: DemoRobotPanel) -> None:
     panel.start_motion(speed=15)
     window.wait_for_silence(lambda: panel.click("aracnaDemoRestart"))
     panel.wait_for_text("aracnaDemoBoots", "Starts: 2")
-    assert panel.snapshot.is_moving, "the servos go on"
+    assert panel.snapshot.is_moving, "the servos keep moving"
     window.wait_until_up()
     panel.wait_for_text("aracnaDemoState", "Idle")
 
@@ -117,9 +117,7 @@ def test_board_can_be_restarted_and_switched_off(panel: DemoRobotPanel) -> None:
 # --- The cable --------------------------------------------------------------------------
 
 
-def test_faults_last_until_they_are_repaired(
-    panel: DemoRobotPanel,
-) -> None:
+def test_faults_last_until_they_are_cleared(panel: DemoRobotPanel) -> None:
     window = panel.window
     panel.start_motion()
     panel.click("aracnaDemoCable")
@@ -147,7 +145,7 @@ def test_faults_last_until_they_are_repaired(
     assert panel.text("aracnaDemoNoiseValue") == "2.5\u00a0%"
     panel.wait(
         lambda: panel.robot.link is ConnectionState.NOT_RESPONDING
-    )  # else the text may be out of date
+    )  # otherwise the next text may be outdated
 
     panel.click("aracnaDemoRepair")
     panel.wait(lambda: not any(servo.dead or servo.blocked for servo in panel.snapshot.servos))

@@ -106,7 +106,7 @@ def select_port(window: RobotWindow, label: str) -> None:
 
 
 def test_connect_uses_selected_demo(computer: list[ListPortInfo], window: RobotWindow) -> None:
-    computer.append(ListPortInfo("/dev/ttyNothing9"))  # the only port, which is offered first
+    computer.append(ListPortInfo("/dev/ttyNothing9"))  # the only port, which is preselected
     window.program.ports.refresh()
     assert window.port == "/dev/ttyNothing9"
     window.select_demo()
@@ -149,7 +149,7 @@ def test_port_list_keeps_selected_port(
 
     computer.remove(gone)
     ports.refresh()
-    assert window.port == NONE, "the other one was not chosen"
+    assert window.port == NONE, "the other port is not selected"
     computer.append(gone)
     ports.refresh()
     assert window.port == "/dev/ttyNothing9"

@@ -1,4 +1,4 @@
-"""Files dropped on the window, or given as arguments."""
+"""Files that are dropped on the window or given as arguments."""
 
 from collections.abc import Callable
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Robot page with the Demo Aracna, by mouse and keyboard."""
+"""Robot page with the Demo Aracna, used by mouse and keyboard."""
 
 from pathlib import Path
 
@@ -31,10 +31,10 @@ def test_move_sends_goals_and_speeds(connected_window: RobotWindow) -> None:
     assert "speed 100 (67 °/s)" in window.page_text("aracnaRobotPage", "pageState")
     assert window.text("aracnaPresent0") == "–"
     window.drag("aracnaSlider0", 300)
-    assert not window.goals, "a slider by itself moves nothing"
+    assert not window.goals, "a slider alone sends nothing"
     window.move()
     assert window.goals == [(window.goal_box(0).value(), *(512,) * 7)]
-    assert abs(window.goals[0][0] - 300) < 8, "a pixel is some units"
+    assert abs(window.goals[0][0] - 300) < 8, "one pixel is several units"
     assert window.text("aracnaPresent0").endswith("°")
     assert "has reached its goal" in window.text("aracnaTitle")
 
@@ -88,39 +88,39 @@ def test_goals_stay_within_limits_and_speeds_may_differ(connected_window: RobotW
     high.setValue(450)
     assert window.goal_box(3).value() == 450
     low.setValue(500)
-    assert high.value() == 500, "one pushes the other"
+    assert high.value() == 500, "one limit moves the other"
     window.click("aracnaFactoryLimitsButton")
     assert (low.value(), high.value()) == (0, 550)
 
     robot = window.robot
-    everyone, one = spin_box(window, "aracnaSpeedAll"), spin_box(window, "aracnaSpeed7")
-    one.setValue(0)
-    assert everyone.text() == "differ"
-    assert set(robot.speeds) == {0, 100}, "to show it chooses nothing"
-    QTest.keyClick(everyone, Qt.Key.Key_Down)
-    assert everyone.text() == "differ"
-    QTest.keyClick(everyone, Qt.Key.Key_Up)
+    common, own = spin_box(window, "aracnaSpeedAll"), spin_box(window, "aracnaSpeed7")
+    own.setValue(0)
+    assert common.text() == "differ"
+    assert set(robot.speeds) == {0, 100}, "the remark does not change the speeds"
+    QTest.keyClick(common, Qt.Key.Key_Down)
+    assert common.text() == "differ"
+    QTest.keyClick(common, Qt.Key.Key_Up)
     assert robot.speeds == (10,) * 8
-    assert everyone.text() == "10 = 7 °/s"
-    one.setValue(20)
+    assert common.text() == "10 = 7 °/s"
+    own.setValue(20)
     window.window.activateWindow()
-    everyone.setFocus()
-    window.wait(lambda: everyone.lineEdit().selectedText() == "differ")
-    QTest.keyClicks(everyone, "300")
-    QTest.keyClick(everyone, Qt.Key.Key_Return)
+    common.setFocus()
+    window.wait(lambda: common.lineEdit().selectedText() == "differ")
+    QTest.keyClicks(common, "300")
+    QTest.keyClick(common, Qt.Key.Key_Return)
     assert robot.speeds == (300,) * 8
-    assert everyone.text() == "300 = 201 °/s"
-    everyone.setValue(-1)
-    assert everyone.value() == 0, "that they differ cannot be chosen"
+    assert common.text() == "300 = 201 °/s"
+    common.setValue(-1)
+    assert common.value() == 0, "the remark cannot be selected"
 
 
 def test_live_goals_are_sent_until_release_or_stop(connected_window: RobotWindow) -> None:
     window, robot = connected_window, connected_window.robot
     window.move()
     window.find(QCheckBox, "aracnaLiveBox").setChecked(True)
-    by_key = window.find(QSlider, "aracnaSlider0")
-    by_key.setFocus()
-    QTest.keyClick(by_key, Qt.Key.Key_Left)
+    first_slider = window.find(QSlider, "aracnaSlider0")
+    first_slider.setFocus()
+    QTest.keyClick(first_slider, Qt.Key.Key_Left)
     window.wait(lambda: window.goals[-1][0] == 508)
 
     slider = window.drag("aracnaSlider6", 400, release=False)
@@ -141,7 +141,7 @@ def test_live_goals_are_sent_until_release_or_stop(connected_window: RobotWindow
     window.move()
     assert len(window.goals) == count + 1
     expected = pytest.approx(window.goals[-2][6], abs=8)
-    assert window.goals[-1][6] == expected, "it begins at the present position"
+    assert window.goals[-1][6] == expected, "the slider is at the present position"
 
 
 def test_bar_shows_playback_until_it_is_stopped(connected_window: RobotWindow) -> None:
@@ -154,7 +154,7 @@ def test_bar_shows_playback_until_it_is_stopped(connected_window: RobotWindow) -
     window.wait_for_text("aracnaMotionLabel", "ends by itself in about 0.")
     assert not window.is_enabled("aracnaMoveButton")
     stop = window.button("aracnaStopButton")
-    QTest.mousePress(stop, LEFT)  # on press, not on release
+    QTest.mousePress(stop, LEFT)  # the button acts when it is pressed
     window.wait(lambda: robot.state.play is None and robot.state.moving is None)
     QTest.mouseRelease(stop, LEFT)
     assert window.text("aracnaMotionLabel") == "At rest: nothing is sent."
@@ -168,9 +168,7 @@ def test_bar_shows_playback_until_it_is_stopped(connected_window: RobotWindow) -
     assert robot.link is ConnectionState.CONNECTED
 
 
-def test_problems_page_shows_reply_counts_and_problems(
-    connected_window: RobotWindow,
-) -> None:
+def test_problems_page_shows_replies_and_problems(connected_window: RobotWindow) -> None:
     window = connected_window
     window.show_page(PROBLEMS_PAGE)
     window.wait(lambda: window.text("aracnaErrorsReading1") == "100.0 %")
@@ -191,11 +189,11 @@ def test_problems_page_shows_reply_counts_and_problems(
 
     window.press_disconnect()
     assert window.text("aracnaErrorsReading1") == "–"
-    assert window.robot.state.stats.replies == 0, "the next line counts anew"
+    assert window.robot.state.stats.replies == 0, "each connection has its own counts"
 
 
 def move_by_key(window: RobotWindow) -> None:
-    """Move as Ctrl+M does, without a change of focus."""
+    """Move as with Ctrl+M, without a change of focus."""
     count = len(window.goals)
     window.trigger("aracna_move")
     window.wait_for_motion(count)
@@ -237,7 +235,7 @@ def test_typed_values_are_used_before_enter(connected_window: RobotWindow, tmp_p
     click_without_focus(window, "aracnaCentreButton")
     assert window.goal_box(0).text() == "512"
 
-    # A position is saved as a pose, then the robot moves to the pose.
+    # A typed position of a pose is saved, and the robot moves to the typed position.
     library = aracna(window.program).library
     save_now(library, library.content, path)
     window.show_page(POSES_PAGE)
@@ -255,5 +253,5 @@ def test_typed_values_are_used_before_enter(connected_window: RobotWindow, tmp_p
     click_without_focus(window, "aracnaGoTo")
     window.wait_for_motion(count)
     assert window.goals[count][0] == 400
-    window.trigger("aracna_save")  # else the window prompts when it closes
+    window.trigger("aracna_save")  # otherwise the window would prompt when it closes
     window.wait_for_files()

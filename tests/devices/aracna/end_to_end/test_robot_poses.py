@@ -16,13 +16,13 @@ from trex_gui.ui.runtime import now
 @pytest.fixture
 def window(connected_window: RobotWindow) -> Iterator[RobotWindow]:
     yield connected_window
-    aracna(connected_window.program).library.new()  # else the window prompts when it closes
+    aracna(connected_window.program).library.new()  # otherwise closing would prompt the user
 
 
 def test_gait_plays_until_stopped(window: RobotWindow, qapp: QApplication, qtbot: QtBot) -> None:
     robot = window.robot
     window.show_page(POSES_PAGE)
-    assert window.is_enabled("aracnaPlay"), "a gait is chosen"
+    assert window.is_enabled("aracnaPlay"), "a gait is preselected"
     assert "* Which leg is which" in window.page_text("aracnaPosesPage", "aracnaCaption")
     buttons = window.find_all(QPushButton)
     ends = [
@@ -41,7 +41,7 @@ def test_gait_plays_until_stopped(window: RobotWindow, qapp: QApplication, qtbot
     reports: list[object] = []
     robot.reported.connect(reports.append)
     window.press_escape()
-    stopped = now()  # an earlier command may be reported later
+    stopped = now()  # a command sent earlier may be reported later
     window.wait(lambda: robot.state.play is None and robot.state.moving is None)
     motions = [report for report in reports if isinstance(report, Moving)]
     assert len([motion for motion in motions if motion.time > stopped]) <= 1

@@ -1,4 +1,4 @@
-"""Recording of a robot, and recordings without a robot."""
+"""Recordings of a robot, also opened without a robot."""
 
 import sys
 from pathlib import Path

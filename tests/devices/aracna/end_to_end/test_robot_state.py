@@ -8,13 +8,13 @@ from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
 from tests.support.causes import Causes, watched
-from tests.support.pages.robot import POSES_PAGE, ROBOT_PAGE, RobotWindow
+from tests.support.pages.robot import RobotWindow
 from tests.support.virtual_time import VirtualRuntime
 from trex_gui.ui.devices.connection import ConnectionState
 
-UNSURE = "Unknown: the last motion may still be running."
+UNCERTAIN = "Unknown: the last motion may still be running."
 AT_REST = "At rest: nothing is sent."
-UNSEEN = "Nothing is sent. It may be moving: its state is unknown until the first move."
+UNOBSERVED = "Nothing is sent. It may be moving: its state is unknown until the first move."
 
 
 def start_long_motion(window: RobotWindow, goal: int = 200) -> None:
@@ -26,10 +26,10 @@ def start_long_motion(window: RobotWindow, goal: int = 200) -> None:
 
 def test_positions_are_unknown_after_reset_or_silence(connected_window: RobotWindow) -> None:
     window, robot = connected_window, connected_window.robot
-    assert window.text("aracnaMotionLabel") == UNSEEN
+    assert window.text("aracnaMotionLabel") == UNOBSERVED
     robot.set_speeds((300,) * 8)
     window.wait(lambda: robot.state.speeds is not None)
-    assert window.text("aracnaMotionLabel") == UNSEEN, "speeds say nothing of positions"
+    assert window.text("aracnaMotionLabel") == UNOBSERVED, "speeds do not show positions"
     window.move()
 
     texts: list[str] = []
@@ -48,7 +48,7 @@ def test_positions_are_unknown_after_reset_or_silence(connected_window: RobotWin
         robot.changed.disconnect(record_text)
         assert robot.state.present == (None,) * 8, cause
         assert window.text("aracnaPresent0") == "–", cause
-        assert window.text("aracnaMotionLabel") == UNSURE, cause
+        assert window.text("aracnaMotionLabel") == UNCERTAIN, cause
         assert "are unknown" in window.text("aracnaTitle"), cause
         assert not window.is_enabled("aracnaCapture"), cause
         assert not window.action("aracna_capture").isEnabled(), cause
@@ -67,14 +67,10 @@ def test_moves_are_disabled_while_motor_is_stuck(connected_window: RobotWindow) 
     assert "does not stop the servos" in window.page_text("aracnaRobotPage", "pageState")
     assert "motor 3" in window.text("aracnaMotionLabel")
     assert window.text("aracnaState3") == "stuck here"
-    window.show_page(POSES_PAGE)
-    for name in ("aracnaMoveButton", "aracnaPlay", "aracnaGoTo"):
-        assert not window.is_enabled(name), name
-    for name in ("aracnaMoveButton", "aracnaPlay"):
-        assert "is waiting for motor 3" in window.button(name).toolTip(), name
+    assert not window.is_enabled("aracnaMoveButton")
+    assert "is waiting for motor 3" in window.button("aracnaMoveButton").toolTip()
     assert not window.action("aracna_move").isEnabled()
     assert not window.action("aracna_play").isEnabled()
-    window.show_page(ROBOT_PAGE)
     window.click("aracnaLiveBox")
     slider = window.drag("aracnaSlider0", 300, release=False)
     assert not robot.dragging
@@ -103,7 +99,7 @@ def test_motion_is_shown_as_continuing_after_disconnect(connected_window: RobotW
     window.wait(lambda: robot.remaining() > 1)
     window.click("aracnaLiveBox")
     window.press_disconnect()
-    assert not window.button("aracnaLiveBox").isChecked(), "chosen anew for each robot"
+    assert not window.button("aracnaLiveBox").isChecked(), "must be selected for each robot"
     assert "The motion ends by itself in about" in window.text("aracnaMotionLabel")
     window.wait(lambda: window.text("aracnaMotionLabel") == "No robot is connected.")
 
@@ -111,11 +107,10 @@ def test_motion_is_shown_as_continuing_after_disconnect(connected_window: RobotW
     start_long_motion(window)
     window.press_disconnect()
     window.connect_port(window.program.ports.demo_of("aracna"))
-    window.control("reset")  # as by opening the port; servos continue
+    window.control("reset")  # like opening the port; the servos keep moving
     window.wait_until_up()
     assert window.servos_turn()
-    left_running = "Unknown: a motion may continue"
-    assert window.text("aracnaMotionLabel").startswith(left_running)
+    assert window.text("aracnaMotionLabel").startswith("Unknown: a motion may continue")
 
 
 def test_motion_is_shown_as_continuing_after_reset(connected_window: RobotWindow) -> None:
@@ -140,9 +135,8 @@ def test_motion_is_shown_as_continuing_after_reset(connected_window: RobotWindow
 
 
 LOCKED = "The screen was locked"
-MISTAKE = "Internal error (ValueError)"
-AGAIN = 1.5
-"""Seconds after which the same mistake is reported again."""
+ERROR = "Internal error (ValueError)"
+REPORT_INTERVAL = 1.5  # seconds after which the same error is reported again
 
 
 @pytest.fixture
@@ -152,10 +146,10 @@ def causes(connected_window: RobotWindow, qtbot: QtBot, qapp: QApplication) -> I
 
 
 def reasons(causes: Causes) -> list[tuple[str, Callable[[], None]]]:
-    return [(MISTAKE, causes.raise_in_slot), (LOCKED, causes.lock_the_screen)]
+    return [(ERROR, causes.raise_in_slot), (LOCKED, causes.lock_the_screen)]
 
 
-def creep(window: RobotWindow) -> None:
+def start_slowest_motion(window: RobotWindow) -> None:
     """Start a motion of every motor for some minutes."""
     window.robot.set_speeds((1,) * 8)
     window.robot.move((300,) * 8)
@@ -167,8 +161,8 @@ def test_automatic_halt_at_rest_reports_that_nothing_is_sent(
 ) -> None:
     window = connected_window
     causes.lock_the_screen()
-    goes_on = "Nothing more is sent. A running motion continues to its goal."
-    window.wait(lambda: causes.banner == f"{LOCKED}. {goes_on}")  # before any reply
+    effect = "Nothing more is sent. A running motion continues to its goal."
+    window.wait(lambda: causes.banner == f"{LOCKED}. {effect}")  # before any reply
 
     window.move()
     for reason, cause in reasons(causes):
@@ -179,11 +173,11 @@ def test_automatic_halt_at_rest_reports_that_nothing_is_sent(
     window.press_disconnect()
     before = len(causes.reports)
     causes.lock_the_screen()
-    virtual_time.advance(AGAIN)
-    assert len(causes.reports) == before, "a locked screen is no news"
+    virtual_time.advance(REPORT_INTERVAL)
+    assert len(causes.reports) == before, "without a robot, a locked screen is not reported"
     causes.raise_in_slot()
     window.wait(lambda: len(causes.reports) > before)
-    assert causes.reports[before:] == [f"{MISTAKE}."]
+    assert causes.reports[before:] == [f"{ERROR}."]
 
 
 def test_automatic_halt_reports_remaining_motion_time(
@@ -191,9 +185,9 @@ def test_automatic_halt_reports_remaining_motion_time(
 ) -> None:
     window, robot = connected_window, connected_window.robot
     window.move()
-    creep(window)
+    start_slowest_motion(window)
     for reason, cause in reasons(causes):
-        longest = robot.remaining()
+        remaining = robot.remaining()
         cause()
         window.wait(lambda: causes.banner.startswith(reason))  # noqa: B023
         message = re.fullmatch(
@@ -202,21 +196,21 @@ def test_automatic_halt_reports_remaining_motion_time(
             causes.banner,
         )
         assert message is not None, causes.banner
-        assert robot.remaining() - 1 <= float(message[1]) <= longest + 1
-        assert robot.state.moving is not None, "it continues, and the bar agrees"
+        assert robot.remaining() - 1 <= float(message[1]) <= remaining + 1
+        assert robot.state.moving is not None, "the motion continues"
         assert "ends by itself in about" in window.text("aracnaMotionLabel")
         assert f"{reason}." in [event.text for event in robot.events.all]
     assert len(causes.reports) == 2
     assert not [text for text in causes.reports if "stopped" in text or "confirmed" in text]
-    assert window.motors.stop_reason == "", "nothing of a TReX was stopped either"
+    assert window.motors.stop_reason == "", "no motor of a TReX was stopped"
 
     window.press_disconnect()
     before = robot.remaining()
-    window.wait(lambda: robot.remaining() < before - AGAIN)
+    window.wait(lambda: robot.remaining() < before - REPORT_INTERVAL)
     causes.raise_in_slot()
     window.wait(lambda: len(causes.reports) == 3)
     assert re.fullmatch(
-        rf"{re.escape(MISTAKE)}\. No robot is connected\. "
+        rf"{re.escape(ERROR)}\. No robot is connected\. "
         r"The motion ends by itself in about [\d.]+ s\.",
         causes.reports[2],
     )

@@ -53,7 +53,7 @@ def test_faults_and_missing_power_are_read_for_each_servo() -> None:
     harness.do("servo power off")
     snapshot = snapshot_of(harness)
     assert (snapshot.power, snapshot.servo_power) == (True, False)
-    assert [servo.dead for servo in snapshot.servos] == [False, True, *[False] * 6], "no power only"
+    assert [servo.dead for servo in snapshot.servos] == [False, True, *[False] * 6]
 
 
 def test_blocked_or_unpowered_servos_do_not_count_as_moving() -> None:
@@ -132,7 +132,7 @@ def test_servo_state_is_described_as_text(servo: DemoServo, powered: bool, words
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
-def test_each_loss_sends_its_line(qtbot: QtBot) -> None:
+def test_each_loss_sends_its_control_line(qtbot: QtBot) -> None:
     simulator = RecordingSimulator(ARACNA)
     with qtbot.waitSignal(simulator.ready, timeout=15_000):
         simulator.start()

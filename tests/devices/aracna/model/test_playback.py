@@ -23,40 +23,40 @@ from trex_gui.devices.aracna.session.messages import (
     Stuck,
 )
 
-LONG_TIMEOUT = 20_000
+TIMEOUT_MS = 20_000
 
 
-def loaded(path: Path, qtbot: QtBot, *what: Record) -> RobotPlayback:
-    write(path, list(what))
+def loaded(path: Path, qtbot: QtBot, *content: Record) -> RobotPlayback:
+    write(path, list(content))
     playback = loading(RobotPlayback(open_recording(path)))
     assert not playback.is_loaded
-    with qtbot.waitSignal(playback.loaded, timeout=LONG_TIMEOUT):
+    with qtbot.waitSignal(playback.loaded, timeout=TIMEOUT_MS):
         pass
     return playback
 
 
-def sequential(what: list[Record], time: float) -> RobotState:
-    """Return the state after all records until a time."""
-    moment = RobotState(MOTORS)
-    for record in what:
+def state_at(content: list[Record], time: float) -> RobotState:
+    """Return the state after all records up to a time."""
+    state = RobotState(MOTORS)
+    for record in content:
         if record.time <= time:
-            moment.update(record)
-    return moment
+            state.update(record)
+    return state
 
 
 def test_seek_gives_same_state_as_reading_from_start(tmp_path: Path, qtbot: QtBot) -> None:
-    what = list(session(110))
-    assert len(what) > CHUNK
-    long = loaded(tmp_path / "long.trexrec", qtbot, *what)
+    content = list(session(110))
+    assert len(content) > CHUNK
+    long = loaded(tmp_path / "long.trexrec", qtbot, *content)
     long.set_position(T0 + 10)
     before = long.state()
-    kept = list(before.present)
+    present = list(before.present)
     random = Random(3)
-    places = [random.uniform(0, long.end - T0) + 1e-4 for _ in range(40)]
-    for place in [*sorted(places, reverse=True), *places]:
-        long.set_position(T0 + place)
-        assert long.state() == sequential(what, long.position)
-    assert before.present == tuple(kept), "an earlier state stays as it was"
+    times = [random.uniform(0, long.end - T0) + 1e-4 for _ in range(40)]
+    for time in [*sorted(times, reverse=True), *times]:
+        long.set_position(T0 + time)
+        assert long.state() == state_at(content, long.position)
+    assert before.present == tuple(present), "an earlier state does not change"
     long.close()
 
 
@@ -72,8 +72,8 @@ def test_curve_is_flat_at_rest_and_linear_in_motion(tmp_path: Path, qtbot: QtBot
     )
     times, columns = playback.traces.samples(playback.start, playback.end)
     assert [round(time - T0, 3) for time in times] == [0, 10, 12]
-    places = [[round(float(value) / degrees(1)) for value in column] for column in columns]
-    assert places == [[100, 100, 200]] * 8
+    positions = [[round(float(value) / degrees(1)) for value in column] for column in columns]
+    assert positions == [[100, 100, 200]] * 8
     playback.close()
 
 
@@ -102,7 +102,7 @@ def test_curve_has_gap_while_position_is_unknown(
     playback.close()
 
 
-def test_stuck_motor_is_known_until_it_answers(tmp_path: Path, qtbot: QtBot) -> None:
+def test_stuck_motor_is_known_until_robot_replies(tmp_path: Path, qtbot: QtBot) -> None:
     playback = loaded(
         tmp_path / "a.trexrec",
         qtbot,
@@ -126,8 +126,8 @@ def test_long_recording_draws_limited_number_of_rows(tmp_path: Path, qtbot: QtBo
     path = tmp_path / "long.trexrec"
     write(path, list(session(40)))
     playback = RobotPlayback(open_recording(path), max_rows=100)
-    with qtbot.waitSignal(playback.loaded, timeout=LONG_TIMEOUT):
+    with qtbot.waitSignal(playback.loaded, timeout=TIMEOUT_MS):
         playback.start_loading()
-    drawn, there = playback.drawn
-    assert drawn == 100 < there
+    drawn, available = playback.drawn
+    assert drawn == 100 < available
     playback.close()

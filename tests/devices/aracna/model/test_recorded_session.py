@@ -31,7 +31,7 @@ from trex_gui.devices.aracna.session.messages import (
 )
 from trex_gui.ui.devices.connection import ConnectionState
 
-LONG_TIMEOUT = 15_000
+TIMEOUT_MS = 15_000
 RECORDED = (
     *(Moving, Progress, Moved, SpeedsHeld, StepStarted, PlayEnded, Stuck, Restarted),
     *(NotResponding, Marker),
@@ -59,7 +59,7 @@ class Session(RobotHarness):
         self.wait(lambda: self.robot.link is link)
 
     def stop(self) -> list[Record]:
-        with self.qtbot.waitSignal(self.recorder.ended, timeout=LONG_TIMEOUT):
+        with self.qtbot.waitSignal(self.recorder.ended, timeout=TIMEOUT_MS):
             self.recorder.stop()
         found, problems = read_all(self.path)
         assert problems == []
@@ -88,14 +88,13 @@ def test_every_report_is_read_back_equal(session: Session) -> None:
     steps = tuple(Step((goal,) * 8, 0.1) for goal in (300, 320, 340))
     with session.qtbot.waitSignal(
         session.robot.reported,
-        timeout=LONG_TIMEOUT,
+        timeout=TIMEOUT_MS,
         check_params_cb=lambda report: isinstance(report, PlayEnded),
     ):
         session.robot.play(Play(0, steps, rounds=2))
     found = session.stop()
-    assert {type(row) for row in session.reported} >= {
-        *(Moving, Progress, Moved, SpeedsHeld, StepStarted, PlayEnded)
-    }
+    types = {type(row) for row in session.reported}
+    assert types >= {Moving, Progress, Moved, SpeedsHeld, StepStarted, PlayEnded}
     assert without_markers(found) == session.reported
     texts = [row.text for row in found if isinstance(row, Marker)]
     assert f"Move to {', '.join(['500'] * 8)}." in texts
@@ -165,7 +164,7 @@ def test_state_at_end_of_recording_equals_robot_state(session: Session, qtbot: Q
     ending = session.stop()[-1]
     assert ending.time > session.reported[-1].time
     playback = loading(RobotPlayback(open_recording(session.path)))
-    with qtbot.waitSignal(playback.loaded, timeout=LONG_TIMEOUT):
+    with qtbot.waitSignal(playback.loaded, timeout=TIMEOUT_MS):
         pass
     last = playback.traces.samples(playback.start, playback.end)[0][-1]
     assert playback.end == last == ending.time
@@ -184,7 +183,7 @@ def test_state_at_end_of_recording_equals_robot_state(session: Session, qtbot: Q
 def test_disconnect_ends_recording(session: Session) -> None:
     session.recorder.start(session.path)
     ending = [session.recorder.ended_early, session.recorder.ended]
-    with session.qtbot.waitSignals(ending, timeout=LONG_TIMEOUT):
+    with session.qtbot.waitSignals(ending, timeout=TIMEOUT_MS):
         session.robot.close()
     assert not session.recorder.recording
     assert read_all(session.path)[1] == []

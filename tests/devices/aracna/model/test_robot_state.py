@@ -13,7 +13,7 @@ from trex_gui.devices.aracna.session.messages import (
 )
 
 GOALS = (300, 400)
-BEGUN = Moving(10.0, GOALS, (None, None), 4.0)
+STARTED = Moving(10.0, GOALS, (None, None), 4.0)
 THERE = Moved(13.0, GOALS, GOALS, 3.0)
 CONNECTED = Connected(1, 2)
 
@@ -32,10 +32,10 @@ def test_new_robot_may_be_moving_for_unknown_time() -> None:
     assert not found.uncertain, "nothing was sent"
 
 
-def test_watched_motion_has_end_time_until_it_is_answered() -> None:
-    assert not known(CONNECTED, BEGUN).may_be_moving
-    assert known(CONNECTED, BEGUN).moving_until == 14.0
-    found = known(CONNECTED, BEGUN, THERE)
+def test_observed_motion_has_end_time_until_reply() -> None:
+    assert not known(CONNECTED, STARTED).may_be_moving
+    assert known(CONNECTED, STARTED).moving_until == 14.0
+    found = known(CONNECTED, STARTED, THERE)
     assert not found.may_be_moving
     assert found.moving_until is None
 
@@ -50,10 +50,10 @@ def test_watched_motion_has_end_time_until_it_is_answered() -> None:
         (Moved(11.0, GOALS, (-1, -1), 1.0),),
         (Stuck(11.0, 1), Restarted(12.0, voided=True), NotResponding(13.0)),
     ],
-    ids=["restart", "answers again", "silence", "answers", "answer lost", "stuck"],
+    ids=["restart", "reconnection", "silence", "reply to query", "lost reply", "stuck"],
 )
 def test_interrupted_motion_keeps_its_expected_end(end: tuple[object, ...]) -> None:
-    found = known(CONNECTED, BEGUN, *end)
+    found = known(CONNECTED, STARTED, *end)
     assert found.moving is None
     assert found.stuck is None
     assert found.moving_until == 14.0
@@ -61,10 +61,10 @@ def test_interrupted_motion_keeps_its_expected_end(end: tuple[object, ...]) -> N
     assert found.uncertain
 
 
-def test_next_motion_replaces_interrupted_one() -> None:
-    left = (CONNECTED, BEGUN, Restarted(11.0, voided=True), CONNECTED)
+def test_next_motion_replaces_interrupted_motion() -> None:
+    interrupted = (CONNECTED, STARTED, Restarted(11.0, voided=True), CONNECTED)
     following = Moving(12.0, GOALS, (None, None), 7.0)
-    assert known(*left, following).moving_until == 19.0
-    found = known(*left, following, THERE)
+    assert known(*interrupted, following).moving_until == 19.0
+    found = known(*interrupted, following, THERE)
     assert found.moving_until is None
     assert not found.may_be_moving

@@ -19,7 +19,7 @@ def test_legs_with_equal_positions_are_mirrored_within_picture(pair: tuple[int, 
     assert max(map(abs, (*right_front, *left_back))) <= 1.05
 
 
-def test_motors_0_and_1_are_left_front_leg() -> None:
+def test_motors_0_and_1_are_front_left_leg() -> None:
     first = drawn_legs((512,) * 8)[0]
     assert first.foot[0] < 0
     assert first.foot[1] < 0

@@ -33,10 +33,10 @@ EIGHT = (100, 200, 101, 201, 102, 202, 103, 203)
 
 
 class ScriptedRobot(Robot):
-    """Robot whose state is set by a test and that records requests.
+    """Robot that records requests. Tests set its state.
 
     Attributes:
-        plays, goals, scales: the requests, in order.
+        plays, goals, scales: recorded requests, in order.
     """
 
     def __init__(self) -> None:
@@ -58,10 +58,10 @@ class ScriptedRobot(Robot):
 
 
 class PosesPageDriver(WidgetDriver):
-    """Page with a library and a staged robot.
+    """Driver of the page, with a library and a scripted robot.
 
     Attributes:
-        messages: its messages and rejections, in order.
+        messages: information and errors for the user, in order.
     """
 
     def __init__(self, qtbot: QtBot) -> None:
@@ -92,7 +92,7 @@ class PosesPageDriver(WidgetDriver):
 
     @property
     def file(self) -> str:
-        """Text of the page head."""
+        """File name in the heading of the page."""
         return self.find_all(ElidedLabel)[-1].text()
 
     @property
@@ -108,7 +108,7 @@ class PosesPageDriver(WidgetDriver):
         assert view.currentIndex() == index
 
     def index_of(self, view: QAbstractItemView, text: str) -> QModelIndex:
-        """Return the row with a text."""
+        """Return the index of the row with a text."""
         model = view.model()
         for row in range(model.rowCount()):
             if model.index(row, 0).data() == text:
@@ -121,7 +121,7 @@ class PosesPageDriver(WidgetDriver):
         editor = row.find_only(QLineEdit)
         editor.setText(name)
         QTest.keyClick(editor, Qt.Key.Key_Return)
-        self.wait(lambda: not row.find_all(QLineEdit))  # Qt handles it later
+        self.wait(lambda: not row.find_all(QLineEdit))  # Qt closes the editor later
 
     def open_file(self, path: Path) -> None:
         self.page.files.open_file(path)
@@ -219,7 +219,7 @@ def test_go_to_requests_positions_when_robot_is_connected(driver: PosesPageDrive
     assert driver.robot.goals == [(512, 550) * 4]
 
 
-def test_position_field_edits_pose_and_shows_clamped_value(driver: PosesPageDriver) -> None:
+def test_position_field_edits_pose_and_shows_cropped_value(driver: PosesPageDriver) -> None:
     driver.library.set_positions("stand", (512, 680) * 4)
     driver.select_row("aracnaPoses", "stand")
     field = driver.spin("aracnaPosition3")
@@ -271,7 +271,7 @@ def test_step_pose_and_time_are_edited_in_table(driver: PosesPageDriver, qtbot: 
     qtbot.waitUntil(lambda: driver.library.project.sequences[0].steps == changed)
 
 
-def test_play_requests_clamped_steps_with_chosen_options(driver: PosesPageDriver) -> None:
+def test_play_requests_cropped_steps_with_selected_options(driver: PosesPageDriver) -> None:
     driver.library.set_positions("flat", (770, 40) * 4)
     driver.library.add_sequence("up", [SequenceStep("flat", 3000), SequenceStep("stand", 2000)])
     driver.connect()
@@ -281,14 +281,14 @@ def test_play_requests_clamped_steps_with_chosen_options(driver: PosesPageDriver
     driver.spin("aracnaSpeedScale").setValue(50)
     driver.check("aracnaBlendOut", True)
     driver.click("aracnaPlay")
-    flat, harness = (600, 40) * 4, (512, 550) * 4
+    flat, stand = (600, 40) * 4, (512, 550) * 4
     assert driver.robot.plays == [
         Play(
             0,
-            (Step(flat, 3.0, "flat"), Step(harness, 2.0, "stand")),
+            (Step(flat, 3.0, "flat"), Step(stand, 2.0, "stand")),
             rounds=3,
             blend_in=(Step(flat, 3.0, "flat"),),
-            blend_out=(Step(harness, 3.0, "stand"),),
+            blend_out=(Step(stand, 3.0, "stand"),),
             time_scale=2.0,
         )
     ]
@@ -314,7 +314,7 @@ def test_late_motors_are_named_at_their_step(driver: PosesPageDriver) -> None:
     remark = driver.steps.model().index(1, 3).data()
     assert remark.startswith("needs 0.26 s: motor 1, 3, 5, 7")
     driver.spin("aracnaSpeedScale").setValue(30)
-    assert "cannot make it" not in driver.summary
+    assert "too slow" not in driver.summary
 
 
 def test_sequence_is_playable_only_with_all_poses_defined(driver: PosesPageDriver) -> None:
@@ -331,7 +331,7 @@ def test_sequence_is_playable_only_with_all_poses_defined(driver: PosesPageDrive
 def test_during_playback_step_is_marked_and_only_speed_can_change(driver: PosesPageDriver) -> None:
     driver.select_row("aracnaMotions", "push-ups (built in)")
     driver.page.play()
-    assert driver.robot.plays == [], "there is no robot"
+    assert driver.robot.plays == [], "no robot is connected"
     driver.connect()
     driver.page.play()
     driver.show_playing(driver.robot.plays[0], StepStarted(0.0, "steps", 1, 0, 0.0))
@@ -369,7 +369,7 @@ def test_duplicated_gait_becomes_editable_sequence(driver: PosesPageDriver) -> N
     assert not driver.library.modified
 
 
-def test_panel_survives_deletion_of_library(driver: PosesPageDriver, qtbot: QtBot) -> None:
+def test_page_survives_deletion_of_library(driver: PosesPageDriver, qtbot: QtBot) -> None:
     driver.library.add_pose(EIGHT)
     with qtbot.waitSignal(driver.library.destroyed):
         driver.library.deleteLater()
@@ -405,8 +405,8 @@ def test_play_uses_typed_values_before_enter(driver: PosesPageDriver, qtbot: QtB
 # --- Files ----------------------------------------------------------------------------------
 
 
-def answering(monkeypatch: pytest.MonkeyPatch, answer: file_questions.SaveAnswer) -> list[str]:
-    """Answer the prompt about unsaved edits. Return the file names."""
+def answer_prompt(monkeypatch: pytest.MonkeyPatch, answer: file_questions.SaveAnswer) -> list[str]:
+    """Answer each prompt about unsaved edits. Return the list of file names in the prompts."""
     names: list[str] = []
 
     def before_closing(_window: QWidget, name: str) -> file_questions.SaveAnswer:
@@ -439,11 +439,11 @@ def test_open_asks_about_unsaved_edits(
     path = tmp_path / "other.ppr"
     path.write_text("Aracna:8\nPose=only:1\n", encoding="utf-8")
     driver.library.add_pose(EIGHT, "mine")
-    names = answering(monkeypatch, file_questions.SaveAnswer.CANCEL)
+    names = answer_prompt(monkeypatch, file_questions.SaveAnswer.CANCEL)
     driver.open_file(path)
     assert names == ["poses.ppr"]
     assert "mine" in driver.pose_names()
-    answering(monkeypatch, file_questions.SaveAnswer.DISCARD)
+    answer_prompt(monkeypatch, file_questions.SaveAnswer.DISCARD)
     driver.open_file(path)
     assert driver.pose_names() == ["only"]
 
@@ -479,7 +479,7 @@ def test_slow_disk_loses_no_edits(
     driver.library.add_pose(EIGHT, "later")
     driver.wait_for_files()
     assert driver.file == f"{path}, changed"
-    answering(monkeypatch, file_questions.SaveAnswer.SAVE)
+    answer_prompt(monkeypatch, file_questions.SaveAnswer.SAVE)
     driver.page.files.open_file(other)
     assert "mine" in driver.pose_names()
     driver.wait_for_files()
@@ -557,7 +557,7 @@ def test_new_step_uses_a_valid_pose_name(
         view = driver.steps
         view.edit(view.model().index(0, 1))
         combo = driver.combo("aracnaStepPose")
-        assert [combo.itemText(place) for place in range(combo.count())] == ["c"]
+        assert [combo.itemText(index) for index in range(combo.count())] == ["c"]
         driver.library.rename(ItemKind.POSE, name, renamed)
         driver.select_row("aracnaPoses", renamed)
     driver.click("aracnaAddStep")

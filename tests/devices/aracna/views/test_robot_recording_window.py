@@ -1,4 +1,4 @@
-"""Window of a robot's recording, also of a damaged file."""
+"""Window of a robot's recording, which may be damaged."""
 
 import contextlib
 import sqlite3
@@ -37,7 +37,7 @@ SAMPLE_SESSION: list[Record] = [
 
 
 class RecordingWindow(WidgetDriver):
-    """Window that shows a recording, which may still be loading."""
+    """Driver of a window with a recording, which may still be loading."""
 
     def __init__(self, path: Path, qtbot: QtBot) -> None:
         self.window = RobotPlaybackWindow(loading(RobotPlayback(open_recording(path))), Robot())
@@ -51,7 +51,7 @@ class RecordingWindow(WidgetDriver):
         return self.find(JointValues, "aracnaRecordedJoints")
 
     def value(self, motor: int, column: str) -> str:
-        """Return the table's text about a motor."""
+        """Return the text in a motor's row of the table."""
         return str(self.joints.model().index(motor, COLUMNS.index(column)).data())
 
     def curve_box(self, motor: int) -> QPoint:
@@ -80,12 +80,12 @@ def window(tmp_path: Path, qtbot: QtBot) -> RecordingWindow:
     return show_recording(tmp_path / "walk.trexrec", qtbot, SAMPLE_SESSION)
 
 
-def test_window_shows_recording_and_state_at_chosen_time(window: RecordingWindow) -> None:
+def test_window_shows_recording_and_state_at_selected_time(window: RecordingWindow) -> None:
     heading = window.text("recordingHeading")
     assert heading.startswith("Aracna, firmware 1, 8 motors, recorded ")
     assert heading.endswith("0:01:00 long")
     assert window.window.windowTitle().startswith("walk.trexrec")
-    assert not window.is_enabled("aracnaPlaybackStopButton"), "there is no robot"
+    assert not window.is_enabled("aracnaPlaybackStopButton"), "no robot is connected"
     assert window.text("aracnaRecordedDoing").startswith("Nothing is sent.")
     assert window.value(0, "Present") == "–"
     window.playback.set_position(T0 + 11.5)
@@ -117,8 +117,8 @@ def test_plot_boxes_and_drawing_follow_mouse_and_keys(window: RecordingWindow) -
     canvas = plot._canvas
     window.wait(lambda: canvas.frame.width() > 100)
     frame = canvas.frame
-    place = QPointF(canvas.x_of(T0 + 30 - plot.span.end), frame.center().y()).toPoint()
-    QTest.mouseClick(canvas.viewport, Qt.MouseButton.LeftButton, pos=place)
+    point = QPointF(canvas.x_of(T0 + 30 - plot.span.end), frame.center().y()).toPoint()
+    QTest.mouseClick(canvas.viewport, Qt.MouseButton.LeftButton, pos=point)
     assert window.playback.position == pytest.approx(T0 + 30, abs=0.5)
     assert len(plot.shown) == MOTORS
     QTest.mouseClick(window.joints.viewport(), LEFT, pos=window.curve_box(3))
