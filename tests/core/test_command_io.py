@@ -82,15 +82,15 @@ def test_full_message_stream_does_not_end_the_command(replace: Replace) -> None:
 def test_closed_streams_fail_when_used(replace: Replace, monkeypatch: pytest.MonkeyPatch) -> None:
     opened: list[str] = []
 
-    def opens(path: str, _flags: int) -> int:
+    def record_open(path: str, _flags: int) -> int:
         opened.append(path)
         return -1
 
-    monkeypatch.setattr(os, "open", opens)
+    monkeypatch.setattr(os, "open", record_open)
     for name in ("stdin", "stdout", "stderr"):
         replace(name, None)
     with standard_streams():
-        assert opened == [os.devnull] * 3, "no port gets the number of a stream"
+        assert opened == [os.devnull] * 3, "no port may get the descriptor of a stream"
         click.echo("message", err=True)
         assert sys.stdin.read() == ""
         with pytest.raises(click.ClickException, match="it is closed"):

@@ -1,4 +1,4 @@
-"""Crash detection."""
+"""Detection of a crash of the previous run."""
 
 import os
 import signal
@@ -23,15 +23,15 @@ def crash_here():
 """
 
 
-def run(what: str) -> "subprocess.Popen[str]":
+def run(action: str) -> "subprocess.Popen[str]":
     return subprocess.Popen(
-        [sys.executable, "-c", _SCRIPT, what], stdout=subprocess.PIPE, text=True
+        [sys.executable, "-c", _SCRIPT, action], stdout=subprocess.PIPE, text=True
     )
 
 
-def found_crash(what: str = "close") -> bool:
-    """Run a process to its end. Return whether it found a crash."""
-    with run(what) as process:
+def found_crash(action: str = "close") -> bool:
+    """Run a process to its end. Return True if it found a crash."""
+    with run(action) as process:
         return process.communicate(timeout=60)[0] == "True\n"
 
 
@@ -46,7 +46,7 @@ def test_crash_is_found_once_with_its_traceback() -> None:
     assert "in crash_here" in text
 
 
-def test_running_program_is_no_crash_until_killed() -> None:
+def test_running_program_counts_as_crashed_only_after_kill() -> None:
     with run("wait") as process:
         assert process.stdout is not None
         assert process.stdout.readline() == "False\n"
@@ -55,7 +55,7 @@ def test_running_program_is_no_crash_until_killed() -> None:
     assert found_crash()
 
 
-def test_unwritable_folder_is_no_crash() -> None:
+def test_unwritable_folder_does_not_count_as_crash() -> None:
     log_folder().write_text("mine", encoding="utf-8")
     run_file = RunFile()
     run_file.close()

@@ -61,7 +61,7 @@ def test_quantity_accepts_any_prefix_of_its_unit(
     assert quantity(text, unit) == number
 
 
-def test_thousands_of_the_unit_itself_may_be_excluded() -> None:
+def test_thousands_are_excluded_only_for_unit_without_prefix() -> None:
     assert quantity("2.498 V", "V", thousands=False) == 2.498
     with pytest.raises(AmbiguousNumber):
         quantity("2,498 mV", "V", thousands=False)

@@ -17,7 +17,7 @@ log = logging.getLogger("trex_gui.tests")
 
 
 def written(*, is_verbose: bool = False, say: Callable[[], object]) -> str:
-    """Return the log of a program that runs these statements."""
+    """Return the log of a program that calls `say`."""
     program_log = ProgramLog(log_file(), is_verbose=is_verbose)
     say()
     assert program_log.close()
@@ -43,7 +43,7 @@ def test_log_has_levels_and_terminal_has_problems(
     assert [line.split()[2] for line in lines] == levels
     assert lines[-1].endswith("ERROR trex_gui.tests: of level 40")
     assert capsys.readouterr().err.splitlines() == (lines if printed is None else printed)
-    log.error("after its end")
+    log.error("after the end")
     assert log_file().read_text(encoding="utf-8").splitlines() == lines
 
 
@@ -143,17 +143,17 @@ def test_log_continues_once_the_folder_is_writable() -> None:
 def test_hanging_disk_delays_neither_the_program_nor_its_end(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    answers = threading.Event()
-    monkeypatch.setattr(module, "check_ordinary", lambda _: answers.wait())
+    disk_responds = threading.Event()
+    monkeypatch.setattr(module, "check_ordinary", lambda _: disk_responds.wait())
     monkeypatch.setattr(module, "_MAX_QUEUED", 50)
     program_log = ProgramLog(tmp_path / "log.txt")
     for number in range(1000):
         log.info("entry %d", number)
-    assert not program_log.close(0.05), "only os._exit ends the process"
-    answers.set()
+    assert not program_log.close(0.05), "the process can end only with os._exit"
+    disk_responds.set()
     for thread in threading.enumerate():
         if thread is not threading.current_thread() and thread.daemon:
             thread.join(20)
     lines = (tmp_path / "log.txt").read_text(encoding="utf-8").splitlines()
     assert lines[0].endswith("entry 0")
-    assert len(lines) <= 52, "a disk that hangs does not fill the memory"
+    assert len(lines) <= 52, "the queue is bounded while the disk hangs"

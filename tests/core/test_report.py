@@ -54,12 +54,12 @@ def test_personal_names_are_masked(text: str, masked: str | None) -> None:
     assert MASK.clean(text) == (text if masked is None else masked)
 
 
-def test_common_and_short_names_are_words() -> None:
+def test_common_and_short_names_are_not_masked() -> None:
     assert Mask("/root", "root", "pi").clean("root of /root/x, pi") == "root of ~/x, pi"
     assert Mask("/", "me", "").clean("some /me") == "some /me"
 
 
-def test_report_has_parts_and_names_failures(tmp_path: Path) -> None:
+def test_report_contains_parts_and_reasons_for_missing_parts(tmp_path: Path) -> None:
     def fail() -> str:
         raise StudioError("No TReX responds on /home/mary/port.")
 
@@ -79,7 +79,7 @@ def test_report_has_parts_and_names_failures(tmp_path: Path) -> None:
         assert archive.read("log.txt") == b"by <user>\n"
 
 
-def test_report_has_the_newest_entries_of_all_log_files(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_report_contains_newest_entries_of_all_log_files(monkeypatch: pytest.MonkeyPatch) -> None:
     def program_log() -> str:
         files = create_report({}, MASK)
         return next((file.text for file in files if file.name == "program.txt"), "")
@@ -94,7 +94,7 @@ def test_report_has_the_newest_entries_of_all_log_files(monkeypatch: pytest.Monk
     assert program_log() == ": 2\nby <user>: 3\n"
 
 
-def test_report_is_written_completely_or_not_at_all(tmp_path: Path) -> None:
+def test_failed_save_of_report_leaves_no_file(tmp_path: Path) -> None:
     path = tmp_path / "report.zip"
     path.mkdir()
     with pytest.raises(SettingsError):

@@ -23,7 +23,7 @@ class WatchedCondition(threading.Condition):
 
 def test_empty_inbox_waits_for_its_timeout(virtual_time: VirtualRuntime) -> None:
     inbox = RequestQueue(virtual_time.condition())
-    begun = virtual_time.now()
+    start = virtual_time.now()
     ended: list[float] = []
 
     def read() -> None:
@@ -33,20 +33,20 @@ def test_empty_inbox_waits_for_its_timeout(virtual_time: VirtualRuntime) -> None
 
     virtual_time.start_thread(read)
     virtual_time.advance(1.0)
-    assert ended == [begun, begun + 0.05]
+    assert ended == [start, start + 0.05]
 
 
 @pytest.mark.realtime
 def test_request_wakes_waiting_reader() -> None:
     condition = WatchedCondition()
     inbox = RequestQueue(condition)
-    taken: list[object] = []
-    reader = threading.Thread(target=lambda: taken.append(inbox.get(600.0)), daemon=True)
+    received: list[object] = []
+    reader = threading.Thread(target=lambda: received.append(inbox.get(600.0)), daemon=True)
     reader.start()
     assert condition.has_waiter.wait(30.0)
     inbox.put(Stop(1))
     reader.join(30.0)
-    assert taken == [Stop(1)]
+    assert received == [Stop(1)]
 
 
 def test_requests_are_returned_in_order() -> None:
@@ -59,7 +59,7 @@ def test_requests_are_returned_in_order() -> None:
 @pytest.mark.realtime
 @pytest.mark.parametrize("seconds", [1e-9, 1e-5])
 def test_very_short_wait_ends(seconds: float) -> None:
-    """The queue is new, or has passed a request."""
+    """The queue is new, or a request has passed through it."""
     rounds = 4000
     ended: list[int] = []
 

@@ -54,7 +54,7 @@ def test_invalid_unicode_is_rejected_and_keeps_old_file(tmp_path: Path) -> None:
 
 
 @posix
-def test_save_keeps_permissions_of_a_file_and_gives_a_new_one_the_default(tmp_path: Path) -> None:
+def test_saved_file_keeps_permissions_and_new_file_gets_default(tmp_path: Path) -> None:
     path, other = tmp_path / "bench.txt", tmp_path / "other"
     save(path, "new\n")
     other.write_text("")

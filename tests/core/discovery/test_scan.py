@@ -34,13 +34,13 @@ class RecordingProber:
     found = ()
     is_over = False
 
-    def __init__(self, noted: list[str], name: str, diagnosis: Diagnosis) -> None:
-        self._noted = noted
+    def __init__(self, calls: list[str], name: str, diagnosis: Diagnosis) -> None:
+        self._calls = calls
         self._name = name
         self._diagnosis = diagnosis
 
     def record_unsolicited(self, line: SerialFormat, data: bytes) -> None:
-        self._noted.append(f"{self._name} hears {data!r} at {line.baud}")
+        self._calls.append(f"{self._name} received {data!r} at {line.baud}")
 
     def probe(
         self,
@@ -53,18 +53,18 @@ class RecordingProber:
             if cancelled():
                 return
             progress(ScanProgress(done, self.parts[part], SerialFormat()))
-        self._noted.append(f"{self._name} {part}")
+        self._calls.append(f"{self._name} {part}")
 
     def diagnosis(self) -> Diagnosis:
         return self._diagnosis
 
 
-def nobody(noted: list[str], name: str, evidence: Evidence = Evidence.SILENCE) -> ProberInfo:
+def silent_prober(calls: list[str], name: str, evidence: Evidence = Evidence.SILENCE) -> ProberInfo:
     diagnosis = Diagnosis(evidence, f"No {name}.")
     announces_at = SerialFormat(38400) if name == "Talker" else None
     return ProberInfo(
         name,
-        lambda _settings, *, full, known: RecordingProber(noted, name, diagnosis),
+        lambda _settings, *, full, known: RecordingProber(calls, name, diagnosis),
         announces_at,
     )
 
@@ -76,13 +76,13 @@ def search(wire: Wire, probers: dict[str, ProberInfo], first: str | None = None)
 def test_likely_settings_of_the_expected_kind_come_first() -> None:
     parts = {"common": (5, 83), "rare": (5, 9)}
     as_listed = [("common", 0), ("rare", 0), ("common", 1), ("rare", 1)]
-    assert order(parts, None) == order(parts, "common") == order(parts, "forgotten") == as_listed
+    assert order(parts, None) == order(parts, "common") == order(parts, "unknown") == as_listed
     assert order(parts, "rare") == [("rare", 0), ("common", 0), ("rare", 1), ("common", 1)]
     assert order({"common": (5, 83), "rare": (5,)}, None) == as_listed[:3]
 
 
 def test_search_follows_order_and_opens_port_once() -> None:
-    noted: list[str] = []
+    calls: list[str] = []
     opened: list[PortSettings] = []
     wire = wire_of(a_board())
     wire.line.faults.mute = True
@@ -91,9 +91,9 @@ def test_search_follows_order_and_opens_port_once() -> None:
         opened.append(settings)
         return wire
 
-    probers = {"one": nobody(noted, "One"), "two": nobody(noted, "Two")}
+    probers = {"one": silent_prober(calls, "One"), "two": silent_prober(calls, "Two")}
     scan_port(VIRTUAL, probers, first="two", open_wire=open_wire)
-    assert noted == ["Two 0", "One 0", "Two 1", "One 1"]
+    assert calls == ["Two 0", "One 0", "Two 1", "One 1"]
     assert [settings.line for settings in opened] == [FLUSH_LINE]
     assert wire.closed
 
@@ -101,7 +101,7 @@ def test_search_follows_order_and_opens_port_once() -> None:
 def test_progress_counts_probes_and_names_device_kind() -> None:
     steps: list[ScanProgress] = []
     wire = wire_of(a_board())
-    probers = {"one": nobody([], "One"), "two": nobody([], "Two")}
+    probers = {"one": silent_prober([], "One"), "two": silent_prober([], "Two")}
     scan_port(VIRTUAL, probers, progress=steps.append, open_wire=lambda _settings: wire)
     assert [step.done for step in steps] == list(range(10))
     assert {step.total for step in steps} == {10}
@@ -109,44 +109,44 @@ def test_progress_counts_probes_and_names_device_kind() -> None:
 
 
 def test_trex_at_likely_rate_is_found_before_other_probes() -> None:
-    noted: list[str] = []
-    probers = {"trex": TREX_PROBER, "other": nobody(noted, "Other")}
+    calls: list[str] = []
+    probers = {"trex": TREX_PROBER, "other": silent_prober(calls, "Other")}
     wire = wire_of(a_board(settings=LineSettings(57600).to_wire()))
     result = search(wire, probers)
     assert (result.device, [found.name for found in result.found]) == ("trex", ["TReX 1.2"])
     assert result.found[0].settings == ConnectionSettings("virtual", LineSettings(57600))
-    assert noted == []
+    assert calls == []
     assert wire.line.now < 2.5
 
 
 def test_trex_at_unlikely_rate_is_found_after_other_probes() -> None:
-    noted: list[str] = []
-    probers = {"trex": TREX_PROBER, "other": nobody(noted, "Other")}
+    calls: list[str] = []
+    probers = {"trex": TREX_PROBER, "other": silent_prober(calls, "Other")}
     result = search(wire_of(a_board(settings=LineSettings(4800).to_wire())), probers)
     assert result.found[0].settings.line == LineSettings(4800)
-    assert noted == ["Other 0"]
+    assert calls == ["Other 0"]
 
 
-def test_unsolicited_data_is_received_at_rate_of_kind() -> None:
-    noted: list[str] = []
-    probers = {"trex": TREX_PROBER, "talker": nobody(noted, "Talker")}
+def test_unsolicited_data_is_received_at_rate_of_device_kind() -> None:
+    calls: list[str] = []
+    probers = {"trex": TREX_PROBER, "talker": silent_prober(calls, "Talker")}
     board = a_board()
     board.power_off()
     wire = wire_of(board)
     read = wire.read
     wire.read = lambda size, seconds: b"$GPGGA" if seconds == 0.3 else read(size, seconds)  # type: ignore[method-assign]
     result = search(wire, probers)
-    assert noted[0] == "Talker hears b'$GPGGA' at 38400"
+    assert calls[0] == "Talker received b'$GPGGA' at 38400"
     assert "it sent 24 47 50 47 47 41 at 38400 baud" in result.lines[0]
 
 
 def test_diagnoses_of_all_kinds_are_sorted_by_evidence() -> None:
     probers = {
-        "silent": nobody([], "Silent"),
-        "known": nobody([], "Known", Evidence.KNOWN),
-        "echo": nobody([], "Echo", Evidence.ECHO),
-        "mute": nobody([], "Mute"),
-        "strange": nobody([], "Strange", Evidence.STRANGE),
+        "silent": silent_prober([], "Silent"),
+        "known": silent_prober([], "Known", Evidence.KNOWN),
+        "echo": silent_prober([], "Echo", Evidence.ECHO),
+        "mute": silent_prober([], "Mute"),
+        "strange": silent_prober([], "Strange", Evidence.STRANGE),
     }
     assert search(wire_of(a_board()), probers).lines == [
         "No Known.",
@@ -159,17 +159,17 @@ def test_diagnoses_of_all_kinds_are_sorted_by_evidence() -> None:
 
 def test_cancelled_search_is_reported_as_cancelled() -> None:
     steps: list[ScanProgress] = []
-    noted: list[str] = []
+    calls: list[str] = []
     wire = wire_of(a_board())
     result = scan_port(
         VIRTUAL,
-        {"one": nobody(noted, "One"), "two": nobody(noted, "Two")},
+        {"one": silent_prober(calls, "One"), "two": silent_prober(calls, "Two")},
         progress=steps.append,
         cancelled=lambda: len(steps) == 3,
         open_wire=lambda _settings: wire,
     )
     assert result.cancelled
-    assert noted == ["One 0"]
+    assert calls == ["One 0"]
     assert wire.closed
 
 
@@ -177,7 +177,7 @@ def test_unopened_port_reports_only_its_error() -> None:
     def refuse(settings: PortSettings) -> Wire:
         raise PortUnavailable("It is in use by a terminal.")
 
-    result = scan_port(VIRTUAL, {"one": nobody([], "One")}, open_wire=refuse)
+    result = scan_port(VIRTUAL, {"one": silent_prober([], "One")}, open_wire=refuse)
     assert result.lines == ["It is in use by a terminal."]
     assert not result.cancelled
 
@@ -186,7 +186,7 @@ def test_unopened_port_reports_only_its_error() -> None:
 def test_port_loss_is_reported_before_evidence(evidence: Evidence) -> None:
     wire = wire_of(a_board())
 
-    class Puller(RecordingProber):
+    class LostPort(RecordingProber):
         def probe(
             self,
             wire: Transport,
@@ -197,19 +197,19 @@ def test_port_loss_is_reported_before_evidence(evidence: Evidence) -> None:
             raise PortUnavailable("It is gone.")
 
     diagnosis = Diagnosis(evidence, "No Two.")
-    pulled = ProberInfo("Two", lambda _settings, *, full, known: Puller([], "Two", diagnosis))
-    result = search(wire, {"one": nobody([], "One", evidence), "two": pulled})
-    heard = ["No One.", "No Two."] if evidence else []
-    assert result.lines == ["It is gone.", *heard]
+    lost = ProberInfo("Two", lambda _settings, *, full, known: LostPort([], "Two", diagnosis))
+    result = search(wire, {"one": silent_prober([], "One", evidence), "two": lost})
+    diagnoses = ["No One.", "No Two."] if evidence else []
+    assert result.lines == ["It is gone.", *diagnoses]
     assert wire.closed
 
 
 def test_search_ends_with_flush_byte_and_default_settings() -> None:
     wire = wire_of(a_board())
-    search(wire, {"one": nobody([], "One")})
+    search(wire, {"one": silent_prober([], "One")})
     assert bytes(wire.sent) == FLUSH_BYTE
     assert wire.tuned[-1] == SerialFormat()
-    # At another rate the found board would have an error.
+    # After a flush byte at another rate, the found board would report an error.
     wire = wire_of(a_board())
     search(wire, {"trex": TREX_PROBER})
     assert not bytes(wire.sent).endswith(FLUSH_BYTE)
@@ -239,12 +239,12 @@ def test_port_without_flush_rate_is_reported_and_closed() -> None:
     wire = wire_of(a_board())
     reconfigure = wire.reconfigure
 
-    def tune_fast(line: SerialFormat) -> None:
+    def reject_flush_rate(line: SerialFormat) -> None:
         if line == FLUSH_LINE:
             raise BadRequest("the port cannot be set to 1200 baud")
         reconfigure(line)
 
-    wire.reconfigure = tune_fast  # type: ignore[method-assign]
+    wire.reconfigure = reject_flush_rate  # type: ignore[method-assign]
     result = search(wire, {"trex": TREX_PROBER})
     assert not result.device
     assert result.lines
@@ -254,12 +254,12 @@ def test_port_without_flush_rate_is_reported_and_closed() -> None:
 def test_internal_error_in_search_is_reported_and_closes_port(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
-    def unexpected(settings: PortSettings, *, full: bool, known: bool) -> Prober:
+    def fail(settings: PortSettings, *, full: bool, known: bool) -> Prober:
         raise ZeroDivisionError("on purpose")
 
     wire = wire_of(a_board())
     with caplog.at_level(logging.ERROR):
-        found = search(wire, {"one": nobody([], "One"), "odd": ProberInfo("Odd", unexpected)})
+        found = search(wire, {"one": silent_prober([], "One"), "odd": ProberInfo("Odd", fail)})
     assert not found.found
     assert found.lines == [
         "Internal error while searching virtual (ZeroDivisionError: on purpose)."
@@ -272,5 +272,5 @@ def test_internal_error_in_opening_port_is_reported() -> None:
     def open_wire(_settings: PortSettings) -> Transport:
         raise LookupError("on purpose")
 
-    found = scan_port(VIRTUAL, {"one": nobody([], "One")}, open_wire=open_wire)
+    found = scan_port(VIRTUAL, {"one": silent_prober([], "One")}, open_wire=open_wire)
     assert "LookupError: on purpose" in str(found.error)

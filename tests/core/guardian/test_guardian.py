@@ -30,20 +30,20 @@ pytestmark = [
 ]
 
 STOP = StopSequence(b"\xc1\x00\xf0\x00", (b"\x84",), 1, 0x01, has_echo=False, seconds=0.05)
-OFTEN = 3600.0
-"""Seconds of silence that no test reaches."""
-
+LONG_SILENCE = 3600.0  # seconds; longer than any test
 LONG_TIMEOUT = 25.0
 
 
 class Board:
-    """Far end of a line that replies to status queries from a list."""
+    """Board at the far end of a line. It replies to status queries with `statuses`, in order.
 
-    def __init__(self, line: socket.socket, *, telnet: bool = False) -> None:
+    The last status is repeated.
+    """
+
+    def __init__(self, line: socket.socket) -> None:
         self.line = line
         self.statuses = [b"\x00"]
         self.received = b""
-        self._is_telnet = telnet
         Thread(target=self._serve, daemon=True).start()
 
     def _serve(self) -> None:
@@ -72,7 +72,9 @@ def ends() -> Iterator[Ends]:
     theirs.close()
 
 
-def started(line: socket.socket, silence: float = OFTEN, kind: str = "serial") -> GuardianProcess:
+def started(
+    line: socket.socket, silence: float = LONG_SILENCE, kind: str = "serial"
+) -> GuardianProcess:
     guardian = GuardianProcess(SharedPort(kind, line.fileno()), silence)
     guardian.wait_until_ready(LONG_TIMEOUT)
     assert guardian.is_ready
@@ -99,7 +101,7 @@ def wait_until(happened: Callable[[], bool]) -> None:
         time.sleep(0.01)
 
 
-def die(guardian: GuardianProcess) -> None:
+def close_input(guardian: GuardianProcess) -> None:
     """Close the input, as at the end of the program."""
     assert guardian._process is not None
     assert guardian._process.stdin is not None
@@ -114,18 +116,18 @@ def has_ended(guardian: GuardianProcess) -> bool:
 def test_motors_are_stopped_when_the_program_ends_while_they_may_move(
     guardian: GuardianProcess, board: Board
 ) -> None:
-    die(guardian)
+    close_input(guardian)
     wait_until(lambda: has_ended(guardian))
     assert board.received == STOP.packets + 2 * (STOP.packets + STOP.queries[0])
-    assert guardian.end(), "confirmed"
+    assert guardian.end(), "the stop is confirmed"
     assert logged(guardian) is StopResult.CONFIRMED
 
 
 def test_every_board_must_confirm_the_stop(guardian: GuardianProcess, board: Board) -> None:
-    board.statuses = [b"\x00", b"\x01", b"\x00"]  # the second board misses round 1
+    board.statuses = [b"\x00", b"\x01", b"\x00"]  # the second board does not confirm in round 1
     both = replace(STOP, packets=STOP.packets * 2, queries=(b"\x84", b"\x84"))
     guardian.watch(both)
-    die(guardian)
+    close_input(guardian)
     wait_until(lambda: has_ended(guardian))
     round_ = both.packets + both.queries[0] + both.queries[1]
     assert board.received == both.packets + 3 * round_
@@ -140,11 +142,11 @@ def logged(guardian: GuardianProcess) -> StopResult:
 
 
 @pytest.mark.parametrize("confirms", [True, False])
-def test_file_exists_until_a_stop_is_confirmed(
+def test_file_exists_until_stop_is_confirmed(
     board: Board, confirms: bool, ends: Ends, tmp_path: Path
 ) -> None:
     file = tmp_path / "driven" / "port.txt"
-    guardian = GuardianProcess(SharedPort("serial", ends[0].fileno()), OFTEN, file)
+    guardian = GuardianProcess(SharedPort("serial", ends[0].fileno()), LONG_SILENCE, file)
     guardian.wait_until_ready(LONG_TIMEOUT)
     guardian.watch(STOP)
     wait_until(file.exists)
@@ -155,7 +157,7 @@ def test_file_exists_until_a_stop_is_confirmed(
     assert is_locked(file)
     if not confirms:
         board.line.shutdown(socket.SHUT_RDWR)
-    die(guardian)
+    close_input(guardian)
     wait_until(lambda: has_ended(guardian))
     assert file.exists() != confirms
     assert confirms or not is_locked(file)
@@ -167,9 +169,9 @@ def test_guardian_with_closed_pipe_continues_to_stop(
     board.statuses = [b""]
     assert guardian._process is not None
     assert guardian._process.stdin is not None
-    nothing = os.open(os.devnull, os.O_RDONLY)
-    os.dup2(nothing, guardian._process.stdin.fileno())  # an unused descriptor
-    os.close(nothing)
+    null = os.open(os.devnull, os.O_RDONLY)
+    os.dup2(null, guardian._process.stdin.fileno())  # closes the pipe
+    os.close(null)
     guardian.watch(STOP)
     assert guardian.has_acted
     assert not guardian.stop(0)
@@ -194,7 +196,7 @@ def test_session_replaces_a_suspended_guardian(start_simulator: StartSimulator) 
     simulator = start_simulator()
     line = SerialTransport(PortSettings(simulator.url, SerialFormat(19200)))
     transport = GuardedTransport(
-        line, OFTEN, lambda: STOP, taken_over=lambda _: None, stop_is_due=lambda: False
+        line, LONG_SILENCE, lambda: STOP, taken_over=lambda _: None, stop_is_due=lambda: False
     )
     transport.wait_for_guardian()
     first = line._guardian
@@ -218,15 +220,13 @@ def test_lost_line_ends_the_guardian(ends: Ends) -> None:
     assert logged(guardian) is StopResult.UNCONFIRMED
 
 
-def test_bytes_read_by_another_process_are_no_failure(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_bytes_read_by_another_process_cause_no_failure(monkeypatch: pytest.MonkeyPatch) -> None:
     master, slave = os.openpty()
-    with monkeypatch.context() as patched:  # another reader is faster between `select` and `read`
+    with monkeypatch.context() as patched:  # another reader reads between `select` and `read`
         patched.setattr(select, "select", lambda *_: ([slave], [], []))
-        assert process.FilePort(slave).receive(OFTEN) == b""
+        assert process.FilePort(slave).receive(LONG_SILENCE) == b""
     os.write(master, b"\x00\n")
-    assert process.FilePort(slave).receive(OFTEN) == b"\x00\n"
+    assert process.FilePort(slave).receive(LONG_SILENCE) == b"\x00\n"
     os.close(master)
     os.close(slave)
 
@@ -271,7 +271,7 @@ def test_idle_guardian_sends_nothing(board: Board, ends: Ends) -> None:
     guardian = started(ends[0])
     guardian.watch(STOP)
     guardian.watch(None)
-    die(guardian)
+    close_input(guardian)
     wait_until(lambda: has_ended(guardian))
     assert board.received == b""
     assert not guardian.has_acted
@@ -329,15 +329,15 @@ def test_echo_does_not_count_as_status(board: Board, ends: Ends) -> None:
 
 
 def test_request_echoed_byte_by_byte_confirms_nothing(ends: Ends) -> None:
-    """The wires touch, although no echo is expected."""
+    """The sent and received data lines touch, although no echo is expected."""
 
-    def come_back() -> None:
+    def echo() -> None:
         with suppress(OSError):
             while data := ends[1].recv(1):
                 time.sleep(0.001)
                 ends[1].sendall(data)
 
-    Thread(target=come_back, daemon=True).start()
+    Thread(target=echo, daemon=True).start()
     guardian = started(ends[0])
     guardian.watch(STOP)
     assert not guardian.stop(LONG_TIMEOUT)
@@ -355,20 +355,20 @@ def test_telnet_commands_do_not_count_as_status(board: Board, ends: Ends) -> Non
 
 
 @pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")  # a warning of pyserial
-@pytest.mark.parametrize("place", ["--link", "--tcp", "--rfc2217"])
+@pytest.mark.parametrize("option", ["--link", "--tcp", "--rfc2217"])
 def test_guardian_of_hanging_session_gets_replies(
-    place: str, start_simulator: StartSimulator, tmp_path: Path
+    option: str, start_simulator: StartSimulator, tmp_path: Path
 ) -> None:
-    where = str(tmp_path / "port") if place == "--link" else "127.0.0.1:0"
-    simulator = start_simulator(place, where, "--unpaced")
+    address = str(tmp_path / "port") if option == "--link" else "127.0.0.1:0"
+    simulator = start_simulator(option, address, "--unpaced")
     line = SerialTransport(PortSettings(simulator.url, SerialFormat(19200)))
     try:
         guardian = line.start_guardian(0.3)
         assert isinstance(guardian, GuardianProcess)
         guardian.wait_until_ready(LONG_TIMEOUT)
         guardian.watch(STOP)
-        wait_until(lambda: guardian.has_ended)  # the session is suspended
-        assert guardian.end(), "confirmed"
+        wait_until(lambda: guardian.has_ended)  # without a heartbeat
+        assert guardian.end(), "the stop is confirmed"
         assert line.discard() == b""
         line.write(STOP.queries[0])
         assert len(line.read(STOP.reply_size, LONG_TIMEOUT)) == STOP.reply_size
@@ -395,14 +395,14 @@ def test_killed_guardian_is_not_ready(ends: Ends) -> None:
 
 def test_guardian_that_cannot_start_is_never_ready(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(sys, "executable", "/nowhere/python")
-    guardian = GuardianProcess(SharedPort("serial", 0), OFTEN)
+    guardian = GuardianProcess(SharedPort("serial", 0), LONG_SILENCE)
     guardian.wait_until_ready(LONG_TIMEOUT)
     guardian.watch(STOP)
     assert not guardian.is_ready
     assert not guardian.end()
 
 
-def test_process_imports_the_standard_library_only() -> None:
+def test_process_imports_only_the_standard_library() -> None:
     tree = ast.parse(Path(process.__file__).read_text(encoding="utf-8"))
     names = set()
     for node in ast.walk(tree):
@@ -414,10 +414,10 @@ def test_process_imports_the_standard_library_only() -> None:
 
 
 @pytest.mark.parametrize("module", ["trex_gui", "trex_gui.cli"])
-def test_executables_run_as_the_guardian(
+def test_executable_can_run_as_guardian(
     board: Board, ends: Ends, module: str, tmp_path: Path
 ) -> None:
-    """A frozen application runs itself as the guardian, without a Python interpreter."""
+    """Without a Python interpreter, a frozen application runs itself as the guardian."""
     executable = tmp_path / "trex"
     executable.write_text(f'#!/bin/sh\nexec "{sys.executable}" -m {module} "$@"\n')
     executable.chmod(0o755)

@@ -1,4 +1,4 @@
-"""Guardian's port on Windows, with a fake system."""
+"""Port of the guardian on Windows, with fake system calls."""
 
 # ruff: noqa: N802 - the names are those of Windows
 
@@ -17,7 +17,7 @@ SHORT = 0.005  # seconds
 
 
 class Operation:
-    """Overlapped read or write, which ends when it is complete or cancelled."""
+    """Overlapped read or write. It ends when it is complete or cancelled."""
 
     def __init__(self, data: bytes, *, is_pending: bool) -> None:
         self.event = self
@@ -29,7 +29,7 @@ class Operation:
 
     def GetOverlappedResult(self, wait: bool) -> tuple[int, int]:
         assert wait
-        assert not self.is_pending, "it would wait for ever"
+        assert not self.is_pending, "the call would wait for ever"
         return len(self._data), 0
 
     def getbuffer(self) -> bytes:
@@ -37,19 +37,19 @@ class Operation:
 
 
 class Windows:
-    """Port without timeouts.
+    """System with a port that has no timeouts.
 
     Attributes:
         received: bytes that the port has received.
         sent: bytes written to the port.
-        room: bytes that one write accepts at once.
-        state: line settings, a DCB.
+        capacity: maximum number of bytes that one write accepts at once.
+        state: line settings of the port (a DCB).
     """
 
     def __init__(self) -> None:
         self.received = b""
         self.sent = b""
-        self.room = 100
+        self.capacity = 100
         self.state = bytes(range(28))
         self.is_closed = False
 
@@ -66,9 +66,9 @@ class Windows:
 
     def WriteFile(self, handle: int, data: bytes, *, overlapped: bool) -> tuple[Operation, int]:
         assert (handle, overlapped) == (HANDLE, True)
-        taken = data[: self.room]
-        self.sent += taken
-        return Operation(taken, is_pending=len(taken) < len(data)), 0
+        accepted = data[: self.capacity]
+        self.sent += accepted
+        return Operation(accepted, is_pending=len(accepted) < len(data)), 0
 
     @staticmethod
     def WaitForSingleObject(_event: Operation, milliseconds: int) -> int:
@@ -81,7 +81,7 @@ class Windows:
 
     def GetCommState(self, handle: ctypes.c_void_p, state: Any) -> int:
         assert handle.value == HANDLE
-        assert state.raw[:4] == (28).to_bytes(4, "little"), "its size comes first"
+        assert state.raw[:4] == (28).to_bytes(4, "little"), "a DCB starts with its size"
         state.raw = self.state
         return 1
 
@@ -118,7 +118,7 @@ def test_read_returns_all_received_bytes(port: Any, windows: Windows) -> None:
 
 
 def test_write_continues_until_everything_is_sent(port: Any, windows: Windows) -> None:
-    windows.room = 3
+    windows.capacity = 3
     port.write(b"12345678")
     assert windows.sent == b"12345678"
 
@@ -126,7 +126,7 @@ def test_write_continues_until_everything_is_sent(port: Any, windows: Windows) -
 def test_blocked_port_times_out(
     port: Any, windows: Windows, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    windows.room = 0
+    windows.capacity = 0
     seconds = iter(range(100))
     monkeypatch.setattr("time.monotonic", lambda: float(next(seconds)))
     with pytest.raises(TimeoutError):
@@ -134,9 +134,9 @@ def test_blocked_port_times_out(
 
 
 def test_changed_line_settings_are_restored(port: Any, windows: Windows) -> None:
-    remembered, windows.state = windows.state, bytes(28)
+    saved, windows.state = windows.state, bytes(28)
     port.restore_settings()
-    assert windows.state == remembered
+    assert windows.state == saved
     windows.state = bytes(28)
     port.save_settings()
     port.restore_settings()

@@ -31,14 +31,14 @@ from trex_gui.core.transport.driven import (
 from trex_gui.core.transport.serial_port import SerialTransport
 from trex_gui.core.transport.settings import Parity, PortSettings, SerialFormat
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="locks are of another kind there")
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="Windows has other locks")
 
 LINE = SerialFormat(57600, Parity.EVEN, 2)
 STOP = "d07f7ff000 84 1 1 0 0.05"
 
 
 def left(url: str, line: SerialFormat = LINE) -> Path:
-    """Write the file of a board that was left at a port."""
+    """Write the file of a board that was left running at a port."""
     file = driven_file(url)
     file.parent.mkdir(parents=True, exist_ok=True)
     note = driven_note("TReX 1.2", PortSettings(url, line))
@@ -78,7 +78,9 @@ def test_adapter_is_found_at_another_port(monkeypatch: pytest.MonkeyPatch) -> No
         port_of(file, board)
 
 
-@pytest.mark.filterwarnings("ignore::ResourceWarning")  # the process ends with its file open
+@pytest.mark.filterwarnings(
+    "ignore::ResourceWarning"
+)  # the file stays open, as at the end of the process
 def test_later_stop_attempt_preserves_start_of_driving() -> None:
     file = left("/dev/ttyUSB0")
     found = driven_boards()
@@ -92,9 +94,7 @@ def test_later_stop_attempt_preserves_start_of_driving() -> None:
     assert file.read_text().count("since: ") == 1
 
 
-def test_port_failure_during_stop_reports_running_board(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_port_failure_during_stop_reports_running_board(monkeypatch: pytest.MonkeyPatch) -> None:
     def fail(_line: SerialTransport, _data: bytes) -> None:
         raise PortUnavailable("It is gone.")
 
@@ -107,9 +107,7 @@ def test_port_failure_during_stop_reports_running_board(
     assert not port.is_open
 
 
-def test_replacement_guardian_lists_no_ports(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
+def test_replacement_guardian_does_not_search_ports(monkeypatch: pytest.MonkeyPatch) -> None:
     transport = SerialTransport(PortSettings("loop://"))
     monkeypatch.delattr(serial_port, "driven_at")
     transport.start_guardian(60.0)
@@ -200,14 +198,14 @@ def test_suspended_guardian_is_resumed_and_stops_the_motors(
     assert guardian._process is not None
     assert guardian._process.stdin is not None
     guardian._process.send_signal(signal.SIGSTOP)
-    nothing = os.open(os.devnull, os.O_RDONLY)
-    os.dup2(nothing, guardian._process.stdin.fileno())  # as after the death of the program
-    os.close(nothing)
+    null = os.open(os.devnull, os.O_RDONLY)
+    os.dup2(null, guardian._process.stdin.fileno())  # closes the pipe, like the end of the program
+    os.close(null)
     os.close(port)
     while "(stopped)" not in Path(f"/proc/{guardian._process.pid}/status").read_text():
         time.sleep(0.01)
     SerialTransport(PortSettings(simulator.url, SerialFormat(19200))).close()
     assert simulator.show()["motors"][0]["direction"] == "brake"
     assert not file.exists()
-    guardian._process.wait()  # the program opens the port
-    assert len(logged_stops(0)[1]) == 2, "of the guardian, and of the line"
+    guardian._process.wait()
+    assert len(logged_stops(0)[1]) == 2, "the guardian and the opened line have stopped the motors"

@@ -37,7 +37,7 @@ def test_port_opened_by_own_program_has_no_holder(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("kind", ["guardian", "terminal"])
-def test_guardian_and_simulator_are_no_other_program(tmp_path: Path, kind: str) -> None:
+def test_guardian_and_simulator_do_not_count_as_other_program(tmp_path: Path, kind: str) -> None:
     """The guardian inherits the port. The simulator is behind a pseudo-terminal."""
     port = tmp_path / "port"
     master, slave = os.openpty()

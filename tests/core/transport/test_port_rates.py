@@ -23,9 +23,9 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 pytestmark = pytest.mark.realtime
 
 if sys.platform == "win32":
-    pytest.skip("has no pseudo-terminals", allow_module_level=True)
+    pytest.skip("needs pseudo-terminals", allow_module_level=True)
 
-linux = pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells")
+linux = pytest.mark.skipif(sys.platform != "linux", reason="only Linux shows the rates")
 
 
 def no_time() -> float:
@@ -72,7 +72,7 @@ def test_pseudo_terminal_can_be_reconfigured_repeatedly(terminal: tuple[int, str
 
 
 class Adapter:
-    """Port whose driver uses its nearest rate."""
+    """Port whose driver uses the nearest possible rate."""
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch, *possible: int) -> None:
         self.words = array.array("I", [0] * 11)
@@ -109,8 +109,8 @@ def test_rates_are_unknown_when_driver_rejects_settings_or_is_slow(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     adapter = Adapter(monkeypatch, 9600)
-    moments = iter((0.0, 0.05, 0.11, 0.2))
-    assert rates_of(adapter, [9600, 19200, 38400], lambda: next(moments)) is None
+    times = iter((0.0, 0.05, 0.11, 0.2))
+    assert rates_of(adapter, [9600, 19200, 38400], lambda: next(times)) is None
     adapter.failure = OSError(errno.EINVAL, "Invalid argument")
     assert rates_of(adapter, [9600]) is None  # restoring also fails
 

@@ -20,13 +20,13 @@ class Port:
     """Port that records its calls."""
 
     def __init__(self) -> None:
-        self.done: list[object] = []
+        self.calls: list[object] = []
 
     def write(self, data: bytes) -> None:
-        self.done.append(data)
+        self.calls.append(data)
 
     def read(self, size: int) -> None:
-        self.done.append(size)
+        self.calls.append(size)
 
     def flush(self) -> None: ...
 
@@ -38,13 +38,13 @@ def test_python_sends_the_bytes_and_waits_for_replies() -> None:
     send, port = names["send_copied_requests"], Port()
     assert callable(send)
     send(port)
-    assert port.done == [b"\x81", 7, b"\xc2\x50"]
+    assert port.calls == [b"\x81", 7, b"\xc2\x50"]
     assert "19200 baud, no error detection, 1 stop bit" in code
     assert "# set motor 1 to forward 80" in code
 
 
 @pytest.mark.parametrize("language", Language)
-def test_rows_become_comments_and_a_warning_of_motor_commands(language: Language) -> None:
+def test_rows_become_comments_with_warning_of_motor_commands(language: Language) -> None:
     code = rows_as_code(ROWS[:1], TrexDecoder(), language)
     assert "Opened" in code
     assert "WARNING" not in code

@@ -32,7 +32,7 @@ from trex_gui.devices.trex.protocol.flags import Mode
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 
 if sys.platform == "win32":
-    pytest.skip("has no pseudo-terminals", allow_module_level=True)
+    pytest.skip("needs pseudo-terminals", allow_module_level=True)
 
 import termios
 
@@ -43,7 +43,7 @@ Start = StartSimulator
 LINE = LineSettings()
 
 LONG_TIMEOUT = 15.0
-"""Seconds after which what should have happened will not, however loaded the machine."""
+"""Seconds within which every expected event happens, even on a busy computer."""
 
 
 def slow_client(transport: SerialTransport, url: str) -> TrexClient:
@@ -77,26 +77,26 @@ def open_failure(url: str, line: LineSettings = LINE) -> str:
     return str(caught.value)
 
 
-def test_bytes_read_by_another_program_are_no_lost_line(
+def test_bytes_read_by_another_program_raise_port_shared(
     terminal: tuple[int, str], opened: Open, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     master, path = terminal
     transport = opened(path)
-    thief = os.open(path, os.O_RDONLY | os.O_NOCTTY)
+    other_reader = os.open(path, os.O_RDONLY | os.O_NOCTTY)
     wait = select.select
 
-    def steal(*arguments: Any) -> object:
+    def read_first(*arguments: Any) -> object:
         ready = wait(*arguments)
         if ready[0]:
-            os.read(thief, 100)
+            os.read(other_reader, 100)
         return ready
 
     with monkeypatch.context() as patch:
-        patch.setattr("serial.serialposix.select.select", steal)
+        patch.setattr("serial.serialposix.select.select", read_first)
         os.write(master, b"reply")
         with pytest.raises(PortShared, match=f"Another program reads {path}, too"):
             transport.read(5, LONG_TIMEOUT)
-    os.close(thief)
+    os.close(other_reader)
 
 
 # --- Data -------------------------------------------------------------------------------
@@ -104,7 +104,7 @@ def test_bytes_read_by_another_program_are_no_lost_line(
 
 def test_board_replies_over_pseudo_terminal(quick_simulator: SimulatedDevice, opened: Open) -> None:
     transport = opened(quick_simulator.url)
-    # A client with a long timeout would wait for an echo in vain.
+    # A client with a long timeout would wait too long for an echo.
     assert TrexClient(transport, ConnectionSettings(quick_simulator.url)).detect_echo() is False
     client = slow_client(transport, quick_simulator.url)
     assert str(client.request(GetSignature())) == "TReX 1.2"
@@ -134,9 +134,9 @@ def test_rfc2217_port_applies_parity(start_simulator: Start, opened: Open) -> No
 
 
 @pytest.mark.filterwarnings("ignore:set(Daemon|Name):DeprecationWarning")
-@pytest.mark.parametrize("damaged", [pytest.param("at once", marks=pytest.mark.slow), "later"])
-def test_garbage_of_an_rfc2217_server_is_a_port_failure(
-    start_simulator: Start, opened: Open, damaged: str
+@pytest.mark.parametrize("moment", [pytest.param("at once", marks=pytest.mark.slow), "later"])
+def test_garbage_from_rfc2217_server_is_a_port_failure(
+    start_simulator: Start, opened: Open, moment: str
 ) -> None:
     """A suboption that ends without a start raises an error in pyserial's thread."""
     target = start_simulator("--rfc2217", "127.0.0.1:0").url.rpartition(":")[2]
@@ -145,7 +145,7 @@ def test_garbage_of_an_rfc2217_server_is_a_port_failure(
         garbage = threading.Event()
         relay = threading.Thread(target=relay_one, args=(server, int(target), garbage))
         relay.start()
-        if damaged == "at once":
+        if moment == "at once":
             garbage.set()
             message = open_failure(url)
         else:
@@ -175,7 +175,7 @@ def relay_one(server: socket.socket, target: int, garbage: threading.Event) -> N
                 ends[end].sendall(end.recv(4096))
 
 
-def test_every_baud_rate_of_a_board_can_be_set(terminal: tuple[int, str], opened: Open) -> None:
+def test_every_baud_rate_of_boards_can_be_set(terminal: tuple[int, str], opened: Open) -> None:
     for baud in baud_rates():
         opened(terminal[1], LineSettings(baud)).close()
 
@@ -207,25 +207,25 @@ def test_all_byte_values_pass_unchanged(terminal: tuple[int, str], opened: Open)
     transport = opened(path)
     everything = bytes(range(256))
     transport.write(everything)
-    passed = b""
-    while len(passed) < len(everything):  # a terminal may deliver them in pieces
-        passed += os.read(master, 512)
-    assert passed == everything
+    received = b""
+    while len(received) < len(everything):  # a terminal may deliver the bytes in pieces
+        received += os.read(master, 512)
+    assert received == everything
     os.write(master, everything)
-    begun = time.monotonic()
+    start = time.monotonic()
     assert transport.read(256, 40.0) == everything
-    assert time.monotonic() - begun < 30.0, "it ends when all bytes have arrived"
+    assert time.monotonic() - start < 30.0, "the read ends when all bytes have arrived"
 
 
 def test_incomplete_read_ends_at_timeout(terminal: tuple[int, str], opened: Open) -> None:
     master, path = terminal
     transport = opened(path)
-    for _ in range(20):  # a busy computer may add more
+    for _ in range(20):  # a busy computer may take longer
         os.write(master, b"xab")
-        assert transport.read(1, LONG_TIMEOUT) == b"x"  # so the rest has arrived
-        begun = transport.clock()
+        assert transport.read(1, LONG_TIMEOUT) == b"x"  # the other bytes have then also arrived
+        start = transport.clock()
         assert transport.read(3, 0.1) == b"ab"
-        took = transport.clock() - begun
+        took = transport.clock() - start
         assert took >= 0.1
         if took < 0.3:
             break
@@ -236,7 +236,7 @@ def test_discard_returns_and_removes_bytes(terminal: tuple[int, str], opened: Op
     master, path = terminal
     transport = opened(path)
     os.write(master, b"xstale")
-    assert transport.read(1, LONG_TIMEOUT) == b"x"  # so the rest has arrived
+    assert transport.read(1, LONG_TIMEOUT) == b"x"  # the other bytes have then also arrived
     assert transport.discard() == b"stale"
     assert transport.discard() == b""
     os.write(master, b"new")
@@ -280,7 +280,7 @@ def other_program(opening: str) -> Iterator[int]:
         program.communicate(b"", timeout=30)
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells who holds a port")
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux shows who holds a port")
 def test_owner_of_port_lock_is_named_before_other_users(
     terminal: tuple[int, str], opened: Open
 ) -> None:
@@ -289,13 +289,13 @@ def test_owner_of_port_lock_is_named_before_other_users(
         assert "in use by another line of this program" in open_failure(terminal[1])
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells who holds a port")
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux shows who holds a port")
 def test_process_that_holds_port_is_named(terminal: tuple[int, str]) -> None:
     with other_program(f"serial.Serial({terminal[1]!r}, exclusive=True)") as number:
         assert f"(process {number})" in open_failure(terminal[1])
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells who holds a port")
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux shows who holds a port")
 def test_open_waits_for_closing_connection_of_own_program(
     terminal: tuple[int, str], opened: Open
 ) -> None:
@@ -303,12 +303,12 @@ def test_open_waits_for_closing_connection_of_own_program(
     closing = threading.Timer(0.2, first.close)
     closing.start()
     try:
-        opened(terminal[1], clock=lambda: 0.0)  # on a busy computer
+        opened(terminal[1], clock=lambda: 0.0)  # without a timeout, for a busy computer
     finally:
         closing.join()
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells who holds a port")
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux shows who holds a port")
 def test_guardian_that_is_stopping_motors_is_named(
     quick_simulator: SimulatedDevice, opened: Open
 ) -> None:
@@ -318,9 +318,9 @@ def test_guardian_that_is_stopping_motors_is_named(
     assert isinstance(guardian, GuardianProcess)
     assert guardian._process is not None
     guardian.wait_until_ready(LONG_TIMEOUT)
-    guardian._process.send_signal(signal.SIGSTOP)  # never complete
+    guardian._process.send_signal(signal.SIGSTOP)  # so that it never completes its stop
     try:
-        assert "another line of this program" in open_failure(url), "its guardian only watches"
+        assert "another line of this program" in open_failure(url), "the guardian only watches"
         line.close()
         assert "The guardian process is still stopping the motors" in open_failure(url)
     finally:
@@ -347,7 +347,7 @@ def test_regular_file_is_rejected_as_port(tmp_path: Path) -> None:
     assert path.read_text() == "no port"
 
 
-def test_unserved_network_port_is_reported_unreachable() -> None:
+def test_network_port_without_server_is_reported_as_unreachable() -> None:
     assert "port socket://127.0.0.1:9 cannot be reached" in open_failure("socket://127.0.0.1:9")
 
 
@@ -426,11 +426,11 @@ def test_unplugged_cable_is_detected_at_once(
     for act in actions:
         transport = opened(simulator.url)
         simulator.do("line unplug")
-        begun = time.monotonic()
+        start = time.monotonic()
         gone = rf"{simulator.url} is gone\. Plug it in, then connect again\."
         with pytest.raises(PortUnavailable, match=gone):
             act(transport)
-        assert time.monotonic() - begun < 30.0
+        assert time.monotonic() - start < 30.0
         simulator.do("line plug")
 
 

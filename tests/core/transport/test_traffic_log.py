@@ -35,18 +35,18 @@ def texts_of(pieces: list[TrafficEvent]) -> list[str]:
     return [piece.text for piece in pieces if piece.direction is TrafficDirection.LINE]
 
 
-def run_taped(harness: SessionHarness, seconds: float) -> list[TrafficEvent]:
+def run_logged(harness: SessionHarness, seconds: float) -> list[TrafficEvent]:
     """Run a session on a logged line. Return the log."""
     log = TrafficLog()
     harness.script.at(seconds, lambda: None)
-    open_taped = logged(log.record, lambda _settings: harness.transport, harness.transport.clock)
-    TrexSession(SETTINGS, harness.script, harness.reports.append, open_taped).run()
+    open_logged = logged(log.record, lambda _settings: harness.transport, harness.transport.clock)
+    TrexSession(SETTINGS, harness.script, harness.reports.append, open_logged).run()
     return log.pop()
 
 
 def test_sent_and_received_bytes_are_logged_in_order(harness: SessionHarness) -> None:
     harness.script.at(1.0, SetMotor(1, Drive.at(40)))
-    pieces = run_taped(harness, 2.0)
+    pieces = run_logged(harness, 2.0)
     assert bytes_of(pieces, TrafficDirection.SENT) == bytes(harness.transport.sent)
     assert b"TReX1.2" in bytes_of(pieces, TrafficDirection.RECEIVED)
     assert [piece.time for piece in pieces] == sorted(piece.time for piece in pieces)
@@ -56,17 +56,16 @@ def test_sent_and_received_bytes_are_logged_in_order(harness: SessionHarness) ->
 
 
 def test_logging_does_not_change_session() -> None:
-    def run(note: Callable[[SessionHarness], object]) -> bytes:
+    def sent_bytes(run: Callable[[SessionHarness], object]) -> bytes:
         harness = SessionHarness(Board())
-        note(harness)
+        run(harness)
         assert [
             type(report) for report in harness.reports if isinstance(report, Connected | Closed)
         ]
         return bytes(harness.transport.sent)
 
-    assert run(lambda harness: run_taped(harness, 2.0)) == run(
-        lambda harness: run_for(harness, 2.0)
-    )
+    logged_run = sent_bytes(lambda harness: run_logged(harness, 2.0))
+    assert logged_run == sent_bytes(lambda harness: run_for(harness, 2.0))
 
 
 def test_failed_opening_of_port_is_logged() -> None:
@@ -96,18 +95,18 @@ def test_new_line_settings_are_logged_once(harness: SessionHarness) -> None:
     line.reconfigure(SETTINGS.line)
     line.reconfigure(other)
     line.reconfigure(other)
-    noted = log.pop()
-    assert [piece.text for piece in noted] == [f"Set to {other.text()}."]
-    assert noted[0].settings is not None
-    assert noted[0].settings.line == other
+    events = log.pop()
+    assert [event.text for event in events] == [f"Set to {other.text()}."]
+    assert events[0].settings is not None
+    assert events[0].settings.line == other
 
 
 def test_unread_traffic_log_is_bounded_and_counts_losses() -> None:
     log = TrafficLog()
     for number in range(60_000):
         log.record(TrafficEvent(float(number), TrafficDirection.SENT, b"\xff"))
-    kept = log.pop()
-    assert len(kept) + log.lost == 60_000
-    assert kept[0].time == 0.0
+    events = log.pop()
+    assert len(events) + log.lost == 60_000
+    assert events[0].time == 0.0
     log.record(TrafficEvent(1.0, TrafficDirection.SENT, b"\xff"))
     assert len(log.pop()) == 1

@@ -1,4 +1,4 @@
-"""Pairs of request and reply."""
+"""Transactions: pairs of a request and its reply."""
 
 import pytest
 from hypothesis import given
@@ -80,7 +80,7 @@ def test_trex_exchange_is_decoded(said: Said, text: str, is_fault: bool) -> None
 @examples(40)
 @given(st.lists(st.sampled_from(TREX), max_size=8), st.integers(1, 3))
 def test_fragmented_bytes_decode_to_same_rows(talk: list[tuple[Said, str, bool]], cut: int) -> None:
-    # Bytes after a complete reply start a row of their own, at any chunk boundary.
+    # Bytes after a complete reply start their own row, at any chunk boundary.
     said = [one[0] for one in talk if one[0][0] and not one[2]]
     whole = reports(TrexDecoder(), pieces_of(said))
     assert reports(TrexDecoder(), pieces_of(said, cut)) == whole
@@ -162,7 +162,7 @@ def test_echo_does_not_count_as_reply(sent: bytes) -> None:
 
 
 def test_row_is_decoded_while_another_thread_clears_the_cache() -> None:
-    class ForgottenMeanwhile(Transaction):
+    class ClearedTransaction(Transaction):
         """Row whose cached meaning is cleared after each read."""
 
         def __getattribute__(self, name: str) -> object:
@@ -171,7 +171,7 @@ def test_row_is_decoded_while_another_thread_clears_the_cache() -> None:
                 self.cached_meaning = None
             return value
 
-    row = ForgottenMeanwhile(1, 0.0, note="The line was opened.", is_over=True)
-    row.cached_meaning = Decoded("said before")
-    assert TrexDecoder().decoded(row) == Decoded("said before")
+    row = ClearedTransaction(1, 0.0, note="The line was opened.", is_over=True)
+    row.cached_meaning = Decoded("cached")
+    assert TrexDecoder().decoded(row) == Decoded("cached")
     assert TrexDecoder().decoded(row) == Decoded("The line was opened.")
