@@ -3,10 +3,8 @@
 from collections.abc import Iterator
 
 import pytest
-from PySide6.QtWidgets import QApplication, QPushButton, QSpinBox
-from pytestqt.qtbot import QtBot
+from PySide6.QtWidgets import QPushButton, QSpinBox
 
-from tests.support.causes import watched
 from tests.support.pages.robot import POSES_PAGE, ROBOT_PAGE, RobotWindow
 from tests.support.program import aracna
 from trex_gui.devices.aracna.session.messages import Moving
@@ -19,7 +17,7 @@ def window(connected_window: RobotWindow) -> Iterator[RobotWindow]:
     aracna(connected_window.program).library.new()  # otherwise closing would prompt the user
 
 
-def test_gait_plays_until_stopped(window: RobotWindow, qapp: QApplication, qtbot: QtBot) -> None:
+def test_gait_plays_until_stopped(window: RobotWindow) -> None:
     robot = window.robot
     window.show_page(POSES_PAGE)
     assert window.is_enabled("aracnaPlay"), "a gait is preselected"
@@ -46,10 +44,3 @@ def test_gait_plays_until_stopped(window: RobotWindow, qapp: QApplication, qtbot
     motions = [report for report in reports if isinstance(report, Moving)]
     assert len([motion for motion in motions if motion.time > stopped]) <= 1
     assert window.is_enabled("aracnaPlay")
-
-    with watched(window.program, qtbot, qapp) as causes:
-        window.click("aracnaPlay")
-        window.wait(lambda: robot.state.step is not None and robot.state.step.index == 1)
-        causes.lock_the_screen()
-        window.wait(lambda: robot.state.play is None)
-        window.wait_for_text("bannerText", "The screen was locked.")

@@ -5,7 +5,7 @@ from itertools import pairwise
 import pytest
 
 from tests.devices.aracna.session.scripted_session import ScriptedSession
-from trex_gui.core.errors import BadReply, BadRequest, NoReply, PortUnavailable
+from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable
 from trex_gui.core.session import Closed, Outcome
 from trex_gui.devices.aracna.session.liveness import BOOT_TIME, BOOT_TIMEOUT
 from trex_gui.devices.aracna.session.messages import (
@@ -80,16 +80,6 @@ def test_silent_line_closes_session_after_boot_loader_time() -> None:
     [outcome] = session.of(Outcome)
     assert outcome.id == 1
     assert isinstance(outcome.error, NoReply)
-
-
-def test_reply_of_other_device_is_shown_in_error() -> None:
-    session = ScriptedSession().until(30.0)
-    session.stage.do("power off")
-    session.at(0.2, lambda: session.line.inject(b"\r\nTReX2\r\n")).run()
-    [closed] = session.of(Closed)
-    assert isinstance(closed.error, BadReply)
-    assert "not like an Aracna" in str(closed.error)
-    assert "TReX" in str(closed.error)
 
 
 def test_move_reports_each_arrival_and_then_completion() -> None:

@@ -4,7 +4,7 @@ from collections.abc import Callable, Sequence
 
 import pytest
 
-from tests.support.aracna import BOOT, AracnaHarness
+from tests.support.aracna import AracnaHarness
 from trex_gui.devices.aracna.simulator.firmware import State
 from trex_gui.devices.aracna.simulator.line import OWN, STORED_BYTES
 
@@ -180,11 +180,3 @@ def test_speeds_sent_right_after_hello_restart_board_each_time() -> None:
         assert harness.line.station.firmware.boots == boot
         harness.line.send(SPEEDS)
     assert harness.now == pytest.approx(19, abs=0.1)
-
-
-def test_speeds_sent_after_boot_second_are_accepted() -> None:
-    harness = AracnaHarness(booted=False)
-    assert harness.line.read(4, 1) == b".h\r\n"
-    harness.line.advance(BOOT)
-    assert harness.request(SPEEDS) == SPEEDS.replace(b"\n", b"\r\n")
-    assert harness.line.station.firmware.boots == 1
