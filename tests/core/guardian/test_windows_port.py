@@ -98,7 +98,7 @@ def windows() -> Windows:
 
 @pytest.fixture
 def port(windows: Windows, monkeypatch: pytest.MonkeyPatch) -> Any:
-    """Return the port class of the module as loaded on Windows."""
+    """Return an open port of the module as loaded on Windows."""
     monkeypatch.setitem(sys.modules, "_winapi", windows.module())
     monkeypatch.setattr(ctypes, "windll", SimpleNamespace(kernel32=windows), raising=False)
     monkeypatch.setattr(sys, "platform", "win32")

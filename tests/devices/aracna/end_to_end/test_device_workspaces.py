@@ -131,7 +131,7 @@ def test_connect_uses_selected_demo(computer: list[ListPortInfo], window: RobotW
     window.press_connect("trex")
 
 
-@pytest.mark.qt_log_ignore("This plugin does not support")  # offscreen opens no list
+@pytest.mark.qt_log_ignore("This plugin does not support")  # the offscreen platform opens no list
 def test_port_list_keeps_selected_port(
     computer: list[ListPortInfo], window: RobotWindow, quick_simulator: SimulatedDevice
 ) -> None:

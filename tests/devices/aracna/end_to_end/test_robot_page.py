@@ -193,7 +193,7 @@ def test_problems_page_shows_replies_and_problems(connected_window: RobotWindow)
 
 
 def move_by_key(window: RobotWindow) -> None:
-    """Move as with Ctrl+M, without a change of focus."""
+    """Trigger the action of Ctrl+M, which does not change the focus."""
     count = len(window.goals)
     window.trigger("aracna_move")
     window.wait_for_motion(count)

@@ -54,7 +54,7 @@ class RobotHarness:
         self.wait(lambda: len(self.of(Moved)) > before)
 
     def lose_motor_3(self, goals: tuple[int, ...]) -> None:
-        """Kill motor 3 during its motion. A dead motor would not accept its speed before it."""
+        """Kill motor 3 during its motion. A motor that is already dead does not accept a speed."""
         self.simulator.do("servo 3 block")  # the motion takes longer
         assert self.robot.move(goals)
         self.wait(lambda: self.robot.state.moving is not None)

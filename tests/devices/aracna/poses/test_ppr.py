@@ -243,7 +243,7 @@ def test_sample_file_matches_pypose_format() -> None:
 
 
 def test_long_file_is_read_within_time_limit() -> None:
-    """The time limit is that of every test."""
+    """Every test has a time limit."""
     lines = "a:1\nSeq=a: b|1\nnothing\n"
     text = HEADER + lines * (256 * 1024 // len(lines))
     project, findings = read_ppr(text)

@@ -30,7 +30,7 @@ FAST = (700,) * 8
 
 
 def lines(session: ScriptedSession, letter: str) -> list[str]:
-    """Return the values of sent commands with a letter. Equal values are merged."""
+    """Return the values of all sent commands of one letter. Equal values are merged."""
     sent = bytes(session.stage.transport.sent).decode().splitlines()
     return [re.sub(r"^(\d+)(,\1)+$", r"\1", line[2:]) for line in sent if line[1:2] == letter]
 

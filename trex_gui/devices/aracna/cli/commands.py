@@ -47,7 +47,7 @@ def aracna() -> None:
     """Query and move an Aracna, the robot with eight motors.
 
     Its line is always set to 38400 baud. Nothing on this link stops a running motion or
-    switches motors off: only cutting the servo power does.
+    switches the motors off. To stop the motors, cut the servo power.
     """
 
 

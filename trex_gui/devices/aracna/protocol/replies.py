@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, MOTORS
 
-UNREADABLE = -1  # value of a servo without reply
+UNREADABLE = -1  # value of a servo that did not reply
 MAX_MOTORS = 11  # more values of four digits do not fit into the firmware's 59-character buffer
 
 _MOTORS_BY_VERSION = {0: 2}  # for firmware that does not report its number of motors
@@ -104,7 +104,7 @@ def _chunks(line: bytes) -> list[bytes]:
 
 
 class Reader:
-    r"""Parses received lines, which end in `\r\n` or `\n`.
+    r"""Parser of received lines, which end in `\r\n` or `\n`.
 
     An unrecognized first line is ignored, because its beginning may be missing.
     """

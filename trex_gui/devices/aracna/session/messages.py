@@ -170,7 +170,7 @@ class Moved:
 
 @dataclass(frozen=True, slots=True)
 class SpeedsHeld:
-    """Reply to a `.v`. `held`: speeds, -1 for a servo without reply."""
+    """Reply to a `.v`. `held`: speeds, -1 for a servo that did not reply."""
 
     time: float
     requested: tuple[int, ...]

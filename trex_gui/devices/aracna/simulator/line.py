@@ -33,10 +33,10 @@ class RobotStation:
     Therefore, the program already reads while the last two bytes of a reply are being sent.
 
     Attributes:
-        keeps_last: of more than three bytes, the UART stores two and the last (True) or the first
-            three (False). According to the data sheet, a new byte replaces the byte in the shift
-            register. Observed: a `.v` in reply to `.h` restarts the firmware repeatedly. This
-            happens only if the last byte is stored.
+        keeps_last: if more than three bytes arrive, the UART stores the first two and the last
+            (True), or the first three (False). According to the data sheet, a new byte replaces
+            the byte in the shift register. Observed: a `.v` in reply to `.h` restarts the firmware
+            repeatedly. This happens only if the last byte is stored.
     """
 
     line_format = OWN

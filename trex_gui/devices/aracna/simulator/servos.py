@@ -9,7 +9,7 @@ from enum import Enum
 
 from trex_gui.devices.aracna.protocol.joints import HIGHEST, MAX_EFFECTIVE_SPEED, UNITS_PER_SECOND
 
-FAILED = -1  # value of a servo without reply in the firmware's library
+FAILED = -1  # value in the firmware's library for a servo that did not reply
 _EPSILON = 1e-9  # seconds; absorbs the rounding of summed times
 
 
