@@ -21,15 +21,15 @@ from trex_gui.system.windows_events import (
 pytestmark = pytest.mark.usefixtures("qapp")
 
 
-def said_by_the_desktop(*, begins: bool) -> list[str]:
+def said_by_the_desktop(*, is_starting: bool) -> list[str]:
     """All signals of a Linux desktop, at the start and at the end of each event."""
     nowhere = QDBusConnection("there is none")
     events = SessionEvents(nowhere, nowhere)
     reports: list[str] = []
     events.leaving.connect(reports.append)
-    events._on_sleep(begins=begins)
-    events._on_shut_down(begins=begins)
-    events._on_saver(active=begins)
+    events._on_sleep(is_starting=is_starting)
+    events._on_shut_down(is_starting=is_starting)
+    events._on_saver(active=is_starting)
     return reports
 
 
@@ -76,7 +76,7 @@ def said_of_a_mistake(monkeypatch: pytest.MonkeyPatch) -> list[str]:
 
 def test_stop_reasons_are_clauses_without_stop_or_motor(monkeypatch: pytest.MonkeyPatch) -> None:
     reasons = [
-        *said_by_the_desktop(begins=True),
+        *said_by_the_desktop(is_starting=True),
         *said_by_windows(),
         *said_by_a_mac(),
         *said_of_a_sleep_that_is_over(),
@@ -95,7 +95,7 @@ def test_stop_reasons_are_clauses_without_stop_or_motor(monkeypatch: pytest.Monk
 
 
 def test_waking_up_and_unlocking_give_no_stop_reason() -> None:
-    assert said_by_the_desktop(begins=False) == []
+    assert said_by_the_desktop(is_starting=False) == []
     assert stop_reason(WM_POWERBROADCAST, 0x12) is None  # wake-up
     assert stop_reason(WM_WTSSESSION_CHANGE, 8) is None  # unlock
     assert stop_reason(0x0200, 0) is None  # mouse move

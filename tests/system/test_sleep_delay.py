@@ -100,13 +100,13 @@ def test_sleep_delay_without_logind_holds_nothing(
     delay = SleepDelay(lambda: False, buses[1], timeout=1.0)
     qtbot.waitUntil(lambda: delay._request is None)
     assert not delay.holds
-    delay.on_sleeping(begins=True)
+    delay.on_sleeping(is_starting=True)
     delay.release()
 
 
 def test_sleep_delay_without_bus_holds_nothing() -> None:
     delay = SleepDelay(lambda: False, QDBusConnection("there is none"), timeout=1.0)
-    delay.on_sleeping(begins=True)
-    delay.on_sleeping(begins=False)
+    delay.on_sleeping(is_starting=True)
+    delay.on_sleeping(is_starting=False)
     assert not delay.holds
     delay.release()
