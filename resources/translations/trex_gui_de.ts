@@ -3,7 +3,7 @@
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
     <name>trex_gui</name>
-    <message><source>{0} may be {1} or {2}: write the one that you mean</source>
+    <message><source>{0} is ambiguous: write {1} or {2}</source>
         <translation>{0} kann {1} oder {2} bedeuten: Schreiben Sie, was Sie meinen</translation></message>
     <message><source>{0} is not a number</source>
         <translation>{0} ist keine Zahl</translation></message>
@@ -31,9 +31,9 @@
         <translation>Der Port {0} lässt sich nicht auf {1} einstellen ({2}).</translation></message>
     <message><source>The port {0} cannot be opened: {1}.</source>
         <translation>Der Port {0} kann nicht geöffnet werden: {1}.</translation></message>
-    <message><source>Another program reads {0}, too, and has taken bytes from it. Close it there, then connect again.</source>
+    <message><source>Another program is also reading from {0} and has taken some of the bytes. Close that program, then connect again.</source>
         <translation>Ein anderes Programm liest {0} ebenfalls und hat Bytes davon abgefangen. Schließen Sie den Port dort und verbinden Sie erneut.</translation></message>
-    <message><source>The line to {0} is gone. Plug it in, then connect again.</source>
+    <message><source>The connection to {0} is gone. Plug the adapter in, then connect again.</source>
         <translation>Die Leitung zu {0} ist weg. Stecken Sie den Adapter ein und verbinden Sie erneut.</translation></message>
     <message><source>it is not an ordinary file</source>
         <translation>es ist keine gewöhnliche Datei</translation></message>
@@ -53,7 +53,7 @@
         <translation>sie kann nicht geschrieben werden: Zugriff verweigert</translation></message>
     <message><source>there is no such file</source>
         <translation>es gibt keine solche Datei</translation></message>
-    <message><source>is larger than {0} KiB; {1} are not that long</source>
+    <message><source>is larger than {0} KiB; {1} are never that large</source>
         <translation>ist größer als {0} KiB; so lang sind {1} nicht</translation></message>
     <message><source>line {0}</source>
         <translation>Zeile {0}</translation></message>
@@ -65,7 +65,7 @@
         <translation>Zugriff verweigert</translation></message>
     <message><source>It cannot be used: {0}.</source>
         <translation>Nicht verwendbar: {0}.</translation></message>
-    <message><source>Samples missing here, because the disk was too slow: {0}.</source>
+    <message><source>Samples lost here because the disk was too slow: {0}.</source>
         <translation>Hier fehlen Messwerte, weil der Datenträger zu langsam war: {0}.</translation></message>
     <message><source>This is not a TReX Studio recording.</source>
         <translation>Das ist keine Aufzeichnung von TReX Studio.</translation></message>
@@ -83,7 +83,7 @@
         <translation>Das Ende der Datei fehlt.</translation></message>
     <message><source>Its log cannot be read: the last samples are missing.</source>
         <translation>Ihr Protokoll ist nicht lesbar: Die letzten Messwerte fehlen.</translation></message>
-    <message><source>It was not ended; samples of the last seconds may be missing.</source>
+    <message><source>The recording was not closed properly; samples of the last seconds may be missing.</source>
         <translation>Sie wurde nicht beendet; Messwerte der letzten Sekunden können fehlen.</translation></message>
     <message><source>the clock in the header is not in seconds</source>
         <translation>die Uhrzeit im Kopf ist nicht in Sekunden angegeben</translation></message>
@@ -99,29 +99,29 @@
         <translation>Eine CSV-Datei ist ein Export und lässt sich nicht als Aufzeichnung öffnen. Öffnen Sie die Aufzeichnung ({0}), aus der sie exportiert wurde.</translation></message>
     <message><source>It is still being recorded. End the recording, then open it again.</source>
         <translation>Sie wird noch aufgezeichnet. Beenden Sie die Aufzeichnung und öffnen Sie sie dann erneut.</translation></message>
-    <message><source>Its format, {0}, is not known. A later version of TReX Studio may open it.</source>
+    <message><source>Its format, {0}, is unknown. A later version of TReX Studio may be able to open it.</source>
         <translation>Das Format {0} ist unbekannt. Eine neuere Version von TReX Studio kann sie vielleicht öffnen.</translation></message>
-    <message><source>This is a recording of another device: {0}. It opens where the window shows the pages of that device: choose its port or its demo in the list of ports, then open the file again.</source>
+    <message><source>This is a recording of another device: {0}. Select the port or the demo of that device in the list of ports, then open the file again.</source>
         <translation>Das ist eine Aufzeichnung eines anderen Geräts: {0}. Sie lässt sich öffnen, wenn das Fenster die Seiten dieses Geräts zeigt: Wählen Sie seinen Port oder seine Demo in der Liste der Ports und öffnen Sie die Datei dann erneut.</translation></message>
     <message><source>The table {0} is missing.</source>
         <translation>Die Tabelle {0} fehlt.</translation></message>
     <message><source>The column {0} is missing.</source>
         <translation>Die Spalte {0} fehlt.</translation></message>
-    <message><source>Samples of {0} among records {1} to {2} are lost: {3}.</source>
+    <message><source>Samples of {0} between records {1} and {2} are lost: {3}.</source>
         <translation>Messwerte von {0} in den Datensätzen {1} bis {2} sind verloren: {3}.</translation></message>
     <message><source>The column {0} is computed.</source>
         <translation>Die Spalte {0} ist berechnet.</translation></message>
-    <message><source>The motors of the {0} at {1}, driven since {2}, were left running. The board that is there now has confirmed a stop. If a motor still turns, cut its power.</source>
+    <message><source>The motors of the {0} at {1}, driven since {2}, were left running. The board now connected there has confirmed a stop. If a motor still turns, cut its power.</source>
         <translation>Die Motoren des Boards ({0}) an {1}, angesteuert seit {2}, liefen noch. Das Board, das jetzt dort ist, hat einen Stopp bestätigt. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
-    <message><source>The motors have to be stopped first.</source>
+    <message><source>Stop the motors first.</source>
         <translation>Die Motoren müssen zuerst gestoppt werden.</translation></message>
-    <message><source>another line of this program</source>
+    <message><source>another connection of this program</source>
         <translation>einer anderen Leitung dieses Programms</translation></message>
     <message><source>{0} (process {1})</source>
         <translation>{0} (Prozess {1})</translation></message>
     <message><source>Join its group, then log out and in again: {0} (or, until it is unplugged: {1}).</source>
         <translation>Treten Sie seiner Gruppe bei, dann melden Sie sich ab und wieder an: {0} (oder, bis zum Ausstecken: {1}).</translation></message>
-    <message><source>the server refuses the settings of the line</source>
+    <message><source>the server rejects the line settings</source>
         <translation>der Server lehnt die Leitungseinstellungen ab</translation></message>
     <message><source>It belongs to root; this command grants access until the port is unplugged: {0}</source>
         <translation>Er gehört root; dieser Befehl öffnet ihn bis zum Ausstecken: {0}</translation></message>
@@ -135,7 +135,7 @@
         <translation>der Port nimmt nichts an</translation></message>
     <message><source>the port cannot be set to {0}</source>
         <translation>der Port lässt sich nicht auf {0} einstellen</translation></message>
-    <message><source>The device sends without a request ({0} …).</source>
+    <message><source>The device sends data without being queried ({0} …).</source>
         <translation>Das Gerät sendet ohne Anfrage ({0} …).</translation></message>
     <message><source>even parity</source>
         <translation>gerade Parität</translation></message>
@@ -155,7 +155,7 @@
         <translation>{0} Baud</translation></message>
     <message><source>Opened {0}.</source>
         <translation>{0} geöffnet.</translation></message>
-    <message><source>this is no traffic log: the traffic page and trexcmd --traffic write them</source>
+    <message><source>this is not a traffic log, as written by the Traffic page and by trexcmd --traffic</source>
         <translation>dies ist kein Datenverkehrsprotokoll: Solche schreiben die Seite „Datenverkehr“ und trexcmd --traffic</translation></message>
     <message><source>this is not a row of a traffic log</source>
         <translation>dies ist keine Zeile eines Datenverkehrsprotokolls</translation></message>
@@ -165,17 +165,17 @@
         <translation>Andere Benutzer dieses Rechners können die Geheimnisse lesen: chmod 600 „{0}“.</translation></message>
     <message><source>{0} is not trex://host/name, such as trex://robot.local/arm.</source>
         <translation>{0} ist nicht trex://Rechner/Name, etwa trex://robot.local/arm.</translation></message>
-    <message><source>{0}: there is no kind of port {1!r}; try socket:// or rfc2217://.</source>
+    <message><source>{0}: {1!r} is not a kind of port; try socket:// or rfc2217://.</source>
         <translation>{0}: Eine Portart {1!r} gibt es nicht; versuchen Sie socket:// oder rfc2217://.</translation></message>
     <message><source>{0} is not {1}://host:port, such as {1}://192.168.1.20:2217.</source>
         <translation>{0} hat nicht die Form {1}://host:port, zum Beispiel {1}://192.168.1.20:2217.</translation></message>
     <message><source>{0} is not a host, such as robot.local.</source>
         <translation>{0} ist kein Rechner, etwa robot.local.</translation></message>
-    <message><source>Opening this port has reset the board: it responds about a second later.</source>
+    <message><source>Opening this port reset the board: it responds again after about a second.</source>
         <translation>Das Öffnen dieses Ports hat das Board zurückgesetzt: Es antwortet etwa eine Sekunde später.</translation></message>
     <message><source>Aracna {0}</source>
         <translation>Aracna {0}</translation></message>
-    <message><source>No probe for an Aracna was sent on {0}: its baud rate is set at the other end of the network, and a TReX at another rate could take the probe for a command. If you know that it is an Aracna, connect once with: trex-gui --device aracna --port {1}</source>
+    <message><source>No probe for an Aracna was sent on {0}: the baud rate is set at the other end of the network, and a TReX at another rate could mistake the probe for a command. If you know that it is an Aracna, connect once with: trex-gui --device aracna --port {1}</source>
         <translation>An {0} wurde keine Anfrage an einen Aracna gesendet: Die Baudrate ist am anderen Ende des Netzwerks eingestellt, und ein TReX mit einer anderen Baudrate könnte die Anfrage für einen Befehl halten. Wenn Sie wissen, dass es ein Aracna ist, verbinden Sie einmal mit: trex-gui --device aracna --port {1}</translation></message>
     <message><source>No probe for an Aracna was sent: {0} cannot be set to {1}.</source>
         <translation>Es wurde keine Anfrage an einen Aracna gesendet: {0} lässt sich nicht auf {1} einstellen.</translation></message>
@@ -241,7 +241,7 @@
         <translation>Es wird nichts mehr gesendet.</translation></message>
     <message><source>Solid lines: last reported; dashed: goal. A sketch: angles are drawn flat.</source>
         <translation>Durchgezogene Linien: zuletzt gemeldet; gestrichelt: Ziel. Eine Skizze: Winkel sind flach gezeichnet.</translation></message>
-    <message><source>Which leg is which is assumed; even motors are inner joints, odd ones outer.</source>
+    <message><source>The order of the legs is assumed. Even motors are inner joints, odd motors are outer joints.</source>
         <translation>Welches Bein welches ist, ist angenommen; Motoren mit gerader Nummer sind innere Gelenke, solche mit ungerader äußere.</translation></message>
     <message><source>Playing step {0} of {1} “{2}”, round {3} of {4}.</source>
         <translation>Schritt {0} von {1} „{2}“ läuft, Durchlauf {3} von {4}.</translation></message>
@@ -253,11 +253,11 @@
         <translation>Die Antwort ging verloren (oder kein Motor reagiert): Die Positionen sind nicht bekannt.</translation></message>
     <message><source>Unknown: a motion may continue for about {0:.0f} s.</source>
         <translation>Unbekannt: Eine Bewegung kann noch etwa {0:.0f} s weiterlaufen.</translation></message>
-    <message><source>Nothing is sent. It may be moving: its state is unknown until the first move.</source>
+    <message><source>Nothing is sent. The robot may be moving: its state is unknown until its first move.</source>
         <translation>Es wird nichts gesendet. Ob er sich bewegt, ist bis zu seiner ersten Bewegung unbekannt.</translation></message>
     <message><source>The robot does not respond.</source>
         <translation>Der Roboter antwortet nicht.</translation></message>
-    <message><source>Check servo power, cable and whether it is blocked. A reset of the board ends the wait; it does not stop the servos.</source>
+    <message><source>Check the servo power, the cable, and whether the servo is blocked. Resetting the board ends the wait, but does not stop the servos.</source>
         <translation>Prüfen Sie Servoversorgung, Kabel und ob er blockiert ist. Ein Reset des Boards beendet das Warten; die Servos stoppt er nicht.</translation></message>
     <message><source>Motor {0}, {1} leg</source>
         <translation>Motor {0}, Bein {1}</translation></message>
@@ -271,7 +271,7 @@
         <translation>Unbekannt: Die letzte Bewegung läuft vielleicht noch.</translation></message>
     <message><source>The motion ends by itself in about {0:.1f} s.</source>
         <translation>Die Bewegung endet in etwa {0:.1f} s von selbst.</translation></message>
-    <message><source>The sequence begins.</source>
+    <message><source>The sequence starts.</source>
         <translation>Die Sequenz beginnt.</translation></message>
     <message><source>Playing blend-in.</source>
         <translation>Einblendung läuft.</translation></message>
@@ -299,17 +299,17 @@
         <translation>Legt sich in 3 s flach hin und steht in 3 s auf, aus jeder Stellung.</translation></message>
     <message><source>Lifts two opposite legs, swings the other two, changes over and swings them back.</source>
         <translation>Hebt zwei gegenüberliegende Beine, schwenkt die anderen beiden, wechselt und schwenkt sie zurück.</translation></message>
-    <message><source>All motors together, 100 units about the centre.</source>
+    <message><source>Moves all motors together, 100 units about the centre.</source>
         <translation>Alle Motoren gemeinsam, 100 Einheiten um die Mitte.</translation></message>
-    <message><source>To and fro between two poses; motors that stay more than 50 units off are suspect.</source>
+    <message><source>Moves back and forth between two poses; a motor that ends more than 50 units from its goal is suspect.</source>
         <translation>Zwischen zwei Posen hin und her; Motoren, die mehr als 50 Einheiten abweichen, sind verdächtig.</translation></message>
-    <message><source>Down to half-stand and up again.</source>
+    <message><source>Moves down to half-stand and up again.</source>
         <translation>Hinunter in „half-stand“ und wieder hinauf.</translation></message>
-    <message><source>By way of half-stand to flat, from any position.</source>
+    <message><source>Moves through half-stand to flat, from any position.</source>
         <translation>Über „half-stand“ nach „flat“, aus jeder Stellung.</translation></message>
-    <message><source>The poses are for {0} motors, the robot has {1}: the last positions are left out.</source>
+    <message><source>The poses are for {0} motors, but the robot has {1}: the last positions are ignored.</source>
         <translation>Die Posen sind für {0} Motoren, der Roboter hat {1}: Die letzten Positionen werden weggelassen.</translation></message>
-    <message><source>The poses are for {0} motors, the robot has {1}: its last motors go to {2}.</source>
+    <message><source>The poses are for {0} motors, but the robot has {1}: its last motors go to {2}.</source>
         <translation>Die Posen sind für {0} Motoren, der Roboter hat {1}: Seine letzten Motoren gehen auf {2}.</translation></message>
     <message><source>{0} uses poses that are not defined: {1}</source>
         <translation>{0} verwendet nicht definierte Posen: {1}</translation></message>
@@ -319,9 +319,9 @@
         <translation>die erste Zeile sollte den Roboter und seine Servos nennen; angenommen werden 8 Servos</translation></message>
     <message><source>poses</source>
         <translation>Posen</translation></message>
-    <message><source>neither a pose nor a sequence: it has no colon</source>
+    <message><source>this is neither a pose nor a sequence: there is no colon</source>
         <translation>weder Pose noch Sequenz: Der Doppelpunkt fehlt</translation></message>
-    <message><source>a sequence has a colon after its name</source>
+    <message><source>a sequence needs a colon after its name</source>
         <translation>eine Sequenz hat einen Doppelpunkt nach ihrem Namen</translation></message>
     <message><source>this is not UTF-8 text; it is read as Western European, and Save writes UTF-8</source>
         <translation>dies ist kein UTF-8-Text; er wird als westeuropäisch gelesen, und „Speichern“ schreibt UTF-8</translation></message>
@@ -335,9 +335,9 @@
         <translation>Pose {0}: Positionen sind Zahlen von 0 bis {1}, nicht {2!r} (Motor {3})</translation></message>
     <message><source>sequence {0}: a step is a pose, a bar and {1} to {2} ms, not {3!r}</source>
         <translation>Sequenz {0}: Ein Schritt ist eine Pose, ein senkrechter Strich und {1} bis {2} ms, nicht {3!r}</translation></message>
-    <message><source>pose {0} has {1} positions for {2} servos; the last ones are kept, but not used</source>
+    <message><source>pose {0} has {1} positions for {2} servos; the last positions are kept, but not used</source>
         <translation>Pose {0} hat {1} Positionen für {2} Servos; die letzten bleiben erhalten, werden aber nicht verwendet</translation></message>
-    <message><source>line {0} has this {1} again, and counts; this one is called {2} now</source>
+    <message><source>line {0} defines this {1} again and takes precedence; this one is now called {2}</source>
         <translation>Zeile {0} enthält diese {1} noch einmal und gilt; diese hier heißt jetzt {2}</translation></message>
     <message><source>sequence {0} uses the pose {1}, which is not in the file</source>
         <translation>Sequenz {0} verwendet die Pose {1}, die nicht in der Datei steht</translation></message>
@@ -345,7 +345,7 @@
         <translation>vor dem Doppelpunkt fehlt der Name ({0})</translation></message>
     <message><source>{0}; the line is kept, but not used</source>
         <translation>{0}; die Zeile bleibt erhalten, wird aber nicht verwendet</translation></message>
-    <message><source>a name has 1 to {0} printable characters, and no colon, comma or bar</source>
+    <message><source>a name has 1 to {0} printable characters, without colon, comma or bar</source>
         <translation>ein Name hat 1 bis {0} druckbare Zeichen und weder Doppelpunkt noch Komma noch senkrechten Strich</translation></message>
     <message><source>the name {0} is taken</source>
         <translation>der Name {0} ist schon vergeben</translation></message>
@@ -363,19 +363,19 @@
         <translation>Hinten rechts</translation></message>
     <message><source>Back left</source>
         <translation>Hinten links</translation></message>
-    <message><source>limits are 0 to {0} in order, not {1} to {2}</source>
+    <message><source>limits are 0 to {0}, the lower one first, not {1} to {2}</source>
         <translation>Grenzen sind 0 bis {0} in aufsteigender Reihenfolge, nicht {1} bis {2}</translation></message>
     <message><source>No Aracna responds on {0}. It does not listen while it moves: if it is moving, wait until it stops. Check that the robot's board has power, that the adapter's TX goes to its RX and its RX to its TX (or that both radios are on the same channel), and that ground is connected.</source>
         <translation>An {0} antwortet kein Aracna. Während einer Bewegung hört er nicht zu: Falls er sich bewegt, warten Sie, bis er stillsteht. Prüfen Sie, ob das Board des Roboters Strom hat, ob TX des Adapters mit dessen RX und RX mit dessen TX verbunden ist (oder ob beide Funkmodule auf demselben Kanal sind) und ob Masse verbunden ist.</translation></message>
-    <message><source>No Aracna responds on {0}: everything sent comes back, and nothing else. The adapter's TX and RX are joined; an Aracna never echoes.</source>
+    <message><source>No Aracna responds on {0}: everything sent comes back, and nothing else arrives. The adapter's TX and RX are joined; an Aracna never echoes.</source>
         <translation>An {0} antwortet kein Aracna: Alles Gesendete kommt zurück, und sonst nichts. TX und RX des Adapters sind verbunden; ein Aracna sendet nie ein Echo.</translation></message>
-    <message><source>An Aracna on {0} reports that it starts, but does not respond afterwards. It may be restarting repeatedly: check its power supply.</source>
+    <message><source>An Aracna on {0} reports its start, but does not respond afterwards. It may be restarting repeatedly: check its power supply.</source>
         <translation>Ein Aracna an {0} meldet, dass er startet, antwortet danach aber nicht. Vielleicht startet er immer wieder neu: Prüfen Sie seine Stromversorgung.</translation></message>
     <message><source>Something responds on {0}, but not like an Aracna: {1}. Another device, perhaps a TReX at another baud rate, or interference on the line.</source>
         <translation>An {0} antwortet etwas, aber nicht wie ein Aracna: {1}. Ein anderes Gerät, vielleicht ein TReX mit anderer Baudrate, oder Störungen auf der Leitung.</translation></message>
     <message><source>The robot has not replied yet; it is still being queried.</source>
         <translation>Der Roboter hat noch nicht geantwortet; er wird noch abgefragt.</translation></message>
-    <message><source>One command at a time: the robot has not replied to the last one yet.</source>
+    <message><source>The robot has not replied to the last command yet.</source>
         <translation>Nur ein Befehl auf einmal: Der Roboter hat auf den letzten noch nicht geantwortet.</translation></message>
     <message><source>The robot did not reply in time.</source>
         <translation>Der Roboter hat nicht rechtzeitig geantwortet.</translation></message>
@@ -393,7 +393,7 @@
         <translation>Kein Motor hat seine Geschwindigkeit angenommen. Prüfen Sie die Servoversorgung.</translation></message>
     <message><source>The robot did not confirm its speeds, so no motor was moved. {0}</source>
         <translation>Der Roboter hat seine Geschwindigkeiten nicht bestätigt, daher wurde kein Motor bewegt. {0}</translation></message>
-    <message><source>{0} It is blocked, or servo power was off. The sequence does not continue by itself.</source>
+    <message><source>{0} The motor is blocked, or servo power was off. The sequence does not continue by itself.</source>
         <translation>{0} Er ist blockiert, oder die Servoversorgung war aus. Die Sequenz wird nicht von selbst fortgesetzt.</translation></message>
     <message><source>Motor {0} is at {1}, {2} from its goal {3}.</source>
         <translation>Motor {0} steht auf {1}, {2} von seinem Ziel {3} entfernt.</translation></message>
@@ -411,13 +411,13 @@
         <translation>An diesem Port antwortet jetzt ein anderer Roboter.</translation></message>
     <message><source>The robot stopped responding.</source>
         <translation>Der Roboter antwortet nicht mehr.</translation></message>
-    <message><source>The connection was closed before this was done.</source>
+    <message><source>The connection was closed before this was complete.</source>
         <translation>Die Verbindung wurde geschlossen, bevor dies erledigt war.</translation></message>
     <message><source>Internal error in the connection: {0}</source>
         <translation>Interner Fehler in der Verbindung: {0}</translation></message>
     <message><source>Played to the end.</source>
         <translation>Bis zum Ende abgespielt.</translation></message>
-    <message><source>The sequence has ended after its step.</source>
+    <message><source>The sequence ended after its step.</source>
         <translation>Die Sequenz wurde nach ihrem Schritt beendet.</translation></message>
     <message><source>The sequence was stopped.</source>
         <translation>Die Sequenz wurde gestoppt.</translation></message>
@@ -443,9 +443,9 @@
         <translation>eine unvollständige Zeile im Puffer des Roboters abschließen</translation></message>
     <message><source>not a command of an Aracna</source>
         <translation>kein Befehl eines Aracna</translation></message>
-    <message><source>the robot has started, busy for a second</source>
+    <message><source>the robot has started and is busy for a second</source>
         <translation>der Roboter ist gestartet, eine Sekunde lang beschäftigt</translation></message>
-    <message><source>{0}, then query whether it is free</source>
+    <message><source>{0}, then query whether the robot is free</source>
         <translation>{0}, dann Abfrage, ob er frei ist</translation></message>
     <message><source>no reply</source>
         <translation>keine Antwort</translation></message>
@@ -481,9 +481,9 @@
         <translation>{0} Motoren</translation></message>
     <message><source>followed by {0}</source>
         <translation>gefolgt von {0}</translation></message>
-    <message><source>This share of the bytes is corrupted in either direction; this protocol does not detect that, and a corrupted command may restart the firmware</source>
+    <message><source>This share of the bytes is corrupted in both directions; the protocol does not detect this, and a corrupted command may restart the firmware</source>
         <translation>Dieser Anteil der Bytes wird in beiden Richtungen verfälscht; dieses Protokoll erkennt das nicht, und ein verfälschter Befehl kann die Firmware neu starten</translation></message>
-    <message><source>A lost byte of a command may leave too few values in it, which restarts the firmware</source>
+    <message><source>A command that loses a byte may have too few values, which restarts the firmware</source>
         <translation>Ein verlorenes Byte eines Befehls kann zu wenige Werte darin lassen; das startet die Firmware neu</translation></message>
     <message><source>The only way to stop a motion: the protocol has no stop command.</source>
         <translation>Die einzige Möglichkeit, eine Bewegung zu stoppen: Das Protokoll hat keinen Stoppbefehl.</translation></message>
@@ -499,7 +499,7 @@
         <translation>Board neu starten</translation></message>
     <message><source>Servo power</source>
         <translation>Servoversorgung</translation></message>
-    <message><source>The power of the servos only: without it they stop, hold nothing and lose their speeds; the firmware waits for them</source>
+    <message><source>Power of the servos only: without it they stop, go limp and lose their speeds; the firmware waits for them</source>
         <translation>Nur die Versorgung der Servos: Ohne sie stoppen sie, halten nichts und verlieren ihre Geschwindigkeiten; die Firmware wartet auf sie</translation></message>
     <message><source>Dead</source>
         <translation>Tot</translation></message>
@@ -537,7 +537,7 @@
         <translation>{0}: wirkliche Position</translation></message>
     <message><source>Cable plugged in</source>
         <translation>Kabel eingesteckt</translation></message>
-    <message><source>The wire back is broken: the robot executes commands, no reply arrives</source>
+    <message><source>The return wire is broken: the robot executes commands, but no reply arrives</source>
         <translation>Die Rückleitung ist unterbrochen: Der Roboter führt Befehle aus, es kommt keine Antwort an</translation></message>
     <message><source>Moving indefinitely: waiting for servos that have no power.</source>
         <translation>Bewegt sich endlos: Wartet auf Servos, die keine Versorgung haben.</translation></message>
@@ -559,15 +559,15 @@
         <translation>tot</translation></message>
     <message><source>How often the firmware has started</source>
         <translation>Wie oft die Firmware gestartet ist</translation></message>
-    <message><source>Servos alive, free and unloaded, a quiet line, everything switched on</source>
+    <message><source>Every servo works and is free to move, the line is quiet, everything is switched on</source>
         <translation>Servos intakt, frei und unbelastet, Leitung ungestört, alles eingeschaltet</translation></message>
     <message><source>{0} does not respond, as when unplugged: speeds read as −1, and a move waits for it indefinitely</source>
         <translation>{0} reagiert nicht, wie ausgesteckt: Geschwindigkeiten werden als −1 gelesen, und eine Bewegung wartet endlos darauf</translation></message>
     <message><source>Something blocks {0}: it stays “moving”, and the firmware waits</source>
         <translation>Etwas blockiert {0}: Es bleibt „in Bewegung“, und die Firmware wartet</translation></message>
-    <message><source>Loss to simulate</source>
+    <message><source>Simulated loss</source>
         <translation>Zu simulierender Verlust</translation></message>
-    <message><source>Lose it</source>
+    <message><source>Lose</source>
         <translation>Verlieren</translation></message>
     <message><source>Takes effect in the next transfer</source>
         <translation>Wirkt bei der nächsten Übertragung</translation></message>
@@ -591,9 +591,9 @@
         <translation>kann {0} nicht erreichen</translation></message>
     <message><source>moving to {0}</source>
         <translation>bewegt sich nach {0}</translation></message>
-    <message><source>This link has no stop: a running motion ends only by itself, or by cutting the servo power.</source>
+    <message><source>This link has no stop command: a running motion ends by itself or when the servo power is cut.</source>
         <translation>Diese Verbindung kennt keinen Stopp: Eine laufende Bewegung endet nur von selbst oder durch Trennen der Servoversorgung.</translation></message>
-    <message><source>End the sequence, send nothing more, stay where the robot is (Esc, anywhere)</source>
+    <message><source>End the sequence and send nothing more; the robot stays where it is (Esc, anywhere)</source>
         <translation>Die Sequenz beenden, nichts mehr senden, den Roboter dort lassen, wo er ist (Esc, überall)</translation></message>
     <message><source>End afte&amp;r this step</source>
         <translation>Nach diesem Schritt &amp;beenden</translation></message>
@@ -637,7 +637,7 @@
         <translation>Sequenzen und Gangarten</translation></message>
     <message><source>New sequence</source>
         <translation>Neue Sequenz</translation></message>
-    <message><source>Choose a sequence; built-in gaits cannot be changed</source>
+    <message><source>Select a sequence; built-in gaits cannot be changed</source>
         <translation>Wählen Sie eine Sequenz; eingebaute Gangarten lassen sich nicht ändern</translation></message>
     <message><source>There are no poses</source>
         <translation>Es gibt keine Posen</translation></message>
@@ -651,7 +651,7 @@
         <translation>Nach oben</translation></message>
     <message><source>Move down</source>
         <translation>Nach unten</translation></message>
-    <message><source>Choose a sequence or a gait to see its steps.</source>
+    <message><source>Select a sequence or a gait to see its steps.</source>
         <translation>Wählen Sie eine Sequenz oder eine Gangart, um ihre Schritte zu sehen.</translation></message>
     <message><source>{0} ms</source>
         <translation>{0} ms</translation></message>
@@ -693,7 +693,7 @@
         <translation>Pos&amp;en</translation></message>
     <message><source>{0}, changed</source>
         <translation>{0}, geändert</translation></message>
-    <message><source>needs {0:.2f} s: motor {1}</source>
+    <message><source>needs {0:.2f} s (motor {1})</source>
         <translation>braucht {0:.2f} s: Motor {1}</translation></message>
     <message numerus="yes"><source>%n step(s)</source>
         <translation><numerusform>%n Schritt</numerusform><numerusform>%n Schritte</numerusform></translation></message>
@@ -717,13 +717,13 @@
         <translation>0: wiederholen, bis gestoppt wird.</translation></message>
     <message><source> %</source>
         <translation> %</translation></message>
-    <message><source>Also while playing, from the next step on. 50 %: each step takes twice.</source>
+    <message><source>Also takes effect while playing, from the next step. At 50 %, each step takes twice as long.</source>
         <translation>Auch während des Abspielens, ab dem nächsten Schritt. 50 %: Jeder Schritt dauert doppelt so lange.</translation></message>
-    <message><source>First go slowly, in 3 s, to the start.</source>
+    <message><source>First move slowly to the start, in 3 s.</source>
         <translation>Zuerst langsam, in 3 s, zum Start gehen.</translation></message>
-    <message><source>At the end go slowly, in 3 s, to the pose “stand”.</source>
+    <message><source>At the end move slowly to the pose “stand”, in 3 s.</source>
         <translation>Am Ende langsam, in 3 s, in die Pose „stand“ gehen.</translation></message>
-    <message><source>Choose a sequence or a gait to play it.</source>
+    <message><source>Select a sequence or a gait to play it.</source>
         <translation>Wählen Sie eine Sequenz oder eine Gangart, um sie abzuspielen.</translation></message>
     <message><source>Positions outside the limits are cropped.</source>
         <translation>Positionen außerhalb der Grenzen werden begrenzt.</translation></message>
@@ -761,15 +761,15 @@
         <translation>Position von Motor {0} in dieser Pose</translation></message>
     <message><source>Motor {0}: {1:.0f}°, limits {2} to {3}, sent as {4}</source>
         <translation>Motor {0}: {1:.0f}°, Grenzen {2} bis {3}, gesendet als {4}</translation></message>
-    <message><source>Requests: {0}, without a reply: {1}.</source>
+    <message><source>Requests: {0}, of which without a reply: {1}.</source>
         <translation>Anfragen: {0}, ohne Antwort: {1}.</translation></message>
     <message><source>Answered</source>
         <translation>Beantwortet</translation></message>
     <message><source>Slowest reply</source>
         <translation>Langsamste Antwort</translation></message>
-    <message><source>Without motions</source>
+    <message><source>Motions are not included</source>
         <translation>Ohne Bewegungen</translation></message>
-    <message><source>Restarts seen</source>
+    <message><source>Restarts detected</source>
         <translation>Neustarts</translation></message>
     <message><source>Corrupted replies</source>
         <translation>Verfälschte Antworten</translation></message>
@@ -779,13 +779,13 @@
         <translation>{0}, jetzt aktiv</translation></message>
     <message><source>The robot from above</source>
         <translation>Der Roboter von oben</translation></message>
-    <message><source>Legs at their reported positions, goals dashed; the table says both in numbers.</source>
+    <message><source>Legs at their reported positions, goals dashed; the table shows both as numbers.</source>
         <translation>Beine in den gemeldeten Positionen, Ziele gestrichelt; die Tabelle nennt beides in Zahlen.</translation></message>
     <message><source>front</source>
         <translation>vorn</translation></message>
     <message><source>Present position unknown</source>
         <translation>Istposition unbekannt</translation></message>
-    <message><source>Speed setting 1-1023, 0.669 °/s each; 0 is unlimited, not “stopped”. Above about 870 (AX-18A) or 530 (AX-12A) a servo gets no faster.</source>
+    <message><source>Speed setting 1–1023 in steps of 0.669 °/s; 0 means unlimited, not “stopped”. Above about 870 (AX-18A) or 530 (AX-12A) a servo gets no faster.</source>
         <translation>Einstellwert 1-1023 für die Geschwindigkeit, je 0,669 °/s; 0 ist unbegrenzt, nicht „gestoppt“. Über etwa 870 (AX-18A) oder 530 (AX-12A) wird ein Servo nicht schneller.</translation></message>
     <message><source>goal in units</source>
         <translation>Ziel in Einheiten</translation></message>
@@ -809,7 +809,7 @@
         <translation>das Servo hat {0}</translation></message>
     <message><source>Leg*</source>
         <translation>Bein*</translation></message>
-    <message><source>Which leg is which is assumed</source>
+    <message><source>The order of the legs is assumed</source>
         <translation>Welches Bein welches ist, ist angenommen</translation></message>
     <message><source>Motor</source>
         <translation>Motor</translation></message>
@@ -829,11 +829,11 @@
         <translation>Die Motorpositionen sind unbekannt.</translation></message>
     <message><source>This robot reports them only in its reply to a move.</source>
         <translation>Dieser Roboter meldet sie nur in seiner Antwort auf eine Bewegung.</translation></message>
-    <message><source>The first one runs at speed {0} ({1}), unless you choose other speeds.</source>
+    <message><source>The first move runs at speed {0} ({1}) unless you set other speeds.</source>
         <translation>Die erste läuft mit Geschwindigkeit {0} ({1}), falls Sie keine anderen Geschwindigkeiten wählen.</translation></message>
     <message><source>Move every motor to its goal, within its limits (Ctrl+M)</source>
         <translation>Jeden Motor zu seinem Ziel bewegen, innerhalb seiner Grenzen (Strg+M)</translation></message>
-    <message><source>The last motion may still be running; the next move will report them.</source>
+    <message><source>The last motion may still be running; the next move will report the positions.</source>
         <translation>Die letzte Bewegung läuft vielleicht noch; die nächste wird sie melden.</translation></message>
     <message><source>Pre&amp;sent</source>
         <translation>&amp;Istposition</translation></message>
@@ -891,7 +891,7 @@
         <translation>Aufzeichnen nicht möglich: Es ist kein Roboter verbunden.</translation></message>
     <message><source>Aracna, Open recording</source>
         <translation>Aracna, Aufzeichnung öffnen</translation></message>
-    <message><source>Give the legs room: this robot has no stop. Nothing moves until you choose Move.</source>
+    <message><source>Keep clear of the legs: this robot has no stop command. Nothing moves until you press Move.</source>
         <translation>Geben Sie den Beinen Platz: Dieser Roboter hat keinen Stopp. Nichts bewegt sich, bis Sie Bewegen wählen.</translation></message>
     <message><source>No robot at hand?</source>
         <translation>Kein Roboter zur Hand?</translation></message>
@@ -925,7 +925,7 @@
         <translation>Bedienfeld des &amp;Demo-Aracna</translation></message>
     <message><source>Connect my {0}</source>
         <translation>Meinen {0} verbinden</translation></message>
-    <message><source>An FTDI cable at the header, or an XBee radio in the socket: both share one line. Switch on the servo power, too, without which the first move never ends.</source>
+    <message><source>Connect an FTDI cable to the header or plug an XBee radio into the socket: both share one line. Switch on the servo power as well; without it the first move never ends.</source>
         <translation>Ein FTDI-Kabel an der Stiftleiste oder ein XBee-Funkmodul im Sockel: Beide teilen sich eine Leitung. Schalten Sie auch die Servoversorgung ein, ohne die die erste Bewegung nie endet.</translation></message>
     <message><source>Open pose fi&amp;le…</source>
         <translation>Po&amp;sendatei öffnen…</translation></message>
@@ -963,7 +963,7 @@
         <translation>Umkehr {0}, {1} s</translation></message>
     <message><source>sine {0}, {1} s</source>
         <translation>Sinus {0}, {1} s</translation></message>
-    <message><source>the speed of a bench test is −{0} to {0} and not 0, not {1}</source>
+    <message><source>the speed of a bench test is −{0} to −1 or 1 to {0}, not {1}</source>
         <translation>die Geschwindigkeit eines Prüflaufs ist −{0} bis {0} und nicht 0, nicht {1}</translation></message>
     <message><source>a bench test lasts {0:g} to {1:g} s, not {2:g} s</source>
         <translation>ein Prüflauf dauert {0:g} bis {1:g} s, nicht {2:g} s</translation></message>
@@ -1001,7 +1001,7 @@
         <translation>Gerät {0} ausgewählt: {1}</translation></message>
     <message><source>{0} (doubtful)</source>
         <translation>{0} (zweifelhaft)</translation></message>
-    <message><source>The notes, calibrations and applied settings of this {0} on this computer are of {1}, when it was at another USB adapter or socket. If this is another board, give it a device number of its own: boards with the same number share these files.</source>
+    <message><source>The notes, calibrations and applied settings saved for this {0} date from {1}, when it was connected through another USB adapter or socket. If this is another board, give it its own device number: boards with the same number share these files.</source>
         <translation>Was hier für diesen {0} aufbewahrt wird (Notizen, Kalibrierungen, angewendete Einstellungen), stammt vom {1}, als er an einem anderen USB-Adapter oder einer anderen Buchse war. Wenn dies ein anderes Board ist, geben Sie ihm eine eigene Gerätenummer: Boards mit derselben Nummer teilen sich das Aufbewahrte.</translation></message>
     <message><source>Disconnected</source>
         <translation>Getrennt</translation></message>
@@ -1015,8 +1015,8 @@
         <translation>Bytes wurden verfälscht: Motorbefehle werden wiederholt, bis die Leitung ruhig ist</translation></message>
     <message><source>this program</source>
         <translation>dieses Programm</translation></message>
-    <message><source>Disconnected before a stop was confirmed: motors may still turn</source>
-        <translation>Getrennt, bevor ein Stopp bestätigt war: Die Motoren können sich noch drehen</translation></message>
+    <message><source>Motors may still be turning: disconnected before a stop was confirmed</source>
+        <translation>Die Motoren können sich noch drehen: getrennt, bevor ein Stopp bestätigt war</translation></message>
     <message><source>The network to the robot is silent.</source>
         <translation>Das Netz zum Roboter ist still.</translation></message>
     <message><source>Driver: {0}</source>
@@ -1033,13 +1033,13 @@
         <translation>wird gemessen …</translation></message>
     <message><source>good: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
         <translation>gut: {0:.1f} % der Anfragen der letzten {1:.0f} s beantwortet</translation></message>
-    <message><source>The ends are 1 % of the travel and three times the noise inside the measured ones, so that full output is reliably reached. The deadband covers the noise at rest, but is at least {0}, since a stick does not return to exactly the same place each time.</source>
+    <message><source>The ends lie inside the measured ends by 1 % of the travel plus three times the noise, so that full output is reliably reached. The deadband covers the noise at rest, but is at least {0}, because a stick does not return to exactly the same position each time.</source>
         <translation>Die Enden liegen um 1 % des Wegs und das Dreifache des Rauschens innerhalb der gemessenen, damit die volle Ausgabe sicher erreicht wird. Der Totbereich deckt das Rauschen in Ruhe ab, beträgt aber mindestens {0}, da ein Knüppel nicht jedes Mal genau an dieselbe Stelle zurückkehrt.</translation></message>
-    <message><source>{0}: reversed is suggested.</source>
+    <message><source>{0}, so the channel should be reversed.</source>
         <translation>{0}; Vorschlag: umgekehrt.</translation></message>
-    <message><source>{0}: not reversed is suggested.</source>
+    <message><source>{0}, so the channel should not be reversed.</source>
         <translation>{0}; Vorschlag: nicht umgekehrt.</translation></message>
-    <message><source>The measured ends are up to {0} further out.</source>
+    <message><source>The measured ends are up to {0} farther out.</source>
         <translation>Die gemessenen Endlagen liegen bis zu {0} weiter außen.</translation></message>
     <message><source>It never goes above its rest position, so maximum is set to the limit of the input.</source>
         <translation>Er geht nie über seine Ruhelage, daher wird das Maximum auf die Grenze des Eingangs gesetzt.</translation></message>
@@ -1049,13 +1049,13 @@
         <translation>Der Wert fiel, als der Knüppel zuerst nach vorn oder rechts ging</translation></message>
     <message><source>The value rose when the stick went forward or right first</source>
         <translation>Der Wert stieg, als der Knüppel zuerst nach vorn oder rechts ging</translation></message>
-    <message><source>The other position is above the one at rest, which should be off</source>
+    <message><source>The other position reads higher than the rest position, which should be off</source>
         <translation>Die andere Stellung liegt über der Ruhelage, die „aus“ sein soll</translation></message>
-    <message><source>The other position is below the one at rest, which should be off</source>
+    <message><source>The other position reads lower than the rest position, which should be off</source>
         <translation>Die andere Stellung liegt unter der Ruhelage, die „aus“ sein soll</translation></message>
     <message><source>At rest its noise is {0}: the deadband is twice that.</source>
         <translation>In Ruhe beträgt sein Rauschen {0}: Der Totbereich ist doppelt so groß.</translation></message>
-    <message><source>there is nothing to compare: nothing was sent, except to search</source>
+    <message><source>there is nothing to compare: only probes were sent</source>
         <translation>es gibt nichts zu vergleichen: Außer für die Suche wurde nichts gesendet</translation></message>
     <message><source>TReX 1.2, as no signature was read</source>
         <translation>TReX 1.2, da keine Signatur gelesen wurde</translation></message>
@@ -1087,7 +1087,7 @@
         <translation>Nach dem Aus- und Einschalten läuft es mit {0}.</translation></message>
     <message><source>Something is connected to {0}, but it does not respond like a TReX: it sent {1} at {2}{3}. It is another device, or the line is noisy.</source>
         <translation>An {0} ist etwas angeschlossen, das aber nicht wie ein TReX antwortet: Es hat {1} mit {2} gesendet{3}. Es ist ein anderes Gerät, oder die Leitung ist gestört.</translation></message>
-    <message><source>It is set to {0} baud, which firmware {1} runs at half the rate: connect at {2}.</source>
+    <message><source>It is set to {0} baud, but firmware {1} then runs at half that rate: connect at {2}.</source>
         <translation>Es ist auf {0} Baud eingestellt; Firmware {1} läuft dabei mit der Hälfte: Verbinden Sie mit {2}.</translation></message>
     <message><source>It is set to {0} stop bits; both numbers work on this line.</source>
         <translation>Es ist auf {0} Stoppbits eingestellt; an dieser Leitung funktioniert beides.</translation></message>
@@ -1099,9 +1099,9 @@
         <translation>, und bei {0} weiteren ebenfalls etwas</translation></message>
     <message><source>Its UART settings have the unknown value {0:#04x}.</source>
         <translation>Seine UART-Einstellungen enthalten {0:#04x}; das ist keine bekannte Einstellung.</translation></message>
-    <message><source>No TReX responds on {0}: everything sent comes back, and nothing else, at every rate. Either this is the RS-232 side of a board that is off, or the adapter's TX and RX are joined.</source>
+    <message><source>No TReX responds on {0}: at every rate, everything sent comes back and nothing else arrives. Either this is the RS-232 side of a board that is off, or the adapter's TX and RX are joined.</source>
         <translation>An {0} antwortet kein TReX: Alles Gesendete kommt zurück, und sonst nichts, bei jeder Baudrate. Entweder ist das die RS-232-Seite eines ausgeschalteten Boards, oder TX und RX des Adapters sind verbunden.</translation></message>
-    <message><source>No TReX responds on {0}. Its baud rate is set at the other end of the network, so only that one could be tried, without parity and without CRC.</source>
+    <message><source>No TReX responds on {0}. The baud rate is set at the other end of the network, so only that rate could be tried, without parity and without CRC.</source>
         <translation>An {0} antwortet kein TReX. Die Baudrate ist am anderen Ende des Netzwerks eingestellt, daher konnte nur diese versucht werden, ohne Parität und ohne CRC.</translation></message>
     <message><source>The connection was lost: motors may still be turning.</source>
         <translation>Die Verbindung ist abgebrochen: Die Motoren drehen sich vielleicht noch.</translation></message>
@@ -1149,13 +1149,13 @@
         <translation>Gestoppt. Die Motoren sind für {0} s gesperrt.</translation></message>
     <message><source>Then arm them again.</source>
         <translation>Geben Sie sie danach wieder frei.</translation></message>
-    <message><source>{0} drives this robot. You can watch it, and stop it.</source>
+    <message><source>{0} drives this robot. You can watch and stop it.</source>
         <translation>{0} fährt diesen Roboter. Sie können zusehen und ihn stoppen.</translation></message>
-    <message><source>Arm motors asks {0} to hand it over.</source>
+    <message><source>“Arm motors” asks {0} to hand over.</source>
         <translation>„Motoren freigeben“ bittet {0}, ihn zu übergeben.</translation></message>
     <message><source>No board is connected.</source>
         <translation>Es ist kein Board verbunden.</translation></message>
-    <message><source>Choose a port above and press Connect.</source>
+    <message><source>Select a port above and press Connect.</source>
         <translation>Wählen Sie oben einen Port und klicken Sie auf „Verbinden“.</translation></message>
     <message><source>The program is connecting to the board.</source>
         <translation>Das Programm verbindet sich mit dem Board.</translation></message>
@@ -1179,7 +1179,7 @@
         <translation>Wählen Sie eines der Boards an dieser Leitung aus.</translation></message>
     <message><source>Board {0}, which is driven with this one, does not follow.</source>
         <translation>Board {0}, das mit diesem gefahren wird, folgt nicht.</translation></message>
-    <message><source>Its diagram shows why. Drive alone drives the other board without it.</source>
+    <message><source>Its diagram shows why. “Drive alone” drives the other board without it.</source>
         <translation>Seine Zeichnung sagt, warum. „Allein fahren“ verwendet das andere ohne dieses.</translation></message>
     <message><source>The motors cannot be armed at this moment.</source>
         <translation>Die Motoren können im Moment nicht freigegeben werden.</translation></message>
@@ -1221,7 +1221,7 @@
         <translation>Der Hilfsmotor dreht sich vielleicht noch.</translation></message>
     <message><source>Motor {0} may still be turning.</source>
         <translation>Motor {0} dreht sich vielleicht noch.</translation></message>
-    <message><source>Not written: the board stores other settings than when it was reviewed.</source>
+    <message><source>Not written: the settings stored in the board have changed since the review.</source>
         <translation>Nicht geschrieben: Das Board speichert andere Einstellungen als bei der Prüfung.</translation></message>
     <message><source>The same settings for several boards</source>
         <translation>Dieselben Einstellungen für mehrere Boards</translation></message>
@@ -1251,7 +1251,7 @@
         <translation>{0:g} s lang wurde kein Strom gelesen.</translation></message>
     <message><source>Motor {0} exceeded its current limit.</source>
         <translation>Motor {0} hat seine Stromgrenze überschritten.</translation></message>
-    <message><source>No other board replies on this line. Each needs power, the serial settings of this one, and a device number of its own.</source>
+    <message><source>No other board replies on this line. Each board needs power, the same serial settings as this one, and its own device number.</source>
         <translation>An dieser Leitung antwortet kein anderes Board. Jedes braucht Strom, dieselben seriellen Einstellungen wie dieses und eine eigene Gerätenummer.</translation></message>
     <message numerus="yes"><source>%n board(s) on this line.</source>
         <translation><numerusform>%n Board an dieser Leitung.</numerusform><numerusform>%n Boards an dieser Leitung.</numerusform></translation></message>
@@ -1285,9 +1285,9 @@
         <translation>RC-Impulse</translation></message>
     <message><source>analog voltages</source>
         <translation>Analogspannungen</translation></message>
-    <message><source>drives motor 1; with the mix jumper on it steers</source>
+    <message><source>drives motor 1, or steers when the mix jumper is on</source>
         <translation>steuert Motor 1; mit gestecktem Mix-Jumper lenkt er</translation></message>
-    <message><source>drives motor 2; with the mix jumper on it drives forward and back</source>
+    <message><source>drives motor 2, or drives forward and back when the mix jumper is on</source>
         <translation>steuert Motor 2; mit gestecktem Mix-Jumper steuert er vor und zurück</translation></message>
     <message><source>drives the auxiliary motor, which turns one way only</source>
         <translation>steuert den Hilfsmotor, der nur in eine Richtung dreht</translation></message>
@@ -1297,35 +1297,35 @@
         <translation>ist der Vorrangschalter: Serielle Befehle steuern die Motoren</translation></message>
     <message><source>drives motor 1 (the mix jumper is off)</source>
         <translation>steuert Motor 1 (der Mix-Jumper ist nicht gesteckt)</translation></message>
-    <message><source>steers: it moves both motors (the mix jumper is on)</source>
+    <message><source>steers with both motors (the mix jumper is on)</source>
         <translation>lenkt: er bewegt beide Motoren (der Mix-Jumper ist gesteckt)</translation></message>
     <message><source>drives motor 2 (the mix jumper is off)</source>
         <translation>steuert Motor 2 (der Mix-Jumper ist nicht gesteckt)</translation></message>
     <message><source>drives both motors forward and back (the mix jumper is on)</source>
         <translation>steuert beide Motoren vor und zurück (der Mix-Jumper ist gesteckt)</translation></message>
-    <message><source>drives the one motor that both drivers power (joint mode, no mixing)</source>
+    <message><source>drives the single motor that both drivers power (joint mode, no mixing)</source>
         <translation>steuert den einen Motor, den beide Treiber speisen (Parallelbetrieb, kein Mischer)</translation></message>
     <message><source>has no motor: in joint mode both drivers power motor 1</source>
         <translation>hat keinen Motor: im Parallelbetrieb speisen beide Treiber Motor 1</translation></message>
-    <message><source>{0} ({1}) is beyond the input. {2} Full output on that side is never reached.</source>
+    <message><source>{0} ({1}) is outside the input range. {2} Full output on that side is never reached.</source>
         <translation>{0} ({1}) liegt außerhalb des Eingangsbereichs. {2} Der volle Ausgang auf dieser Seite wird nie erreicht.</translation></message>
-    <message><source>is ignored: it is held at neutral, whatever its input is</source>
+    <message><source>is ignored: it is held at neutral, whatever its input</source>
         <translation>wird ignoriert: er bleibt in Neutralstellung, was auch immer am Eingang anliegt</translation></message>
     <message><source>In RC and analog mode it {1}.</source>
         <translation>Im RC- und Analogmodus gilt: Er {1}.</translation></message>
-    <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these, make it read {1}: set Channel Input Source, apply, and switch the board off and on.</source>
+    <message><source>The board reads {0} now, and shows and accepts only their calibrations. To see the calibrations for {1}, set Channel Input Source, apply, and switch the board off and on.</source>
         <translation>Das Board liest jetzt {0}, und nur dafür zeigt und akzeptiert es Kalibrierungen. Um diese hier zu sehen, lassen Sie es {1} lesen: Stellen Sie „Eingangsquelle der Kanäle“ um, wenden Sie die Änderung an und schalten Sie das Board aus und ein.</translation></message>
-    <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these: switch it off, put the mode jumper to {2}, switch it on.</source>
+    <message><source>The board reads {0} now, and shows and accepts only their calibrations. To see these calibrations, switch the board off, set the mode jumper to {2}, and switch the board on.</source>
         <translation>Das Board liest jetzt {0}, und nur dafür zeigt und akzeptiert es Kalibrierungen. Um diese hier zu sehen: Schalten Sie es aus, stecken Sie den Modus-Jumper auf {2}, schalten Sie es ein.</translation></message>
     <message><source>applied {0}</source>
         <translation>angewendet {0}</translation></message>
     <message><source>read {0}</source>
         <translation>gelesen {0}</translation></message>
-    <message><source>A pulse is {0} to {1}.</source>
+    <message><source>Pulses range from {0} to {1}.</source>
         <translation>Ein Impuls dauert {0} bis {1}.</translation></message>
-    <message><source>A voltage is {0} to {1}.</source>
+    <message><source>Voltages range from {0} to {1}.</source>
         <translation>Eine Spannung beträgt {0} bis {1}.</translation></message>
-    <message><source>Neutral ({0}) is beyond the input. {1} No stick position gives 0.</source>
+    <message><source>Neutral ({0}) is outside the input range. {1} No stick position gives 0.</source>
         <translation>Die Neutralstellung ({0}) liegt außerhalb des Eingangsbereichs. {1} Keine Knüppelstellung ergibt 0.</translation></message>
     <message><source>Minimum</source>
         <translation>Minimum</translation></message>
@@ -1335,11 +1335,11 @@
         <translation>kein Signal</translation></message>
     <message><source>{0}, output {1}</source>
         <translation>{0}, Ausgang {1}</translation></message>
-    <message><source>is ignored: it is held off, whatever its input is</source>
+    <message><source>is ignored: it stays off, whatever its input</source>
         <translation>wird ignoriert: er bleibt aus, was auch immer am Eingang anliegt</translation></message>
-    <message><source>Does not drive now: serial commands override it. Otherwise it {1}.</source>
+    <message><source>Has no effect now: serial commands override it. Otherwise it {1}.</source>
         <translation>Steuert jetzt nichts: Serielle Befehle haben Vorrang. Sonst gilt: Er {1}.</translation></message>
-    <message><source>The deadband ({0} to each side of neutral) reaches {1}: there is nothing between 0 and full output.</source>
+    <message><source>The deadband ({0} to each side of neutral) reaches {1}: no output between 0 and full is possible.</source>
         <translation>Der Totbereich ({0} auf jeder Seite der Neutralstellung) reicht bis zum {1}: Zwischen 0 und vollem Ausgang liegt nichts.</translation></message>
     <message><source>below about {0} (inferred)</source>
         <translation>unter etwa {0} (erschlossen)</translation></message>
@@ -1397,41 +1397,41 @@
         <translation>{0}. Die Leitung ist geschlossen.</translation></message>
     <message><source>Learning: remove the Mix jumper to begin.</source>
         <translation>Einlernen: Mix-Jumper abziehen, um zu beginnen.</translation></message>
-    <message><source>Learning: waits for a signal on any input.</source>
+    <message><source>Learning: waiting for a signal on any input.</source>
         <translation>Einlernen: Wartet auf ein Signal an einem Eingang.</translation></message>
     <message><source>Learning: leave the sticks centred for two seconds.</source>
         <translation>Einlernen: Knüppel zwei Sekunden in Mittelstellung lassen.</translation></message>
-    <message><source>Learning: one flash per input; green is learned.</source>
+    <message><source>Learning: one flash per input; green means learned.</source>
         <translation>Einlernen: Ein Blinken je Eingang; Grün ist eingelernt.</translation></message>
     <message><source>Learning: hold each stick at both ends, ten seconds in all.</source>
         <translation>Einlernen: Jeden Knüppel in beiden Endlagen halten, insgesamt zehn Sekunden.</translation></message>
-    <message><source>Learned; green is good. Remove SO–G, then power cycle.</source>
+    <message><source>Learned; green means good. Remove SO–G, then power-cycle.</source>
         <translation>Eingelernt; Grün ist gut. SO–G abziehen, dann aus- und einschalten.</translation></message>
     <message><source>Boot loader: remove Mix, then SO–G.</source>
         <translation>Bootloader: Mix abziehen, dann SO–G.</translation></message>
-    <message><source>Boot loader: waits for firmware. Power cycle to leave.</source>
+    <message><source>Boot loader: waiting for firmware. Power-cycle to leave.</source>
         <translation>Bootloader: Wartet auf Firmware. Zum Verlassen aus- und einschalten.</translation></message>
-    <message><source>Edits, notes or settings were kept here for another board with this device number. They are in {0} now.</source>
+    <message><source>Edits, notes or settings of another board with this device number were saved here. They are now in {0}.</source>
         <translation>Für ein anderes Board mit dieser Gerätenummer waren hier Änderungen, Notizen oder Einstellungen hinterlegt. Sie sind jetzt in {0}.</translation></message>
-    <message><source>Reading again failed. {0}</source>
+    <message><source>The settings could not be read again. {0}</source>
         <translation>Erneutes Lesen fehlgeschlagen. {0}</translation></message>
-    <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: kept, and offered when it is connected again.</source>
+    <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: saved, and offered when it is connected again.</source>
         <translation><numerusform>%n Änderung wurde nicht auf {0}, das vorige Board, angewendet: Sie bleibt erhalten und wird angeboten, wenn es wieder verbunden ist.</numerusform><numerusform>%n Änderungen wurden nicht auf {0}, das vorige Board, angewendet: Sie bleiben erhalten und werden angeboten, wenn es wieder verbunden ist.</numerusform></translation></message>
     <message numerus="yes"><source>%n earlier change(s) still pending. Review them to write to this board.</source>
         <translation><numerusform>%n frühere Änderung ist noch ausstehend. Prüfen Sie sie, um sie auf dieses Board zu schreiben.</numerusform><numerusform>%n frühere Änderungen sind noch ausstehend. Prüfen Sie sie, um sie auf dieses Board zu schreiben.</numerusform></translation></message>
     <message><source>Nothing was written: another board was selected.</source>
         <translation>Es wurde nichts geschrieben: Ein anderes Board wurde ausgewählt.</translation></message>
-    <message numerus="yes"><source>%n edit(s) of the former board kept: they return when it is selected again.</source>
+    <message numerus="yes"><source>%n edit(s) of the previous board saved: they return when it is selected again.</source>
         <translation><numerusform>%n Änderung des bisherigen Boards bleibt erhalten: Sie ist wieder da, wenn es erneut ausgewählt wird.</numerusform><numerusform>%n Änderungen des bisherigen Boards bleiben erhalten: Sie sind wieder da, wenn es erneut ausgewählt wird.</numerusform></translation></message>
     <message><source>Nothing was written: the board does not respond.</source>
         <translation>Es wurde nichts geschrieben: Das Board antwortet nicht.</translation></message>
-    <message><source>Noise on the line can turn a motor another way for an instant.</source>
+    <message><source>Noise on the line can make a motor turn the wrong way for a moment.</source>
         <translation>Störungen auf der Leitung können einen Motor für einen Augenblick in die andere Richtung drehen.</translation></message>
     <message><source>Board {0}: {1}</source>
         <translation>Board {0}: {1}</translation></message>
     <message><source>Stop</source>
         <translation>Stopp</translation></message>
-    <message><source>Nothing was written: other settings were read from the board.</source>
+    <message><source>Nothing was written: the settings read from the board have changed.</source>
         <translation>Es wurde nichts geschrieben: Vom Board wurden andere Einstellungen gelesen.</translation></message>
     <message><source>The network is silent; the server of the robot stops the motors.</source>
         <translation>Das Netz ist still; der Server des Roboters stoppt die Motoren.</translation></message>
@@ -1449,7 +1449,7 @@
         <translation>Ob ein Stopp das an {1} angesteuerte Board ({0}) erreicht hat, ist nicht bekannt: Ein anderes Board hat geantwortet. Falls sich am angesteuerten Board noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>Another board responds now: {0}, at {1}.</source>
         <translation>Jetzt antwortet ein anderes Board: {0}, an {1}.</translation></message>
-    <message><source>The line to {0} was lost before a stop was confirmed. The board at this port has confirmed one; if it is another board, cut the power of the first.</source>
+    <message><source>The connection to {0} was lost before a stop was confirmed. The board now at this port has confirmed a stop; if it is another board, cut the power of the first.</source>
         <translation>Die Leitung zu {0} brach ab, bevor ein Stopp bestätigt war. Das Board an diesem Port hat einen bestätigt; falls es ein anderes Board ist, trennen Sie die Motorversorgung des ersten.</translation></message>
     <message><source>The connection is not responding.</source>
         <translation>Die Verbindung reagiert nicht.</translation></message>
@@ -1475,11 +1475,11 @@
         <translation>Einstellungen werden geschrieben.</translation></message>
     <message><source>After a stop the motors are locked for another {0:.0f} s.</source>
         <translation>Nach einem Stopp sind die Motoren noch {0:.0f} s gesperrt.</translation></message>
-    <message><source>Another control drives now.</source>
+    <message><source>Another control is driving now.</source>
         <translation>Jetzt steuert ein anderes Bedienelement.</translation></message>
     <message><source>{0} A test needs serial control.</source>
         <translation>{0} Ein Test braucht die serielle Steuerung.</translation></message>
-    <message><source>Bring the motors to rest first ({0}).</source>
+    <message><source>Stop the motors first ({0}).</source>
         <translation>Bringen Sie zuerst die Motoren zur Ruhe ({0}).</translation></message>
     <message><source>coast</source>
         <translation>auslaufen</translation></message>
@@ -1499,13 +1499,13 @@
         <translation>keine Strommessung im Parallelbetrieb</translation></message>
     <message><source>limit {0:.1f} A</source>
         <translation>Grenze {0:.1f} A</translation></message>
-    <message><source>Serial timeout is on, but it did not stop the motors of this board when it was tried: they keep turning if the cable or this computer fails.</source>
+    <message><source>Serial timeout is on, but it did not stop the motors of this board when it was tested: they keep turning if the cable or this computer fails.</source>
         <translation>Das serielle Timeout ist an, hat die Motoren dieses Boards bei dem Versuch aber nicht gestoppt: Sie drehen sich weiter, wenn das Kabel oder dieser Computer ausfällt.</translation></message>
     <message><source>channel {0} at {1} (overridden)</source>
         <translation>Kanal {0} auf {1} (durch Vorrang ohne Wirkung)</translation></message>
     <message><source>UART-Error Shutdown is off: motors may keep turning if the cable or this computer fails, although the serial timeout is on (twin).</source>
         <translation>„Abschaltung bei UART-Fehlern“ ist aus: Die Motoren drehen sich vielleicht weiter, wenn das Kabel oder dieser Computer ausfällt, obwohl das serielle Timeout an ist (Zwilling).</translation></message>
-    <message><source>UART-Error Shutdown is off, and the serial timeout did not stop the motors of this board when it was tried: they keep turning if the cable or this computer fails.</source>
+    <message><source>UART-Error Shutdown is off, and the serial timeout did not stop the motors of this board when it was tested: they keep turning if the cable or this computer fails.</source>
         <translation>„Abschaltung bei UART-Fehlern“ ist aus, und das serielle Timeout hat die Motoren dieses Boards nicht gestoppt, als es ausprobiert wurde: Sie drehen sich weiter, wenn das Kabel oder dieser Computer ausfällt.</translation></message>
     <message><source>The guardian process could not be started: if this program fails, motors keep turning for the serial timeout of {0:g} s.</source>
         <translation>Der Wächterprozess konnte nicht gestartet werden: Fällt dieses Programm aus, drehen sich die Motoren für die Dauer des seriellen Timeouts von {0:g} s weiter.</translation></message>
@@ -1541,25 +1541,25 @@
         <translation>Steuerkreuz links</translation></message>
     <message><source>D-pad right</source>
         <translation>Steuerkreuz rechts</translation></message>
-    <message><source>A, the lowest of four</source>
+    <message><source>A (the bottom button)</source>
         <translation>A, die unterste von vier</translation></message>
-    <message><source>B, the right one of four</source>
+    <message><source>B (the right button)</source>
         <translation>B, die rechte von vier</translation></message>
-    <message><source>X, the left one of four</source>
+    <message><source>X (the left button)</source>
         <translation>X, die linke von vier</translation></message>
-    <message><source>Y, the highest of four</source>
+    <message><source>Y (the top button)</source>
         <translation>Y, die oberste von vier</translation></message>
     <message><source>Arm the motors first.</source>
         <translation>Geben Sie zuerst die Motoren frei.</translation></message>
     <message><source>Driving with a gamepad was switched off.</source>
         <translation>Das Fahren mit dem Gamepad wurde ausgeschaltet.</translation></message>
-    <message><source>Another gamepad was chosen.</source>
+    <message><source>Another gamepad was selected.</source>
         <translation>Ein anderes Gamepad wurde gewählt.</translation></message>
     <message><source>The gamepad settings were changed.</source>
         <translation>Die Einstellungen des Gamepads wurden geändert.</translation></message>
     <message><source>No gamepad is connected. Plug one in or switch it on.</source>
         <translation>Es ist kein Gamepad verbunden. Stecken Sie eines ein oder schalten Sie es ein.</translation></message>
-    <message><source>Release the sticks: driving starts only after both axes have been at rest. A worn stick may need a wider dead zone.</source>
+    <message><source>Release the sticks: driving starts only once both axes have been at rest. A worn stick may need a wider dead zone.</source>
         <translation>Lassen Sie die Knüppel los: Das Fahren beginnt erst, wenn beide Achsen in Ruhe waren. Ein abgenutzter Knüppel braucht vielleicht eine größere Totzone.</translation></message>
     <message><source>Release {0}, then hold it to drive.</source>
         <translation>Lassen Sie {0} los und halten Sie sie dann zum Fahren gedrückt.</translation></message>
@@ -1587,7 +1587,7 @@
         <translation>In Ruhe ist er aus.</translation></message>
     <message><source>Cannot continue: the motors could not be confirmed as stopped. {0}</source>
         <translation>Es kann nicht weitergehen: Für die Motoren ließ sich kein Stopp bestätigen. {0}</translation></message>
-    <message><source>The test has ended; it changes nothing in the board.</source>
+    <message><source>The test has ended. Nothing in the board was changed.</source>
         <translation>Der Test ist beendet; er ändert nichts im Board.</translation></message>
     <message><source>Nothing was changed.</source>
         <translation>Es wurde nichts geändert.</translation></message>
@@ -1621,11 +1621,11 @@
         <translation>In Ruhe beträgt sein Rauschen {0}: Ein Totbereich, der es verdeckt, nähme ein Viertel des Wegs ein. Reparieren Sie zuerst das Kabel, die Versorgung oder den Knüppel.</translation></message>
     <message><source>An unconnected input behaves in the same way.</source>
         <translation>Auch ein Eingang, an dem nichts angeschlossen ist, verhält sich so.</translation></message>
-    <message><source>Either nothing is connected to it (its voltage then means nothing), or what is connected was not moved.</source>
+    <message><source>Either nothing is connected to it (its voltage is then meaningless), or its stick was not moved.</source>
         <translation>Entweder ist nichts daran angeschlossen (dann bedeutet seine Spannung nichts), oder das Angeschlossene wurde nicht bewegt.</translation></message>
     <message><source>At least {1} are needed: the deadband, and a count for each of the {2} speeds.</source>
         <translation>Nötig sind mindestens {1}: der Totbereich und je ein Count für die {2} Geschwindigkeiten.</translation></message>
-    <message><source>Push it the other way too; if it cannot go there, it was at an end during sampling.</source>
+    <message><source>Push it the other way, too; if it does not move that way, it was at an end during sampling.</source>
         <translation>Drücken Sie ihn auch in die andere Richtung; geht das nicht, war er während der Messung in einer Endlage.</translation></message>
     <message><source>It went one way only.</source>
         <translation>Er ging nur in eine Richtung.</translation></message>
@@ -1649,13 +1649,13 @@
         <translation>Er ist während der Messung um {0} nach unten gewandert.</translation></message>
     <message><source>The signal comes and goes: {0:.0%} of the samples had no valid pulse.</source>
         <translation>Das Signal kommt und geht: {0:.0%} der Messwerte hatten keinen gültigen Impuls.</translation></message>
-    <message><source>Pulses far from all others: {0} of {1}.</source>
+    <message><source>Outlying pulses: {0} of {1}.</source>
         <translation>Impulse weit abseits aller anderen: {0} von {1}.</translation></message>
     <message><source>The radio link is poor, or the cable picks up noise.</source>
         <translation>Die Funkverbindung ist schlecht, oder das Kabel fängt Störungen ein.</translation></message>
     <message><source>About {0:.0%} of the pulses are lost (estimated: the value often repeats where it otherwise varies).</source>
         <translation>Etwa {0:.0%} der Impulse gehen verloren (geschätzt: Der Wert wiederholt sich oft, wo er sonst schwankt).</translation></message>
-    <message><source>The board repeats the last value, so that losses below a third, or of a steadier signal, go unnoticed.</source>
+    <message><source>The board repeats the last value, so losses below a third, or in a steadier signal, go unnoticed.</source>
         <translation>Das Board wiederholt den letzten Wert; Verluste unter einem Drittel oder bei einem ruhigeren Signal bleiben daher unbemerkt.</translation></message>
     <message><source>At rest the noise is {0}, more than the deadband ({1}): the motor would creep.</source>
         <translation>In Ruhe beträgt das Rauschen {0}, mehr als der Totbereich ({1}): Der Motor würde kriechen.</translation></message>
@@ -1691,9 +1691,9 @@
         <translation>War während der Messung eine Hand daran, oder wurde eine Trimmung verstellt?</translation></message>
     <message><source>Go back and sample it again, or use the new rest position.</source>
         <translation>Gehen Sie zurück und messen Sie ihn erneut, oder verwenden Sie die neue Ruhelage.</translation></message>
-    <message><source>{0} is beyond the {1} that was reached: there is no full output.</source>
+    <message><source>{0} is beyond {1}, the farthest value reached: there is no full output.</source>
         <translation>{0} liegt jenseits der erreichten {1}: Es gibt keinen vollen Ausgang.</translation></message>
-    <message><source>Beyond its rest position the motor speeds up again, whatever the sign: at {0} to {1} of {2}.</source>
+    <message><source>Beyond its rest position the motor speeds up again, in either direction: at {0} to {1} of {2}.</source>
         <translation>Jenseits der Ruhelage wird der Motor wieder schneller, unabhängig vom Vorzeichen: bei {0} bis auf {1} von {2}.</translation></message>
     <message><source>Check that no trim and no broken wire can bring it there.</source>
         <translation>Prüfen Sie, dass weder eine Trimmung noch ein gebrochenes Kabel ihn dorthin bringen kann.</translation></message>
@@ -1711,7 +1711,7 @@
         <translation>Ignoriert: Das Board hält ihn in Neutralstellung. Es gibt nichts zu testen.</translation></message>
     <message><source>Good.</source>
         <translation>Gut.</translation></message>
-    <message><source>Only {0} was seen. Move the switch to its other position.</source>
+    <message><source>Only {0} was detected. Move the switch to its other position.</source>
         <translation>Nur „{0}“ wurde gesehen. Stellen Sie den Schalter in die andere Stellung.</translation></message>
     <message><source>Full output not reached yet. Push it all the way.</source>
         <translation>Voller Ausgang noch nicht erreicht. Drücken Sie ihn bis zum Anschlag.</translation></message>
@@ -1789,9 +1789,11 @@
         <translation>{0} ({1} geändert)</translation></message>
     <message><source>Motors 1 and 2 {0}</source>
         <translation>{0} Motor 1 und 2</translation></message>
+    <message><source>{0}: {1} is not a valid value.</source>
+        <translation>{0}: {1} ist kein gültiger Wert.</translation></message>
     <message><source>Switching frequency of the motor's PWM. Low frequencies whine and heat the motor, frequencies above the driver's rating heat the driver. Type a number or use the arrow keys. The board stores the nearest frequency that it can switch at.</source>
         <translation>Wie oft pro Sekunde die PWM des Motors schaltet. Niedrige Frequenzen pfeifen und erwärmen den Motor, Frequenzen über dem Nennwert des Treibers erwärmen den Treiber. Geben Sie eine Zahl ein oder benutzen Sie die Pfeiltasten. Das Board speichert die nächste Frequenz, mit der es schalten kann.</translation></message>
-    <message><source>This firmware has stored beyond that: wire value {0}.</source>
+    <message><source>This firmware has also stored wire values outside this range: {0}.</source>
         <translation>Diese Firmware hat darüber hinaus gespeichert: Bytewert {0}.</translation></message>
     <message><source>(twin): documented for Pololu's qik 2s12v10, which has the same motor drivers.</source>
         <translation>(Zwilling): dokumentiert für den qik 2s12v10 von Pololu, der dieselben Motortreiber hat.</translation></message>
@@ -1813,7 +1815,7 @@
         <translation>{0}, war {1}</translation></message>
     <message><source>{0} · default: {1}</source>
         <translation>{0} · Standard: {1}</translation></message>
-    <message><source>User's guide of the board</source>
+    <message><source>User's guide</source>
         <translation>Benutzerhandbuch des Boards</translation></message>
     <message><source>{0} differs: {1}.</source>
         <translation>{0} weicht ab: {1}.</translation></message>
@@ -1835,7 +1837,7 @@
         <translation>Bytewert {0}</translation></message>
     <message><source>Wire value: {0}.</source>
         <translation>Bytewert: {0}.</translation></message>
-    <message><source>No source says what the wire values mean{0}.</source>
+    <message><source>The meaning of the wire values is undocumented{0}.</source>
         <translation>Keine Quelle sagt, was die Bytewerte bedeuten{0}.</translation></message>
     <message><source>Still active: {0}.</source>
         <translation>Noch aktiv: {0}.</translation></message>
@@ -1861,7 +1863,7 @@
         <translation>Notiz: {0}</translation></message>
     <message><source>{0}; it is shown as Western European text. Check the characters that are not plain letters; Save writes UTF-8</source>
         <translation>{0}; sie wird als westeuropäischer Text angezeigt. Prüfen Sie die Zeichen, die keine einfachen Buchstaben sind; beim Speichern wird UTF-8 geschrieben</translation></message>
-    <message><source>{0} is left out: it could not be read from the board.</source>
+    <message><source>{0} is left out, because it could not be read from the board.</source>
         <translation>{0} wird ausgelassen: Der Wert konnte nicht vom Board gelesen werden.</translation></message>
     <message><source>The {0} calibrations are left out: the board accepts them only while it reads its inputs as {0}.</source>
         <translation>Die Kalibrierungen ({0}) werden ausgelassen: Das Board nimmt sie nur an, solange seine Eingangsquelle {0} ist.</translation></message>
@@ -1905,7 +1907,7 @@
         <translation>Es wurde nichts geschrieben, weil zuvor keine Sicherungskopie gespeichert werden konnte. {0}</translation></message>
     <message><source>Nothing was written: without a device number it would reach several boards. Select one of the boards on this line.</source>
         <translation>Es wurde nichts geschrieben: Ohne Gerätenummer würde es mehrere Boards erreichen. Wählen Sie eines der Boards an dieser Leitung aus.</translation></message>
-    <message><source>Nothing more was written. {0}</source>
+    <message><source>Nothing else was written. {0}</source>
         <translation>Mehr wurde nicht geschrieben. {0}</translation></message>
     <message numerus="yes"><source>Apply of %n setting(s)</source>
         <translation><numerusform>Anwenden von %n Einstellung</numerusform><numerusform>Anwenden von %n Einstellungen</numerusform></translation></message>
@@ -1929,7 +1931,7 @@
         <translation>Kanal {0}</translation></message>
     <message><source>{0} channel {1}</source>
         <translation>Kanal {1} ({0})</translation></message>
-    <message><source>it is counts (3750), or like 1500us or 2.5V, not {0}</source>
+    <message><source>it is a number of counts (3750) or has a unit (1500us, 2.5V), not {0}</source>
         <translation>es sind Counts (3750) oder etwas wie 1500us oder 2.5V, nicht {0}</translation></message>
     <message><source>minimum {0} is above neutral {1}</source>
         <translation>Minimum {0} liegt über der Neutralstellung {1}</translation></message>
@@ -1955,7 +1957,7 @@
         <translation>Geschwindigkeit des Hilfsmotors</translation></message>
     <message><source>channels are numbered 1 to 5, not {0}</source>
         <translation>die Kanäle haben die Nummern 1 bis 5, nicht {0}</translation></message>
-    <message><source>0 or 1 says who controls the motors, not {0}</source>
+    <message><source>the control flag is 0 or 1, not {0}</source>
         <translation>0 oder 1 gibt an, wer die Motoren steuert, nicht {0}</translation></message>
     <message><source>a channel mask is 0 to {0}, not {1}</source>
         <translation>eine Kanalmaske ist 0 bis {0}, nicht {1}</translation></message>
@@ -1971,11 +1973,11 @@
         <translation>{0:#04x} ist kein Modus eines TReX (R, A, r oder a)</translation></message>
     <message><source>device number</source>
         <translation>Gerätenummer</translation></message>
-    <message><source>Boards that are driven together need numbers of their own.</source>
+    <message><source>Boards that are driven together need different device numbers.</source>
         <translation>Boards, die gemeinsam gefahren werden, brauchen eigene Nummern.</translation></message>
     <message><source>The board needs a number that no other device has.</source>
         <translation>Das Board braucht eine Nummer, die kein anderes Gerät hat.</translation></message>
-    <message><source>{0!r} are no settings of a board</source>
+    <message><source>{0!r} are not settings of a board</source>
         <translation>{0!r} sind keine Einstellungen eines Boards</translation></message>
     <message><source>Measured currents may be off by 20 % (twin).</source>
         <translation>Das Board misst Ströme vielleicht um 20 % falsch (Zwilling).</translation></message>
@@ -1993,17 +1995,17 @@
         <translation>Signatur lesen</translation></message>
     <message><source>get mode</source>
         <translation>Modus lesen</translation></message>
-    <message><source>get whether serial controls the motors</source>
+    <message><source>get serial control flag</source>
         <translation>lesen, ob die Motoren seriell gesteuert werden</translation></message>
-    <message><source>get status bits, and clear them</source>
+    <message><source>get and clear status bits</source>
         <translation>Statusbits lesen und löschen</translation></message>
-    <message><source>get UART error bits, and clear them</source>
+    <message><source>get and clear UART error bits</source>
         <translation>UART-Fehlerbits lesen und löschen</translation></message>
     <message><source>get currents of both motors</source>
         <translation>Ströme beider Motoren lesen</translation></message>
-    <message><source>get which calibrations differ from the default</source>
+    <message><source>get channels with a changed calibration</source>
         <translation>lesen, welche Kalibrierungen vom Standardwert abweichen</translation></message>
-    <message><source>null command: nothing</source>
+    <message><source>null command (no effect)</source>
         <translation>Nullbefehl: nichts</translation></message>
     <message><source>RC mode</source>
         <translation>RC-Modus</translation></message>
@@ -2091,7 +2093,7 @@
         <translation>analog</translation></message>
     <message><source>brake with {0}</source>
         <translation>bremsen mit {0}</translation></message>
-    <message><source>the models are {0}, not {1!r}</source>
+    <message><source>the model is {0}, not {1!r}</source>
         <translation>die Modelle sind {0}, nicht {1!r}</translation></message>
     <message><source>PWM prescaler is 0 to {0}, not {1}</source>
         <translation>der PWM-Vorteiler ist 0 bis {0}, nicht {1}</translation></message>
@@ -2099,17 +2101,17 @@
         <translation>Bremsstärke</translation></message>
     <message><source>a motor's speed is -127 to 127, not {0}</source>
         <translation>die Geschwindigkeit eines Motors ist -127 bis 127, nicht {0}</translation></message>
-    <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that ground is connected, and that the board's serial settings are these. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch it off and on.</source>
+    <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that ground is connected, and that the serial settings match those of the board. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch it off and on.</source>
         <translation>An {0} antwortet kein TReX. Prüfen Sie, ob das Board Strom hat (eine LED leuchtet), ob TX des Adapters mit SI und RX mit SO verbunden ist (oder beide mit den RS-232-Pins, nie gemischt), ob die Masse verbunden ist und ob die seriellen Einstellungen des Boards diesen entsprechen. Wenn beide LEDs gemeinsam blinken, ist das Board im Lernmodus: Ziehen Sie den SO–G-Jumper ab, dann schalten Sie das Board aus und ein.</translation></message>
-    <message><source>Everything sent on {0} comes back, and nothing else. Either this is the RS-232 side of a board that is off or set to another baud rate, or the adapter's TX and RX are joined.</source>
+    <message><source>Everything sent on {0} comes back, and nothing else arrives. Either this is the RS-232 side of a board that is off or set to another baud rate, or the adapter's TX and RX are joined.</source>
         <translation>Alles, was an {0} gesendet wird, kommt zurück, sonst nichts. Entweder ist das die RS-232-Seite eines Boards, das ausgeschaltet oder auf eine andere Baudrate eingestellt ist, oder TX und RX des Adapters sind miteinander verbunden.</translation></message>
     <message><source>Something responds on {0}, but not like a TReX. {1} Usually the baud rate, parity or CRC differs from the board's setting, or another device is connected.</source>
         <translation>An {0} antwortet etwas, aber nicht wie ein TReX. {1} Meist weichen Baudrate, Parität oder CRC von der Einstellung des Boards ab, oder ein anderes Gerät ist angeschlossen.</translation></message>
     <message><source>The TReX on {0} is in its boot loader, waiting for new firmware. Check that the mix and SO–G jumpers are off, then switch the board off and on and connect again. Its serial settings may be those of the factory now: 19200 baud, no parity, no CRC.</source>
         <translation>Der TReX an {0} ist im Bootloader und wartet auf neue Firmware. Prüfen Sie, ob Mix- und SO–G-Jumper abgezogen sind, schalten Sie dann das Board aus und ein und verbinden Sie erneut. Es hat jetzt vielleicht die seriellen Werkseinstellungen: 19200 Baud, keine Parität, kein CRC.</translation></message>
-    <message><source>The device on {0} responds like a Pololu qik, not like a TReX. This program does not support it: choose the port of the TReX, or connect the adapter to the TReX.</source>
+    <message><source>The device on {0} responds like a Pololu qik, not like a TReX. This program does not support it: select the port of the TReX, or connect the adapter to the TReX.</source>
         <translation>Das Gerät an {0} antwortet wie ein Pololu qik, nicht wie ein TReX. Dieses Programm unterstützt es nicht: Wählen Sie den Port des TReX, oder schließen Sie den Adapter am TReX an.</translation></message>
-    <message><source>Several boards reply at once on {0} at {1}. Find asks for each device number; of boards that share one, switch off all but one and give it a number of its own.</source>
+    <message><source>Several boards reply at once on {0} at {1}. “Find” tries each device number. If boards share a number, switch off all but one of them and give that board its own number.</source>
         <translation>An {0} antworten mehrere Boards gleichzeitig mit {1}. „Suchen“ fragt jede Gerätenummer ab; von Boards mit derselben Nummer schalten Sie alle bis auf eines aus und geben diesem eine eigene.</translation></message>
     <message><source>A {1} responds on {0} at {2}, but this connection uses {3}. Connect with the settings of the board.</source>
         <translation>An {0} antwortet ein {1} mit {2}, diese Verbindung verwendet aber {3}. Verbinden Sie mit den Einstellungen des Boards.</translation></message>
@@ -2117,7 +2119,7 @@
         <translation>An {0} antwortet ein {1} mit dem CRC-Polynom {2}, diese Verbindung verwendet aber {3}. Verbinden Sie mit den Einstellungen des Boards.</translation></message>
     <message><source>A {1} responds on {0}, but its device number is {2}, and this connection uses {3}. Connect with the settings of the board.</source>
         <translation>An {0} antwortet ein {1}, seine Gerätenummer ist aber {2}, und diese Verbindung verwendet {3}. Verbinden Sie mit den Einstellungen des Boards.</translation></message>
-    <message><source>A {1} responds on {0} only some of the time: the line loses or corrupts bytes. Check cable and ground, keep motor leads away from them, then connect again.</source>
+    <message><source>A {1} responds on {0}, but not every time: the line loses or corrupts bytes. Check cable and ground, keep motor leads away from them, then connect again.</source>
         <translation>An {0} antwortet ein {1} nur zeitweise: Die Leitung verliert oder verfälscht Bytes. Prüfen Sie Kabel und Masse, halten Sie Motorleitungen davon fern und verbinden Sie erneut.</translation></message>
     <message><source>No reply to {0}.</source>
         <translation>Keine Antwort auf {0}.</translation></message>
@@ -2151,21 +2153,21 @@
         <translation>Board {0} wurde nicht ausgewählt, da für das jetzige kein Stopp bestätigt ist. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>Board {0} was not selected, because it does not respond. Check that it has power. The previous board is still selected.</source>
         <translation>Board {0} wurde nicht ausgewählt, da es nicht antwortet. Prüfen Sie, ob es Strom hat. Das vorher ausgewählte Board bleibt ausgewählt.</translation></message>
-    <message><source>Another board on this line has the device number {0}. Choose a number that is free.</source>
+    <message><source>Another board on this line has the device number {0}. Select a number that is free.</source>
         <translation>Ein anderes Board an dieser Leitung hat die Gerätenummer {0}. Wählen Sie eine freie Nummer.</translation></message>
     <message><source>Board {0} no longer follows: it fell silent, was stopped or restarted.</source>
         <translation>Board {0} folgt nicht mehr: Es verstummte, wurde gestoppt oder startete neu.</translation></message>
     <message><source>Board {0} does not belong to the boards driven together here.</source>
         <translation>Board {0} gehört nicht zu denen, die hier gemeinsam gefahren werden.</translation></message>
-    <message><source>Boards that are driven together keep their numbers, none can be selected, and no typed packet can store anything. Connect to this board alone.</source>
+    <message><source>While boards are driven together, no device number can be changed, no board can be selected, and no typed packet can store anything. Connect to this board alone.</source>
         <translation>Boards, die gemeinsam gefahren werden, behalten ihre Nummern, keines kann ausgewählt werden, und kein eingegebenes Paket kann etwas speichern. Verbinden Sie sich mit diesem Board allein.</translation></message>
-    <message><source>Another user drives this board. Ask to have it handed over.</source>
+    <message><source>Another user drives this board. Ask that user to hand over.</source>
         <translation>Ein anderer Benutzer fährt dieses Board. Bitten Sie darum, es zu übergeben.</translation></message>
     <message><source>You may watch this board and stop it, but not drive or change it.</source>
         <translation>Sie dürfen diesem Board zusehen und es stoppen, aber es nicht fahren oder ändern.</translation></message>
     <message><source>Only an owner may take over from another user.</source>
         <translation>Nur ein Eigentümer darf einem anderen Benutzer das Fahren abnehmen.</translation></message>
-    <message><source>Driving was handed over, or its heartbeat did not reach the robot.</source>
+    <message><source>Driving was handed over, or the heartbeat did not reach the robot.</source>
         <translation>Das Fahren wurde übergeben, oder das Lebenszeichen erreichte den Roboter nicht.</translation></message>
     <message><source>{0}: the board does not know this parameter (code 1); its firmware may be too old for it</source>
         <translation>{0}: Das Board kennt diesen Parameter nicht (Code 1); vielleicht ist seine Firmware zu alt dafür</translation></message>
@@ -2323,19 +2325,19 @@
         <translation>Gerät {0}: {1}</translation></message>
     <message><source>not a TReX packet: {0}</source>
         <translation>kein TReX-Paket: {0}</translation></message>
-    <message><source>{0} bytes are too many: at most {1} are sent at once.</source>
+    <message><source>{0} bytes are too many: at most {1} can be sent at once.</source>
         <translation>{0} Bytes sind zu viele: Höchstens {1} werden auf einmal gesendet.</translation></message>
     <message><source>“{0}” is not a sequence of hexadecimal bytes such as 86 1F.</source>
         <translation>„{0}“ ist keine Folge hexadezimaler Bytes wie 86 1F.</translation></message>
-    <message><source>No board is served at {0}:{1}, or not to this user. Check that trexcmd serve runs there, the user in the address (trex://USER@…), and its secret (TREX_SECRET).</source>
+    <message><source>No board is served to this user at {0}:{1}. Check that trexcmd serve runs there, the user in the address (trex://USER@…), and the secret (TREX_SECRET).</source>
         <translation>Bei {0}:{1} wird kein Board bereitgestellt, oder nicht für diesen Benutzer. Prüfen Sie, ob dort trexcmd serve läuft, den Benutzer in der Adresse (trex://USER@…) und sein Geheimnis (TREX_SECRET).</translation></message>
     <message><source>The server cannot listen at {0}: {1}</source>
         <translation>An {0} kann nicht gelauscht werden: {1}</translation></message>
     <message><source>{0} serves no board named {1} to this user.</source>
         <translation>{0} stellt diesem Benutzer kein Board namens {1} bereit.</translation></message>
-    <message><source>It did not answer.</source>
+    <message><source>It did not respond.</source>
         <translation>Er hat nicht geantwortet.</translation></message>
-    <message><source>Boards of the network need more packages: install trex-gui[remote] with pip or pipx.</source>
+    <message><source>Network boards need more packages: install trex-gui[remote] with pip or pipx.</source>
         <translation>Boards im Netz brauchen weitere Pakete: Installieren Sie trex-gui[remote] mit pip oder pipx.</translation></message>
     <message><source>unsolicited bytes</source>
         <translation>unaufgeforderte Bytes</translation></message>
@@ -2387,7 +2389,7 @@
         <translation>Derselbe Wert in Schritten von {0}: {1} wird zu {2}.</translation></message>
     <message><source>these are settings of a {0}</source>
         <translation>dies sind Einstellungen eines {0}</translation></message>
-    <message><source>this file is written in a way that cannot be changed in place; save the settings as a new file</source>
+    <message><source>the layout of this file cannot be changed in place; save the settings as a new file</source>
         <translation>diese Datei ist so geschrieben, dass sie sich nicht an Ort und Stelle ändern lässt; speichern Sie die Einstellungen als neue Datei</translation></message>
     <message><source>{0} {1}: the number of snapshots to keep is unknown, so none is removed.</source>
         <translation>{0} {1}: Wie viele Sicherungskopien behalten werden sollen, ist nicht bekannt, daher wird keine entfernt.</translation></message>
@@ -2399,7 +2401,7 @@
         <translation>sie kann nicht entfernt werden</translation></message>
     <message><source>is damaged</source>
         <translation>ist beschädigt</translation></message>
-    <message><source>{0} would be the number of a snapshot.</source>
+    <message><source>A name cannot be a number like {0}, because snapshots have numbers.</source>
         <translation>{0} wäre die Nummer einer Sicherungskopie.</translation></message>
     <message><source>Another snapshot has the name {0}.</source>
         <translation>Eine andere Sicherungskopie heißt schon {0}.</translation></message>
@@ -2415,7 +2417,7 @@
         <translation>Alle {0} Gerätenummern stehen in {1}.</translation></message>
     <message><source>Another program has changed {0}. Nothing was saved. Start again to continue it.</source>
         <translation>Ein anderes Programm hat {0} geändert. Nichts wurde gespeichert. Beginnen Sie neu, um es fortzusetzen.</translation></message>
-    <message><source>{0} is no record of boards. Select another file.</source>
+    <message><source>{0} is not a record of boards. Select another file.</source>
         <translation>{0} ist kein Protokoll von Boards. Wählen Sie eine andere Datei.</translation></message>
     <message><source>{0} is damaged: {1}.</source>
         <translation>{0} ist beschädigt: {1}.</translation></message>
@@ -2603,7 +2605,7 @@
         <translation>Ladung</translation></message>
     <message><source>Setpoint to current</source>
         <translation>Sollwert bis Strom</translation></message>
-    <message><source>Until the first reading of two counts: the line, the board and its measurement.</source>
+    <message><source>Until the first reading of two counts, including the delays of the line, the board and its measurement.</source>
         <translation>Bis zum ersten Messwert von zwei Counts: die Leitung, das Board und seine Messung.</translation></message>
     <message><source>Until the current stayed within this share of the steady current, or within two counts of it.</source>
         <translation>Bis der Strom innerhalb dieses Anteils am stationären Strom blieb, oder innerhalb von zwei Counts um ihn.</translation></message>
@@ -2787,11 +2789,11 @@
         <translation>unbekannt</translation></message>
     <message><source>channels drive</source>
         <translation>Kanäle steuern</translation></message>
-    <message><source>not known: move a stick to see</source>
+    <message><source>unknown: move a stick to find out</source>
         <translation>nicht bekannt: Knüppel bewegen</translation></message>
     <message><source>one stick drives both motors</source>
         <translation>ein Knüppel steuert beide Motoren</translation></message>
-    <message><source>each channel has its motor</source>
+    <message><source>each channel drives one motor</source>
         <translation>jeder Kanal hat seinen Motor</translation></message>
     <message><source>for RC and analog mode</source>
         <translation>für RC- und Analogmodus</translation></message>
@@ -2831,7 +2833,7 @@
         <translation>Dem ausgewählten Board eine andere Gerätenummer geben</translation></message>
     <message><source>Drive several boards as one robot, with one pad and one Stop</source>
         <translation>Mehrere Boards als einen Roboter fahren, mit einem Feld und einem Stopp</translation></message>
-    <message><source>The line is first searched for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be found. A snapshot is saved, then the new number takes effect at once.</source>
+    <message><source>The line is first searched for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be found. Then a snapshot is saved, and the new number takes effect at once.</source>
         <translation>Vor dem Schreiben wird die Leitung nach der neuen Nummer abgefragt: Hat ein anderes Board sie, wird nichts geschrieben. Ein ausgeschaltetes Board oder eines mit anderen seriellen Einstellungen kann nicht bemerkt werden. Die neue Nummer gilt sofort; vorher wird eine Sicherungskopie gespeichert.</translation></message>
     <message><source>Progress of the search</source>
         <translation>Fortschritt der Suche</translation></message>
@@ -2849,7 +2851,7 @@
         <translation>Boards an dieser Leitung</translation></message>
     <message><source>It replied before. Check its power and its wires.</source>
         <translation>Es hat schon geantwortet. Prüfen Sie seine Stromversorgung und seine Leitungen.</translation></message>
-    <message><source>Several boards seem to have this number. Switch off all but one, and give it a number of its own.</source>
+    <message><source>Several boards seem to have this number. Switch off all but one, and give that board its own number.</source>
         <translation>Mehrere Boards scheinen diese Nummer zu haben. Schalten Sie alle bis auf eines aus und geben Sie diesem eine eigene Nummer.</translation></message>
     <message><source>The board has this number already.</source>
         <translation>Das Board hat diese Nummer schon.</translation></message>
@@ -2905,7 +2907,7 @@
         <translation>nicht versucht</translation></message>
     <message><source>Changes</source>
         <translation>Änderungen</translation></message>
-    <message><source>Each checked board gets these settings, one board after the other, with a snapshot before. Each keeps its device number and its serial settings. The first error while writing ends the work.</source>
+    <message><source>The checked boards get these settings one after another, each after a snapshot. Each board keeps its device number and its serial settings. Writing ends at the first error.</source>
         <translation>Jedes angekreuzte Board erhält diese Einstellungen, ein Board nach dem anderen, jeweils nach einer Sicherungskopie. Jedes behält seine Gerätenummer und seine seriellen Einstellungen. Der erste Fehler beim Schreiben beendet die Arbeit.</translation></message>
     <message><source>Close</source>
         <translation>Schließen</translation></message>
@@ -2971,7 +2973,7 @@
         <translation>Das Board sich selbst &amp;zurücksetzen lassen…</translation></message>
     <message><source>At its next start the board will reset every parameter, including those cleared here. Its current settings are saved first (File, History). Unapplied changes are discarded; Undo restores them.</source>
         <translation>Bei seinem nächsten Start setzt das Board alle Parameter zurück, auch die hier abgewählten. Seine jetzigen Einstellungen werden zuvor gesichert (Datei, Verlauf). Nicht angewendete Änderungen werden verworfen; „Rückgängig“ stellt sie wieder her.</translation></message>
-    <message><source>It gets device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
+    <message><source>It would get device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
         <translation>Es erhält die Gerätenummer {0}, die ein anderes Board an dieser Leitung hat: Beide würden gleichzeitig antworten, und keine der Antworten wäre lesbar. Geben Sie jenem Board zuerst eine andere Nummer.</translation></message>
     <message numerus="yes"><source>Write %n setting(s) to the board</source>
         <translation><numerusform>%n Einstellung in das Board schreiben</numerusform><numerusform>%n Einstellungen in das Board schreiben</numerusform></translation></message>
@@ -3017,7 +3019,7 @@
         <translation>Die Verbindung ist abgebrochen.</translation></message>
     <message><source>not attempted</source>
         <translation>nicht versucht</translation></message>
-    <message><source>No source confirms the default of: {0}.</source>
+    <message><source>No source confirms these defaults: {0}.</source>
         <translation>Keine Quelle bestätigt den Standardwert von: {0}.</translation></message>
     <message><source>Both off</source>
         <translation>Beide aus</translation></message>
@@ -3029,13 +3031,13 @@
         <translation>Rot an</translation></message>
     <message><source>Running, serial commands control the motors</source>
         <translation>In Betrieb, serielle Befehle steuern die Motoren</translation></message>
-    <message><source>Compare the wires with the picture, then search with Find. Green lights while the board receives a command: if it never does, nothing arrives.</source>
+    <message><source>Compare the wires with the picture, then search with “Find”. Green lights while the board receives a command: if it never lights, nothing arrives.</source>
         <translation>Vergleichen Sie die Verdrahtung mit dem Bild, dann suchen Sie mit „Suchen“. Grün leuchtet, während das Board einen Befehl empfängt: Leuchtet es nie, kommt nichts an.</translation></message>
     <message><source>Green on, or flashing fast</source>
         <translation>Grün an oder schnell blinkend</translation></message>
     <message><source>Running, the channels control the motors</source>
         <translation>In Betrieb, die Kanäle steuern die Motoren</translation></message>
-    <message><source>As above: the board also responds in RC and analog mode. Red lights while it receives a command. Fast flashes are safe-start; five at the start say which channels are learned.</source>
+    <message><source>As above: the board also responds in RC and analog mode. Red lights while it receives a command. Fast flashes mean safe-start; five flashes at the start show which channels are learned.</source>
         <translation>Wie oben: Das Board antwortet auch im RC- und im Analogmodus. Rot leuchtet, während es einen Befehl empfängt. Schnelles Blinken ist der Safe-Start; fünfmaliges Aufleuchten beim Einschalten zeigt, welche Kanäle eingelernt sind.</translation></message>
     <message><source>Both blink together, or both on</source>
         <translation>Beide blinken gemeinsam oder leuchten</translation></message>
@@ -3055,7 +3057,7 @@
         <translation>Bootloader, wartet auf neue Firmware</translation></message>
     <message><source>Switch the board off and on, with the jumpers removed.</source>
         <translation>Schalten Sie das Board mit abgezogenen Jumpern aus und ein.</translation></message>
-    <message><source>Mode may also be on: the board responds in every mode.</source>
+    <message><source>The mode jumper may also be on: the board responds in every mode.</source>
         <translation>Der Modus-Jumper darf auch stecken: Das Board antwortet in jedem Modus.</translation></message>
     <message><source>Jumpers</source>
         <translation>Jumper</translation></message>
@@ -3309,7 +3311,7 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Alle Endlagen</translation></message>
     <message><source>Review</source>
         <translation>Prüfen</translation></message>
-    <message><source>The new values are in the board. Their test has to stop the motors first.</source>
+    <message><source>The new values are in the board. To test them, the motors must be stopped first.</source>
         <translation>Die neuen Werte sind im Board. Ihr Test muss zuerst die Motoren stoppen.</translation></message>
     <message><source>Sample &amp;again</source>
         <translation>Erneut &amp;messen</translation></message>
@@ -3321,7 +3323,7 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Erneut &amp;testen</translation></message>
     <message><source>Not every channel is at rest. Click “Sample again”, or Next to go on without channel {0}.</source>
         <translation>Nicht jeder Kanal ist in Ruhe. Klicken Sie auf „Erneut messen“ oder auf „Weiter“, um ohne Kanal {0} fortzufahren.</translation></message>
-    <message><source>Everything is as it should be.</source>
+    <message><source>Every channel works as it should.</source>
         <translation>Alles ist, wie es sein soll.</translation></message>
     <message><source>Nothing to test: the board ignores this input (Ignored Channels).</source>
         <translation>Nichts zu testen: Das Board ignoriert diesen Eingang („Ignorierte Kanäle“).</translation></message>
@@ -3349,7 +3351,7 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Endlage {0}: erreicht</translation></message>
     <message><source>{0} end: not needed</source>
         <translation>Endlage {0}: nicht nötig</translation></message>
-    <message><source>Calculated from the values in the board, for each channel by itself. Assumed: up to 8 of 127 counts as neutral; the switching points of switches.</source>
+    <message><source>Calculated for each channel separately from the values in the board. Assumed: an output of up to 8 of 127 is neutral, and the switching points of switches.</source>
         <translation>Aus den Werten im Board berechnet, für jeden Kanal einzeln. Angenommen: bis zu 8 von 127 gelten als neutral; die Umschaltpunkte von Schaltern.</translation></message>
     <message><source>Hold it there …</source>
         <translation>Dort halten …</translation></message>
@@ -3417,11 +3419,11 @@ was {1}</source>
 bisher {1}</translation></message>
     <message><source>{0} of channel {1}</source>
         <translation>{0} von Kanal {1}</translation></message>
-    <message><source>These must be the settings that the board has now. A new board talks at 19200 baud, without error detection, with one stop bit. Changing them here changes nothing in the board.</source>
+    <message><source>These settings must match those of the board. A new board uses 19200 baud, no error detection and one stop bit. Changing them here does not change the board.</source>
         <translation>Dies müssen die Einstellungen sein, die das Board jetzt hat. Ein neues Board kommuniziert mit 19200 Baud, ohne Fehlererkennung, mit einem Stoppbit. Änderungen hier ändern nichts im Board.</translation></message>
     <message><source>&amp;Address one board of several by its number (Pololu protocol)</source>
         <translation>Eines von mehreren Boards über seine &amp;Nummer ansprechen (Pololu-Protokoll)</translation></message>
-    <message><source>Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). If there are any, every packet is addressed, none to these numbers, and no other baud rate is tried.</source>
+    <message><source>Device numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). If you enter any, every packet has an address, none is sent to these numbers, and no other baud rate is tried.</source>
         <translation>Nummern anderer Geräte an dieser Leitung, etwa 0,1 (ältere Motor- und Servocontroller von Pololu). Ist eine angegeben, wird jedes Paket adressiert, an keine dieser Nummern, und keine andere Baudrate wird versucht.</translation></message>
     <message><source>&amp;Line:</source>
         <translation>&amp;Leitung:</translation></message>
@@ -3441,7 +3443,7 @@ bisher {1}</translation></message>
         <translation>&amp;Ohne Timeout freigeben</translation></message>
     <message><source>Writes Serial Timeout and UART-Error Shutdown now: the board should stop its motors {0} s after the last byte. Other changes stay pending.</source>
         <translation>Schreibt jetzt „Serielles Timeout“ und „Abschaltung bei UART-Fehlern“: Das Board sollte seine Motoren {0} s nach dem letzten Byte stoppen. Andere Änderungen bleiben ausstehend.</translation></message>
-    <message><source>Stops the motors, and sends nothing until they are armed again</source>
+    <message><source>Stops the motors and sends them no command until they are armed again</source>
         <translation>Stoppt die Motoren und sendet nichts, bis sie wieder freigegeben sind</translation></message>
     <message numerus="yes"><source>Review %n ch&amp;ange(s)…</source>
         <translation><numerusform>%n &amp;Änderung prüfen…</numerusform><numerusform>%n &amp;Änderungen prüfen…</numerusform></translation></message>
@@ -3475,7 +3477,7 @@ bisher {1}</translation></message>
         <translation>Motoren &amp;stoppen</translation></message>
     <message><source>Write &amp;{0} s</source>
         <translation>&amp;{0} s schreiben</translation></message>
-    <message><source>Why this value? Kept on this computer and in files.</source>
+    <message><source>Why this value? Saved on this computer and in files.</source>
         <translation>Warum dieser Wert? Wird auf diesem Computer und in Dateien aufbewahrt.</translation></message>
     <message><source>Input source</source>
         <translation>Eingangsquelle</translation></message>
@@ -3575,7 +3577,7 @@ bisher {1}</translation></message>
         <translation>Verbinden Sie ein Board, um seine Motorströme zu sehen.</translation></message>
     <message><source>Motor currents</source>
         <translation>Motorströme</translation></message>
-    <message><source>No board is connected. Choose a port at the top of the main window and press Connect; without hardware, choose the demo board.</source>
+    <message><source>No board is connected. Select a port at the top of the main window and press Connect; without hardware, select the demo board.</source>
         <translation>Kein Board ist verbunden. Wählen Sie oben im Hauptfenster einen Port und klicken Sie auf „Verbinden“; ohne Hardware wählen Sie das Demo-Board.</translation></message>
     <message><source>Joint mode: the board does not sense currents.</source>
         <translation>Parallelbetrieb: Das Board misst keine Ströme.</translation></message>
@@ -3585,7 +3587,7 @@ bisher {1}</translation></message>
         <translation>Ein Count entspricht bei diesem Board {0:.0f} mA.</translation></message>
     <message><source>Reset all counts and error times</source>
         <translation>Alle Zähler auf null setzen und vergessen, wann Fehler auftraten</translation></message>
-    <message><source>The board came back in another mode, so its power was off meanwhile; it does not report a restart in the same mode. Returned after silence: {0}.</source>
+    <message><source>The board came back in another mode, so its power was off in the meantime. A restart in the same mode is not reported. Returned after silence: {0}.</source>
         <translation>Das Board meldete sich in einem anderen Modus zurück, war also zwischendurch ohne Strom; einen Neustart im selben Modus meldet es nicht. Nach Stille zurückgekehrt: {0}.</translation></message>
     <message><source>Reset all co&amp;unts</source>
         <translation>Alle &amp;Zähler zurücksetzen</translation></message>
@@ -3721,7 +3723,7 @@ bisher {1}</translation></message>
         <translation>&amp;Sperre nach Stopp</translation></message>
     <message><source>Stop when you lea&amp;ve this page</source>
         <translation>Beim Verl&amp;assen dieser Seite stoppen</translation></message>
-    <message><source>Stop both motors and the auxiliary when another page is shown or the window is minimised</source>
+    <message><source>Stop both motors and the auxiliary when another page is shown or the window is minimized</source>
         <translation>Beide Motoren und den Hilfsmotor stoppen, wenn eine andere Seite gezeigt oder das Fenster minimiert wird</translation></message>
     <message><source>Sliders return to &amp;zero</source>
         <translation>Regler gehen &amp;von selbst auf null</translation></message>
@@ -3915,7 +3917,7 @@ bisher {1}</translation></message>
         <translation>Werte des Boards behalten</translation></message>
     <message><source>You may drive now: arm the motors.</source>
         <translation>Sie dürfen jetzt fahren: Geben Sie die Motoren frei.</translation></message>
-    <message><source>{0} requests to drive. Handing over stops the motors.</source>
+    <message><source>{0} wants to drive. Handing over stops the motors.</source>
         <translation>{0} möchte fahren. Die Übergabe stoppt die Motoren.</translation></message>
     <message><source>Hand over</source>
         <translation>Übergeben</translation></message>
@@ -4013,7 +4015,7 @@ bisher {1}</translation></message>
         <translation>30 s um &amp;jede Störung und jeden Stopp behalten</translation></message>
     <message><source>The seconds around “{0}” were saved. File, Open fault or stop: {1}</source>
         <translation>Die Sekunden um „{0}“ wurden behalten. Datei, Störung oder Stopp öffnen: {1}</translation></message>
-    <message><source>The seconds around “{0}” could not be kept. {1}</source>
+    <message><source>The seconds around “{0}” could not be saved. {1}</source>
         <translation>Die Sekunden um „{0}“ konnten nicht behalten werden. {1}</translation></message>
     <message><source>Start recording &amp;when the motors are armed</source>
         <translation>Aufzeichnung &amp;mit der Freigabe der Motoren starten</translation></message>
@@ -4035,7 +4037,7 @@ bisher {1}</translation></message>
         <translation>Rechtes Rad, rückwärts</translation></message>
     <message><source>Nothing</source>
         <translation>Nichts</translation></message>
-    <message><source>Served with trexcmd serve: by this computer, and by others on the local network.</source>
+    <message><source>Robots that trexcmd serve offers on this computer and on the local network.</source>
         <translation>Mit trexcmd serve bereitgestellt: von diesem Rechner und von anderen im lokalen Netz.</translation></message>
     <message numerus="yes"><source>%n robot(s) stopped.</source>
         <translation><numerusform>%n Roboter gestoppt.</numerusform><numerusform>%n Roboter gestoppt.</numerusform></translation></message>
@@ -4069,7 +4071,7 @@ bisher {1}</translation></message>
         <translation>{0}, antwortet nicht</translation></message>
     <message><source>Read the settings from the board and discard the edits made here?</source>
         <translation>Die Einstellungen vom Board lesen und die hier gemachten Änderungen verwerfen?</translation></message>
-    <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use it, too.</source>
+    <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then uses it as well. Other programs on this line must use it, too.</source>
         <translation>{0} gehört jetzt zu den ausstehenden Änderungen. Die Einstellung gilt, nachdem das Board aus- und eingeschaltet wurde; dieses Fenster folgt dann. Andere Programme an dieser Leitung müssen sie auch verwenden.</translation></message>
     <message><source>Discard and reload</source>
         <translation>Verwerfen und neu laden</translation></message>
@@ -4093,7 +4095,7 @@ bisher {1}</translation></message>
         <translation>Kalibrierungen</translation></message>
     <message><source>None set.</source>
         <translation>Keine angegeben.</translation></message>
-    <message><source>Write values with units as wire values, and numbers beyond their range as the nearest one in it; the file changes when you save it</source>
+    <message><source>Replace values with units by wire values, and numbers outside their range by the nearest valid number; the file changes when you save it</source>
         <translation>Werte mit Einheiten als Bytewerte schreiben, und Zahlen außerhalb ihres Bereichs als die nächstliegende darin; die Datei ändert sich, wenn Sie speichern</translation></message>
     <message><source>&amp;Repair values</source>
         <translation>Werte &amp;reparieren</translation></message>
@@ -4163,7 +4165,7 @@ bisher {1}</translation></message>
         <translation>Repariert: {0}.</translation></message>
     <message><source>Not compared. {0}</source>
         <translation>Nicht verglichen. {0}</translation></message>
-    <message><source>A robot without a driver: a computer on board drives it, and no one can catch it</source>
+    <message><source>An autonomous robot: an on-board computer drives it, and no one is near enough to catch it</source>
         <translation>Ein Roboter ohne Fahrer: Ein Computer an Bord fährt ihn, und niemand kann ihn aufhalten</translation></message>
     <message><source>A rover driven by radio; a switch hands it over to a computer</source>
         <translation>Ein ferngesteuerter Rover; ein Schalter übergibt ihn an einen Computer</translation></message>
@@ -4281,15 +4283,15 @@ bisher {1}</translation></message>
         <translation>Der Mix-Jumper ist gesteckt: Ziehen Sie ihn ab und bewegen Sie dann einen Knüppel.</translation></message>
     <message><source>The mix jumper is off: put it on, then push a stick.</source>
         <translation>Der Mix-Jumper ist ab: Stecken Sie ihn auf und bewegen Sie dann einen Knüppel.</translation></message>
-    <message><source>Set what your motors can draw continuously: the presets are examples. Without a ramp, the current exceeds the limit for a moment.</source>
+    <message><source>Set the current that your motors can draw continuously; the presets are examples. Without a ramp, the current exceeds the limit for a moment.</source>
         <translation>Stellen Sie ein, was Ihre Motoren dauernd aufnehmen dürfen: Die Vorgaben sind Beispiele. Ohne Rampe überschreitet der Strom die Grenze für einen Augenblick.</translation></message>
-    <message><source>The computer must send something at least twice within that time. UART-Error Shutdown is switched on with it, as the timeout may need it (twin).</source>
+    <message><source>The computer must send something at least twice within this time. UART-Error Shutdown is also switched on, because the timeout may need it (twin).</source>
         <translation>Lassen Sie den Computer in dieser Zeit mindestens zweimal etwas senden. „Abschaltung bei UART-Fehlern“ wird mit eingeschaltet, da das Timeout sie vielleicht braucht (Zwilling).</translation></message>
     <message><source>Its changes were not added: open the step and click Next.</source>
         <translation>Seine Änderungen wurden nicht übernommen: Öffnen Sie den Schritt und klicken Sie auf „Weiter“.</translation></message>
-    <message><source>Drive first with the wheels off the ground: forward, back, left, right.</source>
+    <message><source>For the first drive, keep the wheels off the ground: forward, back, left, right.</source>
         <translation>Fahren Sie zuerst mit den Rädern in der Luft: vor, zurück, links, rechts.</translation></message>
-    <message><source>Switch the board off, put the mode jumper on {0}, {1}.</source>
+    <message><source>Switch the board off, set the mode jumper to {0}, and {1}.</source>
         <translation>Schalten Sie das Board aus, stecken Sie den Modus-Jumper auf {0} und {1}.</translation></message>
     <message><source>Switch on the transmitter, then the board.</source>
         <translation>Schalten Sie zuerst den Sender ein, dann das Board.</translation></message>
@@ -4339,9 +4341,9 @@ bisher {1}</translation></message>
         <translation>Übersprungen, oder die Änderungen wurden rückgängig gemacht.</translation></message>
     <message><source>It is not known which motor drives which wheel.</source>
         <translation>Es ist nicht bekannt, welcher Motor welches Rad antreibt.</translation></message>
-    <message><source>The settings for the motors wait for the directions of the sticks.</source>
+    <message><source>The motor settings depend on the directions of the sticks.</source>
         <translation>Die Einstellungen für die Motoren warten auf die Richtungen der Knüppel.</translation></message>
-    <message><source>Leave the mode jumper off. The first commands can come from the Motors page of this window.</source>
+    <message><source>Leave the mode jumper off. You can send the first commands from the Motors page of this window.</source>
         <translation>Lassen Sie den Modus-Jumper weg. Die ersten Befehle können von der Seite „Motoren“ dieses Fensters kommen.</translation></message>
     <message><source>put the mix jumper on</source>
         <translation>stecken Sie den Mix-Jumper auf</translation></message>
@@ -4353,7 +4355,7 @@ bisher {1}</translation></message>
         <translation>Kein Board ist verbunden, daher können seine Jumper nicht geprüft werden.</translation></message>
     <message><source>This board was started without the mode jumper (serial mode).</source>
         <translation>Dieses Board wurde ohne Modus-Jumper gestartet (serieller Modus).</translation></message>
-    <message><source>The mix jumper can be checked in serial mode only: now a stick would drive the motors.</source>
+    <message><source>The mix jumper can be checked in serial mode only: in this mode a stick would drive the motors.</source>
         <translation>Der Mix-Jumper kann nur im seriellen Modus geprüft werden: Jetzt würde ein Knüppel die Motoren antreiben.</translation></message>
     <message><source>The board does not report the mix jumper. Push a stick to one side to see it.</source>
         <translation>Das Board meldet den Mix-Jumper nicht. Drücken Sie einen Knüppel zur Seite, um es zu sehen.</translation></message>
@@ -4373,9 +4375,9 @@ bisher {1}</translation></message>
         <translation>{0} Testen Sie dann die Motoren erneut.</translation></message>
     <message><source>is not a readable settings file.</source>
         <translation>ist keine lesbare Einstellungsdatei.</translation></message>
-    <message><source>Calibrations that the board does not show now were kept: {0}.</source>
+    <message><source>Calibrations that the board does not show now stay in the file: {0}.</source>
         <translation>Kalibrierungen, die das Board jetzt nicht zeigt, wurden beibehalten: {0}.</translation></message>
-    <message><source>{0} applies and checks the settings shown; read its first lines.</source>
+    <message><source>{0} applies and verifies the settings shown; its first lines explain how to use it.</source>
         <translation>{0} wendet die angezeigten Einstellungen an und prüft sie; lesen Sie die ersten Zeilen der Datei.</translation></message>
     <message><source>{0} was not saved again: it is still being saved.</source>
         <translation>{0} wurde nicht erneut gespeichert: Die Datei wird noch gespeichert.</translation></message>
@@ -4403,9 +4405,9 @@ bisher {1}</translation></message>
         <translation>{0}, vor: {1}</translation></message>
     <message numerus="yes"><source>&amp;Restore %n setting(s)…</source>
         <translation><numerusform>%n Einstellung &amp;wiederherstellen …</numerusform><numerusform>%n Einstellungen &amp;wiederherstellen …</numerusform></translation></message>
-    <message><source>Nothing is selected to be restored.</source>
+    <message><source>Nothing is selected for restoring.</source>
         <translation>Zum Wiederherstellen ist nichts ausgewählt.</translation></message>
-    <message><source>To restore one of the two, select it alone.</source>
+    <message><source>To restore a snapshot, select it alone.</source>
         <translation>Um eine der beiden wiederherzustellen, wählen Sie sie allein aus.</translation></message>
     <message><source>The board does not respond, so nothing can be restored.</source>
         <translation>Das Board antwortet nicht, daher kann nichts wiederhergestellt werden.</translation></message>
@@ -4423,7 +4425,7 @@ bisher {1}</translation></message>
         <translation>Nichts wurde wiederhergestellt: {0}</translation></message>
     <message><source>Never connect RS-232 levels (±12 V) to SI and SO: they can destroy the board.</source>
         <translation>Verbinden Sie nie RS-232-Pegel (±12 V) mit SI und SO: Diese können das Board zerstören.</translation></message>
-    <message><source>Set the board up through an adapter first: with the mode jumper on, it accepts no settings. BEC gives 100 mA at most.</source>
+    <message><source>Set the board up through an adapter first: with the mode jumper on, it accepts no settings. BEC supplies at most 100 mA.</source>
         <translation>Richten Sie das Board zuerst über einen Adapter ein: Mit gestecktem Modus-Jumper nimmt es keine Einstellungen an. Der BEC liefert höchstens 100 mA.</translation></message>
     <message><source>TReX</source>
         <translation>TReX</translation></message>
@@ -4437,11 +4439,11 @@ bisher {1}</translation></message>
         <translation>Kein Board zur Hand?</translation></message>
     <message><source>&amp;Try the demo</source>
         <translation>Demo aus&amp;probieren</translation></message>
-    <message><source>Mode: take it off</source>
+    <message><source>Mode: remove it</source>
         <translation>Modus: abziehen</translation></message>
-    <message><source>SO–G: take it off</source>
+    <message><source>SO–G: remove it</source>
         <translation>SO–G: abziehen</translation></message>
-    <message><source>Mode: put it on RC</source>
+    <message><source>Mode: set it to RC</source>
         <translation>Modus: auf RC stecken</translation></message>
     <message><source>BEC: feeds the receiver</source>
         <translation>BEC: speist den Empfänger</translation></message>
@@ -4511,15 +4513,15 @@ bisher {1}</translation></message>
         <translation>Motoren, die gestoppt werden können, werden gestoppt, bevor der Computer in den Ruhezustand geht</translation></message>
     <message><source>The screen was locked</source>
         <translation>Der Bildschirm wurde gesperrt</translation></message>
-    <message><source>The computer goes to sleep</source>
+    <message><source>The computer is going to sleep</source>
         <translation>Der Computer geht in den Ruhezustand</translation></message>
-    <message><source>The computer shuts down</source>
+    <message><source>The computer is shutting down</source>
         <translation>Der Computer wird heruntergefahren</translation></message>
-    <message><source>The session ends</source>
+    <message><source>The session is ending</source>
         <translation>Die Sitzung endet</translation></message>
-    <message><source>Connected again to {0}. No motor was started.</source>
+    <message><source>Reconnected to {0}. No motor was started.</source>
         <translation>Wieder mit {0} verbunden. Kein Motor wurde gestartet.</translation></message>
-    <message><source>{0} also has {1} open and may take replies. Close it there.</source>
+    <message><source>{0} also has {1} open and may take replies. Close the port there.</source>
         <translation>{0} hat {1} ebenfalls geöffnet und kann Antworten abfangen. Schließen Sie den Port dort.</translation></message>
     <message><source>Connecting to {0} …</source>
         <translation>Verbinden mit {0} …</translation></message>
@@ -4565,7 +4567,7 @@ bisher {1}</translation></message>
         <translation>{0} mit Gerätenummer {1}</translation></message>
     <message><source>the Demo {0}</source>
         <translation>Demo-{0}</translation></message>
-    <message><source>The simulator does not start. Install the program again.</source>
+    <message><source>The simulator does not start. Reinstall the program.</source>
         <translation>Der Simulator startet nicht. Installieren Sie das Programm neu.</translation></message>
     <message><source>The simulator ended at once. {0}</source>
         <translation>Der Simulator hat sich sofort beendet. {0}</translation></message>
@@ -4637,7 +4639,7 @@ bisher {1}</translation></message>
         <translation>Wie dieser Computer mit dem Board kommuniziert</translation></message>
     <message><source>Find a board whose line settings are unknown</source>
         <translation>Ein Board suchen, dessen Leitungseinstellungen unbekannt sind</translation></message>
-    <message><source>Let the board detect damaged bytes; first shows what will be written</source>
+    <message><source>Let the board detect corrupted bytes; the changes are shown before they are written</source>
         <translation>Das Board beschädigte Bytes erkennen lassen; zeigt zuerst, was geschrieben wird</translation></message>
     <message><source>Settings are still being written. Disconnect anyway? Unwritten settings stay pending.</source>
         <translation>Einstellungen werden noch geschrieben. Trotzdem trennen? Nicht geschriebene Einstellungen bleiben ausstehend.</translation></message>
@@ -4655,7 +4657,7 @@ bisher {1}</translation></message>
         <translation>{0} wurde nicht geöffnet: Dieser Dateityp wird nicht unterstützt. Unterstützt: {1}.</translation></message>
     <message><source>Recent &amp;files</source>
         <translation>Z&amp;uletzt verwendete Dateien</translation></message>
-    <message><source>{0} files were dropped, and none was opened: drop one at a time.</source>
+    <message><source>{0} files were dropped, and none was opened: drop one file at a time.</source>
         <translation>{0} Dateien wurden abgelegt, und keine wurde geöffnet: Legen Sie jeweils nur eine ab.</translation></message>
     <message><source>{0} is {1}. It was not opened, because this window is connected to {2}: disconnect, then open it again.</source>
         <translation>{0} ist {1}. Die Datei wurde nicht geöffnet, weil dieses Fenster mit {2} verbunden ist: Trennen Sie die Verbindung und öffnen Sie sie dann erneut.</translation></message>
@@ -4663,7 +4665,7 @@ bisher {1}</translation></message>
         <translation>{0} ist nicht mehr vorhanden; der Eintrag wurde aus den zuletzt verwendeten Dateien entfernt.</translation></message>
     <message><source>a file of the {0}</source>
         <translation>eine Datei für {0}</translation></message>
-    <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. A TReX or Aracna never moves a motor or changes a setting. Other devices on the line may: enter their numbers in the line settings first. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
+    <message><source>Probes each port for every supported device, first at its likely settings, then at every baud rate, with every parity and with CRC. Probes never move a motor or change a setting of a TReX or an Aracna. Other devices on the line may react: enter their numbers in the line settings first. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
         <translation>Prüft an jedem Port, ob ein unterstütztes Gerät antwortet: jede Art mit ihren wahrscheinlichen Einstellungen, dann mit jeder Baudrate, mit jeder Parität und mit CRC. Ein TReX oder Aracna bewegt dabei keinen Motor und ändert keine Einstellung. Andere Geräte an der Leitung vielleicht schon: Geben Sie deren Nummern zuerst in den Leitungseinstellungen ein. Ein TReX, der Anfragen mit einer anderen Baudrate empfängt, zählt UART-Fehler und stoppt seine Motoren, wenn er so eingestellt ist.</translation></message>
     <message><source>The likely settings come first; a port without a reply takes about half a minute.</source>
         <translation>Die wahrscheinlichen Einstellungen kommen zuerst; ein Port ohne Antwort dauert etwa eine halbe Minute.</translation></message>
@@ -4709,7 +4711,7 @@ bisher {1}</translation></message>
         <translation>{0} an {1}</translation></message>
     <message><source>{0} (demo)</source>
         <translation>{0} (Demo)</translation></message>
-    <message><source>The window was to be closed</source>
+    <message><source>The window is closing</source>
         <translation>Das Fenster sollte geschlossen werden</translation></message>
     <message><source>&amp;Window</source>
         <translation>&amp;Fenster</translation></message>
@@ -4739,7 +4741,7 @@ bisher {1}</translation></message>
         <translation>Was zuerst gezeigt wird, und was eine ohne Einheit eingegebene Zahl bedeutet</translation></message>
     <message><source>Connect to known boards automat&amp;ically</source>
         <translation>Automatisch mit bekannten &amp;Boards verbinden</translation></message>
-    <message><source>When the program starts and when an adapter is plugged in at which a board was found before, if just one board answers. Not after Disconnect, and not while another program uses the port. No motor moves.</source>
+    <message><source>When the program starts, and when a known adapter is plugged in, if exactly one board responds. Not after Disconnect, and not while another program uses the port. No motor moves.</source>
         <translation>Beim Programmstart und beim Einstecken eines Adapters, an dem schon ein Board gefunden wurde, wenn genau ein Board antwortet. Nicht nach „Trennen“, und nicht, solange ein anderes Programm den Port verwendet. Kein Motor bewegt sich.</translation></message>
     <message><source>{0} %</source>
         <translation>{0} %</translation></message>
@@ -4777,7 +4779,7 @@ bisher {1}</translation></message>
         <translation>Angeschlossen</translation></message>
     <message><source>No serial port was found. Plug the adapter in: it is listed here at once.</source>
         <translation>Kein serieller Port wurde gefunden. Stecken Sie den Adapter ein: Er erscheint hier sofort.</translation></message>
-    <message><source>It does not answer?</source>
+    <message><source>No response?</source>
         <translation>Keine Antwort?</translation></message>
     <message><source>Find &amp;my board…</source>
         <translation>&amp;Mein Board suchen…</translation></message>
@@ -4835,7 +4837,7 @@ bisher {1}</translation></message>
         <translation>CSV für Tabellenkalkulationen (*.csv)</translation></message>
     <message><source>MCAP for PlotJuggler and Foxglove (*.mcap)</source>
         <translation>MCAP für PlotJuggler und Foxglove (*.mcap)</translation></message>
-    <message><source>The open recording cannot be overwritten. Choose another file.</source>
+    <message><source>The open recording cannot be overwritten. Select another file.</source>
         <translation>Die geöffnete Aufzeichnung kann nicht überschrieben werden. Wählen Sie eine andere Datei.</translation></message>
     <message><source>E&amp;vents</source>
         <translation>E&amp;reignisse</translation></message>

@@ -3,7 +3,7 @@
 <TS version="2.1" language="fr" sourcelanguage="en">
 <context>
     <name>trex_gui</name>
-    <message><source>{0} may be {1} or {2}: write the one that you mean</source>
+    <message><source>{0} is ambiguous: write {1} or {2}</source>
         <translation>{0} peut signifier {1} ou {2} : écrivez celui que vous voulez</translation></message>
     <message><source>{0} is not a number</source>
         <translation>{0} n'est pas un nombre</translation></message>
@@ -31,9 +31,9 @@
         <translation>Le port {0} ne peut pas être réglé sur {1} ({2}).</translation></message>
     <message><source>The port {0} cannot be opened: {1}.</source>
         <translation>Impossible d'ouvrir le port {0} : {1}.</translation></message>
-    <message><source>Another program reads {0}, too, and has taken bytes from it. Close it there, then connect again.</source>
+    <message><source>Another program is also reading from {0} and has taken some of the bytes. Close that program, then connect again.</source>
         <translation>Un autre programme lit aussi {0} et en a pris des octets. Libérez-le dans ce programme, puis reconnectez.</translation></message>
-    <message><source>The line to {0} is gone. Plug it in, then connect again.</source>
+    <message><source>The connection to {0} is gone. Plug the adapter in, then connect again.</source>
         <translation>La liaison avec {0} a disparu. Rebranchez le câble, puis reconnectez.</translation></message>
     <message><source>it is not an ordinary file</source>
         <translation>ce n'est pas un fichier ordinaire</translation></message>
@@ -53,7 +53,7 @@
         <translation>le fichier ne peut pas être écrit : permission refusée</translation></message>
     <message><source>there is no such file</source>
         <translation>ce fichier n'existe pas</translation></message>
-    <message><source>is larger than {0} KiB; {1} are not that long</source>
+    <message><source>is larger than {0} KiB; {1} are never that large</source>
         <translation>dépasse {0} KiB ; ce contenu ({1}) n'est jamais aussi long</translation></message>
     <message><source>line {0}</source>
         <translation>ligne {0}</translation></message>
@@ -65,7 +65,7 @@
         <translation>permission refusée</translation></message>
     <message><source>It cannot be used: {0}.</source>
         <translation>Inutilisable : {0}.</translation></message>
-    <message><source>Samples missing here, because the disk was too slow: {0}.</source>
+    <message><source>Samples lost here because the disk was too slow: {0}.</source>
         <translation>Échantillons manquants ici, car le disque était trop lent : {0}.</translation></message>
     <message><source>This is not a TReX Studio recording.</source>
         <translation>Ce n'est pas un enregistrement de TReX Studio.</translation></message>
@@ -83,7 +83,7 @@
         <translation>La fin du fichier manque.</translation></message>
     <message><source>Its log cannot be read: the last samples are missing.</source>
         <translation>Son journal est illisible : les derniers échantillons manquent.</translation></message>
-    <message><source>It was not ended; samples of the last seconds may be missing.</source>
+    <message><source>The recording was not closed properly; samples of the last seconds may be missing.</source>
         <translation>Il n'a pas été terminé ; des échantillons des dernières secondes peuvent manquer.</translation></message>
     <message><source>the clock in the header is not in seconds</source>
         <translation>l'horloge de l'en-tête n'est pas en secondes</translation></message>
@@ -99,29 +99,29 @@
         <translation>Un fichier CSV est un export et ne s'ouvre pas comme enregistrement. Ouvrez l'enregistrement ({0}) dont il provient.</translation></message>
     <message><source>It is still being recorded. End the recording, then open it again.</source>
         <translation>L'enregistrement est encore en cours. Terminez-le, puis ouvrez-le de nouveau.</translation></message>
-    <message><source>Its format, {0}, is not known. A later version of TReX Studio may open it.</source>
+    <message><source>Its format, {0}, is unknown. A later version of TReX Studio may be able to open it.</source>
         <translation>Son format, {0}, est inconnu. Une version plus récente de TReX Studio peut peut-être l'ouvrir.</translation></message>
-    <message><source>This is a recording of another device: {0}. It opens where the window shows the pages of that device: choose its port or its demo in the list of ports, then open the file again.</source>
+    <message><source>This is a recording of another device: {0}. Select the port or the demo of that device in the list of ports, then open the file again.</source>
         <translation>C'est l'enregistrement d'un autre appareil : {0}. Il s'ouvre lorsque la fenêtre montre les pages de cet appareil : choisissez son port ou sa démo dans la liste des ports, puis ouvrez de nouveau le fichier.</translation></message>
     <message><source>The table {0} is missing.</source>
         <translation>La table {0} manque.</translation></message>
     <message><source>The column {0} is missing.</source>
         <translation>La colonne {0} manque.</translation></message>
-    <message><source>Samples of {0} among records {1} to {2} are lost: {3}.</source>
+    <message><source>Samples of {0} between records {1} and {2} are lost: {3}.</source>
         <translation>Des échantillons de {0} parmi les éléments {1} à {2} sont perdus : {3}.</translation></message>
     <message><source>The column {0} is computed.</source>
         <translation>La colonne {0} est calculée.</translation></message>
-    <message><source>The motors of the {0} at {1}, driven since {2}, were left running. The board that is there now has confirmed a stop. If a motor still turns, cut its power.</source>
+    <message><source>The motors of the {0} at {1}, driven since {2}, were left running. The board now connected there has confirmed a stop. If a motor still turns, cut its power.</source>
         <translation>Les moteurs de la carte {0} sur {1}, pilotée depuis {2}, étaient restés en marche. La carte qui s'y trouve maintenant a confirmé un arrêt. Si un moteur tourne encore, coupez son alimentation.</translation></message>
-    <message><source>The motors have to be stopped first.</source>
+    <message><source>Stop the motors first.</source>
         <translation>Il faut d'abord arrêter les moteurs.</translation></message>
-    <message><source>another line of this program</source>
+    <message><source>another connection of this program</source>
         <translation>une autre liaison de ce programme</translation></message>
     <message><source>{0} (process {1})</source>
         <translation>{0} (processus {1})</translation></message>
     <message><source>Join its group, then log out and in again: {0} (or, until it is unplugged: {1}).</source>
         <translation>Rejoignez son groupe, puis fermez et rouvrez votre session : {0} (ou, jusqu'à ce qu'il soit débranché : {1}).</translation></message>
-    <message><source>the server refuses the settings of the line</source>
+    <message><source>the server rejects the line settings</source>
         <translation>le serveur refuse les réglages de liaison</translation></message>
     <message><source>It belongs to root; this command grants access until the port is unplugged: {0}</source>
         <translation>Il appartient à root ; cette commande l'ouvre jusqu'à ce qu'il soit débranché : {0}</translation></message>
@@ -135,7 +135,7 @@
         <translation>le port n'accepte rien</translation></message>
     <message><source>the port cannot be set to {0}</source>
         <translation>le port ne peut pas être réglé sur {0}</translation></message>
-    <message><source>The device sends without a request ({0} …).</source>
+    <message><source>The device sends data without being queried ({0} …).</source>
         <translation>L'appareil émet sans requête ({0} …).</translation></message>
     <message><source>even parity</source>
         <translation>parité paire</translation></message>
@@ -155,7 +155,7 @@
         <translation>{0} bauds</translation></message>
     <message><source>Opened {0}.</source>
         <translation>Ouvert : {0}.</translation></message>
-    <message><source>this is no traffic log: the traffic page and trexcmd --traffic write them</source>
+    <message><source>this is not a traffic log, as written by the Traffic page and by trexcmd --traffic</source>
         <translation>ce n'est pas un journal de trafic : la page Trafic et trexcmd --traffic en créent</translation></message>
     <message><source>this is not a row of a traffic log</source>
         <translation>ce n'est pas une ligne d'un journal de trafic</translation></message>
@@ -165,17 +165,17 @@
         <translation>D’autres utilisateurs de cet ordinateur peuvent lire les secrets : chmod 600 « {0} ».</translation></message>
     <message><source>{0} is not trex://host/name, such as trex://robot.local/arm.</source>
         <translation>{0} n'est pas trex://hôte/nom, par exemple trex://robot.local/arm.</translation></message>
-    <message><source>{0}: there is no kind of port {1!r}; try socket:// or rfc2217://.</source>
+    <message><source>{0}: {1!r} is not a kind of port; try socket:// or rfc2217://.</source>
         <translation>{0} : ce type de port n'existe pas ({1!r}) ; essayez socket:// ou rfc2217://.</translation></message>
     <message><source>{0} is not {1}://host:port, such as {1}://192.168.1.20:2217.</source>
         <translation>{0} n'est pas de la forme {1}://hôte:port, par exemple {1}://192.168.1.20:2217.</translation></message>
     <message><source>{0} is not a host, such as robot.local.</source>
         <translation>{0} n'est pas un hôte, par exemple robot.local.</translation></message>
-    <message><source>Opening this port has reset the board: it responds about a second later.</source>
+    <message><source>Opening this port reset the board: it responds again after about a second.</source>
         <translation>L'ouverture de ce port a réinitialisé la carte : elle répond environ une seconde plus tard.</translation></message>
     <message><source>Aracna {0}</source>
         <translation>Aracna {0}</translation></message>
-    <message><source>No probe for an Aracna was sent on {0}: its baud rate is set at the other end of the network, and a TReX at another rate could take the probe for a command. If you know that it is an Aracna, connect once with: trex-gui --device aracna --port {1}</source>
+    <message><source>No probe for an Aracna was sent on {0}: the baud rate is set at the other end of the network, and a TReX at another rate could mistake the probe for a command. If you know that it is an Aracna, connect once with: trex-gui --device aracna --port {1}</source>
         <translation>Aucune requête de détection d'un Aracna n'a été envoyée sur {0} : le débit est réglé à l'autre bout du réseau, et un TReX à un autre débit pourrait prendre cette requête pour une commande. Si vous savez que c'est un Aracna, connectez-le une fois avec : trex-gui --device aracna --port {1}</translation></message>
     <message><source>No probe for an Aracna was sent: {0} cannot be set to {1}.</source>
         <translation>Aucune requête de détection d'un Aracna n'a été envoyée : {0} ne peut pas être réglé sur {1}.</translation></message>
@@ -241,7 +241,7 @@
         <translation>Plus rien n'est envoyé.</translation></message>
     <message><source>Solid lines: last reported; dashed: goal. A sketch: angles are drawn flat.</source>
         <translation>Traits pleins : dernières positions transmises ; tirets : cible. Schéma : les angles sont dessinés à plat.</translation></message>
-    <message><source>Which leg is which is assumed; even motors are inner joints, odd ones outer.</source>
+    <message><source>The order of the legs is assumed. Even motors are inner joints, odd motors are outer joints.</source>
         <translation>L'attribution des pattes est supposée ; les moteurs pairs sont les articulations intérieures, les impairs les extérieures.</translation></message>
     <message><source>Playing step {0} of {1} “{2}”, round {3} of {4}.</source>
         <translation>Étape {0} sur {1} « {2} » en cours, cycle {3} sur {4}.</translation></message>
@@ -253,11 +253,11 @@
         <translation>La réponse s'est perdue (ou aucun moteur ne répond) : les positions ne sont pas connues.</translation></message>
     <message><source>Unknown: a motion may continue for about {0:.0f} s.</source>
         <translation>Inconnu : un mouvement peut continuer pendant environ {0:.0f} s.</translation></message>
-    <message><source>Nothing is sent. It may be moving: its state is unknown until the first move.</source>
+    <message><source>Nothing is sent. The robot may be moving: its state is unknown until its first move.</source>
         <translation>Rien n'est envoyé. On ne sait pas s'il bouge avant son premier mouvement.</translation></message>
     <message><source>The robot does not respond.</source>
         <translation>Le robot ne répond pas.</translation></message>
-    <message><source>Check servo power, cable and whether it is blocked. A reset of the board ends the wait; it does not stop the servos.</source>
+    <message><source>Check the servo power, the cable, and whether the servo is blocked. Resetting the board ends the wait, but does not stop the servos.</source>
         <translation>Vérifiez l'alimentation des servos, le câble, et s'il est bloqué. Une réinitialisation de la carte met fin à l'attente ; elle n'arrête pas les servos.</translation></message>
     <message><source>Motor {0}, {1} leg</source>
         <translation>Moteur {0}, patte {1}</translation></message>
@@ -271,7 +271,7 @@
         <translation>Inconnu : le dernier mouvement est peut-être encore en cours.</translation></message>
     <message><source>The motion ends by itself in about {0:.1f} s.</source>
         <translation>Le mouvement se termine de lui-même dans {0:.1f} s environ.</translation></message>
-    <message><source>The sequence begins.</source>
+    <message><source>The sequence starts.</source>
         <translation>La séquence commence.</translation></message>
     <message><source>Playing blend-in.</source>
         <translation>Transition d'entrée en cours.</translation></message>
@@ -299,17 +299,17 @@
         <translation>Se couche à plat en 3 s et se relève en 3 s, depuis n'importe quelle position.</translation></message>
     <message><source>Lifts two opposite legs, swings the other two, changes over and swings them back.</source>
         <translation>Lève deux pattes opposées, fait pivoter les deux autres, alterne et les ramène.</translation></message>
-    <message><source>All motors together, 100 units about the centre.</source>
+    <message><source>Moves all motors together, 100 units about the centre.</source>
         <translation>Tous les moteurs ensemble, ±100 unités autour du centre.</translation></message>
-    <message><source>To and fro between two poses; motors that stay more than 50 units off are suspect.</source>
+    <message><source>Moves back and forth between two poses; a motor that ends more than 50 units from its goal is suspect.</source>
         <translation>Va-et-vient entre deux poses ; les moteurs qui restent à plus de 50 unités de leur cible sont suspects.</translation></message>
-    <message><source>Down to half-stand and up again.</source>
+    <message><source>Moves down to half-stand and up again.</source>
         <translation>Descend à la pose « half-stand » et remonte.</translation></message>
-    <message><source>By way of half-stand to flat, from any position.</source>
+    <message><source>Moves through half-stand to flat, from any position.</source>
         <translation>Passe par « half-stand » jusqu'à « flat », depuis n'importe quelle position.</translation></message>
-    <message><source>The poses are for {0} motors, the robot has {1}: the last positions are left out.</source>
+    <message><source>The poses are for {0} motors, but the robot has {1}: the last positions are ignored.</source>
         <translation>Les poses sont pour {0} moteurs, le robot en a {1} : les dernières positions sont ignorées.</translation></message>
-    <message><source>The poses are for {0} motors, the robot has {1}: its last motors go to {2}.</source>
+    <message><source>The poses are for {0} motors, but the robot has {1}: its last motors go to {2}.</source>
         <translation>Les poses sont pour {0} moteurs, le robot en a {1} : ses derniers moteurs vont à {2}.</translation></message>
     <message><source>{0} uses poses that are not defined: {1}</source>
         <translation>{0} utilise des poses qui ne sont pas définies : {1}</translation></message>
@@ -319,9 +319,9 @@
         <translation>la première ligne devrait nommer le robot et ses servos ; 8 servos sont supposés</translation></message>
     <message><source>poses</source>
         <translation>poses</translation></message>
-    <message><source>neither a pose nor a sequence: it has no colon</source>
+    <message><source>this is neither a pose nor a sequence: there is no colon</source>
         <translation>ni une pose ni une séquence : il manque le deux-points</translation></message>
-    <message><source>a sequence has a colon after its name</source>
+    <message><source>a sequence needs a colon after its name</source>
         <translation>une séquence a un deux-points après son nom</translation></message>
     <message><source>this is not UTF-8 text; it is read as Western European, and Save writes UTF-8</source>
         <translation>ce n'est pas du texte UTF-8 ; il est lu comme texte d'Europe occidentale, et « Enregistrer » écrit de l'UTF-8</translation></message>
@@ -335,9 +335,9 @@
         <translation>pose {0} : les positions sont des nombres de 0 à {1}, pas {2!r} (moteur {3})</translation></message>
     <message><source>sequence {0}: a step is a pose, a bar and {1} to {2} ms, not {3!r}</source>
         <translation>séquence {0} : une étape se compose d'une pose, d'une barre et de {1} à {2} ms, pas {3!r}</translation></message>
-    <message><source>pose {0} has {1} positions for {2} servos; the last ones are kept, but not used</source>
+    <message><source>pose {0} has {1} positions for {2} servos; the last positions are kept, but not used</source>
         <translation>la pose {0} a {1} positions pour {2} servos ; les dernières sont conservées, mais pas utilisées</translation></message>
-    <message><source>line {0} has this {1} again, and counts; this one is called {2} now</source>
+    <message><source>line {0} defines this {1} again and takes precedence; this one is now called {2}</source>
         <translation>la ligne {0} contient de nouveau cette {1} et compte ; celle-ci s'appelle maintenant {2}</translation></message>
     <message><source>sequence {0} uses the pose {1}, which is not in the file</source>
         <translation>la séquence {0} utilise la pose {1}, qui n'est pas dans le fichier</translation></message>
@@ -345,7 +345,7 @@
         <translation>une {0} a un nom avant son deux-points</translation></message>
     <message><source>{0}; the line is kept, but not used</source>
         <translation>{0} ; la ligne est conservée, mais pas utilisée</translation></message>
-    <message><source>a name has 1 to {0} printable characters, and no colon, comma or bar</source>
+    <message><source>a name has 1 to {0} printable characters, without colon, comma or bar</source>
         <translation>un nom a de 1 à {0} caractères imprimables, sans deux-points, virgule ni barre</translation></message>
     <message><source>the name {0} is taken</source>
         <translation>le nom {0} est déjà pris</translation></message>
@@ -363,19 +363,19 @@
         <translation>Arrière droite</translation></message>
     <message><source>Back left</source>
         <translation>Arrière gauche</translation></message>
-    <message><source>limits are 0 to {0} in order, not {1} to {2}</source>
+    <message><source>limits are 0 to {0}, the lower one first, not {1} to {2}</source>
         <translation>les limites vont de 0 à {0}, dans l'ordre, pas de {1} à {2}</translation></message>
     <message><source>No Aracna responds on {0}. It does not listen while it moves: if it is moving, wait until it stops. Check that the robot's board has power, that the adapter's TX goes to its RX and its RX to its TX (or that both radios are on the same channel), and that ground is connected.</source>
         <translation>Aucun Aracna ne répond sur {0}. Il n'écoute pas pendant qu'il bouge : s'il bouge, attendez qu'il s'arrête. Vérifiez que la carte du robot est alimentée, que TX de l'adaptateur va à son RX et RX à son TX (ou que les deux radios sont sur le même canal), et que la masse est reliée.</translation></message>
-    <message><source>No Aracna responds on {0}: everything sent comes back, and nothing else. The adapter's TX and RX are joined; an Aracna never echoes.</source>
+    <message><source>No Aracna responds on {0}: everything sent comes back, and nothing else arrives. The adapter's TX and RX are joined; an Aracna never echoes.</source>
         <translation>Aucun Aracna ne répond sur {0} : tout ce qui est envoyé revient, et rien d'autre. Les broches TX et RX de l'adaptateur sont reliées ; un Aracna ne renvoie jamais d'écho.</translation></message>
-    <message><source>An Aracna on {0} reports that it starts, but does not respond afterwards. It may be restarting repeatedly: check its power supply.</source>
+    <message><source>An Aracna on {0} reports its start, but does not respond afterwards. It may be restarting repeatedly: check its power supply.</source>
         <translation>Un Aracna sur {0} signale qu'il démarre, mais ne répond pas ensuite. Il redémarre peut-être sans cesse : vérifiez son alimentation.</translation></message>
     <message><source>Something responds on {0}, but not like an Aracna: {1}. Another device, perhaps a TReX at another baud rate, or interference on the line.</source>
         <translation>Quelque chose répond sur {0}, mais pas comme un Aracna : {1}. C'est un autre appareil, peut-être un TReX à un autre débit, ou des parasites sur la liaison.</translation></message>
     <message><source>The robot has not replied yet; it is still being queried.</source>
         <translation>Le robot n'a pas encore répondu ; il est encore interrogé.</translation></message>
-    <message><source>One command at a time: the robot has not replied to the last one yet.</source>
+    <message><source>The robot has not replied to the last command yet.</source>
         <translation>Une commande à la fois : le robot n'a pas encore répondu à la dernière.</translation></message>
     <message><source>The robot did not reply in time.</source>
         <translation>Le robot n'a pas répondu à temps.</translation></message>
@@ -393,7 +393,7 @@
         <translation>Aucun moteur n'a accepté sa vitesse. Vérifiez l'alimentation des servos.</translation></message>
     <message><source>The robot did not confirm its speeds, so no motor was moved. {0}</source>
         <translation>Le robot n'a pas confirmé ses vitesses ; aucun moteur n'a donc été déplacé. {0}</translation></message>
-    <message><source>{0} It is blocked, or servo power was off. The sequence does not continue by itself.</source>
+    <message><source>{0} The motor is blocked, or servo power was off. The sequence does not continue by itself.</source>
         <translation>{0} Il est bloqué, ou les servos n'étaient pas alimentés. La séquence ne reprend pas d'elle-même.</translation></message>
     <message><source>Motor {0} is at {1}, {2} from its goal {3}.</source>
         <translation>Le moteur {0} est à {1}, soit {2} par rapport à sa cible {3}.</translation></message>
@@ -411,13 +411,13 @@
         <translation>Un autre robot répond maintenant sur ce port.</translation></message>
     <message><source>The robot stopped responding.</source>
         <translation>Le robot a cessé de répondre.</translation></message>
-    <message><source>The connection was closed before this was done.</source>
+    <message><source>The connection was closed before this was complete.</source>
         <translation>La connexion a été fermée avant que ce soit fait.</translation></message>
     <message><source>Internal error in the connection: {0}</source>
         <translation>Erreur interne de la connexion : {0}</translation></message>
     <message><source>Played to the end.</source>
         <translation>Joué jusqu'à la fin.</translation></message>
-    <message><source>The sequence has ended after its step.</source>
+    <message><source>The sequence ended after its step.</source>
         <translation>La séquence s'est terminée après son étape.</translation></message>
     <message><source>The sequence was stopped.</source>
         <translation>La séquence a été arrêtée.</translation></message>
@@ -443,9 +443,9 @@
         <translation>terminer une ligne inachevée dans le tampon du robot</translation></message>
     <message><source>not a command of an Aracna</source>
         <translation>pas une commande d'un Aracna</translation></message>
-    <message><source>the robot has started, busy for a second</source>
+    <message><source>the robot has started and is busy for a second</source>
         <translation>le robot a démarré, occupé pendant une seconde</translation></message>
-    <message><source>{0}, then query whether it is free</source>
+    <message><source>{0}, then query whether the robot is free</source>
         <translation>{0}, puis demander s'il est libre</translation></message>
     <message><source>no reply</source>
         <translation>pas de réponse</translation></message>
@@ -481,9 +481,9 @@
         <translation>{0} moteurs</translation></message>
     <message><source>followed by {0}</source>
         <translation>suivi de {0}</translation></message>
-    <message><source>This share of the bytes is corrupted in either direction; this protocol does not detect that, and a corrupted command may restart the firmware</source>
+    <message><source>This share of the bytes is corrupted in both directions; the protocol does not detect this, and a corrupted command may restart the firmware</source>
         <translation>Cette part des octets est altérée dans les deux sens ; ce protocole ne le détecte pas, et une commande altérée peut redémarrer le firmware</translation></message>
-    <message><source>A lost byte of a command may leave too few values in it, which restarts the firmware</source>
+    <message><source>A command that loses a byte may have too few values, which restarts the firmware</source>
         <translation>Un octet perdu d'une commande peut y laisser trop peu de valeurs, ce qui redémarre le firmware</translation></message>
     <message><source>The only way to stop a motion: the protocol has no stop command.</source>
         <translation>Le seul moyen d'arrêter un mouvement : le protocole n'a pas de commande d'arrêt.</translation></message>
@@ -499,7 +499,7 @@
         <translation>Redémarrer la carte</translation></message>
     <message><source>Servo power</source>
         <translation>Alimentation des servos</translation></message>
-    <message><source>The power of the servos only: without it they stop, hold nothing and lose their speeds; the firmware waits for them</source>
+    <message><source>Power of the servos only: without it they stop, go limp and lose their speeds; the firmware waits for them</source>
         <translation>L'alimentation des servos seuls : sans elle, ils s'arrêtent, ne tiennent plus et perdent leurs vitesses ; le firmware les attend</translation></message>
     <message><source>Dead</source>
         <translation>En panne</translation></message>
@@ -537,7 +537,7 @@
         <translation>{0} : position réelle</translation></message>
     <message><source>Cable plugged in</source>
         <translation>Câble branché</translation></message>
-    <message><source>The wire back is broken: the robot executes commands, no reply arrives</source>
+    <message><source>The return wire is broken: the robot executes commands, but no reply arrives</source>
         <translation>Le fil de retour est coupé : le robot exécute les commandes, aucune réponse n'arrive</translation></message>
     <message><source>Moving indefinitely: waiting for servos that have no power.</source>
         <translation>Mouvement sans fin : en attente de servos sans alimentation.</translation></message>
@@ -559,15 +559,15 @@
         <translation>en panne</translation></message>
     <message><source>How often the firmware has started</source>
         <translation>Nombre de démarrages du firmware</translation></message>
-    <message><source>Servos alive, free and unloaded, a quiet line, everything switched on</source>
+    <message><source>Every servo works and is free to move, the line is quiet, everything is switched on</source>
         <translation>Servos en état, libres et sans charge, liaison sans bruit, tout en marche</translation></message>
     <message><source>{0} does not respond, as when unplugged: speeds read as −1, and a move waits for it indefinitely</source>
         <translation>{0} ne répond pas, comme débranché : les vitesses lues valent −1, et un mouvement l'attend sans fin</translation></message>
     <message><source>Something blocks {0}: it stays “moving”, and the firmware waits</source>
         <translation>Quelque chose bloque {0} : il reste « en mouvement », et le firmware attend</translation></message>
-    <message><source>Loss to simulate</source>
+    <message><source>Simulated loss</source>
         <translation>Perte à simuler</translation></message>
-    <message><source>Lose it</source>
+    <message><source>Lose</source>
         <translation>Le perdre</translation></message>
     <message><source>Takes effect in the next transfer</source>
         <translation>Prend effet au prochain transfert</translation></message>
@@ -591,9 +591,9 @@
         <translation>ne peut pas atteindre {0}</translation></message>
     <message><source>moving to {0}</source>
         <translation>va vers {0}</translation></message>
-    <message><source>This link has no stop: a running motion ends only by itself, or by cutting the servo power.</source>
+    <message><source>This link has no stop command: a running motion ends by itself or when the servo power is cut.</source>
         <translation>Cette liaison n'a pas de commande d'arrêt : un mouvement en cours ne se termine que de lui-même, ou en coupant l'alimentation des servos.</translation></message>
-    <message><source>End the sequence, send nothing more, stay where the robot is (Esc, anywhere)</source>
+    <message><source>End the sequence and send nothing more; the robot stays where it is (Esc, anywhere)</source>
         <translation>Terminer la séquence, ne plus rien envoyer, laisser le robot où il est (Échap, partout)</translation></message>
     <message><source>End afte&amp;r this step</source>
         <translation>Ter&amp;miner après cette étape</translation></message>
@@ -637,7 +637,7 @@
         <translation>Séquences et allures</translation></message>
     <message><source>New sequence</source>
         <translation>Nouvelle séquence</translation></message>
-    <message><source>Choose a sequence; built-in gaits cannot be changed</source>
+    <message><source>Select a sequence; built-in gaits cannot be changed</source>
         <translation>Choisissez une séquence ; les allures intégrées ne peuvent pas être modifiées</translation></message>
     <message><source>There are no poses</source>
         <translation>Il n'y a pas de poses</translation></message>
@@ -651,7 +651,7 @@
         <translation>Monter</translation></message>
     <message><source>Move down</source>
         <translation>Descendre</translation></message>
-    <message><source>Choose a sequence or a gait to see its steps.</source>
+    <message><source>Select a sequence or a gait to see its steps.</source>
         <translation>Choisissez une séquence ou une allure pour voir ses étapes.</translation></message>
     <message><source>{0} ms</source>
         <translation>{0} ms</translation></message>
@@ -693,7 +693,7 @@
         <translation>P&amp;oses</translation></message>
     <message><source>{0}, changed</source>
         <translation>{0}, modifié</translation></message>
-    <message><source>needs {0:.2f} s: motor {1}</source>
+    <message><source>needs {0:.2f} s (motor {1})</source>
         <translation>nécessite {0:.2f} s : moteur {1}</translation></message>
     <message numerus="yes"><source>%n step(s)</source>
         <translation><numerusform>%n étape</numerusform><numerusform>%n étapes</numerusform></translation></message>
@@ -717,13 +717,13 @@
         <translation>0 : répéter jusqu'à l'arrêt.</translation></message>
     <message><source> %</source>
         <translation> %</translation></message>
-    <message><source>Also while playing, from the next step on. 50 %: each step takes twice.</source>
+    <message><source>Also takes effect while playing, from the next step. At 50 %, each step takes twice as long.</source>
         <translation>Aussi en cours de lecture, à partir de l'étape suivante. 50 % : chaque étape dure deux fois plus longtemps.</translation></message>
-    <message><source>First go slowly, in 3 s, to the start.</source>
+    <message><source>First move slowly to the start, in 3 s.</source>
         <translation>Aller d'abord lentement, en 3 s, au départ.</translation></message>
-    <message><source>At the end go slowly, in 3 s, to the pose “stand”.</source>
+    <message><source>At the end move slowly to the pose “stand”, in 3 s.</source>
         <translation>À la fin, aller lentement, en 3 s, à la pose « stand ».</translation></message>
-    <message><source>Choose a sequence or a gait to play it.</source>
+    <message><source>Select a sequence or a gait to play it.</source>
         <translation>Choisissez une séquence ou une allure pour la jouer.</translation></message>
     <message><source>Positions outside the limits are cropped.</source>
         <translation>Les positions hors limites sont ramenées aux limites.</translation></message>
@@ -761,15 +761,15 @@
         <translation>Position du moteur {0} dans cette pose</translation></message>
     <message><source>Motor {0}: {1:.0f}°, limits {2} to {3}, sent as {4}</source>
         <translation>Moteur {0} : {1:.0f}°, limites {2} à {3}, envoyé : {4}</translation></message>
-    <message><source>Requests: {0}, without a reply: {1}.</source>
+    <message><source>Requests: {0}, of which without a reply: {1}.</source>
         <translation>Requêtes : {0}, sans réponse : {1}.</translation></message>
     <message><source>Answered</source>
         <translation>Réponses</translation></message>
     <message><source>Slowest reply</source>
         <translation>Réponse la plus lente</translation></message>
-    <message><source>Without motions</source>
+    <message><source>Motions are not included</source>
         <translation>Hors mouvements</translation></message>
-    <message><source>Restarts seen</source>
+    <message><source>Restarts detected</source>
         <translation>Redémarrages</translation></message>
     <message><source>Corrupted replies</source>
         <translation>Réponses altérées</translation></message>
@@ -779,13 +779,13 @@
         <translation>{0}, active</translation></message>
     <message><source>The robot from above</source>
         <translation>Le robot vu de dessus</translation></message>
-    <message><source>Legs at their reported positions, goals dashed; the table says both in numbers.</source>
+    <message><source>Legs at their reported positions, goals dashed; the table shows both as numbers.</source>
         <translation>Pattes aux positions transmises, cibles en tirets ; le tableau donne les deux en chiffres.</translation></message>
     <message><source>front</source>
         <translation>avant</translation></message>
     <message><source>Present position unknown</source>
         <translation>Position actuelle inconnue</translation></message>
-    <message><source>Speed setting 1-1023, 0.669 °/s each; 0 is unlimited, not “stopped”. Above about 870 (AX-18A) or 530 (AX-12A) a servo gets no faster.</source>
+    <message><source>Speed setting 1–1023 in steps of 0.669 °/s; 0 means unlimited, not “stopped”. Above about 870 (AX-18A) or 530 (AX-12A) a servo gets no faster.</source>
         <translation>Réglage de vitesse 1-1023, 0,669 °/s par unité ; 0 signifie illimitée, et non « arrêté ». Au-delà d'environ 870 (AX-18A) ou 530 (AX-12A), un servo ne va pas plus vite.</translation></message>
     <message><source>goal in units</source>
         <translation>cible en unités</translation></message>
@@ -809,7 +809,7 @@
         <translation>le servo garde {0}</translation></message>
     <message><source>Leg*</source>
         <translation>Patte*</translation></message>
-    <message><source>Which leg is which is assumed</source>
+    <message><source>The order of the legs is assumed</source>
         <translation>L'attribution des pattes est supposée</translation></message>
     <message><source>Motor</source>
         <translation>Moteur</translation></message>
@@ -829,11 +829,11 @@
         <translation>Les positions des moteurs sont inconnues.</translation></message>
     <message><source>This robot reports them only in its reply to a move.</source>
         <translation>Ce robot ne les transmet que dans sa réponse à un mouvement.</translation></message>
-    <message><source>The first one runs at speed {0} ({1}), unless you choose other speeds.</source>
+    <message><source>The first move runs at speed {0} ({1}) unless you set other speeds.</source>
         <translation>Le premier se fait à la vitesse {0} ({1}), sauf si vous choisissez d'autres vitesses.</translation></message>
     <message><source>Move every motor to its goal, within its limits (Ctrl+M)</source>
         <translation>Amener tous les moteurs à leur cible, dans leurs limites (Ctrl+M)</translation></message>
-    <message><source>The last motion may still be running; the next move will report them.</source>
+    <message><source>The last motion may still be running; the next move will report the positions.</source>
         <translation>Le dernier mouvement est peut-être encore en cours ; le prochain les transmettra.</translation></message>
     <message><source>Pre&amp;sent</source>
         <translation>Act&amp;uelle</translation></message>
@@ -891,7 +891,7 @@
         <translation>Rien ne peut être enregistré : aucun robot n'est connecté.</translation></message>
     <message><source>Aracna, Open recording</source>
         <translation>Aracna, Ouvrir un enregistrement</translation></message>
-    <message><source>Give the legs room: this robot has no stop. Nothing moves until you choose Move.</source>
+    <message><source>Keep clear of the legs: this robot has no stop command. Nothing moves until you press Move.</source>
         <translation>Laissez de la place aux pattes : ce robot n'a pas d'arrêt. Rien ne bouge tant que vous ne choisissez pas Déplacer.</translation></message>
     <message><source>No robot at hand?</source>
         <translation>Pas de robot sous la main ?</translation></message>
@@ -925,7 +925,7 @@
         <translation>Panneau &amp;Démo Aracna</translation></message>
     <message><source>Connect my {0}</source>
         <translation>Connecter mon {0}</translation></message>
-    <message><source>An FTDI cable at the header, or an XBee radio in the socket: both share one line. Switch on the servo power, too, without which the first move never ends.</source>
+    <message><source>Connect an FTDI cable to the header or plug an XBee radio into the socket: both share one line. Switch on the servo power as well; without it the first move never ends.</source>
         <translation>Un câble FTDI sur le connecteur, ou une radio XBee dans le support : tous deux partagent une ligne. Mettez aussi l'alimentation des servos sous tension, sans laquelle le premier mouvement ne se termine jamais.</translation></message>
     <message><source>Open pose fi&amp;le…</source>
         <translation>O&amp;uvrir un fichier de poses…</translation></message>
@@ -963,7 +963,7 @@
         <translation>inversion {0}, {1} s</translation></message>
     <message><source>sine {0}, {1} s</source>
         <translation>sinus {0}, {1} s</translation></message>
-    <message><source>the speed of a bench test is −{0} to {0} and not 0, not {1}</source>
+    <message><source>the speed of a bench test is −{0} to −1 or 1 to {0}, not {1}</source>
         <translation>la vitesse d'un essai au banc va de −{0} à {0} sans être 0, pas {1}</translation></message>
     <message><source>a bench test lasts {0:g} to {1:g} s, not {2:g} s</source>
         <translation>un essai au banc dure de {0:g} à {1:g} s, pas {2:g} s</translation></message>
@@ -1001,7 +1001,7 @@
         <translation>Appareil {0} sélectionné : {1}</translation></message>
     <message><source>{0} (doubtful)</source>
         <translation>{0} (douteux)</translation></message>
-    <message><source>The notes, calibrations and applied settings of this {0} on this computer are of {1}, when it was at another USB adapter or socket. If this is another board, give it a device number of its own: boards with the same number share these files.</source>
+    <message><source>The notes, calibrations and applied settings saved for this {0} date from {1}, when it was connected through another USB adapter or socket. If this is another board, give it its own device number: boards with the same number share these files.</source>
         <translation>Ce qui est conservé ici pour ce {0} (notes, étalonnages, réglages appliqués) date de {1}, quand il était sur un autre adaptateur USB ou une autre prise. S'il s'agit d'une autre carte, donnez-lui son propre numéro d'appareil : les cartes de même numéro partagent ce qui est conservé.</translation></message>
     <message><source>Disconnected</source>
         <translation>Déconnecté</translation></message>
@@ -1015,7 +1015,7 @@
         <translation>Des octets ont été altérés : les commandes des moteurs sont répétées jusqu'à ce que la ligne soit calme</translation></message>
     <message><source>this program</source>
         <translation>ce programme</translation></message>
-    <message><source>Disconnected before a stop was confirmed: motors may still turn</source>
+    <message><source>Motors may still be turning: disconnected before a stop was confirmed</source>
         <translation>Déconnecté avant la confirmation d'un arrêt : les moteurs peuvent encore tourner</translation></message>
     <message><source>The network to the robot is silent.</source>
         <translation>Le réseau vers le robot est muet.</translation></message>
@@ -1033,13 +1033,13 @@
         <translation>mesure en cours …</translation></message>
     <message><source>good: {0:.1f} % of the requests of the last {1:.0f} s answered</source>
         <translation>bonne : {0:.1f} % des requêtes des {1:.0f} dernières secondes ont reçu une réponse</translation></message>
-    <message><source>The ends are 1 % of the travel and three times the noise inside the measured ones, so that full output is reliably reached. The deadband covers the noise at rest, but is at least {0}, since a stick does not return to exactly the same place each time.</source>
+    <message><source>The ends lie inside the measured ends by 1 % of the travel plus three times the noise, so that full output is reliably reached. The deadband covers the noise at rest, but is at least {0}, because a stick does not return to exactly the same position each time.</source>
         <translation>Les extrémités sont placées à l'intérieur de celles mesurées, de 1 % de la course et de trois fois le bruit, afin que la sortie maximale soit atteinte à coup sûr. La zone morte couvre le bruit au repos, mais vaut au moins {0}, car un manche ne revient pas chaque fois exactement au même endroit.</translation></message>
-    <message><source>{0}: reversed is suggested.</source>
+    <message><source>{0}, so the channel should be reversed.</source>
         <translation>{0} ; réglage conseillé : inversée.</translation></message>
-    <message><source>{0}: not reversed is suggested.</source>
+    <message><source>{0}, so the channel should not be reversed.</source>
         <translation>{0} ; réglage conseillé : non inversée.</translation></message>
-    <message><source>The measured ends are up to {0} further out.</source>
+    <message><source>The measured ends are up to {0} farther out.</source>
         <translation>Les extrémités mesurées sont jusqu'à {0} plus loin.</translation></message>
     <message><source>It never goes above its rest position, so maximum is set to the limit of the input.</source>
         <translation>Elle ne va jamais au-dessus de sa position de repos ; le maximum est donc réglé à la limite de l'entrée.</translation></message>
@@ -1049,13 +1049,13 @@
         <translation>La valeur a diminué quand le manche est d'abord allé vers l'avant ou vers la droite</translation></message>
     <message><source>The value rose when the stick went forward or right first</source>
         <translation>La valeur a augmenté quand le manche est d'abord allé vers l'avant ou vers la droite</translation></message>
-    <message><source>The other position is above the one at rest, which should be off</source>
+    <message><source>The other position reads higher than the rest position, which should be off</source>
         <translation>L'autre position est au-dessus de celle de repos, qui devrait être inactive</translation></message>
-    <message><source>The other position is below the one at rest, which should be off</source>
+    <message><source>The other position reads lower than the rest position, which should be off</source>
         <translation>L'autre position est en dessous de celle de repos, qui devrait être inactive</translation></message>
     <message><source>At rest its noise is {0}: the deadband is twice that.</source>
         <translation>Au repos, son bruit est de {0} : la zone morte vaut le double.</translation></message>
-    <message><source>there is nothing to compare: nothing was sent, except to search</source>
+    <message><source>there is nothing to compare: only probes were sent</source>
         <translation>il n'y a rien à comparer : rien n'a été envoyé, sauf pour rechercher</translation></message>
     <message><source>TReX 1.2, as no signature was read</source>
         <translation>TReX 1.2, car aucune signature n'a été lue</translation></message>
@@ -1087,7 +1087,7 @@
         <translation>Une fois l'alimentation coupée et remise, elle fonctionnera à {0}.</translation></message>
     <message><source>Something is connected to {0}, but it does not respond like a TReX: it sent {1} at {2}{3}. It is another device, or the line is noisy.</source>
         <translation>Quelque chose est connecté à {0}, mais ne répond pas comme un TReX : il a envoyé {1} à {2}{3}. C'est un autre appareil, ou la liaison est bruitée.</translation></message>
-    <message><source>It is set to {0} baud, which firmware {1} runs at half the rate: connect at {2}.</source>
+    <message><source>It is set to {0} baud, but firmware {1} then runs at half that rate: connect at {2}.</source>
         <translation>Elle est réglée sur {0} bauds, que le firmware {1} fait fonctionner à la moitié : connectez à {2}.</translation></message>
     <message><source>It is set to {0} stop bits; both numbers work on this line.</source>
         <translation>Elle est réglée sur {0} bits d'arrêt ; les deux nombres fonctionnent sur cette liaison.</translation></message>
@@ -1099,9 +1099,9 @@
         <translation>, et quelque chose à {0} autres réglages</translation></message>
     <message><source>Its UART settings have the unknown value {0:#04x}.</source>
         <translation>Ses réglages UART contiennent {0:#04x}, qui n'est pas un réglage connu.</translation></message>
-    <message><source>No TReX responds on {0}: everything sent comes back, and nothing else, at every rate. Either this is the RS-232 side of a board that is off, or the adapter's TX and RX are joined.</source>
+    <message><source>No TReX responds on {0}: at every rate, everything sent comes back and nothing else arrives. Either this is the RS-232 side of a board that is off, or the adapter's TX and RX are joined.</source>
         <translation>Aucun TReX ne répond sur {0} : tout ce qui est envoyé revient, et rien d'autre, à tous les débits. Soit c'est le côté RS-232 d'une carte hors tension, soit TX et RX de l'adaptateur sont reliés.</translation></message>
-    <message><source>No TReX responds on {0}. Its baud rate is set at the other end of the network, so only that one could be tried, without parity and without CRC.</source>
+    <message><source>No TReX responds on {0}. The baud rate is set at the other end of the network, so only that rate could be tried, without parity and without CRC.</source>
         <translation>Aucun TReX ne répond sur {0}. Le débit est réglé à l'autre bout du réseau ; seul celui-ci a donc pu être essayé, sans parité et sans CRC.</translation></message>
     <message><source>The connection was lost: motors may still be turning.</source>
         <translation>La connexion est perdue : les moteurs tournent peut-être encore.</translation></message>
@@ -1149,13 +1149,13 @@
         <translation>Arrêt effectué. Les moteurs sont verrouillés pendant {0} s.</translation></message>
     <message><source>Then arm them again.</source>
         <translation>Réactivez-les ensuite.</translation></message>
-    <message><source>{0} drives this robot. You can watch it, and stop it.</source>
+    <message><source>{0} drives this robot. You can watch and stop it.</source>
         <translation>{0} pilote ce robot. Vous pouvez l'observer et l'arrêter.</translation></message>
-    <message><source>Arm motors asks {0} to hand it over.</source>
+    <message><source>“Arm motors” asks {0} to hand over.</source>
         <translation>« Activer les moteurs » demande à {0} de le céder.</translation></message>
     <message><source>No board is connected.</source>
         <translation>Aucune carte n'est connectée.</translation></message>
-    <message><source>Choose a port above and press Connect.</source>
+    <message><source>Select a port above and press Connect.</source>
         <translation>Choisissez un port ci-dessus et cliquez sur « Connecter ».</translation></message>
     <message><source>The program is connecting to the board.</source>
         <translation>Le programme se connecte à la carte.</translation></message>
@@ -1179,7 +1179,7 @@
         <translation>Sélectionnez l'une des cartes de cette liaison.</translation></message>
     <message><source>Board {0}, which is driven with this one, does not follow.</source>
         <translation>La carte {0}, conduite avec celle-ci, ne suit pas.</translation></message>
-    <message><source>Its diagram shows why. Drive alone drives the other board without it.</source>
+    <message><source>Its diagram shows why. “Drive alone” drives the other board without it.</source>
         <translation>Son dessin dit pourquoi. « Conduire seule » utilise l'autre sans elle.</translation></message>
     <message><source>The motors cannot be armed at this moment.</source>
         <translation>Les moteurs ne peuvent pas être activés pour le moment.</translation></message>
@@ -1221,7 +1221,7 @@
         <translation>Le moteur auxiliaire tourne peut-être encore.</translation></message>
     <message><source>Motor {0} may still be turning.</source>
         <translation>Le moteur {0} tourne peut-être encore.</translation></message>
-    <message><source>Not written: the board stores other settings than when it was reviewed.</source>
+    <message><source>Not written: the settings stored in the board have changed since the review.</source>
         <translation>Non écrit : la carte contient d'autres réglages que lors de la vérification.</translation></message>
     <message><source>The same settings for several boards</source>
         <translation>Les mêmes réglages pour plusieurs cartes</translation></message>
@@ -1251,7 +1251,7 @@
         <translation>Aucun courant n'a été lu pendant {0:g} s.</translation></message>
     <message><source>Motor {0} exceeded its current limit.</source>
         <translation>Le moteur {0} a dépassé sa limite de courant.</translation></message>
-    <message><source>No other board replies on this line. Each needs power, the serial settings of this one, and a device number of its own.</source>
+    <message><source>No other board replies on this line. Each board needs power, the same serial settings as this one, and its own device number.</source>
         <translation>Aucune autre carte ne répond sur cette liaison. Chacune doit être alimentée, avoir les réglages série de celle-ci et un numéro d'appareil qui lui est propre.</translation></message>
     <message numerus="yes"><source>%n board(s) on this line.</source>
         <translation><numerusform>%n carte sur cette liaison.</numerusform><numerusform>%n cartes sur cette liaison.</numerusform></translation></message>
@@ -1285,9 +1285,9 @@
         <translation>Impulsions RC</translation></message>
     <message><source>analog voltages</source>
         <translation>tensions analogiques</translation></message>
-    <message><source>drives motor 1; with the mix jumper on it steers</source>
+    <message><source>drives motor 1, or steers when the mix jumper is on</source>
         <translation>commande le moteur 1 ; avec le cavalier Mix, elle commande la direction</translation></message>
-    <message><source>drives motor 2; with the mix jumper on it drives forward and back</source>
+    <message><source>drives motor 2, or drives forward and back when the mix jumper is on</source>
         <translation>commande le moteur 2 ; avec le cavalier Mix, elle commande la marche avant et arrière</translation></message>
     <message><source>drives the auxiliary motor, which turns one way only</source>
         <translation>commande le moteur auxiliaire, qui ne tourne que dans un sens</translation></message>
@@ -1297,35 +1297,35 @@
         <translation>est l'interrupteur de priorité : les commandes série commandent les moteurs</translation></message>
     <message><source>drives motor 1 (the mix jumper is off)</source>
         <translation>commande le moteur 1 (sans le cavalier Mix)</translation></message>
-    <message><source>steers: it moves both motors (the mix jumper is on)</source>
+    <message><source>steers with both motors (the mix jumper is on)</source>
         <translation>commande la direction : elle agit sur les deux moteurs (avec le cavalier Mix)</translation></message>
     <message><source>drives motor 2 (the mix jumper is off)</source>
         <translation>commande le moteur 2 (sans le cavalier Mix)</translation></message>
     <message><source>drives both motors forward and back (the mix jumper is on)</source>
         <translation>commande les deux moteurs en marche avant et arrière (avec le cavalier Mix)</translation></message>
-    <message><source>drives the one motor that both drivers power (joint mode, no mixing)</source>
+    <message><source>drives the single motor that both drivers power (joint mode, no mixing)</source>
         <translation>commande le seul moteur, alimenté par les deux drivers (mode jumelé, sans mixage)</translation></message>
     <message><source>has no motor: in joint mode both drivers power motor 1</source>
         <translation>n'a pas de moteur : en mode jumelé, les deux drivers alimentent le moteur 1</translation></message>
-    <message><source>{0} ({1}) is beyond the input. {2} Full output on that side is never reached.</source>
+    <message><source>{0} ({1}) is outside the input range. {2} Full output on that side is never reached.</source>
         <translation>{0} ({1}) est hors de la plage de l'entrée. {2} La sortie maximale de ce côté n'est jamais atteinte.</translation></message>
-    <message><source>is ignored: it is held at neutral, whatever its input is</source>
+    <message><source>is ignored: it is held at neutral, whatever its input</source>
         <translation>est ignorée : elle est maintenue au neutre, quelle que soit son entrée</translation></message>
     <message><source>In RC and analog mode it {1}.</source>
         <translation>En mode RC ou analogique, elle {1}.</translation></message>
-    <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these, make it read {1}: set Channel Input Source, apply, and switch the board off and on.</source>
+    <message><source>The board reads {0} now, and shows and accepts only their calibrations. To see the calibrations for {1}, set Channel Input Source, apply, and switch the board off and on.</source>
         <translation>La carte lit actuellement : {0} ; elle n'affiche et n'accepte que les étalonnages correspondants. Pour voir ceux-ci, faites-lui lire : {1}. Réglez « Source des entrées des voies », appliquez, puis coupez et remettez l'alimentation de la carte.</translation></message>
-    <message><source>The board reads {0} now, and only shows and accepts calibrations for them. To see these: switch it off, put the mode jumper to {2}, switch it on.</source>
+    <message><source>The board reads {0} now, and shows and accepts only their calibrations. To see these calibrations, switch the board off, set the mode jumper to {2}, and switch the board on.</source>
         <translation>La carte lit actuellement : {0} ; elle n'affiche et n'accepte que les étalonnages correspondants. Pour voir ceux-ci : coupez son alimentation, placez le cavalier de mode sur {2}, remettez l'alimentation.</translation></message>
     <message><source>applied {0}</source>
         <translation>appliqué le {0}</translation></message>
     <message><source>read {0}</source>
         <translation>lu le {0}</translation></message>
-    <message><source>A pulse is {0} to {1}.</source>
+    <message><source>Pulses range from {0} to {1}.</source>
         <translation>Une impulsion dure de {0} à {1}.</translation></message>
-    <message><source>A voltage is {0} to {1}.</source>
+    <message><source>Voltages range from {0} to {1}.</source>
         <translation>Une tension va de {0} à {1}.</translation></message>
-    <message><source>Neutral ({0}) is beyond the input. {1} No stick position gives 0.</source>
+    <message><source>Neutral ({0}) is outside the input range. {1} No stick position gives 0.</source>
         <translation>Le neutre ({0}) est hors de la plage de l'entrée. {1} Aucune position du manche ne donne 0.</translation></message>
     <message><source>Minimum</source>
         <translation>Minimum</translation></message>
@@ -1335,11 +1335,11 @@
         <translation>pas de signal</translation></message>
     <message><source>{0}, output {1}</source>
         <translation>{0}, sortie {1}</translation></message>
-    <message><source>is ignored: it is held off, whatever its input is</source>
+    <message><source>is ignored: it stays off, whatever its input</source>
         <translation>est ignorée : elle est maintenue inactive, quelle que soit son entrée</translation></message>
-    <message><source>Does not drive now: serial commands override it. Otherwise it {1}.</source>
+    <message><source>Has no effect now: serial commands override it. Otherwise it {1}.</source>
         <translation>Ne commande rien maintenant : les commandes série ont priorité. Sinon, elle {1}.</translation></message>
-    <message><source>The deadband ({0} to each side of neutral) reaches {1}: there is nothing between 0 and full output.</source>
+    <message><source>The deadband ({0} to each side of neutral) reaches {1}: no output between 0 and full is possible.</source>
         <translation>La zone morte ({0} de chaque côté du neutre) atteint {1} : il n'y a rien entre 0 et la sortie maximale.</translation></message>
     <message><source>below about {0} (inferred)</source>
         <translation>en dessous d'environ {0} (déduit)</translation></message>
@@ -1397,41 +1397,41 @@
         <translation>{0}. La liaison est fermée.</translation></message>
     <message><source>Learning: remove the Mix jumper to begin.</source>
         <translation>Apprentissage : retirez le cavalier Mix pour commencer.</translation></message>
-    <message><source>Learning: waits for a signal on any input.</source>
+    <message><source>Learning: waiting for a signal on any input.</source>
         <translation>Apprentissage : attend un signal sur une entrée.</translation></message>
     <message><source>Learning: leave the sticks centred for two seconds.</source>
         <translation>Apprentissage : laissez les manches centrés deux secondes.</translation></message>
-    <message><source>Learning: one flash per input; green is learned.</source>
+    <message><source>Learning: one flash per input; green means learned.</source>
         <translation>Apprentissage : un clignotement par entrée ; vert signifie apprise.</translation></message>
     <message><source>Learning: hold each stick at both ends, ten seconds in all.</source>
         <translation>Apprentissage : maintenez chaque manche aux deux extrémités, dix secondes en tout.</translation></message>
-    <message><source>Learned; green is good. Remove SO–G, then power cycle.</source>
+    <message><source>Learned; green means good. Remove SO–G, then power-cycle.</source>
         <translation>Apprentissage terminé ; vert signifie réussi. Retirez SO–G, puis coupez et remettez l'alimentation.</translation></message>
     <message><source>Boot loader: remove Mix, then SO–G.</source>
         <translation>Chargeur d'amorçage : retirez Mix, puis SO–G.</translation></message>
-    <message><source>Boot loader: waits for firmware. Power cycle to leave.</source>
+    <message><source>Boot loader: waiting for firmware. Power-cycle to leave.</source>
         <translation>Chargeur d'amorçage : attend un firmware. Coupez et remettez l'alimentation pour en sortir.</translation></message>
-    <message><source>Edits, notes or settings were kept here for another board with this device number. They are in {0} now.</source>
+    <message><source>Edits, notes or settings of another board with this device number were saved here. They are now in {0}.</source>
         <translation>Des modifications, des notes ou des réglages étaient conservés ici pour une autre carte ayant ce numéro d'appareil. Ils se trouvent maintenant dans {0}.</translation></message>
-    <message><source>Reading again failed. {0}</source>
+    <message><source>The settings could not be read again. {0}</source>
         <translation>La relecture a échoué. {0}</translation></message>
-    <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: kept, and offered when it is connected again.</source>
+    <message numerus="yes"><source>%n edit(s) not applied to the previous {0}: saved, and offered when it is connected again.</source>
         <translation><numerusform>%n modification non appliquée à l'appareil précédent ({0}) : elle est conservée, et proposée quand il sera reconnecté.</numerusform><numerusform>%n modifications non appliquées à l'appareil précédent ({0}) : elles sont conservées, et proposées quand il sera reconnecté.</numerusform></translation></message>
     <message numerus="yes"><source>%n earlier change(s) still pending. Review them to write to this board.</source>
         <translation><numerusform>%n modification antérieure encore en attente. Vérifiez-la pour l'écrire dans cette carte.</numerusform><numerusform>%n modifications antérieures encore en attente. Vérifiez-les pour les écrire dans cette carte.</numerusform></translation></message>
     <message><source>Nothing was written: another board was selected.</source>
         <translation>Rien n'a été écrit : une autre carte a été sélectionnée.</translation></message>
-    <message numerus="yes"><source>%n edit(s) of the former board kept: they return when it is selected again.</source>
+    <message numerus="yes"><source>%n edit(s) of the previous board saved: they return when it is selected again.</source>
         <translation><numerusform>%n modification de la carte précédente conservée : elle revient quand cette carte est de nouveau sélectionnée.</numerusform><numerusform>%n modifications de la carte précédente conservées : elles reviennent quand cette carte est de nouveau sélectionnée.</numerusform></translation></message>
     <message><source>Nothing was written: the board does not respond.</source>
         <translation>Rien n'a été écrit : la carte ne répond pas.</translation></message>
-    <message><source>Noise on the line can turn a motor another way for an instant.</source>
+    <message><source>Noise on the line can make a motor turn the wrong way for a moment.</source>
         <translation>Du bruit sur la liaison peut faire tourner un moteur un instant dans un autre sens.</translation></message>
     <message><source>Board {0}: {1}</source>
         <translation>Carte {0} : {1}</translation></message>
     <message><source>Stop</source>
         <translation>Arrêt</translation></message>
-    <message><source>Nothing was written: other settings were read from the board.</source>
+    <message><source>Nothing was written: the settings read from the board have changed.</source>
         <translation>Rien n'a été écrit : d'autres réglages ont été lus dans la carte.</translation></message>
     <message><source>The network is silent; the server of the robot stops the motors.</source>
         <translation>Le réseau est muet ; le serveur du robot arrête les moteurs.</translation></message>
@@ -1449,7 +1449,7 @@
         <translation>Rien n'indique qu'un arrêt ait atteint la carte {0} qui était pilotée sur {1} : une autre carte a répondu. Si un moteur de la première tourne encore, coupez son alimentation.</translation></message>
     <message><source>Another board responds now: {0}, at {1}.</source>
         <translation>Une autre carte répond maintenant : {0}, sur {1}.</translation></message>
-    <message><source>The line to {0} was lost before a stop was confirmed. The board at this port has confirmed one; if it is another board, cut the power of the first.</source>
+    <message><source>The connection to {0} was lost before a stop was confirmed. The board now at this port has confirmed a stop; if it is another board, cut the power of the first.</source>
         <translation>La liaison avec {0} a été perdue avant la confirmation d'un arrêt. La carte de ce port en a confirmé un ; si c'est une autre carte, coupez l'alimentation de la première.</translation></message>
     <message><source>The connection is not responding.</source>
         <translation>La connexion ne répond pas.</translation></message>
@@ -1475,11 +1475,11 @@
         <translation>Des réglages sont en cours d'écriture.</translation></message>
     <message><source>After a stop the motors are locked for another {0:.0f} s.</source>
         <translation>Après un arrêt, les moteurs restent verrouillés pendant encore {0:.0f} s.</translation></message>
-    <message><source>Another control drives now.</source>
+    <message><source>Another control is driving now.</source>
         <translation>Une autre commande pilote maintenant.</translation></message>
     <message><source>{0} A test needs serial control.</source>
         <translation>{0} Un essai nécessite la commande par liaison série.</translation></message>
-    <message><source>Bring the motors to rest first ({0}).</source>
+    <message><source>Stop the motors first ({0}).</source>
         <translation>Mettez d'abord les moteurs au repos ({0}).</translation></message>
     <message><source>coast</source>
         <translation>roue libre</translation></message>
@@ -1499,13 +1499,13 @@
         <translation>pas de mesure de courant en mode jumelé</translation></message>
     <message><source>limit {0:.1f} A</source>
         <translation>limite {0:.1f} A</translation></message>
-    <message><source>Serial timeout is on, but it did not stop the motors of this board when it was tried: they keep turning if the cable or this computer fails.</source>
+    <message><source>Serial timeout is on, but it did not stop the motors of this board when it was tested: they keep turning if the cable or this computer fails.</source>
         <translation>Le délai série est activé, mais il n'a pas arrêté les moteurs de cette carte lors de l'essai : ils continuent de tourner si le câble ou cet ordinateur tombe en panne.</translation></message>
     <message><source>channel {0} at {1} (overridden)</source>
         <translation>voie {0} à {1} (priorité série)</translation></message>
     <message><source>UART-Error Shutdown is off: motors may keep turning if the cable or this computer fails, although the serial timeout is on (twin).</source>
         <translation>« Arrêt sur erreur UART » est désactivé : les moteurs peuvent continuer de tourner si le câble ou cet ordinateur tombe en panne, bien que le délai série soit activé (jumeau).</translation></message>
-    <message><source>UART-Error Shutdown is off, and the serial timeout did not stop the motors of this board when it was tried: they keep turning if the cable or this computer fails.</source>
+    <message><source>UART-Error Shutdown is off, and the serial timeout did not stop the motors of this board when it was tested: they keep turning if the cable or this computer fails.</source>
         <translation>« Arrêt sur erreur UART » est désactivé, et le délai série n'a pas arrêté les moteurs de cette carte lors de l'essai : ils continuent de tourner si le câble ou cet ordinateur tombe en panne.</translation></message>
     <message><source>The guardian process could not be started: if this program fails, motors keep turning for the serial timeout of {0:g} s.</source>
         <translation>Le processus gardien n'a pas pu être démarré : si ce programme tombe en panne, les moteurs continuent de tourner pendant le délai série de {0:g} s.</translation></message>
@@ -1541,25 +1541,25 @@
         <translation>croix gauche</translation></message>
     <message><source>D-pad right</source>
         <translation>croix droite</translation></message>
-    <message><source>A, the lowest of four</source>
+    <message><source>A (the bottom button)</source>
         <translation>A, le plus bas des quatre</translation></message>
-    <message><source>B, the right one of four</source>
+    <message><source>B (the right button)</source>
         <translation>B, le plus à droite des quatre</translation></message>
-    <message><source>X, the left one of four</source>
+    <message><source>X (the left button)</source>
         <translation>X, le plus à gauche des quatre</translation></message>
-    <message><source>Y, the highest of four</source>
+    <message><source>Y (the top button)</source>
         <translation>Y, le plus haut des quatre</translation></message>
     <message><source>Arm the motors first.</source>
         <translation>Activez d'abord les moteurs.</translation></message>
     <message><source>Driving with a gamepad was switched off.</source>
         <translation>La conduite à la manette a été désactivée.</translation></message>
-    <message><source>Another gamepad was chosen.</source>
+    <message><source>Another gamepad was selected.</source>
         <translation>Une autre manette a été choisie.</translation></message>
     <message><source>The gamepad settings were changed.</source>
         <translation>Les réglages de la manette ont été modifiés.</translation></message>
     <message><source>No gamepad is connected. Plug one in or switch it on.</source>
         <translation>Aucune manette n'est connectée. Branchez-en une ou allumez-la.</translation></message>
-    <message><source>Release the sticks: driving starts only after both axes have been at rest. A worn stick may need a wider dead zone.</source>
+    <message><source>Release the sticks: driving starts only once both axes have been at rest. A worn stick may need a wider dead zone.</source>
         <translation>Relâchez les manches : la conduite ne commence que lorsque les deux axes ont été au repos. Un manche usé peut nécessiter une zone morte plus large.</translation></message>
     <message><source>Release {0}, then hold it to drive.</source>
         <translation>Relâchez le {0}, puis maintenez-le enfoncé pour piloter.</translation></message>
@@ -1587,7 +1587,7 @@
         <translation>Au repos, elle est inactive.</translation></message>
     <message><source>Cannot continue: the motors could not be confirmed as stopped. {0}</source>
         <translation>Impossible de continuer : l'arrêt des moteurs n'a pas pu être confirmé. {0}</translation></message>
-    <message><source>The test has ended; it changes nothing in the board.</source>
+    <message><source>The test has ended. Nothing in the board was changed.</source>
         <translation>Le test est terminé ; il ne change rien dans la carte.</translation></message>
     <message><source>Nothing was changed.</source>
         <translation>Rien n'a été modifié.</translation></message>
@@ -1621,11 +1621,11 @@
         <translation>Au repos, son bruit est de {0} : une zone morte assez large pour le masquer prendrait un quart de la course. Réparez d'abord le câble, l'alimentation ou le manche.</translation></message>
     <message><source>An unconnected input behaves in the same way.</source>
         <translation>Une entrée à laquelle rien n'est raccordé fait cela aussi.</translation></message>
-    <message><source>Either nothing is connected to it (its voltage then means nothing), or what is connected was not moved.</source>
+    <message><source>Either nothing is connected to it (its voltage is then meaningless), or its stick was not moved.</source>
         <translation>Soit rien n'y est raccordé (sa tension ne signifie alors rien), soit ce qui y est raccordé n'a pas été bougé.</translation></message>
     <message><source>At least {1} are needed: the deadband, and a count for each of the {2} speeds.</source>
         <translation>Il faut au moins {1} : la zone morte, et un count pour chacune des {2} vitesses.</translation></message>
-    <message><source>Push it the other way too; if it cannot go there, it was at an end during sampling.</source>
+    <message><source>Push it the other way, too; if it does not move that way, it was at an end during sampling.</source>
         <translation>Poussez le manche aussi dans l'autre sens ; s'il ne peut pas y aller, il était à une extrémité pendant la mesure.</translation></message>
     <message><source>It went one way only.</source>
         <translation>La valeur n'est allée que dans un sens.</translation></message>
@@ -1649,13 +1649,13 @@
         <translation>La valeur a dérivé de {0} vers le bas pendant la mesure.</translation></message>
     <message><source>The signal comes and goes: {0:.0%} of the samples had no valid pulse.</source>
         <translation>Le signal va et vient : {0:.0%} des échantillons n'avaient pas d'impulsion valide.</translation></message>
-    <message><source>Pulses far from all others: {0} of {1}.</source>
+    <message><source>Outlying pulses: {0} of {1}.</source>
         <translation>Impulsions très éloignées de toutes les autres : {0} sur {1}.</translation></message>
     <message><source>The radio link is poor, or the cable picks up noise.</source>
         <translation>La liaison radio est mauvaise, ou le câble capte des parasites.</translation></message>
     <message><source>About {0:.0%} of the pulses are lost (estimated: the value often repeats where it otherwise varies).</source>
         <translation>Environ {0:.0%} des impulsions sont perdues (estimation : la valeur se répète souvent là où elle varie d'habitude).</translation></message>
-    <message><source>The board repeats the last value, so that losses below a third, or of a steadier signal, go unnoticed.</source>
+    <message><source>The board repeats the last value, so losses below a third, or in a steadier signal, go unnoticed.</source>
         <translation>La carte répète la dernière valeur ; des pertes inférieures à un tiers, ou d'un signal plus stable, passent donc inaperçues.</translation></message>
     <message><source>At rest the noise is {0}, more than the deadband ({1}): the motor would creep.</source>
         <translation>Au repos, le bruit est de {0}, plus que la zone morte ({1}) : le moteur tournerait lentement tout seul.</translation></message>
@@ -1691,9 +1691,9 @@
         <translation>Une main y était-elle posée pendant la mesure, ou un trim a-t-il été bougé ?</translation></message>
     <message><source>Go back and sample it again, or use the new rest position.</source>
         <translation>Revenez en arrière et refaites la mesure, ou utilisez la nouvelle position de repos.</translation></message>
-    <message><source>{0} is beyond the {1} that was reached: there is no full output.</source>
+    <message><source>{0} is beyond {1}, the farthest value reached: there is no full output.</source>
         <translation>{0} est au-delà de la valeur atteinte ({1}) : il n'y a pas de sortie maximale.</translation></message>
-    <message><source>Beyond its rest position the motor speeds up again, whatever the sign: at {0} to {1} of {2}.</source>
+    <message><source>Beyond its rest position the motor speeds up again, in either direction: at {0} to {1} of {2}.</source>
         <translation>Au-delà de la position de repos, le moteur accélère de nouveau, quel que soit le signe : à {0}, jusqu'à {1} sur {2}.</translation></message>
     <message><source>Check that no trim and no broken wire can bring it there.</source>
         <translation>Vérifiez qu'aucun trim ni aucun fil coupé ne peut l'y amener.</translation></message>
@@ -1711,7 +1711,7 @@
         <translation>Ignorée : la carte la maintient au neutre. Il n'y a rien à tester.</translation></message>
     <message><source>Good.</source>
         <translation>C'est bon.</translation></message>
-    <message><source>Only {0} was seen. Move the switch to its other position.</source>
+    <message><source>Only {0} was detected. Move the switch to its other position.</source>
         <translation>Seule la position « {0} » a été vue. Mettez l'interrupteur dans son autre position.</translation></message>
     <message><source>Full output not reached yet. Push it all the way.</source>
         <translation>Sortie maximale pas encore atteinte. Poussez jusqu'au bout.</translation></message>
@@ -1789,9 +1789,11 @@
         <translation>{0} ({1} modifiés)</translation></message>
     <message><source>Motors 1 and 2 {0}</source>
         <translation>Moteurs 1 et 2 : {0}</translation></message>
+    <message><source>{0}: {1} is not a valid value.</source>
+        <translation>{0}: {1} n'est pas une valeur valide.</translation></message>
     <message><source>Switching frequency of the motor's PWM. Low frequencies whine and heat the motor, frequencies above the driver's rating heat the driver. Type a number or use the arrow keys. The board stores the nearest frequency that it can switch at.</source>
         <translation>Nombre de commutations par seconde du PWM du moteur. Une fréquence basse fait siffler et chauffer le moteur, une fréquence supérieure à la valeur nominale du driver fait chauffer celui-ci. Tapez un nombre ou utilisez les flèches. La carte enregistre la fréquence de commutation possible la plus proche.</translation></message>
-    <message><source>This firmware has stored beyond that: wire value {0}.</source>
+    <message><source>This firmware has also stored wire values outside this range: {0}.</source>
         <translation>Ce firmware a enregistré au-delà : valeur transmise {0}.</translation></message>
     <message><source>(twin): documented for Pololu's qik 2s12v10, which has the same motor drivers.</source>
         <translation>(jumeau) : documenté pour le qik 2s12v10 de Pololu, qui a les mêmes drivers de moteur.</translation></message>
@@ -1813,7 +1815,7 @@
         <translation>{0}, avant {1}</translation></message>
     <message><source>{0} · default: {1}</source>
         <translation>{0} · par défaut : {1}</translation></message>
-    <message><source>User's guide of the board</source>
+    <message><source>User's guide</source>
         <translation>Guide d'utilisation de la carte</translation></message>
     <message><source>{0} differs: {1}.</source>
         <translation>{0} diffère : {1}.</translation></message>
@@ -1835,7 +1837,7 @@
         <translation>valeur transmise {0}</translation></message>
     <message><source>Wire value: {0}.</source>
         <translation>Valeur transmise : {0}.</translation></message>
-    <message><source>No source says what the wire values mean{0}.</source>
+    <message><source>The meaning of the wire values is undocumented{0}.</source>
         <translation>Aucune source ne dit ce que signifient les valeurs transmises{0}.</translation></message>
     <message><source>Still active: {0}.</source>
         <translation>Encore actif : {0}.</translation></message>
@@ -1861,7 +1863,7 @@
         <translation>Note : {0}</translation></message>
     <message><source>{0}; it is shown as Western European text. Check the characters that are not plain letters; Save writes UTF-8</source>
         <translation>{0} ; il est affiché comme texte d'Europe occidentale. Vérifiez les caractères qui ne sont pas de simples lettres ; l'enregistrement écrit en UTF-8</translation></message>
-    <message><source>{0} is left out: it could not be read from the board.</source>
+    <message><source>{0} is left out, because it could not be read from the board.</source>
         <translation>{0} est omis : impossible de le lire dans la carte.</translation></message>
     <message><source>The {0} calibrations are left out: the board accepts them only while it reads its inputs as {0}.</source>
         <translation>Les étalonnages {0} sont omis : la carte ne les accepte que si elle lit ses entrées en {0}.</translation></message>
@@ -1905,7 +1907,7 @@
         <translation>Rien n'a été écrit, car aucun instantané n'a pu être enregistré au préalable. {0}</translation></message>
     <message><source>Nothing was written: without a device number it would reach several boards. Select one of the boards on this line.</source>
         <translation>Rien n'a été écrit : sans numéro d'appareil, cela atteindrait plusieurs cartes. Sélectionnez l'une des cartes de cette liaison.</translation></message>
-    <message><source>Nothing more was written. {0}</source>
+    <message><source>Nothing else was written. {0}</source>
         <translation>Rien d'autre n'a été écrit. {0}</translation></message>
     <message numerus="yes"><source>Apply of %n setting(s)</source>
         <translation><numerusform>Application de %n réglage</numerusform><numerusform>Application de %n réglages</numerusform></translation></message>
@@ -1929,7 +1931,7 @@
         <translation>Voie {0}</translation></message>
     <message><source>{0} channel {1}</source>
         <translation>voie {1} ({0})</translation></message>
-    <message><source>it is counts (3750), or like 1500us or 2.5V, not {0}</source>
+    <message><source>it is a number of counts (3750) or has a unit (1500us, 2.5V), not {0}</source>
         <translation>ce sont des counts (3750), ou une valeur comme 1500us ou 2.5V, et non {0}</translation></message>
     <message><source>minimum {0} is above neutral {1}</source>
         <translation>le minimum {0} est au-dessus du neutre {1}</translation></message>
@@ -1955,7 +1957,7 @@
         <translation>vitesse du moteur auxiliaire</translation></message>
     <message><source>channels are numbered 1 to 5, not {0}</source>
         <translation>les voies sont numérotées de 1 à 5, et non {0}</translation></message>
-    <message><source>0 or 1 says who controls the motors, not {0}</source>
+    <message><source>the control flag is 0 or 1, not {0}</source>
         <translation>0 ou 1 indique qui commande les moteurs, et non {0}</translation></message>
     <message><source>a channel mask is 0 to {0}, not {1}</source>
         <translation>un masque de voies va de 0 à {0}, et non {1}</translation></message>
@@ -1971,11 +1973,11 @@
         <translation>{0:#04x} n'est pas un mode du TReX (R, A, r ou a)</translation></message>
     <message><source>device number</source>
         <translation>numéro d'appareil</translation></message>
-    <message><source>Boards that are driven together need numbers of their own.</source>
+    <message><source>Boards that are driven together need different device numbers.</source>
         <translation>Des cartes conduites ensemble ont besoin de numéros différents.</translation></message>
     <message><source>The board needs a number that no other device has.</source>
         <translation>Il faut à la carte un numéro qu'aucun autre appareil n'a.</translation></message>
-    <message><source>{0!r} are no settings of a board</source>
+    <message><source>{0!r} are not settings of a board</source>
         <translation>{0!r} ne correspond pas aux réglages d'une carte</translation></message>
     <message><source>Measured currents may be off by 20 % (twin).</source>
         <translation>La carte peut se tromper de 20 % en mesurant les courants (jumeau).</translation></message>
@@ -1993,17 +1995,17 @@
         <translation>lire la signature</translation></message>
     <message><source>get mode</source>
         <translation>lire le mode</translation></message>
-    <message><source>get whether serial controls the motors</source>
+    <message><source>get serial control flag</source>
         <translation>lire si la liaison série commande les moteurs</translation></message>
-    <message><source>get status bits, and clear them</source>
+    <message><source>get and clear status bits</source>
         <translation>lire les bits d'état et les effacer</translation></message>
-    <message><source>get UART error bits, and clear them</source>
+    <message><source>get and clear UART error bits</source>
         <translation>lire les bits d'erreur UART et les effacer</translation></message>
     <message><source>get currents of both motors</source>
         <translation>lire les courants des deux moteurs</translation></message>
-    <message><source>get which calibrations differ from the default</source>
+    <message><source>get channels with a changed calibration</source>
         <translation>lire quels étalonnages diffèrent de la valeur par défaut</translation></message>
-    <message><source>null command: nothing</source>
+    <message><source>null command (no effect)</source>
         <translation>commande vide : rien</translation></message>
     <message><source>RC mode</source>
         <translation>mode RC</translation></message>
@@ -2091,7 +2093,7 @@
         <translation>analogique</translation></message>
     <message><source>brake with {0}</source>
         <translation>freiner à {0}</translation></message>
-    <message><source>the models are {0}, not {1!r}</source>
+    <message><source>the model is {0}, not {1!r}</source>
         <translation>les modèles sont {0}, et non {1!r}</translation></message>
     <message><source>PWM prescaler is 0 to {0}, not {1}</source>
         <translation>le prédiviseur PWM va de 0 à {0}, et non {1}</translation></message>
@@ -2099,17 +2101,17 @@
         <translation>taux de freinage</translation></message>
     <message><source>a motor's speed is -127 to 127, not {0}</source>
         <translation>la vitesse d'un moteur va de -127 à 127, et non {0}</translation></message>
-    <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that ground is connected, and that the board's serial settings are these. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch it off and on.</source>
+    <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that ground is connected, and that the serial settings match those of the board. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch it off and on.</source>
         <translation>Aucun TReX ne répond sur {0}. Vérifiez que la carte est alimentée (une LED est allumée), que TX de l'adaptateur va à SI et son RX à SO (ou aux deux broches RS-232, sans jamais mélanger), que la masse est reliée et que les réglages série de la carte sont bien ceux-ci. Si les deux LED clignotent ensemble, la carte est en mode apprentissage : retirez le cavalier SO–G, puis coupez et remettez l'alimentation.</translation></message>
-    <message><source>Everything sent on {0} comes back, and nothing else. Either this is the RS-232 side of a board that is off or set to another baud rate, or the adapter's TX and RX are joined.</source>
+    <message><source>Everything sent on {0} comes back, and nothing else arrives. Either this is the RS-232 side of a board that is off or set to another baud rate, or the adapter's TX and RX are joined.</source>
         <translation>Tout ce qui est envoyé sur {0} revient, et rien d'autre. Soit il s'agit du côté RS-232 d'une carte hors tension ou réglée sur un autre débit, soit TX et RX de l'adaptateur sont reliés entre eux.</translation></message>
     <message><source>Something responds on {0}, but not like a TReX. {1} Usually the baud rate, parity or CRC differs from the board's setting, or another device is connected.</source>
         <translation>Quelque chose répond sur {0}, mais pas comme un TReX. {1} En général, le débit, la parité ou le CRC diffère du réglage de la carte, ou un autre appareil est connecté.</translation></message>
     <message><source>The TReX on {0} is in its boot loader, waiting for new firmware. Check that the mix and SO–G jumpers are off, then switch the board off and on and connect again. Its serial settings may be those of the factory now: 19200 baud, no parity, no CRC.</source>
         <translation>Le TReX sur {0} est dans son chargeur d'amorçage et attend un nouveau firmware. Vérifiez que les cavaliers Mix et SO–G sont retirés, puis coupez et remettez l'alimentation de la carte et connectez-vous à nouveau. Ses réglages série sont peut-être maintenant ceux d'usine : 19200 bauds, sans parité, sans CRC.</translation></message>
-    <message><source>The device on {0} responds like a Pololu qik, not like a TReX. This program does not support it: choose the port of the TReX, or connect the adapter to the TReX.</source>
+    <message><source>The device on {0} responds like a Pololu qik, not like a TReX. This program does not support it: select the port of the TReX, or connect the adapter to the TReX.</source>
         <translation>L'appareil sur {0} répond comme un qik de Pololu, pas comme un TReX. Ce programme ne le prend pas en charge : choisissez le port du TReX, ou branchez l'adaptateur sur le TReX.</translation></message>
-    <message><source>Several boards reply at once on {0} at {1}. Find asks for each device number; of boards that share one, switch off all but one and give it a number of its own.</source>
+    <message><source>Several boards reply at once on {0} at {1}. “Find” tries each device number. If boards share a number, switch off all but one of them and give that board its own number.</source>
         <translation>Plusieurs cartes répondent en même temps sur {0} à {1}. « Rechercher… » interroge chaque numéro d'appareil ; si plusieurs cartes partagent le même, coupez l'alimentation de toutes sauf une et donnez à celle-ci son propre numéro.</translation></message>
     <message><source>A {1} responds on {0} at {2}, but this connection uses {3}. Connect with the settings of the board.</source>
         <translation>Un {1} répond sur {0} à {2}, mais cette connexion utilise {3}. Connectez-vous avec les réglages de la carte.</translation></message>
@@ -2117,7 +2119,7 @@
         <translation>Un {1} répond sur {0} avec le polynôme CRC {2}, mais cette connexion utilise {3}. Connectez-vous avec les réglages de la carte.</translation></message>
     <message><source>A {1} responds on {0}, but its device number is {2}, and this connection uses {3}. Connect with the settings of the board.</source>
         <translation>Un {1} répond sur {0}, mais son numéro d'appareil est {2}, et cette connexion utilise {3}. Connectez-vous avec les réglages de la carte.</translation></message>
-    <message><source>A {1} responds on {0} only some of the time: the line loses or corrupts bytes. Check cable and ground, keep motor leads away from them, then connect again.</source>
+    <message><source>A {1} responds on {0}, but not every time: the line loses or corrupts bytes. Check cable and ground, keep motor leads away from them, then connect again.</source>
         <translation>Un {1} ne répond sur {0} que par moments : la liaison perd ou altère des octets. Vérifiez le câble et la masse, éloignez-en les fils des moteurs, puis connectez-vous à nouveau.</translation></message>
     <message><source>No reply to {0}.</source>
         <translation>Pas de réponse à {0}.</translation></message>
@@ -2151,21 +2153,21 @@
         <translation>La carte {0} n'a pas été sélectionnée, car aucun arrêt de la carte actuelle n'est confirmé. Si un moteur tourne encore, coupez son alimentation.</translation></message>
     <message><source>Board {0} was not selected, because it does not respond. Check that it has power. The previous board is still selected.</source>
         <translation>La carte {0} n'a pas été sélectionnée, car elle ne répond pas. Vérifiez qu'elle est alimentée. La carte sélectionnée auparavant le reste.</translation></message>
-    <message><source>Another board on this line has the device number {0}. Choose a number that is free.</source>
+    <message><source>Another board on this line has the device number {0}. Select a number that is free.</source>
         <translation>Une autre carte de cette liaison a le numéro d'appareil {0}. Choisissez un numéro libre.</translation></message>
     <message><source>Board {0} no longer follows: it fell silent, was stopped or restarted.</source>
         <translation>La carte {0} ne suit plus : elle s'est tue, a été arrêtée ou a redémarré.</translation></message>
     <message><source>Board {0} does not belong to the boards driven together here.</source>
         <translation>La carte {0} n'est pas de celles qui sont conduites ensemble ici.</translation></message>
-    <message><source>Boards that are driven together keep their numbers, none can be selected, and no typed packet can store anything. Connect to this board alone.</source>
+    <message><source>While boards are driven together, no device number can be changed, no board can be selected, and no typed packet can store anything. Connect to this board alone.</source>
         <translation>Les cartes conduites ensemble gardent leurs numéros, aucune ne peut être choisie, et aucun paquet saisi ne peut rien enregistrer. Connectez-vous à cette carte seule.</translation></message>
-    <message><source>Another user drives this board. Ask to have it handed over.</source>
+    <message><source>Another user drives this board. Ask that user to hand over.</source>
         <translation>Un autre utilisateur pilote cette carte. Demandez qu'il la cède.</translation></message>
     <message><source>You may watch this board and stop it, but not drive or change it.</source>
         <translation>Vous pouvez observer cette carte et l'arrêter, mais ni la piloter ni la modifier.</translation></message>
     <message><source>Only an owner may take over from another user.</source>
         <translation>Seul un propriétaire peut prendre la conduite à un autre utilisateur.</translation></message>
-    <message><source>Driving was handed over, or its heartbeat did not reach the robot.</source>
+    <message><source>Driving was handed over, or the heartbeat did not reach the robot.</source>
         <translation>Le pilotage a été cédé, ou le signe de vie n'a pas atteint le robot.</translation></message>
     <message><source>{0}: the board does not know this parameter (code 1); its firmware may be too old for it</source>
         <translation>{0} : la carte ne connaît pas ce paramètre (code 1) ; son firmware est peut-être trop ancien</translation></message>
@@ -2323,19 +2325,19 @@
         <translation>appareil {0} : {1}</translation></message>
     <message><source>not a TReX packet: {0}</source>
         <translation>ce n'est pas un paquet TReX : {0}</translation></message>
-    <message><source>{0} bytes are too many: at most {1} are sent at once.</source>
+    <message><source>{0} bytes are too many: at most {1} can be sent at once.</source>
         <translation>{0} octets, c'est trop : {1} au plus sont envoyés à la fois.</translation></message>
     <message><source>“{0}” is not a sequence of hexadecimal bytes such as 86 1F.</source>
         <translation>« {0} » n'est pas une suite d'octets hexadécimaux comme 86 1F.</translation></message>
-    <message><source>No board is served at {0}:{1}, or not to this user. Check that trexcmd serve runs there, the user in the address (trex://USER@…), and its secret (TREX_SECRET).</source>
+    <message><source>No board is served to this user at {0}:{1}. Check that trexcmd serve runs there, the user in the address (trex://USER@…), and the secret (TREX_SECRET).</source>
         <translation>Aucune carte n'est servie à {0}:{1}, ou pas à cet utilisateur. Vérifiez que trexcmd serve y fonctionne, l'utilisateur dans l'adresse (trex://USER@…) et son secret (TREX_SECRET).</translation></message>
     <message><source>The server cannot listen at {0}: {1}</source>
         <translation>Impossible d'écouter à {0} : {1}</translation></message>
     <message><source>{0} serves no board named {1} to this user.</source>
         <translation>{0} ne sert aucune carte nommée {1} à cet utilisateur.</translation></message>
-    <message><source>It did not answer.</source>
+    <message><source>It did not respond.</source>
         <translation>Il n'a pas répondu.</translation></message>
-    <message><source>Boards of the network need more packages: install trex-gui[remote] with pip or pipx.</source>
+    <message><source>Network boards need more packages: install trex-gui[remote] with pip or pipx.</source>
         <translation>Les cartes du réseau demandent d'autres paquets : installez trex-gui[remote] avec pip ou pipx.</translation></message>
     <message><source>unsolicited bytes</source>
         <translation>octets non sollicités</translation></message>
@@ -2387,7 +2389,7 @@
         <translation>La même valeur par pas de {0} : {1} devient {2}.</translation></message>
     <message><source>these are settings of a {0}</source>
         <translation>ce sont des réglages d'un {0}</translation></message>
-    <message><source>this file is written in a way that cannot be changed in place; save the settings as a new file</source>
+    <message><source>the layout of this file cannot be changed in place; save the settings as a new file</source>
         <translation>ce fichier est écrit d'une façon qui ne permet pas de le modifier sur place ; enregistrez les réglages dans un nouveau fichier</translation></message>
     <message><source>{0} {1}: the number of snapshots to keep is unknown, so none is removed.</source>
         <translation>{0} {1} : le nombre d'instantanés à conserver n'est pas connu, aucun n'est donc supprimé.</translation></message>
@@ -2399,7 +2401,7 @@
         <translation>impossible à supprimer</translation></message>
     <message><source>is damaged</source>
         <translation>est endommagé</translation></message>
-    <message><source>{0} would be the number of a snapshot.</source>
+    <message><source>A name cannot be a number like {0}, because snapshots have numbers.</source>
         <translation>{0} serait le numéro d'un instantané.</translation></message>
     <message><source>Another snapshot has the name {0}.</source>
         <translation>Un autre instantané s'appelle déjà {0}.</translation></message>
@@ -2415,7 +2417,7 @@
         <translation>Les {0} numéros d'appareil figurent tous dans {1}.</translation></message>
     <message><source>Another program has changed {0}. Nothing was saved. Start again to continue it.</source>
         <translation>Un autre programme a modifié {0}. Rien n'a été enregistré. Recommencez pour le compléter.</translation></message>
-    <message><source>{0} is no record of boards. Select another file.</source>
+    <message><source>{0} is not a record of boards. Select another file.</source>
         <translation>{0} n'est pas un registre de cartes. Choisissez un autre fichier.</translation></message>
     <message><source>{0} is damaged: {1}.</source>
         <translation>{0} est endommagé : {1}.</translation></message>
@@ -2603,7 +2605,7 @@
         <translation>Charge</translation></message>
     <message><source>Setpoint to current</source>
         <translation>De la consigne au courant</translation></message>
-    <message><source>Until the first reading of two counts: the line, the board and its measurement.</source>
+    <message><source>Until the first reading of two counts, including the delays of the line, the board and its measurement.</source>
         <translation>Jusqu'à la première mesure de deux counts : la liaison, la carte et sa mesure.</translation></message>
     <message><source>Until the current stayed within this share of the steady current, or within two counts of it.</source>
         <translation>Jusqu'à ce que le courant ne s'écarte plus du courant établi de plus de cette proportion, ou de plus de deux counts.</translation></message>
@@ -2787,11 +2789,11 @@
         <translation>inconnu</translation></message>
     <message><source>channels drive</source>
         <translation>les voies commandent</translation></message>
-    <message><source>not known: move a stick to see</source>
+    <message><source>unknown: move a stick to find out</source>
         <translation>inconnu : bougez un manche</translation></message>
     <message><source>one stick drives both motors</source>
         <translation>un manche commande les deux moteurs</translation></message>
-    <message><source>each channel has its motor</source>
+    <message><source>each channel drives one motor</source>
         <translation>chaque voie a son moteur</translation></message>
     <message><source>for RC and analog mode</source>
         <translation>pour les modes RC et analogique</translation></message>
@@ -2831,7 +2833,7 @@
         <translation>Donner un autre numéro d'appareil à la carte sélectionnée</translation></message>
     <message><source>Drive several boards as one robot, with one pad and one Stop</source>
         <translation>Conduire plusieurs cartes comme un seul robot, avec une zone et un arrêt</translation></message>
-    <message><source>The line is first searched for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be found. A snapshot is saved, then the new number takes effect at once.</source>
+    <message><source>The line is first searched for the new number: if another board has it, nothing is written. A board that is off, or has other serial settings, cannot be found. Then a snapshot is saved, and the new number takes effect at once.</source>
         <translation>Avant l'écriture, le nouveau numéro est demandé sur la liaison : si une autre carte le possède, rien n'est écrit. Une carte hors tension, ou qui a d'autres réglages série, ne peut pas être détectée. Le nouveau numéro prend effet immédiatement, et un instantané est enregistré d'abord.</translation></message>
     <message><source>Progress of the search</source>
         <translation>Progression de la recherche</translation></message>
@@ -2849,7 +2851,7 @@
         <translation>Cartes sur cette liaison</translation></message>
     <message><source>It replied before. Check its power and its wires.</source>
         <translation>Elle a répondu auparavant. Vérifiez son alimentation et son câblage.</translation></message>
-    <message><source>Several boards seem to have this number. Switch off all but one, and give it a number of its own.</source>
+    <message><source>Several boards seem to have this number. Switch off all but one, and give that board its own number.</source>
         <translation>Plusieurs cartes semblent avoir ce numéro. Coupez l'alimentation de toutes sauf une, et donnez à celle-ci son propre numéro.</translation></message>
     <message><source>The board has this number already.</source>
         <translation>La carte a déjà ce numéro.</translation></message>
@@ -2905,7 +2907,7 @@
         <translation>non essayée</translation></message>
     <message><source>Changes</source>
         <translation>Modifications</translation></message>
-    <message><source>Each checked board gets these settings, one board after the other, with a snapshot before. Each keeps its device number and its serial settings. The first error while writing ends the work.</source>
+    <message><source>The checked boards get these settings one after another, each after a snapshot. Each board keeps its device number and its serial settings. Writing ends at the first error.</source>
         <translation>Chaque carte cochée reçoit ces réglages, l'une après l'autre, avec un instantané au préalable. Chacune garde son numéro d'appareil et ses réglages série. La première erreur d'écriture met fin à l'opération.</translation></message>
     <message><source>Close</source>
         <translation>Fermer</translation></message>
@@ -2971,7 +2973,7 @@
         <translation>&amp;Laisser la carte se réinitialiser…</translation></message>
     <message><source>At its next start the board will reset every parameter, including those cleared here. Its current settings are saved first (File, History). Unapplied changes are discarded; Undo restores them.</source>
         <translation>À son prochain démarrage, la carte réinitialisera tous les paramètres, y compris ceux décochés ici. Ses réglages actuels sont d'abord sauvegardés (Fichier, Historique). Les modifications non appliquées sont abandonnées ; « Annuler » les restaure.</translation></message>
-    <message><source>It gets device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
+    <message><source>It would get device number {0}, which another board on this line has: both would reply at once, and neither could be read. Give that board another number first.</source>
         <translation>Elle prendra le numéro d'appareil {0}, qu'une autre carte de cette liaison porte déjà : les deux répondraient en même temps et aucune ne serait lisible. Donnez d'abord un autre numéro à cette autre carte.</translation></message>
     <message numerus="yes"><source>Write %n setting(s) to the board</source>
         <translation><numerusform>Écrire %n réglage dans la carte</numerusform><numerusform>Écrire %n réglages dans la carte</numerusform></translation></message>
@@ -3017,7 +3019,7 @@
         <translation>La connexion a été perdue.</translation></message>
     <message><source>not attempted</source>
         <translation>non tenté</translation></message>
-    <message><source>No source confirms the default of: {0}.</source>
+    <message><source>No source confirms these defaults: {0}.</source>
         <translation>Aucune source ne confirme la valeur par défaut de : {0}.</translation></message>
     <message><source>Both off</source>
         <translation>Les deux éteintes</translation></message>
@@ -3029,13 +3031,13 @@
         <translation>Rouge allumée</translation></message>
     <message><source>Running, serial commands control the motors</source>
         <translation>En marche, les commandes série commandent les moteurs</translation></message>
-    <message><source>Compare the wires with the picture, then search with Find. Green lights while the board receives a command: if it never does, nothing arrives.</source>
+    <message><source>Compare the wires with the picture, then search with “Find”. Green lights while the board receives a command: if it never lights, nothing arrives.</source>
         <translation>Comparez le câblage avec l'image, puis lancez « Rechercher… ». La LED verte s'allume pendant que la carte reçoit une commande : si elle ne s'allume jamais, rien n'arrive.</translation></message>
     <message><source>Green on, or flashing fast</source>
         <translation>Verte allumée, ou clignotant vite</translation></message>
     <message><source>Running, the channels control the motors</source>
         <translation>En marche, les voies commandent les moteurs</translation></message>
-    <message><source>As above: the board also responds in RC and analog mode. Red lights while it receives a command. Fast flashes are safe-start; five at the start say which channels are learned.</source>
+    <message><source>As above: the board also responds in RC and analog mode. Red lights while it receives a command. Fast flashes mean safe-start; five flashes at the start show which channels are learned.</source>
         <translation>Comme ci-dessus : la carte répond aussi en mode RC et en mode analogique. La LED rouge s'allume pendant qu'elle reçoit une commande. Un clignotement rapide signale le démarrage sécurisé ; cinq éclats à la mise sous tension indiquent les voies apprises.</translation></message>
     <message><source>Both blink together, or both on</source>
         <translation>Les deux clignotent ensemble ou sont allumées</translation></message>
@@ -3055,7 +3057,7 @@
         <translation>Chargeur d'amorçage, en attente d'un nouveau firmware</translation></message>
     <message><source>Switch the board off and on, with the jumpers removed.</source>
         <translation>Coupez et remettez l'alimentation de la carte, cavaliers retirés.</translation></message>
-    <message><source>Mode may also be on: the board responds in every mode.</source>
+    <message><source>The mode jumper may also be on: the board responds in every mode.</source>
         <translation>Le cavalier de mode peut aussi être en place : la carte répond dans tous les modes.</translation></message>
     <message><source>Jumpers</source>
         <translation>Cavaliers</translation></message>
@@ -3309,7 +3311,7 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Extrémités</translation></message>
     <message><source>Review</source>
         <translation>Vérifier</translation></message>
-    <message><source>The new values are in the board. Their test has to stop the motors first.</source>
+    <message><source>The new values are in the board. To test them, the motors must be stopped first.</source>
         <translation>Les nouvelles valeurs sont dans la carte. Leur test doit d'abord arrêter les moteurs.</translation></message>
     <message><source>Sample &amp;again</source>
         <translation>Re&amp;faire la mesure</translation></message>
@@ -3321,7 +3323,7 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>&amp;Tester à nouveau</translation></message>
     <message><source>Not every channel is at rest. Click “Sample again”, or Next to go on without channel {0}.</source>
         <translation>Toutes les voies ne sont pas au repos. Cliquez sur « Refaire la mesure », ou sur « Suivant » pour continuer sans la voie {0}.</translation></message>
-    <message><source>Everything is as it should be.</source>
+    <message><source>Every channel works as it should.</source>
         <translation>Tout est en ordre.</translation></message>
     <message><source>Nothing to test: the board ignores this input (Ignored Channels).</source>
         <translation>Rien à tester : la carte ignore cette entrée (« Voies ignorées »).</translation></message>
@@ -3349,7 +3351,7 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>Extrémité {0} : atteinte</translation></message>
     <message><source>{0} end: not needed</source>
         <translation>Extrémité {0} : pas nécessaire</translation></message>
-    <message><source>Calculated from the values in the board, for each channel by itself. Assumed: up to 8 of 127 counts as neutral; the switching points of switches.</source>
+    <message><source>Calculated for each channel separately from the values in the board. Assumed: an output of up to 8 of 127 is neutral, and the switching points of switches.</source>
         <translation>Calculé à partir des valeurs de la carte, pour chaque voie séparément. Supposé : jusqu'à 8 sur 127 compte comme neutre ; les points de basculement des interrupteurs.</translation></message>
     <message><source>Hold it there …</source>
         <translation>Maintenez cette position …</translation></message>
@@ -3417,11 +3419,11 @@ was {1}</source>
 avant {1}</translation></message>
     <message><source>{0} of channel {1}</source>
         <translation>{0} de la voie {1}</translation></message>
-    <message><source>These must be the settings that the board has now. A new board talks at 19200 baud, without error detection, with one stop bit. Changing them here changes nothing in the board.</source>
+    <message><source>These settings must match those of the board. A new board uses 19200 baud, no error detection and one stop bit. Changing them here does not change the board.</source>
         <translation>Ce doivent être les réglages que la carte a actuellement. Une carte neuve communique à 19200 bauds, sans détection d'erreurs, avec un bit d'arrêt. Les modifier ici ne change rien dans la carte.</translation></message>
     <message><source>&amp;Address one board of several by its number (Pololu protocol)</source>
         <translation>Adresser une &amp;carte parmi plusieurs par son numéro (protocole Pololu)</translation></message>
-    <message><source>Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). If there are any, every packet is addressed, none to these numbers, and no other baud rate is tried.</source>
+    <message><source>Device numbers of other devices on this line, such as 0,1 (older Pololu motor and servo controllers). If you enter any, every packet has an address, none is sent to these numbers, and no other baud rate is tried.</source>
         <translation>Numéros d'autres appareils sur cette liaison, par exemple 0,1 (anciens contrôleurs de moteurs et de servos Pololu). Dès qu'il y en a un, chaque paquet est adressé, à aucun de ces numéros, et aucun autre débit n'est essayé.</translation></message>
     <message><source>&amp;Line:</source>
         <translation>&amp;Liaison :</translation></message>
@@ -3441,7 +3443,7 @@ avant {1}</translation></message>
         <translation>Activer &amp;sans délai</translation></message>
     <message><source>Writes Serial Timeout and UART-Error Shutdown now: the board should stop its motors {0} s after the last byte. Other changes stay pending.</source>
         <translation>Écrit maintenant « Délai série » et « Arrêt sur erreur UART » : la carte devrait arrêter ses moteurs {0} s après le dernier octet. Les autres modifications restent en attente.</translation></message>
-    <message><source>Stops the motors, and sends nothing until they are armed again</source>
+    <message><source>Stops the motors and sends them no command until they are armed again</source>
         <translation>Arrête les moteurs et n'envoie rien jusqu'à leur réactivation</translation></message>
     <message numerus="yes"><source>Review %n ch&amp;ange(s)…</source>
         <translation><numerusform>Vérifier et appli&amp;quer (%n)…</numerusform><numerusform>Vérifier et appli&amp;quer (%n)…</numerusform></translation></message>
@@ -3475,7 +3477,7 @@ avant {1}</translation></message>
         <translation>Arrêter le&amp;s moteurs</translation></message>
     <message><source>Write &amp;{0} s</source>
         <translation>Écrire &amp;{0} s</translation></message>
-    <message><source>Why this value? Kept on this computer and in files.</source>
+    <message><source>Why this value? Saved on this computer and in files.</source>
         <translation>Pourquoi cette valeur ? Conservé sur cet ordinateur et dans les fichiers.</translation></message>
     <message><source>Input source</source>
         <translation>Source des entrées</translation></message>
@@ -3575,7 +3577,7 @@ avant {1}</translation></message>
         <translation>Connectez une carte pour voir les courants de ses moteurs.</translation></message>
     <message><source>Motor currents</source>
         <translation>Courants des moteurs</translation></message>
-    <message><source>No board is connected. Choose a port at the top of the main window and press Connect; without hardware, choose the demo board.</source>
+    <message><source>No board is connected. Select a port at the top of the main window and press Connect; without hardware, select the demo board.</source>
         <translation>Aucune carte n'est connectée. Choisissez un port en haut de la fenêtre principale et cliquez sur « Connecter » ; sans matériel, choisissez la carte de démo.</translation></message>
     <message><source>Joint mode: the board does not sense currents.</source>
         <translation>Mode jumelé : la carte ne mesure pas les courants.</translation></message>
@@ -3585,7 +3587,7 @@ avant {1}</translation></message>
         <translation>Un count de cette carte vaut {0:.0f} mA.</translation></message>
     <message><source>Reset all counts and error times</source>
         <translation>Remettre tous les compteurs à zéro et oublier quand les erreurs ont été vues</translation></message>
-    <message><source>The board came back in another mode, so its power was off meanwhile; it does not report a restart in the same mode. Returned after silence: {0}.</source>
+    <message><source>The board came back in another mode, so its power was off in the meantime. A restart in the same mode is not reported. Returned after silence: {0}.</source>
         <translation>La carte est revenue dans un autre mode, son alimentation a donc été coupée entre-temps ; elle ne signale pas un redémarrage dans le même mode. Retours après silence : {0}.</translation></message>
     <message><source>Reset all co&amp;unts</source>
         <translation>Remettre les compteurs à &amp;zéro</translation></message>
@@ -3721,7 +3723,7 @@ avant {1}</translation></message>
         <translation>Verr&amp;ouillage après un arrêt</translation></message>
     <message><source>Stop when you lea&amp;ve this page</source>
         <translation>Arrêter en quittant &amp;cette page</translation></message>
-    <message><source>Stop both motors and the auxiliary when another page is shown or the window is minimised</source>
+    <message><source>Stop both motors and the auxiliary when another page is shown or the window is minimized</source>
         <translation>Arrêter les deux moteurs et l'auxiliaire quand une autre page est affichée ou que la fenêtre est réduite</translation></message>
     <message><source>Sliders return to &amp;zero</source>
         <translation>Curseurs remis à &amp;zéro</translation></message>
@@ -3915,7 +3917,7 @@ avant {1}</translation></message>
         <translation>Garder les valeurs de la carte</translation></message>
     <message><source>You may drive now: arm the motors.</source>
         <translation>Vous pouvez piloter maintenant : activez les moteurs.</translation></message>
-    <message><source>{0} requests to drive. Handing over stops the motors.</source>
+    <message><source>{0} wants to drive. Handing over stops the motors.</source>
         <translation>{0} demande à piloter. Céder arrête les moteurs.</translation></message>
     <message><source>Hand over</source>
         <translation>Céder</translation></message>
@@ -4013,7 +4015,7 @@ avant {1}</translation></message>
         <translation>&amp;Garder 30 s autour de chaque défaut ou arrêt</translation></message>
     <message><source>The seconds around “{0}” were saved. File, Open fault or stop: {1}</source>
         <translation>Les secondes autour de « {0} » ont été conservées. Fichier, Ouvrir un défaut ou un arrêt : {1}</translation></message>
-    <message><source>The seconds around “{0}” could not be kept. {1}</source>
+    <message><source>The seconds around “{0}” could not be saved. {1}</source>
         <translation>Les secondes autour de « {0} » n'ont pas pu être conservées. {1}</translation></message>
     <message><source>Start recording &amp;when the motors are armed</source>
         <translation>Démarrer l'enregistrement &amp;avec l'activation des moteurs</translation></message>
@@ -4035,7 +4037,7 @@ avant {1}</translation></message>
         <translation>Roue droite, vers l'arrière</translation></message>
     <message><source>Nothing</source>
         <translation>Rien</translation></message>
-    <message><source>Served with trexcmd serve: by this computer, and by others on the local network.</source>
+    <message><source>Robots that trexcmd serve offers on this computer and on the local network.</source>
         <translation>Servis avec trexcmd serve : par cet ordinateur, et par d'autres du réseau local.</translation></message>
     <message numerus="yes"><source>%n robot(s) stopped.</source>
         <translation><numerusform>%n robot arrêté.</numerusform><numerusform>%n robots arrêtés.</numerusform></translation></message>
@@ -4069,7 +4071,7 @@ avant {1}</translation></message>
         <translation>{0}, ne répond pas</translation></message>
     <message><source>Read the settings from the board and discard the edits made here?</source>
         <translation>Lire les réglages de la carte et abandonner les modifications faites ici ?</translation></message>
-    <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then follows. Other programs on this line have to use it, too.</source>
+    <message><source>{0} is now one of the pending changes. It takes effect after the board is switched off and on; this window then uses it as well. Other programs on this line must use it, too.</source>
         <translation>{0} fait maintenant partie des modifications en attente. La modification prend effet une fois l'alimentation de la carte coupée puis remise ; cette fenêtre suit alors. Les autres programmes de cette liaison doivent l'utiliser aussi.</translation></message>
     <message><source>Discard and reload</source>
         <translation>Abandonner et recharger</translation></message>
@@ -4093,7 +4095,7 @@ avant {1}</translation></message>
         <translation>Étalonnages</translation></message>
     <message><source>None set.</source>
         <translation>Aucun n'est indiqué.</translation></message>
-    <message><source>Write values with units as wire values, and numbers beyond their range as the nearest one in it; the file changes when you save it</source>
+    <message><source>Replace values with units by wire values, and numbers outside their range by the nearest valid number; the file changes when you save it</source>
         <translation>Écrire les valeurs avec unités comme elles sont transmises, et remplacer les nombres hors plage par la valeur permise la plus proche ; le fichier change quand vous l'enregistrez</translation></message>
     <message><source>&amp;Repair values</source>
         <translation>&amp;Réparer les valeurs</translation></message>
@@ -4163,7 +4165,7 @@ avant {1}</translation></message>
         <translation>Réparé : {0}.</translation></message>
     <message><source>Not compared. {0}</source>
         <translation>Non comparé. {0}</translation></message>
-    <message><source>A robot without a driver: a computer on board drives it, and no one can catch it</source>
+    <message><source>An autonomous robot: an on-board computer drives it, and no one is near enough to catch it</source>
         <translation>Un robot sans pilote : un ordinateur embarqué le conduit, et personne ne peut le rattraper</translation></message>
     <message><source>A rover driven by radio; a switch hands it over to a computer</source>
         <translation>Un rover radiocommandé ; un interrupteur le confie à un ordinateur</translation></message>
@@ -4281,15 +4283,15 @@ avant {1}</translation></message>
         <translation>Le cavalier Mix est en place : retirez-le, puis poussez un manche.</translation></message>
     <message><source>The mix jumper is off: put it on, then push a stick.</source>
         <translation>Le cavalier Mix est retiré : mettez-le en place, puis poussez un manche.</translation></message>
-    <message><source>Set what your motors can draw continuously: the presets are examples. Without a ramp, the current exceeds the limit for a moment.</source>
+    <message><source>Set the current that your motors can draw continuously; the presets are examples. Without a ramp, the current exceeds the limit for a moment.</source>
         <translation>Réglez ce que vos moteurs peuvent absorber en continu : les préréglages sont des exemples. Sans rampe, le courant dépasse la limite un instant.</translation></message>
-    <message><source>The computer must send something at least twice within that time. UART-Error Shutdown is switched on with it, as the timeout may need it (twin).</source>
+    <message><source>The computer must send something at least twice within this time. UART-Error Shutdown is also switched on, because the timeout may need it (twin).</source>
         <translation>Faites envoyer quelque chose à l'ordinateur au moins deux fois pendant ce délai. « Arrêt sur erreur UART » est activé en même temps, car le délai peut en avoir besoin (jumeau).</translation></message>
     <message><source>Its changes were not added: open the step and click Next.</source>
         <translation>Ses modifications n'ont pas été ajoutées : ouvrez l'étape et cliquez sur « Suivant ».</translation></message>
-    <message><source>Drive first with the wheels off the ground: forward, back, left, right.</source>
+    <message><source>For the first drive, keep the wheels off the ground: forward, back, left, right.</source>
         <translation>Pilotez d'abord avec les roues décollées du sol : avant, arrière, gauche, droite.</translation></message>
-    <message><source>Switch the board off, put the mode jumper on {0}, {1}.</source>
+    <message><source>Switch the board off, set the mode jumper to {0}, and {1}.</source>
         <translation>Coupez l'alimentation de la carte, placez le cavalier de mode sur {0}, {1}.</translation></message>
     <message><source>Switch on the transmitter, then the board.</source>
         <translation>Allumez l'émetteur, puis la carte.</translation></message>
@@ -4339,9 +4341,9 @@ avant {1}</translation></message>
         <translation>Étape passée, ou ses modifications ont été annulées.</translation></message>
     <message><source>It is not known which motor drives which wheel.</source>
         <translation>On ne sait pas quel moteur entraîne quelle roue.</translation></message>
-    <message><source>The settings for the motors wait for the directions of the sticks.</source>
+    <message><source>The motor settings depend on the directions of the sticks.</source>
         <translation>Les réglages des moteurs attendent les sens des manches.</translation></message>
-    <message><source>Leave the mode jumper off. The first commands can come from the Motors page of this window.</source>
+    <message><source>Leave the mode jumper off. You can send the first commands from the Motors page of this window.</source>
         <translation>Laissez le cavalier de mode retiré. Les premières commandes peuvent venir de la page Moteurs de cette fenêtre.</translation></message>
     <message><source>put the mix jumper on</source>
         <translation>mettez le cavalier Mix</translation></message>
@@ -4353,7 +4355,7 @@ avant {1}</translation></message>
         <translation>Aucune carte n'est connectée : ses cavaliers ne peuvent pas être vérifiés.</translation></message>
     <message><source>This board was started without the mode jumper (serial mode).</source>
         <translation>Cette carte a démarré sans le cavalier de mode (mode série).</translation></message>
-    <message><source>The mix jumper can be checked in serial mode only: now a stick would drive the motors.</source>
+    <message><source>The mix jumper can be checked in serial mode only: in this mode a stick would drive the motors.</source>
         <translation>Le cavalier Mix ne peut être vérifié qu'en mode série : maintenant, un manche ferait tourner les moteurs.</translation></message>
     <message><source>The board does not report the mix jumper. Push a stick to one side to see it.</source>
         <translation>La carte ne signale pas le cavalier Mix. Poussez un manche d'un côté pour le voir.</translation></message>
@@ -4373,9 +4375,9 @@ avant {1}</translation></message>
         <translation>{0} Testez ensuite à nouveau les moteurs.</translation></message>
     <message><source>is not a readable settings file.</source>
         <translation>n'est pas un fichier de réglages lisible.</translation></message>
-    <message><source>Calibrations that the board does not show now were kept: {0}.</source>
+    <message><source>Calibrations that the board does not show now stay in the file: {0}.</source>
         <translation>Les étalonnages que la carte n'affiche pas actuellement ont été conservés : {0}.</translation></message>
-    <message><source>{0} applies and checks the settings shown; read its first lines.</source>
+    <message><source>{0} applies and verifies the settings shown; its first lines explain how to use it.</source>
         <translation>{0} applique et vérifie les réglages affichés ; lisez ses premières lignes.</translation></message>
     <message><source>{0} was not saved again: it is still being saved.</source>
         <translation>{0} n'a pas été enregistré une nouvelle fois : son enregistrement est encore en cours.</translation></message>
@@ -4403,9 +4405,9 @@ avant {1}</translation></message>
         <translation>{0}, avant : {1}</translation></message>
     <message numerus="yes"><source>&amp;Restore %n setting(s)…</source>
         <translation><numerusform>&amp;Restaurer %n réglage…</numerusform><numerusform>&amp;Restaurer %n réglages…</numerusform></translation></message>
-    <message><source>Nothing is selected to be restored.</source>
+    <message><source>Nothing is selected for restoring.</source>
         <translation>Rien n'est sélectionné pour la restauration.</translation></message>
-    <message><source>To restore one of the two, select it alone.</source>
+    <message><source>To restore a snapshot, select it alone.</source>
         <translation>Pour restaurer l'un des deux, sélectionnez-le seul.</translation></message>
     <message><source>The board does not respond, so nothing can be restored.</source>
         <translation>La carte ne répond pas : rien ne peut être restauré.</translation></message>
@@ -4423,7 +4425,7 @@ avant {1}</translation></message>
         <translation>Rien n'a été restauré : {0}</translation></message>
     <message><source>Never connect RS-232 levels (±12 V) to SI and SO: they can destroy the board.</source>
         <translation>Ne reliez jamais des niveaux RS-232 (±12 V) à SI et SO : ils peuvent détruire la carte.</translation></message>
-    <message><source>Set the board up through an adapter first: with the mode jumper on, it accepts no settings. BEC gives 100 mA at most.</source>
+    <message><source>Set the board up through an adapter first: with the mode jumper on, it accepts no settings. BEC supplies at most 100 mA.</source>
         <translation>Configurez d'abord la carte par un adaptateur : quand le cavalier de mode est en place, elle n'accepte aucun réglage. Le BEC fournit 100 mA au plus.</translation></message>
     <message><source>TReX</source>
         <translation>TReX</translation></message>
@@ -4437,11 +4439,11 @@ avant {1}</translation></message>
         <translation>Pas de carte sous la main ?</translation></message>
     <message><source>&amp;Try the demo</source>
         <translation>&amp;Essayer la démo</translation></message>
-    <message><source>Mode: take it off</source>
+    <message><source>Mode: remove it</source>
         <translation>Mode : le retirer</translation></message>
-    <message><source>SO–G: take it off</source>
+    <message><source>SO–G: remove it</source>
         <translation>SO–G : le retirer</translation></message>
-    <message><source>Mode: put it on RC</source>
+    <message><source>Mode: set it to RC</source>
         <translation>Mode : le placer sur RC</translation></message>
     <message><source>BEC: feeds the receiver</source>
         <translation>BEC : alimente le récepteur</translation></message>
@@ -4511,15 +4513,15 @@ avant {1}</translation></message>
         <translation>Les moteurs qui peuvent être arrêtés le sont avant la mise en veille de l'ordinateur</translation></message>
     <message><source>The screen was locked</source>
         <translation>L'écran a été verrouillé</translation></message>
-    <message><source>The computer goes to sleep</source>
+    <message><source>The computer is going to sleep</source>
         <translation>L'ordinateur se met en veille</translation></message>
-    <message><source>The computer shuts down</source>
+    <message><source>The computer is shutting down</source>
         <translation>L'ordinateur s'éteint</translation></message>
-    <message><source>The session ends</source>
+    <message><source>The session is ending</source>
         <translation>La session se termine</translation></message>
-    <message><source>Connected again to {0}. No motor was started.</source>
+    <message><source>Reconnected to {0}. No motor was started.</source>
         <translation>De nouveau connecté à {0}. Aucun moteur n'a été démarré.</translation></message>
-    <message><source>{0} also has {1} open and may take replies. Close it there.</source>
+    <message><source>{0} also has {1} open and may take replies. Close the port there.</source>
         <translation>{0} a aussi ouvert {1} et peut intercepter des réponses. Fermez-le dans ce programme.</translation></message>
     <message><source>Connecting to {0} …</source>
         <translation>Connexion à {0} …</translation></message>
@@ -4565,7 +4567,7 @@ avant {1}</translation></message>
         <translation>{0} avec le numéro d'appareil {1}</translation></message>
     <message><source>the Demo {0}</source>
         <translation>la démo {0}</translation></message>
-    <message><source>The simulator does not start. Install the program again.</source>
+    <message><source>The simulator does not start. Reinstall the program.</source>
         <translation>Le simulateur ne démarre pas. Réinstallez le programme.</translation></message>
     <message><source>The simulator ended at once. {0}</source>
         <translation>Le simulateur s'est terminé aussitôt. {0}</translation></message>
@@ -4637,7 +4639,7 @@ avant {1}</translation></message>
         <translation>Comment cet ordinateur communique avec la carte</translation></message>
     <message><source>Find a board whose line settings are unknown</source>
         <translation>Rechercher une carte dont les réglages de liaison sont inconnus</translation></message>
-    <message><source>Let the board detect damaged bytes; first shows what will be written</source>
+    <message><source>Let the board detect corrupted bytes; the changes are shown before they are written</source>
         <translation>Laisser la carte détecter les octets altérés ; montre d'abord ce qui sera écrit</translation></message>
     <message><source>Settings are still being written. Disconnect anyway? Unwritten settings stay pending.</source>
         <translation>Des réglages sont encore en cours d'écriture. Déconnecter quand même ? Les réglages non écrits restent en attente.</translation></message>
@@ -4655,7 +4657,7 @@ avant {1}</translation></message>
         <translation>{0} n'a pas été ouvert : ce type n'est pas pris en charge. Pris en charge : {1}.</translation></message>
     <message><source>Recent &amp;files</source>
         <translation>&amp;Fichiers récents</translation></message>
-    <message><source>{0} files were dropped, and none was opened: drop one at a time.</source>
+    <message><source>{0} files were dropped, and none was opened: drop one file at a time.</source>
         <translation>{0} fichiers ont été déposés et aucun n'a été ouvert : déposez-en un à la fois.</translation></message>
     <message><source>{0} is {1}. It was not opened, because this window is connected to {2}: disconnect, then open it again.</source>
         <translation>{0} est {1}. Il n'a pas été ouvert, car cette fenêtre est connectée à {2} : déconnectez, puis ouvrez-le à nouveau.</translation></message>
@@ -4663,7 +4665,7 @@ avant {1}</translation></message>
         <translation>{0} n'existe plus ; il a été retiré des fichiers récents.</translation></message>
     <message><source>a file of the {0}</source>
         <translation>un fichier pour {0}</translation></message>
-    <message><source>Probes each port for a supported device: each kind at its likely settings, then at every baud rate, with every parity and with CRC. A TReX or Aracna never moves a motor or changes a setting. Other devices on the line may: enter their numbers in the line settings first. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
+    <message><source>Probes each port for every supported device, first at its likely settings, then at every baud rate, with every parity and with CRC. Probes never move a motor or change a setting of a TReX or an Aracna. Other devices on the line may react: enter their numbers in the line settings first. A TReX that receives probes at another rate counts UART errors, and stops its motors if it is set to do so.</source>
         <translation>Sonde chaque port à la recherche d'un appareil pris en charge : chaque type avec ses réglages probables, puis à tous les débits, avec toutes les parités et avec CRC. Un TReX ou un Aracna ne fait alors bouger aucun moteur et ne change aucun réglage. D'autres appareils sur la liaison le peuvent : entrez d'abord leurs numéros dans les réglages de liaison. Un TReX qui reçoit ces sondages à un autre débit compte des erreurs UART, et arrête ses moteurs s'il est réglé ainsi.</translation></message>
     <message><source>The likely settings come first; a port without a reply takes about half a minute.</source>
         <translation>Les réglages probables viennent d'abord ; un port sans réponse demande environ une demi-minute.</translation></message>
@@ -4709,7 +4711,7 @@ avant {1}</translation></message>
         <translation>{0} sur {1}</translation></message>
     <message><source>{0} (demo)</source>
         <translation>{0} (démo)</translation></message>
-    <message><source>The window was to be closed</source>
+    <message><source>The window is closing</source>
         <translation>La fenêtre allait être fermée</translation></message>
     <message><source>&amp;Window</source>
         <translation>Fe&amp;nêtre</translation></message>
@@ -4739,7 +4741,7 @@ avant {1}</translation></message>
         <translation>Ce qui est affiché en premier, et ce que signifie un nombre tapé sans unité</translation></message>
     <message><source>Connect to known boards automat&amp;ically</source>
         <translation>Connecter &amp;automatiquement les cartes connues</translation></message>
-    <message><source>When the program starts and when an adapter is plugged in at which a board was found before, if just one board answers. Not after Disconnect, and not while another program uses the port. No motor moves.</source>
+    <message><source>When the program starts, and when a known adapter is plugged in, if exactly one board responds. Not after Disconnect, and not while another program uses the port. No motor moves.</source>
         <translation>Au démarrage du programme et au branchement d'un adaptateur où une carte a déjà été trouvée, si une seule carte répond. Pas après « Déconnecter », ni tant qu'un autre programme utilise le port. Aucun moteur ne bouge.</translation></message>
     <message><source>{0} %</source>
         <translation>{0} %</translation></message>
@@ -4777,7 +4779,7 @@ avant {1}</translation></message>
         <translation>Ce qui est branché</translation></message>
     <message><source>No serial port was found. Plug the adapter in: it is listed here at once.</source>
         <translation>Aucun port série n'a été trouvé. Branchez l'adaptateur : il apparaît ici aussitôt.</translation></message>
-    <message><source>It does not answer?</source>
+    <message><source>No response?</source>
         <translation>Pas de réponse ?</translation></message>
     <message><source>Find &amp;my board…</source>
         <translation>Rechercher ma &amp;carte…</translation></message>
@@ -4835,7 +4837,7 @@ avant {1}</translation></message>
         <translation>CSV pour tableurs (*.csv)</translation></message>
     <message><source>MCAP for PlotJuggler and Foxglove (*.mcap)</source>
         <translation>MCAP pour PlotJuggler et Foxglove (*.mcap)</translation></message>
-    <message><source>The open recording cannot be overwritten. Choose another file.</source>
+    <message><source>The open recording cannot be overwritten. Select another file.</source>
         <translation>L'enregistrement ouvert ne peut pas être écrasé. Choisissez un autre fichier.</translation></message>
     <message><source>E&amp;vents</source>
         <translation>É&amp;vénements</translation></message>

@@ -98,4 +98,4 @@ def test_oversized_file_is_rejected_without_reading_all(tmp_path: Path) -> None:
     path = tmp_path / "huge.txt"
     with path.open("wb") as file:
         file.truncate(1 << 40 if sys.platform == "linux" else LARGEST_FILE + 1)
-    assert sentence(path) == "is larger than 256 KiB; settings are not that long"
+    assert sentence(path) == "is larger than 256 KiB; settings are never that large"

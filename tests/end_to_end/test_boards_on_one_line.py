@@ -86,7 +86,7 @@ def test_boards_on_one_line(
     window.trigger("defaults")
     review = window.dialog("reviewDialog")
     review.click("boardResetButton")
-    assert "It gets device number 7, which another board" in review.text("questionText")
+    assert "It would get device number 7, which another board" in review.text("questionText")
     review.click("questionCancel")
     review.click("reviewCloseButton")
 

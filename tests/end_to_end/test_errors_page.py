@@ -139,7 +139,7 @@ def test_log_keeps_what_happened_over_disconnects(
         "⚠ The board stopped responding.",
         "The board responds again",
         "Disconnected",
-        f"⚠ The line to {url} is gone.",
+        f"⚠ The connection to {url} is gone.",
         f"The picture was written to {tmp_path}",
     ):
         place = text.find(part, place)

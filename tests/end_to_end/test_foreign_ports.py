@@ -55,7 +55,7 @@ def test_program_that_may_take_the_replies_is_named(
 ) -> None:
     users: dict[str, str] = {}
     monkeypatch.setattr("trex_gui.ui.devices.connection.other_user_of", users.get)
-    text = f"cat (process 7) also has {simulator.url} open and may take replies. Close it there."
+    text = f"cat (process 7) also has {simulator.url} open and may take replies."
     window.connect(simulator.url)
     simulator.do("line mute on")
     window.wait(lambda: window.device.link is ConnectionState.NOT_RESPONDING)
@@ -109,7 +109,7 @@ def test_window_reconnects_to_the_same_adapter_only(
     said: list[str] = []
     window.device.notifier.info.connect(said.append)
     board.do("line unplug")
-    window.wait_for_text("bannerText", f"The line to {board.url} is gone.")
+    window.wait_for_text("bannerText", f"The connection to {board.url} is gone.")
     assert window.has("bannerReconnect")
     board.do("line plug")
     listed[:] = [adapter(board.url, "B700002")]
@@ -125,7 +125,7 @@ def test_window_reconnects_to_the_same_adapter_only(
     assert board.show()["motors"][0]["direction"] == "brake"
     assert device.parameters.values.pending == ((ParameterKey.SERIAL_TIMEOUT, 9),)
     assert ports.preferred == ports.find("/dev/ttyUSB1")
-    window.wait(lambda: any("Connected again to /dev/ttyUSB1." in m for m in logged))
+    window.wait(lambda: any("Reconnected to /dev/ttyUSB1." in m for m in logged))
     device.parameters.discard_edits()
 
     # Too quickly for a change of the port list:
@@ -133,7 +133,7 @@ def test_window_reconnects_to_the_same_adapter_only(
     window.wait(lambda: device.link is ConnectionState.DISCONNECTED)
     board.do("line plug")
     window.wait(lambda: device.link is ConnectionState.CONNECTED)
-    window.wait(lambda: "Connected again to /dev/ttyUSB1. No motor was started." in logged)
+    window.wait(lambda: "Reconnected to /dev/ttyUSB1. No motor was started." in logged)
 
     # A listed port that does not work gets one attempt, and the next after it was unplugged.
     board.do("line unplug")
@@ -158,11 +158,11 @@ def test_adapter_that_was_named_at_the_start_is_found_again(
     window.wait(lambda: device.link is ConnectionState.CONNECTED)
     listed.clear()
     board.do("line unplug")
-    window.wait_for_text("bannerText", f"The line to {board.url} is gone.")
+    window.wait_for_text("bannerText", f"The connection to {board.url} is gone.")
     board.do("line plug")
     listed.append(adapter(board.url, "A500001"))
     window.wait(lambda: device.link is ConnectionState.CONNECTED)
-    window.wait_for_text("bannerText", f"Connected again to {board.url}. No motor was started.")
+    window.wait_for_text("bannerText", f"Reconnected to {board.url}. No motor was started.")
 
 
 CRC = 0x25  # 19200 baud with CRC-7
@@ -200,7 +200,7 @@ def test_noisy_line_is_named_and_crc_is_set_up(
     review = window.dialog("reviewDialog")
     assert review.root.isVisible()
     assert [device.draft.pending, device.parameters.values.value_of("uart_settings")] == [1, CRC]
-    assert "Other programs on this line have to use it" in window.text("bannerText")
+    assert "Other programs on this line must use it" in window.text("bannerText")
     review.click("writeButton")
     window.wait(lambda: device.parameters.values.stored.get("uart_settings") == CRC)
     review.root.close()

@@ -86,7 +86,7 @@ def test_all_channels_are_learned_and_tested(
     learning.push(1, -1)
     for channel in CHANNELS:
         learning.wait_for_text(f"learnTest{channel}", "Good.")
-    learning.wait_for_head("Everything is as it should be")
+    learning.wait_for_head("Every channel works as it should")
     learning.click("learnCloseButton")
     assert not learning.dialog.isVisible()
 

@@ -193,7 +193,7 @@ def test_board_decides_about_values_beyond_inferred_limits(
     assert stored(simulator, key) == 63
     window.wait_for_files()
     help_text = page.text("parameterDetails")
-    assert "This firmware has stored beyond that: wire value 63." in help_text
+    assert "This firmware has also stored wire values outside this range: 63." in help_text
 
 
 # --- The power cycle --------------------------------------------------------------------

@@ -229,7 +229,7 @@ def test_saving_keeps_comments_and_asks_before_replacing(
     after = path.read_text(encoding="utf-8")
     assert after.startswith(text.replace("9  # for", "5  # for"))
     assert "motor_mode: 0" in after
-    kept = "Calibrations that the board does not show now were kept: analog."
+    kept = "Calibrations that the board does not show now stay in the file: analog."
     assert kept in connected_window.text("bannerText")
 
     for text in ("Dear diary\n", "product: TReX Jr\n"):

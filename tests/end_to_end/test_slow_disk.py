@@ -103,7 +103,7 @@ def test_settings_changed_during_snapshot_are_not_overwritten(
 ) -> None:
     quick_simulator.do("eeprom motor1_acceleration 9")
     connected_window.device.reload()
-    review.wait_for_text("reviewHead", "other settings were read")
+    review.wait_for_text("reviewHead", "settings read from the board have changed")
     review.wait_for_files()
     assert stored(quick_simulator) == 0
 

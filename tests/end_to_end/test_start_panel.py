@@ -42,9 +42,9 @@ def test_panel_shows_each_wiring_without_connection(window: WindowDriver) -> Non
     window.disconnect()
     assert status.find(QWidget, "startPanel").isVisible()
     for way, wires, jumpers in (
-        (1, "TReX: TX – SI, RX – SO, GND – GND", "Mode: take it off. SO–G: take it off"),
-        (2, "RS-232 port – TReX: TX, pin 3 – RX", "Mode: take it off"),
-        (3, "Receiver – TReX: CH 1 – CH1", "Mode: put it on RC"),
+        (1, "TReX: TX – SI, RX – SO, GND – GND", "Mode: remove it. SO–G: remove it"),
+        (2, "RS-232 port – TReX: TX, pin 3 – RX", "Mode: remove it"),
+        (3, "Receiver – TReX: CH 1 – CH1", "Mode: set it to RC"),
     ):
         window.click(f"startWay{way}")
         check_keyboard(window.window)

@@ -204,7 +204,7 @@ def test_closing_with_edits_stops_before_it_asks(driving: DrivingWindow) -> None
     assert not driving.window.close()
     driving.expect_stop("closing")
     assert driving.window.question.text == "There are unapplied changes."
-    driving.wait_for_text("bannerText", "The window was to be closed, so the motors were stopped.")
+    driving.wait_for_text("bannerText", "The window is closing, so the motors were stopped.")
     driving.click("applyFirst")
     driving.click("writeButton")
     driving.wait(lambda: not driving.device.parameters.values.pending)

@@ -26,14 +26,14 @@ SETTLE_MS = 10_000
 
 # --- Messages ---------------------------------------------------------------------------
 
-GONE = "is gone. Plug it in"
+GONE = "is gone. Plug the adapter in"
 NOT_RESPONDING = "The board has stopped responding"
 NO_BOARD = "No TReX responds"
 NOT_STORED = "Not verified: "
 WRITTEN = "written and verified"
 NOTHING_WRITTEN = "Nothing was written"
-NOTHING_MORE = "Nothing more was written"
-READ_FAILED = "Reading again failed"
+NOTHING_MORE = "Nothing else was written"
+READ_FAILED = "The settings could not be read again"
 MAY_TURN = "may still be turning"
 UNCONFIRMED = "The stop is not confirmed"
 NOTHING_CHANGED = "Nothing was changed"

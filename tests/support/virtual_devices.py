@@ -192,7 +192,7 @@ class VirtualTransport:
             self._received += received
 
     def _gone(self) -> PortUnavailable:
-        text = f"The line to {self._name} is gone. Plug it in, then connect again."
+        text = f"The connection to {self._name} is gone. Plug the adapter in, then connect again."
         return PortUnavailable(text, is_missing=True)
 
 

@@ -38,7 +38,7 @@ def test_lock_and_sleep_are_reasons_to_stop_and_waking_up_is_none() -> None:
     assert reasons == []
     mac.lock()
     mac.tell_power(WILL_SLEEP, 5)
-    assert reasons == ["The screen was locked", "The computer goes to sleep"]
+    assert reasons == ["The screen was locked", "The computer is going to sleep"]
 
 
 def test_sleep_waits_for_the_stop_but_not_for_ever(qtbot: QtBot) -> None:

@@ -90,7 +90,7 @@ def test_stop_reasons_are_clauses_without_stop_or_motor(monkeypatch: pytest.Monk
         assert "motor" not in reason, reason
     assert reasons[-1] == "Internal error (ValueError)"
     assert reasons[2] == "The screen was locked"
-    windows = ["The computer goes to sleep", "The screen was locked", "The session ends"]
+    windows = ["The computer is going to sleep", "The screen was locked", "The session is ending"]
     assert reasons[3:6] == windows
 
 

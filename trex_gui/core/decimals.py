@@ -34,7 +34,7 @@ def decimal(text: str, *, thousands: bool = True) -> float:
     if thousands and (parts := _GROUPED.fullmatch(number)):
         whole, rest = parts.groups()
         fraction = with_decimal_point(f"{float(f'{whole}.{rest}'):g}")
-        text = tr("{0} may be {1} or {2}: write the one that you mean")
+        text = tr("{0} is ambiguous: write {1} or {2}")
         raise AmbiguousNumber(text.format(number, fraction, whole + rest))
     return value
 

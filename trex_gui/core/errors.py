@@ -59,10 +59,10 @@ class PortFault(Enum):
     NOT_SETTABLE = tr_noop("The port {0} cannot be set to {1} ({2}).")
     NOT_OPEN = tr_noop("The port {0} cannot be opened: {1}.")
     SHARED = tr_noop(
-        "Another program reads {0}, too, and has taken bytes from it. Close it there, then connect "
-        "again."
+        "Another program is also reading from {0} and has taken some of the bytes. Close "
+        "that program, then connect again."
     )
-    GONE = tr_noop("The line to {0} is gone. Plug it in, then connect again.")
+    GONE = tr_noop("The connection to {0} is gone. Plug the adapter in, then connect again.")
 
 
 class PortShared(PortUnavailable):

@@ -224,7 +224,7 @@ def check_size(
     if len(data) > largest:
         limit = largest // 1024
         raise SettingsError.of(
-            name, tr("is larger than {0} KiB; {1} are not that long").format(limit, content)
+            name, tr("is larger than {0} KiB; {1} are never that large").format(limit, content)
         )
 
 

@@ -58,13 +58,13 @@ class SessionEvents(QObject):
     @Slot(bool)
     def _on_sleep(self, is_starting: bool) -> None:
         if is_starting:
-            self.leaving.emit(tr("The computer goes to sleep"))
+            self.leaving.emit(tr("The computer is going to sleep"))
         self.sleeping.emit(is_starting)
 
     @Slot(bool)
     def _on_shut_down(self, is_starting: bool) -> None:
         if is_starting:
-            self.leaving.emit(tr("The computer shuts down"))
+            self.leaving.emit(tr("The computer is shutting down"))
 
     @Slot()
     def _on_locked(self) -> None:

@@ -129,7 +129,7 @@ class MacEvents(QObject):
         elif message == WILL_SLEEP:
             self._sleep_argument = argument
             self._wait.start()
-            self.leaving.emit(tr("The computer goes to sleep"))
+            self.leaving.emit(tr("The computer is going to sleep"))
 
     def _allow(self) -> None:
         self._native.allow_power_change(self._sleep_argument)

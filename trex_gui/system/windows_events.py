@@ -20,11 +20,11 @@ _LOCKED = {WTS_CONSOLE_DISCONNECT, WTS_REMOTE_DISCONNECT, WTS_SESSION_LOGOFF, WT
 def stop_reason(message: int, parameter: int) -> str | None:
     """Return the reason for which a window message stops the motors. `None` if it does not."""
     if message == WM_POWERBROADCAST and parameter == PBT_APMSUSPEND:
-        return tr("The computer goes to sleep")
+        return tr("The computer is going to sleep")
     if message == WM_WTSSESSION_CHANGE and parameter in _LOCKED:
         return tr("The screen was locked")
     if message == WM_QUERYENDSESSION:
-        return tr("The session ends")
+        return tr("The session is ending")
     return None
 
 

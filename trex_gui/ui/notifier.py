@@ -83,7 +83,7 @@ class Notifier(QObject):
         super().__init__(parent)
         self.shown = ""  # message in the banner
         self.danger_lasts: Callable[[], bool] = never  # true while a danger must stay visible
-        self.shows_problem = False  # True while the banner shows an error or a danger
+        self.shows_problem = False  # True while the banner shows an error, but not a danger
         self.delayed_info.connect(self.info, Qt.ConnectionType.QueuedConnection)
         self.delayed_error.connect(self.error, Qt.ConnectionType.QueuedConnection)
         self.delayed_report.connect(self.report, Qt.ConnectionType.QueuedConnection)

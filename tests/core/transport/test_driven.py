@@ -74,7 +74,7 @@ def test_adapter_is_found_at_another_port(monkeypatch: pytest.MonkeyPatch) -> No
     assert driven_at("/dev/ttyUSB0")[1] is None
     assert port_of(file, board) == PortSettings("/dev/ttyUSB1", LINE)
     plug("/dev/ttyUSB0", "another")
-    with pytest.raises(PortUnavailable, match=r"ttyUSB0 is gone\. Plug it in"):
+    with pytest.raises(PortUnavailable, match=r"ttyUSB0 is gone\. Plug the adapter in"):
         port_of(file, board)
 
 
@@ -177,7 +177,7 @@ def test_opening_a_port_stops_its_running_board(
         transport.close()
     assert not file.exists()
     assert logged_stops(0)[1][-1][1] is StopResult.CONFIRMED
-    assert "The board that is there now has confirmed a stop." in caplog.records[-1].getMessage()
+    assert "The board now connected there has confirmed a stop." in caplog.records[-1].getMessage()
 
 
 @pytest.mark.realtime

@@ -94,7 +94,7 @@ def test_bytes_read_by_another_program_raise_port_shared(
     with monkeypatch.context() as patch:
         patch.setattr("serial.serialposix.select.select", read_first)
         os.write(master, b"reply")
-        with pytest.raises(PortShared, match=f"Another program reads {path}, too"):
+        with pytest.raises(PortShared, match=f"Another program is also reading from {path}"):
             transport.read(5, LONG_TIMEOUT)
     os.close(other_reader)
 
@@ -286,7 +286,7 @@ def test_owner_of_port_lock_is_named_before_other_users(
 ) -> None:
     with other_program(f"open({terminal[1]!r})"):
         opened(terminal[1])
-        assert "in use by another line of this program" in open_failure(terminal[1])
+        assert "in use by another connection of this program" in open_failure(terminal[1])
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux shows who holds a port")
@@ -320,7 +320,9 @@ def test_guardian_that_is_stopping_motors_is_named(
     guardian.wait_until_ready(LONG_TIMEOUT)
     guardian._process.send_signal(signal.SIGSTOP)  # so that it never completes its stop
     try:
-        assert "another line of this program" in open_failure(url), "the guardian only watches"
+        assert "another connection of this program" in open_failure(url), (
+            "the guardian only watches"
+        )
         line.close()
         assert "The guardian process is still stopping the motors" in open_failure(url)
     finally:
@@ -403,7 +405,7 @@ def wrapped(number: int) -> serial.SerialException:
         (AttributeError(), "The port /dev/ttyX cannot be opened: AttributeError."),
         (
             serial.SerialException("Remote does not accept parameter change (RFC2217): [...]"),
-            "/dev/ttyX cannot be opened: the server refuses the settings of the line.",
+            "/dev/ttyX cannot be opened: the server rejects the line settings.",
         ),
     ],
 )
@@ -427,7 +429,7 @@ def test_unplugged_cable_is_detected_at_once(
         transport = opened(simulator.url)
         simulator.do("line unplug")
         start = time.monotonic()
-        gone = rf"{simulator.url} is gone\. Plug it in, then connect again\."
+        gone = rf"{simulator.url} is gone\. Plug the adapter in, then connect again\."
         with pytest.raises(PortUnavailable, match=gone):
             act(transport)
         assert time.monotonic() - start < 30.0

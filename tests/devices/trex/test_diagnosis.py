@@ -106,7 +106,7 @@ def test_other_polynomials_are_not_tried_in_a_hurry() -> None:
 
 def test_board_that_responds_now_has_an_unsteady_line() -> None:
     cause = diagnosed(stage_of(NONE.line), NONE)
-    assert "only some of the time" in str(cause)
+    assert "but not every time" in str(cause)
     assert remedies_for(cause) == (Remedy.RECONNECT,)
 
 

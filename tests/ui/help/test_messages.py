@@ -89,7 +89,7 @@ def topic(text: str) -> str:
 def test_message_leads_to_its_section(qtbot: QtBot) -> None:
     error = TrexError(ErrorCode.NO_REPLY, "C1 02")
     assert topic(error_sentence(error)) == "messages.md#no-reply-to-"
-    line = f"2026-11-23 12:00:00  ⚠ Reading again failed. {error_sentence(error)}"
+    line = f"2026-11-23 12:00:00  ⚠ The settings could not be read again. {error_sentence(error)}"
     assert topic(line) == "messages.md#no-reply-to-"
     rejected = Rejected("Serial Timeout", ResultCode.BAD_VALUE)
     assert topic(error_sentence(rejected)) == "messages.md#the-board-rejects-this-value-code-2"

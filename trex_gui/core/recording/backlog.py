@@ -58,7 +58,7 @@ class Backlog(Generic[RecordT]):
 
     def _mark_lost(self, time: float) -> None:
         if self._unmarked:
-            text = tr("Samples missing here, because the disk was too slow: {0}.").format(
+            text = tr("Samples lost here because the disk was too slow: {0}.").format(
                 self._unmarked
             )
             self._pending.append(Marker(time, "note", text))

@@ -324,7 +324,8 @@ class Recording(Generic[HeaderT, RecordT]):
         if version != SCHEMA_VERSION:
             raise self._error(
                 tr(
-                    "Its format, {0}, is not known. A later version of TReX Studio may open it."
+                    "Its format, {0}, is unknown. A later version of TReX Studio may be able "
+                    "to open it."
                 ).format(version)
             )
         values = dict(
@@ -338,14 +339,16 @@ class Recording(Generic[HeaderT, RecordT]):
             name = str(values.get("device_name") or values.get("device"))[:60]
             raise self._error(
                 tr(
-                    "This is a recording of another device: {0}. It opens where the window shows "
-                    "the pages of that device: choose its port or its demo in the list of ports, "
-                    "then open the file again."
+                    "This is a recording of another device: {0}. Select the port or the demo "
+                    "of that device in the list of ports, then open the file again."
                 ).format(name)
             )
         if _ENDED not in values:
             self.problems.append(
-                tr("It was not ended; samples of the last seconds may be missing.")
+                tr(
+                    "The recording was not closed properly; samples of the last seconds may "
+                    "be missing."
+                )
             )
         header = self.format.read_header(values)
         if not abs(header.clock) <= _LATEST_CLOCK:  # also NaN
@@ -455,7 +458,7 @@ class Recording(Generic[HeaderT, RecordT]):
             raise self._error(tr(_NOT_READ).format(error)) from error
         except (sqlite3.Error, UnicodeError) as error:
             self._report(
-                tr("Samples of {0} among records {1} to {2} are lost: {3}.").format(
+                tr("Samples of {0} between records {1} and {2} are lost: {3}.").format(
                     kind.name, first, last, error
                 )
             )

@@ -24,7 +24,8 @@ falls on a bit edge for any two rates of a TReX. On an edge, rounding would deci
 _RATE_TOLERANCE = 0.03
 """Maximum relative difference between the rates of two UARTs.
 
-The limit is half a bit in ten bits, shared by both UARTs."""
+Half a bit in the ten bits of a byte would allow 5 %. Sampling a few times per bit costs the rest
+(assumed)."""
 
 _PARITIES = {Parity.EVEN: 0, Parity.ODD: 1}
 

@@ -136,7 +136,7 @@ class GuardedTransport:
     def write(self, data: bytes) -> None:
         self.beat()
         if self._stop_to_send and data not in self._stop_to_send:
-            raise NoReply(tr("The motors have to be stopped first."))
+            raise NoReply(tr("Stop the motors first."))
         self._stop_to_send = b""
         self._below.write(data)
 

@@ -31,7 +31,7 @@ def holder_of(url: str) -> str | None:
         )
         pid = _locking_process(path) or next(others, None)
         if pid == os.getpid():
-            return tr("another line of this program")
+            return tr("another connection of this program")
         if pid is not None:
             return _name_of(pid)
     return None

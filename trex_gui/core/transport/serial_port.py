@@ -254,7 +254,7 @@ class SerialTransport:
                 reads += 1
                 if reads > _MANY_READS and self.clock() > deadline:
                     raise BadReply(
-                        tr("The device sends without a request ({0} …).").format(
+                        tr("The device sends data without being queried ({0} …).").format(
                             hex_text(stale[:12])
                         )
                     )
@@ -422,7 +422,7 @@ def _plain(error: Exception) -> str:
             return os.strerror(number).lower()
     text = str(error).strip().rstrip(".")
     if "does not accept parameter change" in text:  # followed by a dump of pyserial's objects
-        return tr("the server refuses the settings of the line")
+        return tr("the server rejects the line settings")
     return text or type(error).__name__
 
 

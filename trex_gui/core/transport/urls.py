@@ -123,7 +123,7 @@ def url_problem(url: str) -> str:
             return str(error)
         return ""
     if not scheme.isidentifier() or find_spec(f"serial.urlhandler.protocol_{scheme}") is None:
-        return tr("{0}: there is no kind of port {1!r}; try socket:// or rfc2217://.").format(
+        return tr("{0}: {1!r} is not a kind of port; try socket:// or rfc2217://.").format(
             url, scheme
         )
     try:

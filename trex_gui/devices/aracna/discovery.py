@@ -50,7 +50,7 @@ _EVIDENCE: dict[Enum, Evidence] = {
     ErrorCode.OTHER_DEVICE: Evidence.STRANGE,
     ErrorCode.BOOT_LOOP: Evidence.KNOWN,
 }
-_RESETS = tr_noop("Opening this port has reset the board: it responds about a second later.")
+_RESETS = tr_noop("Opening this port reset the board: it responds again after about a second.")
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,10 +103,10 @@ class AracnaProber:
         extra = self._settings.timeouts.extra
         if not wire.is_configurable and not self._known:
             self._not_sent = tr(
-                "No probe for an Aracna was sent on {0}: its baud rate is set at the "
-                "other end of the network, and a TReX at another rate could take the "
-                "probe for a command. If you know that it is an Aracna, connect once "
-                "with: trex-gui --device aracna --port {1}"
+                "No probe for an Aracna was sent on {0}: the baud rate is set at the other "
+                "end of the network, and a TReX at another rate could mistake the probe for "
+                "a command. If you know that it is an Aracna, connect once with: trex-gui "
+                "--device aracna --port {1}"
             ).format(self._settings.label, self._settings.url)
             return
         for done in range(PROBES):

@@ -275,15 +275,14 @@ class TrexProber:
             return self._strange_evidence(url)
         if self.echo:
             return Evidence.ECHO, tr(
-                "No TReX responds on {0}: everything sent comes back, and nothing else, "
-                "at every rate. Either this is the RS-232 side of a board that is off, or"
-                " the adapter's TX and RX are joined."
+                "No TReX responds on {0}: at every rate, everything sent comes back and "
+                "nothing else arrives. Either this is the RS-232 side of a board that is "
+                "off, or the adapter's TX and RX are joined."
             ).format(url)
         if self._is_fixed:
             return Evidence.SILENCE, tr(
-                "No TReX responds on {0}. Its baud rate is set at the other end of the "
-                "network, so only that one could be tried, without parity and without "
-                "CRC."
+                "No TReX responds on {0}. The baud rate is set at the other end of the "
+                "network, so only that rate could be tried, without parity and without CRC."
             ).format(url)
         return Evidence.SILENCE, tr(
             "No TReX responds on {0} at any baud rate, with any parity or with CRC. "
@@ -317,7 +316,7 @@ def _line_hint(used: LineSettings, signature: Signature, wire_value: int) -> str
     real = stored.real_baud(signature.firmware)
     if real != stored.baud and real == used.baud:
         return tr(
-            "It is set to {0} baud, which firmware {1} runs at half the rate: connect at {2}."
+            "It is set to {0} baud, but firmware {1} then runs at half that rate: connect at {2}."
         ).format(stored.baud, signature.firmware, used.baud)
     if replace(stored, stop_bits=used.stop_bits) == used:
         return tr("It is set to {0} stop bits; both numbers work on this line.").format(

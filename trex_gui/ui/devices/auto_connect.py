@@ -125,7 +125,7 @@ class AutoConnect(QObject):
         if not self._is_allowed or not found.is_same(missing):
             return False
         self._may_be_stale = True
-        self._notice = tr("Connected again to {0}. No motor was started.").format(found.url)
+        self._notice = tr("Reconnected to {0}. No motor was started.").format(found.url)
         self._notifier.cleared.emit()
         self._manager.connect_to(found)
         return True

@@ -109,7 +109,7 @@ class DeviceConnection(SessionThread, Generic[SettingsT]):
         def report(program: str | None) -> None:
             if program is None or self.link is not link:
                 return
-            text = tr("{0} also has {1} open and may take replies. Close it there.")
+            text = tr("{0} also has {1} open and may take replies. Close the port there.")
             is_closed = link is ConnectionState.DISCONNECTED
             remedies = (Remedy.RECONNECT,) if is_closed else ()
             self.interfered.emit(text.format(program, name), remedies)

@@ -128,7 +128,10 @@ class ConnectionBar(QFrame):
             self,
             "setUpCrcButton",
             tr("Set up CRC…"),
-            tip=tr("Let the board detect damaged bytes; first shows what will be written"),
+            tip=tr(
+                "Let the board detect corrupted bytes; the changes are shown before they "
+                "are written"
+            ),
             confirms=True,
             on_click=lambda: self.remedy_chosen.emit(Remedy.SET_UP_CRC),
         )

@@ -99,11 +99,12 @@ class FindDialog(ReusedDialog):
         self._results = ui.named(QWidget(self), "findResults", accessible=tr("Found devices"))
         self._rows = ui.column(1, into=self._results, margins=0)
         about = tr(
-            "Probes each port for a supported device: each kind at its likely settings, then at "
-            "every baud rate, with every parity and with CRC. A TReX or Aracna never moves a "
-            "motor or changes a setting. Other devices on the line may: enter their numbers in "
-            "the line settings first. A TReX that receives probes at another rate counts UART "
-            "errors, and stops its motors if it is set to do so."
+            "Probes each port for every supported device, first at its likely settings, then "
+            "at every baud rate, with every parity and with CRC. Probes never move a motor "
+            "or change a setting of a TReX or an Aracna. Other devices on the line may "
+            "react: enter their numbers in the line settings first. A TReX that receives "
+            "probes at another rate counts UART errors, and stops its motors if it is set to "
+            "do so."
         )
         self._check = ui.button(
             self,

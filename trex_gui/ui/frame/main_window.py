@@ -354,7 +354,7 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         if self._manager.is_armed:  # stop before asking the user anything
-            self._manager.stop_because(tr("The window was to be closed"))
+            self._manager.stop_because(tr("The window is closing"))
         if not self._warning.is_shown and not all(
             workspace.may_close(self.close) for workspace in self._workspaces
         ):

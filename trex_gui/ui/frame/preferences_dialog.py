@@ -88,9 +88,9 @@ class PreferencesDialog(ReusedDialog):
         )
         explanation = Muted(
             tr(
-                "When the program starts and when an adapter is plugged in at which a board was "
-                "found before, if just one board answers. Not after Disconnect, and not while "
-                "another program uses the port. No motor moves."
+                "When the program starts, and when a known adapter is plugged in, if exactly "
+                "one board responds. Not after Disconnect, and not while another program "
+                "uses the port. No motor moves."
             ),
             self,
         )

@@ -85,7 +85,7 @@ class StartPanel(QWidget):
             wrap=True,
         )
         ui.column(*self._rows, self._none, 1, into=plugged, spacing=12)
-        silent = ui.Card(tr("It does not answer?"), self)
+        silent = ui.Card(tr("No response?"), self)
         tip = tr("Search every port and baud rate; no motor moves")
         find = ui.button(silent, f"{prefix}startFind", tr("Find &my board…"))
         find.clicked.connect(partial(workspace.trigger, "find"))

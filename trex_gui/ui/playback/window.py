@@ -196,7 +196,7 @@ class RecordingWindow(QMainWindow):
 
     def export(self, path: Path) -> None:
         if path == self.player.path:
-            text = tr("The open recording cannot be overwritten. Choose another file.")
+            text = tr("The open recording cannot be overwritten. Select another file.")
             self.notifier.error.emit(text)
         elif path.suffix.lower() == MCAP_SUFFIX and not has_mcap():
             command = install_command("mcap")

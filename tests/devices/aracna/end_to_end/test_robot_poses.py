@@ -21,7 +21,8 @@ def test_gait_plays_until_stopped(window: RobotWindow) -> None:
     robot = window.robot
     window.show_page(POSES_PAGE)
     assert window.is_enabled("aracnaPlay"), "a gait is preselected"
-    assert "* Which leg is which" in window.page_text("aracnaPosesPage", "aracnaCaption")
+    caption = window.page_text("aracnaPosesPage", "aracnaCaption")
+    assert "* The order of the legs is assumed" in caption
     buttons = window.find_all(QPushButton)
     ends = [
         each.objectName() for each in buttons if each.isVisible() and each.text().startswith("End")

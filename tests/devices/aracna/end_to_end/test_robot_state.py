@@ -14,7 +14,7 @@ from trex_gui.ui.devices.connection import ConnectionState
 
 UNCERTAIN = "Unknown: the last motion may still be running."
 AT_REST = "At rest: nothing is sent."
-UNOBSERVED = "Nothing is sent. It may be moving: its state is unknown until the first move."
+UNOBSERVED = "Nothing is sent. The robot may be moving: its state is unknown until its first move."
 
 
 def start_long_motion(window: RobotWindow, goal: int = 200) -> None:

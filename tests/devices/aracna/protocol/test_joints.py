@@ -60,5 +60,5 @@ def test_crop_changes_only_values_outside_limits(value: int, one: int, two: int)
 
 @pytest.mark.parametrize(("low", "high"), [(-1, 5), (6, 5), (0, 1024)])
 def test_invalid_limits_are_rejected(low: int, high: int) -> None:
-    with pytest.raises(ValueError, match="in order"):
+    with pytest.raises(ValueError, match="the lower one first"):
         Limits(low, high)

@@ -166,7 +166,7 @@ def test_close_in_motion_ends_every_request_with_outcome() -> None:
 @pytest.mark.parametrize("time", [0.001, 0.3, 0.55, 2.5])
 def test_unplugged_line_ends_session_in_any_state(time: float) -> None:
     session = ScriptedSession()
-    gone = PortUnavailable("The line to virtual is gone. Plug it in, then connect again.")
+    gone = PortUnavailable("The line to virtual is gone. Plug the adapter in, then connect again.")
 
     def unplug() -> None:
         session.stage.transport.fail = gone

@@ -13,7 +13,7 @@ ARACNA: list[tuple[Said, str, bool]] = [
     ((b".q\n", b""), "query version and motors → no reply", True),
     (
         (b".q\n", b".h\r\n"),
-        "query version and motors → the robot has started, busy for a second",
+        "query version and motors → the robot has started and is busy for a second",
         False,
     ),
     ((b".l1\n", b".l1\r\n"), "switch the debug LED on → the LED is on", False),
@@ -23,13 +23,16 @@ ARACNA: list[tuple[Said, str, bool]] = [
     ((b".c5,6\n", b".c5,"), "go to 5, 6 → incomplete reply", True),
     (
         (b".c5,6\n", b".c5,.h\r\n"),
-        "go to 5, 6 → not a reply of an Aracna: .c5,; the robot has started, busy for a second",
+        (
+            "go to 5, 6 → not a reply of an Aracna: .c5,; the robot has started and is busy for a "
+            "second"
+        ),
         True,
     ),
-    ((b".c5,6\n", b".h\r\n"), "go to 5, 6 → the robot has started, busy for a second", True),
+    ((b".c5,6\n", b".h\r\n"), "go to 5, 6 → the robot has started and is busy for a second", True),
     ((b".c5,6\n", b"%!\r\n.c5,6\r\n"), "go to 5, 6 → not a reply of an Aracna: %!; at 5, 6", True),
     ((b"\n", b""), "end an unfinished line in the robot's buffer", False),
-    ((b"", b".h\r\n"), "unsolicited: the robot has started, busy for a second", False),
+    ((b"", b".h\r\n"), "unsolicited: the robot has started and is busy for a second", False),
     ((b"", b".h"), "unsolicited: incomplete line: .h", True),
 ]
 
@@ -74,7 +77,7 @@ def test_late_reply_is_shown_with_its_command() -> None:
     ]
     first, second = reports(decoder, pieces)
     assert first == (
-        "go to 5, 6, then query whether it is free → at 5, 6; firmware 1, 2 motors",
+        "go to 5, 6, then query whether the robot is free → at 5, 6; firmware 1, 2 motors",
         False,
     )
     assert second[0].startswith("query version")

@@ -312,7 +312,7 @@ def test_late_motors_are_named_at_their_step(driver: PosesPageDriver) -> None:
     driver.select_row("aracnaMotions", "hasty")
     assert "too slow" in driver.summary
     remark = driver.steps.model().index(1, 3).data()
-    assert remark.startswith("needs 0.26 s: motor 1, 3, 5, 7")
+    assert remark.startswith("needs 0.26 s (motor 1, 3, 5, 7")
     driver.spin("aracnaSpeedScale").setValue(30)
     assert "too slow" not in driver.summary
 

@@ -138,7 +138,7 @@ def test_connection_is_logged_from_its_beginning_to_its_end(watched: MirrorHarne
         (5, "link", f"Connected to TReX 1.2 on {WHERE}."),
         (5, "link", "The board stopped responding."),
         (5, "link", "The board responds again"),
-        (5, "link", "Disconnected before a stop was confirmed: motors may still turn"),
+        (5, "link", "Motors may still be turning: disconnected before a stop was confirmed"),
     ]
 
 

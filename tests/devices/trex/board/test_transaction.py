@@ -122,7 +122,7 @@ def test_board_with_many_differences_is_not_restored(tried: int) -> None:
             store(state.specs[key], 1)
     assert (read_everything(client.request) == state) is is_restored
     assert (kept.memory.record == before) is is_restored
-    assert ("The board may store other settings" in " ".join(kept.said)) is not is_restored
+    assert ("The settings in the board may have changed" in " ".join(kept.said)) is not is_restored
 
 
 @pytest.mark.parametrize("text", ["product: TReX\n!", "product: TReX Jr\n"])
@@ -131,5 +131,5 @@ def test_damaged_record_is_not_used(text: str) -> None:
     path.parent.mkdir(parents=True)
     path.write_text(text, "utf-8")
     kept = RecordingKeeper()
-    assert kept.warned[0].startswith("The settings applied to this board before are not known. ")
+    assert kept.warned[0].startswith("The settings last applied to this board are unknown. ")
     assert kept.memory.record is not None

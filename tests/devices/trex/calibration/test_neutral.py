@@ -151,7 +151,7 @@ def test_outliers_are_reported_only_beyond_three_percent() -> None:
     assert problems_of(with_outliers(20, 40, 60)) == []
     ((kind, text),) = problems_of(with_outliers(20, 40, 60, 80))
     assert kind is ProblemKind.JITTER
-    assert text.startswith("Pulses far from all others: 4 of 100.")
+    assert text.startswith("Outlying pulses: 4 of 100.")
 
 
 def test_single_outlier_does_not_count_as_noise() -> None:

@@ -82,9 +82,7 @@ def test_calibration_gives_full_output_at_ends_and_zero_at_rest(stick: Stick, se
 def test_reversed_is_suggested_when_forward_is_down(stick: Stick, now: bool, seed: int) -> None:
     proposal = learned(stick, seed=seed, reversed_now=now)
     assert proposal.reversed_ is stick.forward_is_down
-    suggested = (
-        ": reversed is suggested." if stick.forward_is_down else ": not reversed is suggested."
-    )
+    suggested = "should be reversed." if stick.forward_is_down else "should not be reversed."
     assert proposal.reversed_reason.endswith(suggested if stick.forward_is_down != now else "")
     assert bool(proposal.reversed_reason) is (stick.forward_is_down != now)
 
@@ -242,7 +240,7 @@ def test_switch_resting_low_is_reversed_to_be_off_at_rest() -> None:
     proposal = learn(Stick(rest=1100, low=1100, high=1900), channel=5)
     assert proposal.problems == ()
     assert proposal.reversed_
-    assert "at rest" in proposal.reversed_reason
+    assert "than the rest position" in proposal.reversed_reason
     assert proposal.calibration is not None
     assert proposal.calibration.problem() is None
 
@@ -327,13 +325,13 @@ def test_deadband_below_noise_is_reported() -> None:
 @pytest.mark.parametrize(
     ("channel", "points", "words"),
     [
-        (1, (2550, 3750, 4950, 3000), "reaches minimum and maximum: there is nothing"),
-        (1, (3700, 3750, 4950, 75), "reaches minimum: there is nothing between 0 and"),
-        (1, (1000, 3750, 4950, 75), "Minimum (400 µs) is beyond the input"),
-        (1, (2550, 3750, 5050, 75), "Maximum is beyond the 2000 µs that was reached"),
-        (1, (2450, 3750, 4950, 75), "Minimum is beyond the 1000 µs that was reached"),
+        (1, (2550, 3750, 4950, 3000), "reaches minimum and maximum: no output between"),
+        (1, (3700, 3750, 4950, 75), "reaches minimum: no output between 0 and"),
+        (1, (1000, 3750, 4950, 75), "Minimum (400 µs) is outside the input"),
+        (1, (2550, 3750, 5050, 75), "Maximum is beyond 2000 µs, the farthest value reached"),
+        (1, (2450, 3750, 4950, 75), "Minimum is beyond 1000 µs, the farthest value reached"),
         (1, (2550, 3500, 4950, 75), "It rests at 1500 µs: with this neutral it would"),
-        (3, (1250, 2750, 4700, 3000), "reaches maximum: there is nothing between 0 and full"),
+        (3, (1250, 2750, 4700, 3000), "reaches maximum: no output between 0 and full"),
     ],
 )
 def test_unsuitable_calibration_is_reported(

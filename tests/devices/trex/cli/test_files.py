@@ -80,7 +80,7 @@ def test_dry_run_prints_old_and_new_and_writes_nothing(
 @pytest.mark.parametrize(
     ("changes", "sentence"),
     [
-        ({"product": "TReX Jr"}, "settings of a TReX Jr, the board is a TReX 1.2"),
+        ({"product": "TReX Jr"}, "settings of a TReX Jr, but the board is a TReX 1.2"),
         ({"serial_timeout": 200}, "line 7: serial_timeout: 0 to 127"),
         ({"motor_mode": "joint"}, "motor_mode: 0 (independent) or 1"),
     ],

@@ -125,7 +125,7 @@ def test_other_file_is_not_overwritten(
     record = tmp_path / "record.csv"
     record.write_text("my,table\n1,2\n", "utf-8")
     result = trexcmd("provision", str(profile), "--record", str(record), exits=1)
-    assert "is no record of boards" in result.stderr
+    assert "is not a record of boards" in result.stderr
     assert record.read_text("utf-8") == "my,table\n1,2\n"
     head = "time,name,number,board,calibrations,differences,result,certainty\n"
     record.write_text(f"{head}now,robot,seven,TReX,,,ok,new\n", "utf-8")

@@ -196,6 +196,6 @@ def test_next_start_reports_differences_after_a_lost_cable(
 ) -> None:
     command = begun(start, quick_simulator, tmp_path / "s")
     quick_simulator.do("line unplug")
-    assert "The board may store other settings than before." in command.ends(1).stderr
+    assert "The settings in the board may have changed." in command.ends(1).stderr
     quick_simulator.do("line plug")
     assert trexcmd("diff", "--last", exits=1).stdout.startswith("required_channels  ")

@@ -57,5 +57,5 @@ def test_wheels_survive_packing() -> None:
     assert unpacked(packed(wheels)) == wheels
     assert unpacked("") == ()
     for text in ("7.3.1+", "7.1+", "x", "7.1.1"):
-        with pytest.raises(ValueError, match="no wheels"):
+        with pytest.raises(ValueError, match="not a list of wheels"):
             unpacked(text)

@@ -471,7 +471,7 @@ def test_first_error_while_writing_ends_the_work(new_line: NewStand) -> None:
         7: BoardStep.FAILED,
         9: BoardStep.SKIPPED,
     }
-    assert "other settings than when it was reviewed" in work.plans[0].problem
+    assert "have changed since the review" in work.plans[0].problem
     assert harness.line.boards[0].eeprom["serial_timeout"] == 8
     assert harness.line.boards[2].eeprom["serial_timeout"] == 0
     assert harness.boards.selected == 9

@@ -34,10 +34,10 @@ def test_moved_handle_gives_a_calibration_the_board_accepts(
     ("source", "handle", "count", "kept", "words"),
     [
         (InputSource.RC, Handle.MAXIMUM, 6250, 6250, ""),
-        (InputSource.RC, Handle.MAXIMUM, 7000, 6250, "A pulse is 500 µs to 2500 µs."),
-        (InputSource.RC, Handle.MINIMUM, 900, 1250, "A pulse is 500 µs to 2500 µs."),
-        (InputSource.ANALOG, Handle.MAXIMUM, 1100, 1023, "A voltage is 0.00 V to 5.00 V."),
-        (InputSource.ANALOG, Handle.MINIMUM, -9, 0, "A voltage is 0.00 V to 5.00 V."),
+        (InputSource.RC, Handle.MAXIMUM, 7000, 6250, "Pulses range from 500 µs to 2500 µs."),
+        (InputSource.RC, Handle.MINIMUM, 900, 1250, "Pulses range from 500 µs to 2500 µs."),
+        (InputSource.ANALOG, Handle.MAXIMUM, 1100, 1023, "Voltages range from 0.00 V to 5.00 V."),
+        (InputSource.ANALOG, Handle.MINIMUM, -9, 0, "Voltages range from 0.00 V to 5.00 V."),
     ],
 )
 def test_handle_is_limited_to_the_input_range(

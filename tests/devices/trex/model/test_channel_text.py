@@ -24,9 +24,9 @@ USUAL = Calibration(2500, 3750, 5000, 75)
 @pytest.mark.parametrize(
     ("channel", "mode", "state", "words"),
     [
-        (1, Mode.RC, {}, "Channel 1 drives motor 1; with the mix jumper on it steers."),
+        (1, Mode.RC, {}, "Channel 1 drives motor 1, or steers when the mix jumper is on."),
         (3, Mode.RC, {}, "auxiliary"),
-        (1, Mode.RC, {"mixed": True}, "steers: it moves both motors (the mix jumper is on)"),
+        (1, Mode.RC, {"mixed": True}, "steers with both motors (the mix jumper is on)"),
         (1, Mode.RC, {"mixed": False}, "drives motor 1 (the mix jumper is off)"),
         (2, Mode.RC, {"mixed": True}, "forward and back (the mix jumper is on)"),
         (2, Mode.RC, {"mixed": False}, "motor 2 (the mix jumper is off)"),
@@ -35,8 +35,8 @@ USUAL = Calibration(2500, 3750, 5000, 75)
         (1, Mode.ANALOG, {"joint": True, "mixed": True}, "both drivers power (joint mode"),
         (2, Mode.RC, {"joint": True}, "has no motor"),
         (4, Mode.RC, {"joint": True}, "flip"),
-        (1, Mode.RC, {"ignored": True, "reversed_": True}, "at neutral, whatever its input is."),
-        (5, Mode.SERIAL_RC, {"ignored": True}, "held off"),
+        (1, Mode.RC, {"ignored": True, "reversed_": True}, "at neutral, whatever its input."),
+        (5, Mode.SERIAL_RC, {"ignored": True}, "stays off"),
         (1, Mode.RC, {"reversed_": True}, "; it is reversed."),
         (4, Mode.RC, {}, "while the input is below about 1250 µs (inferred)"),
         (5, Mode.RC, {"reversed_": True}, "while the input is above about 1750 µs (inferred)"),
@@ -56,7 +56,7 @@ def test_override_is_reported_with_channel_5() -> None:
         for channel in (1, 2, 3, 4, 5)
     ]
     assert [
-        text.startswith("Does not drive now: serial commands override it.") for text in said
+        text.startswith("Has no effect now: serial commands override it.") for text in said
     ] == [
         *(True, True, True),
         *(False, False),
@@ -98,15 +98,15 @@ def test_values_within_their_ranges_are_no_concern() -> None:
 @pytest.mark.parametrize(
     ("calibration", "source", "words"),
     [
-        (Calibration(2500, 3750, 15000, 75), InputSource.RC, "Maximum (6000 µs) is beyond"),
-        (Calibration(250, 3750, 5000, 75), InputSource.RC, "Minimum (100 µs) is beyond"),
+        (Calibration(2500, 3750, 15000, 75), InputSource.RC, "Maximum (6000 µs) is outside"),
+        (Calibration(250, 3750, 5000, 75), InputSource.RC, "Minimum (100 µs) is outside"),
         (
             Calibration(1249, 3750, 6251, 75),
             InputSource.RC,
-            "Minimum (499.6 µs) is beyond",
+            "Minimum (499.6 µs) is outside",
         ),
-        (Calibration(100, 512, 1100, 20), InputSource.ANALOG, "Maximum (5.376 V) is beyond"),
-        (Calibration(2500, 7000, 9000, 75), InputSource.RC, "Neutral (2800 µs) is beyond"),
+        (Calibration(100, 512, 1100, 20), InputSource.ANALOG, "Maximum (5.376 V) is outside"),
+        (Calibration(2500, 7000, 9000, 75), InputSource.RC, "Neutral (2800 µs) is outside"),
     ],
 )
 def test_calibration_beyond_input_range_is_a_concern(
@@ -115,5 +115,5 @@ def test_calibration_beyond_input_range_is_a_concern(
     said = concern(calibration, source)
     assert said.startswith(words)
     assert said == unreachable_warning(calibration, source)
-    assert ("A pulse is 500 µs to 2500 µs." in said) is (source is InputSource.RC)
-    assert ("A voltage is 0.00 V to 5.00 V." in said) is (source is InputSource.ANALOG)
+    assert ("Pulses range from 500 µs to 2500 µs." in said) is (source is InputSource.RC)
+    assert ("Voltages range from 0.00 V to 5.00 V." in said) is (source is InputSource.ANALOG)

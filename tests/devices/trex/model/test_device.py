@@ -219,7 +219,7 @@ def test_doubt_about_the_record_is_said(recorder: RecorderOfBoard) -> None:
         device.motors.adapter = adapter
         recorder.connect(recorder.simulator.url, again=device.is_connected)
         recorder.until(lambda: device.records.files.is_idle)
-    assert "settings of this TReX on this computer are of 20" in "".join(said)
+    assert "settings saved for this TReX date from 20" in "".join(said)
 
 
 # --- Motors -----------------------------------------------------------------------------
@@ -289,7 +289,7 @@ def test_unplugged_cable_is_reported_within_half_a_second(connected: RecorderOfB
     connected.until_link(ConnectionState.DISCONNECTED)
     assert now() - begun < 0.5
     assert len(connected.failures) == 1
-    assert "Plug it in, then connect again" in connected.failures[0]
+    assert "Plug the adapter in, then connect again" in connected.failures[0]
     assert not connected.device.motors.is_available
 
 

@@ -341,7 +341,7 @@ def test_slow_disk_drops_samples_and_marks_the_gap() -> None:
     assert backlog.lost == 8
     assert backlog.get(0) == first
     backlog.put([Control(20.0, by_serial=True)])
-    text = "Samples missing here, because the disk was too slow: 8."
+    text = "Samples lost here because the disk was too slow: 8."
     assert backlog.get(0) == [Marker(20.0, "note", text), Control(20.0, by_serial=True)]
     backlog.close(21.0)
     assert backlog.get(0) is None

@@ -25,7 +25,7 @@ from trex_gui.core.recording.store import CHUNK, RecordingWriter
 from trex_gui.devices.trex.client.telemetry import Currents, ModeSample, Raw, Sample
 from trex_gui.devices.trex.recording import FORMAT, Header, Record
 
-NOT_ENDED = ["It was not ended; samples of the last seconds may be missing."]
+NOT_ENDED = ["The recording was not closed properly; samples of the last seconds may be missing."]
 
 
 @pytest.fixture(scope="module")
@@ -266,7 +266,7 @@ def test_other_database_is_rejected(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("statement", "message"),
     [
-        ("PRAGMA user_version = 2", "format, 2, is not known. A later version"),
+        ("PRAGMA user_version = 2", "format, 2, is unknown. A later version"),
         ("DROP TABLE marker", "The table marker is missing"),
         ("DELETE FROM header WHERE key = 'model'", r"the header is incomplete \('model'\)"),
         ("UPDATE header SET value = 'no' WHERE key = 'model'", "the header is incomplete"),
@@ -289,7 +289,7 @@ def test_other_database_is_rejected(tmp_path: Path) -> None:
         ),
         (
             "UPDATE header SET value = 'Mule 2' WHERE key LIKE 'device%'",
-            "a recording of another device: Mule 2. It opens where .* choose its port or its demo",
+            "a recording of another device: Mule 2. Select the port or the demo of that device",
         ),
     ],
 )
@@ -364,7 +364,7 @@ def test_huge_text_is_not_read(tmp_path: Path) -> None:
     )
     _, found, (problem,) = read_file(path)
     assert found == what
-    assert problem.startswith("Samples of marker among records")
+    assert problem.startswith("Samples of marker between records")
 
 
 def test_absurd_record_number_does_not_hang(tmp_path: Path) -> None:

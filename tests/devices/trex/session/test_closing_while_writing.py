@@ -152,7 +152,7 @@ def test_skipped_settings_can_be_written_later() -> None:
 def test_close_cancels_write_that_has_not_started() -> None:
     attempt = begun(CLOSED["everything"])
     attempt.stage.script.at(0.0, Close())
-    assert "closed before this was done" in str(run(attempt).outcome.error)
+    assert "closed before this was complete" in str(run(attempt).outcome.error)
     assert attempt.stored == attempt.case.before
 
 

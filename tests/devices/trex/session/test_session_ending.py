@@ -49,7 +49,7 @@ from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import BoardStation
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
-GONE = PortUnavailable("The line is gone. Plug it in again.")
+GONE = PortUnavailable("The line is gone. Plug the adapter in again.")
 
 
 # --- Closing ----------------------------------------------------------------------------
@@ -96,7 +96,7 @@ def test_close_does_not_wait_for_queued_requests(harness: SessionHarness) -> Non
     found = outcomes(reports)
     assert sorted(found) == [1, 2, 3]
     assert found[1].error is None  # it tells of each value; see test_closing_while_writing
-    assert all("closed before this was done" in str(found[id_].error) for id_ in (2, 3))
+    assert all("closed before this was complete" in str(found[id_].error) for id_ in (2, 3))
 
 
 @pytest.mark.parametrize("after", [0.0, 0.3, 1.0])

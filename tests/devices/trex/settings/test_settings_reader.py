@@ -79,7 +79,7 @@ def test_unknown_firmware_gives_warning() -> None:
             "serial_timeout: 1,000 ms",
             (
                 "serial_timeout: 0 to 127 (off to 12.7 s), not 1,000 ms; "
-                "1,000 may be 1 or 1000: write the one that you mean"
+                "1,000 is ambiguous: write 1 or 1000"
             ),
         ),
         (
@@ -302,7 +302,7 @@ def test_unsupported_content_is_rejected_with_its_line(
 
 @pytest.mark.parametrize("text", ["#" * (LARGEST_FILE + 1), b"#" * (LARGEST_FILE + 1)])
 def test_oversized_file_is_rejected_before_parsing(text: str | bytes) -> None:
-    assert only_finding(text) == "is larger than 256 KiB; settings are not that long"
+    assert only_finding(text) == "is larger than 256 KiB; settings are never that large"
 
 
 def test_file_of_maximum_size_is_read() -> None:

@@ -219,7 +219,7 @@ def test_card_describes_the_channel_in_the_current_mode(
     page.restart(quick_simulator, "jumper mode analog", "eeprom ignored_channels 8")
     assert page.text("pageState").startswith("Inputs are read as analog voltages. They control")
     page.select_channel(4)
-    assert page.text("channelDoes").endswith("ignored: it is held off, whatever its input is.")
+    assert page.text("channelDoes").endswith("ignored: it stays off, whatever its input.")
 
 
 def test_override_switch_changes_the_texts_at_once(
@@ -228,7 +228,7 @@ def test_override_switch_changes_the_texts_at_once(
     page.restart(quick_simulator, "jumper mode rc")
     assert page.text("channelDoes").startswith("Channel 1 drives motor 1")
     quick_simulator.do("channel 5 1000us")
-    page.wait(lambda: page.text("channelDoes").startswith("Does not drive now"))
+    page.wait(lambda: page.text("channelDoes").startswith("Has no effect now"))
     assert "override them now" in page.text("pageState")
     quick_simulator.do("channel 5 1500us")
     page.wait(lambda: page.text("channelDoes").startswith("Channel 1 drives motor 1"))
@@ -303,7 +303,7 @@ def test_inactive_source_is_shown_and_can_be_activated(
         button = page.button(name)
         assert not button.isEnabled(), name
         assert button.toolTip().startswith("The board reads RC pulses now,"), name
-        assert "make it read analog voltages" in button.toolTip(), name
+        assert "calibrations for analog voltages" in button.toolTip(), name
     assert page.is_enabled("learnAllButton")
     assert not page.has("requiredBox")
 

@@ -116,9 +116,9 @@ def test_handle_back_at_its_start_changes_nothing(driver: CurvePlotDriver, qtbot
 def test_axis_follows_a_handle_up_to_the_input_limits(driver: CurvePlotDriver) -> None:
     for handle, count, reached, words in (
         (Handle.MAXIMUM, 5800, 5800, ""),
-        (Handle.MAXIMUM, 7000, 6250, "A pulse is 500 µs to 2500 µs."),
+        (Handle.MAXIMUM, 7000, 6250, "Pulses range from 500 µs to 2500 µs."),
         (Handle.MINIMUM, 1600, 1600, ""),
-        (Handle.MINIMUM, 300, 1250, "A pulse is 500 µs to 2500 µs."),
+        (Handle.MINIMUM, 300, 1250, "Pulses range from 500 µs to 2500 µs."),
     ):
         start = driver.place(handle)
         end = QPoint(round(driver.plot.x_of(count)), start.y())

@@ -122,7 +122,7 @@ def test_review_compares_learned_with_stored_values(learning: LearningDialog) ->
         assert "reliably reached" not in learning.text(f"learnReasons{channel}")
         assert "exactly the same place" not in learning.text(f"learnReasons{channel}")
     reversal = learning.find(QLabel, "learnReversal2")
-    assert "reversed is suggested" in reversal.text()
+    assert "should be reversed" in reversal.text()
     assert reversal.font().bold()
     assert learning.stored() == learning.stored_before
 

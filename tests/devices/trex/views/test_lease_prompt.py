@@ -75,7 +75,7 @@ def test_driver_hands_over_on_request(served: ServedWindow) -> None:
     served.report(MINE)
     assert not served.question
     served.report(LeaseChanged("me", "me", is_mine=True, waiting=("bob",)))
-    assert "bob requests to drive" in served.question
+    assert "bob wants to drive" in served.question
     served.press("handOver")
     assert served.requested == [HandOver("bob")]
 

@@ -242,7 +242,7 @@ def test_missing_part_of_a_recording_is_reported(
     cut.write_bytes(cut.read_bytes()[:-100])
     damaged = RecordingWindow.open(loading(Playback(open_recording(cut))), qtbot)
     damaged.wait_for_text("bannerText", "not complete")
-    assert "It was not ended" in damaged.text("bannerText")
+    assert "The recording was not closed properly" in damaged.text("bannerText")
     damaged.window.close()
 
 

@@ -131,7 +131,7 @@ def test_profile_of_another_model_is_named_and_not_written(harness: ProvisionDia
 def test_file_that_is_no_record_is_not_overwritten(harness: ProvisionDialogDriver) -> None:
     harness.record.write_text("my,table\n", "utf-8")
     harness.start()
-    harness.window.wait_for_text("provisionTrouble", "no record")
+    harness.window.wait_for_text("provisionTrouble", "not a record")
     assert harness.work.step is ProvisionStep.PROFILE
     assert harness.record.read_text("utf-8") == "my,table\n"
 

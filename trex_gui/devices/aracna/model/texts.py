@@ -41,7 +41,10 @@ def drawing_text() -> str:
 
 
 def assumed_text() -> str:
-    return tr("Which leg is which is assumed; even motors are inner joints, odd ones outer.")
+    return tr(
+        "The order of the legs is assumed. Even motors are inner joints, odd motors "
+        "are outer joints."
+    )
 
 
 def missed_goals_text(state: RobotState) -> str:
@@ -94,7 +97,7 @@ def activity_text(state: RobotState, remaining: float) -> tuple[str, bool]:
     if state.uncertain:
         return tr("Unknown: the last motion may still be running."), True
     return tr(
-        "Nothing is sent. It may be moving: its state is unknown until the first move."
+        "Nothing is sent. The robot may be moving: its state is unknown until its first move."
     ), False
 
 
@@ -105,7 +108,7 @@ def ending_text(remaining: float) -> str:
 def _playing_text(state: RobotState) -> str:
     play, step = state.play, state.step
     if step is None:
-        return "" if play is None else tr("The sequence begins.")
+        return "" if play is None else tr("The sequence starts.")
     if step.part != "steps":
         return tr("Playing blend-in.") if step.part == "in" else tr("Playing blend-out.")
     number, round_ = step.index + 1, step.round + 1
@@ -126,8 +129,8 @@ def stuck_text(motor: int | None) -> str:
     hint = tr("Check its power and the cable.")
     if motor is not None:
         hint = tr(
-            "Check servo power, cable and whether it is blocked. A reset of the board ends the "
-            "wait; it does not stop the servos."
+            "Check the servo power, the cable, and whether the servo is blocked. Resetting "
+            "the board ends the wait, but does not stop the servos."
         )
     return f"{waiting_text(motor)} {hint}"
 

@@ -107,7 +107,7 @@ def _sine() -> Gait:
         position = 512 + 100 * math.sin(period * number / samples)
         pose = _within_limits(f"{number} of {samples}", (position,) * MOTORS)
         stages.append((pose, period / samples))
-    return _gait("sine", tr_noop("All motors together, 100 units about the centre."), *stages)
+    return _gait("sine", tr_noop("Moves all motors together, 100 units about the centre."), *stages)
 
 
 STAND_UP = _gait(
@@ -125,21 +125,22 @@ GAITS = (
     _gait(
         "self-test",
         tr_noop(
-            "To and fro between two poses; motors that stay more than 50 units off are suspect."
+            "Moves back and forth between two poses; a motor that ends more than 50 units "
+            "from its goal is suspect."
         ),
         (SELF_TEST_A, 1.0),
         (SELF_TEST_B, 1.0),
     ),
     _gait(
         "push-ups",
-        tr_noop("Down to half-stand and up again."),
+        tr_noop("Moves down to half-stand and up again."),
         (HALF_STAND, 1.0),
         (STAND, 1.0),
         ours=True,
     ),
     _gait(
         "lie down",
-        tr_noop("By way of half-stand to flat, from any position."),
+        tr_noop("Moves through half-stand to flat, from any position."),
         (HALF_STAND, 2.0),
         (FLAT, 2.0),
         cyclic=False,

@@ -32,9 +32,11 @@ def mismatch(poses: Iterable[Pose], motors: int) -> str:
     counts = {len(pose.positions) for pose in poses} - {motors}
     if not counts:
         return ""
-    text = tr("The poses are for {0} motors, the robot has {1}: the last positions are left out.")
+    text = tr(
+        "The poses are for {0} motors, but the robot has {1}: the last positions are ignored."
+    )
     if max(counts) < motors:
-        text = tr("The poses are for {0} motors, the robot has {1}: its last motors go to {2}.")
+        text = tr("The poses are for {0} motors, but the robot has {1}: its last motors go to {2}.")
     return text.format(max(counts), motors, CENTER)
 
 

@@ -171,7 +171,8 @@ class _Reader:
             pose = Pose(pose.name, pose.for_motors(motors))
         elif count > motors:
             text = tr(
-                "pose {0} has {1} positions for {2} servos; the last ones are kept, but not used"
+                "pose {0} has {1} positions for {2} servos; the last positions are kept, but "
+                "not used"
             )
             self.warn(number, text.format(pose.name, count, motors))
         self.poses.append((number, pose))
@@ -190,7 +191,10 @@ class _Reader:
                 first = next_numbers.get(item.name, 2)
                 name, next_numbers[item.name] = numbered_name(item.name, taken, first)
                 taken.add(name)
-                text = tr("line {0} has this {1} again, and counts; this one is called {2} now")
+                text = tr(
+                    "line {0} defines this {1} again and takes precedence; this one is "
+                    "now called {2}"
+                )
                 self.warn(number, text.format(last[item.name], tr(kind), name))
                 items[index] = (number, replace(item, name=name))
         return tuple(item for _, item in items)
@@ -201,7 +205,9 @@ def _no_header() -> str:
 
 
 def _pose(line: str) -> Pose:
-    name, values = _name(line, tr("neither a pose nor a sequence: it has no colon"), "pose")
+    name, values = _name(
+        line, tr("this is neither a pose nor a sequence: there is no colon"), "pose"
+    )
     positions = []
     for motor, field in enumerate(_fields(values)):
         position = _number(field)
@@ -213,7 +219,7 @@ def _pose(line: str) -> Pose:
 
 
 def _sequence(line: str) -> Sequence:
-    name, values = _name(line, tr("a sequence has a colon after its name"), "sequence")
+    name, values = _name(line, tr("a sequence needs a colon after its name"), "sequence")
     steps = []
     for field in _fields(values):
         pose_name, bar, time = field.strip().partition("|")

@@ -43,7 +43,7 @@ class Limits:
     def __post_init__(self) -> None:
         if not 0 <= self.low <= self.high <= HIGHEST:
             raise BadRequest(
-                tr("limits are 0 to {0} in order, not {1} to {2}").format(
+                tr("limits are 0 to {0}, the lower one first, not {1} to {2}").format(
                     HIGHEST, self.low, self.high
                 )
             )

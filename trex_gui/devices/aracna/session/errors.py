@@ -31,11 +31,11 @@ class ErrorCode(Enum):
         "connected."
     )
     ECHO = tr_noop(
-        "No Aracna responds on {0}: everything sent comes back, and nothing else."
-        " The adapter's TX and RX are joined; an Aracna never echoes."
+        "No Aracna responds on {0}: everything sent comes back, and nothing else arrives. "
+        "The adapter's TX and RX are joined; an Aracna never echoes."
     )
     BOOT_LOOP = tr_noop(
-        "An Aracna on {0} reports that it starts, but does not respond afterwards. It may be "
+        "An Aracna on {0} reports its start, but does not respond afterwards. It may be "
         "restarting repeatedly: check its power supply."
     )
     OTHER_DEVICE = tr_noop(
@@ -43,9 +43,7 @@ class ErrorCode(Enum):
         "at another baud rate, or interference on the line."
     )
     NOT_READY = tr_noop("The robot has not replied yet; it is still being queried.")
-    COMMAND_PENDING = tr_noop(
-        "One command at a time: the robot has not replied to the last one yet."
-    )
+    COMMAND_PENDING = tr_noop("The robot has not replied to the last command yet.")
     TIMEOUT = tr_noop("The robot did not reply in time.")
     UNEXPECTED_REPLY = tr_noop("The reply does not match the command: {0}.")
     MOTOR_STUCK = tr_noop("The robot is waiting for motor {0} and reads nothing until it responds.")
@@ -56,7 +54,8 @@ class ErrorCode(Enum):
     NO_SERVO_POWER = tr_noop("No motor accepted its speed. Check the servo power.")
     SPEEDS_UNCONFIRMED = tr_noop("The robot did not confirm its speeds, so no motor was moved. {0}")
     GOALS_MISSED = tr_noop(
-        "{0} It is blocked, or servo power was off. The sequence does not continue by itself."
+        "{0} The motor is blocked, or servo power was off. The sequence does not continue by "
+        "itself."
     )
     GOAL_MISSED = tr_noop("Motor {0} is at {1}, {2} from its goal {3}.")
     POSITION_UNREADABLE = tr_noop("Motor {0} did not report its position (−1).")
@@ -66,7 +65,7 @@ class ErrorCode(Enum):
     RESTARTED = tr_noop("The robot's board has restarted.")
     OTHER_ROBOT = tr_noop("Another robot now responds on this port.")
     NOT_RESPONDING = tr_noop("The robot stopped responding.")
-    CLOSED = tr_noop("The connection was closed before this was done.")
+    CLOSED = tr_noop("The connection was closed before this was complete.")
     INTERNAL = tr_noop("Internal error in the connection: {0}")
 
 

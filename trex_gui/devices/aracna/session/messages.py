@@ -216,7 +216,7 @@ class Ending(Enum):
     """End of a sequence. The value is a sentence for the user."""
 
     DONE = tr_noop("Played to the end.")
-    ENDED = tr_noop("The sequence has ended after its step.")
+    ENDED = tr_noop("The sequence ended after its step.")
     HALTED = tr_noop("The sequence was stopped.")
     RESTARTED = tr_noop("The sequence was aborted: the board has restarted.")
     STUCK = tr_noop("The sequence was aborted: the robot waits for a motor.")

@@ -79,7 +79,7 @@ class AracnaDecoder(Decoder):
     def _reply(self, reply: Reply) -> str:
         match reply:
             case Hello():
-                return tr("the robot has started, busy for a second")
+                return tr("the robot has started and is busy for a second")
             case Version(version=version, motors=int(motors)):
                 count = tr("1 motor") if motors == 1 else tr("{0} motors").format(motors)
                 return tr("firmware {0}, {1}").format(version, count)
@@ -104,7 +104,7 @@ def _answers(reply: Reply, sent: bytes) -> bool:
 def _command(sent: bytes) -> str:
     line, _, rest = sent.partition(b"\n")
     if rest:
-        return tr("{0}, then query whether it is free").format(_command(line))
+        return tr("{0}, then query whether the robot is free").format(_command(line))
     if (text := _COMMANDS.get(line)) is not None:
         return tr(text)
     values = line[2:].decode("latin-1").replace(",", ", ")

@@ -32,7 +32,10 @@ class DemoRobotView(DemoPanelBody[RobotSnapshot]):
             "aracnaDemoRepair",
             tr("Clear all faults"),
             icon="reload",
-            tip=tr("Servos alive, free and unloaded, a quiet line, everything switched on"),
+            tip=tr(
+                "Every servo works and is free to move, the line is quiet, everything is "
+                "switched on"
+            ),
             on_click=robot.repair,
         )
         columns = Columns(tr("Noise"), "5.0\u00a0%")
@@ -78,8 +81,8 @@ def _power_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
         "aracnaDemoServoPower",
         tr("Servo power"),
         tr(
-            "The power of the servos only: without it they stop, hold nothing and lose their "
-            "speeds; the firmware waits for them"
+            "Power of the servos only: without it they stop, go limp and lose their speeds; "
+            "the firmware waits for them"
         ),
         robot.set_servo_power,
         lambda snapshot: snapshot.servo_power,
@@ -157,25 +160,25 @@ def _cable_rows(robot: DemoRobot, columns: Columns, parent: QWidget) -> RobotRow
         accessible=tr("Cable plugged in"),
     )
     noise = tr(
-        "This share of the bytes is corrupted in either direction; this protocol does not "
-        "detect that, and a corrupted command may restart the firmware"
+        "This share of the bytes is corrupted in both directions; the protocol does not "
+        "detect this, and a corrupted command may restart the firmware"
     )
     loss_tip = tr(
-        "A lost byte of a command may leave too few values in it, which restarts the firmware"
+        "A command that loses a byte may have too few values, which restarts the firmware"
     )
     add_cable(
         rows,
         robot,
         "aracnaDemo",
-        mute=tr("The wire back is broken: the robot executes commands, no reply arrives"),
+        mute=tr("The return wire is broken: the robot executes commands, but no reply arrives"),
         noise=noise,
         faults=(
             (tr("Reply byte"), "drop 1"),
             (tr("Command byte"), "drop 1 sent"),
             (tr("Reply: end"), "cut 6"),  # 6 bytes: `.c`, a position and its comma
         ),
-        choice=("aracnaDemoLoss", tr("Loss to simulate"), loss_tip),
-        once=("aracnaDemoLose", tr("Lose it"), tr("Takes effect in the next transfer")),
+        choice=("aracnaDemoLoss", tr("Simulated loss"), loss_tip),
+        once=("aracnaDemoLose", tr("Lose"), tr("Takes effect in the next transfer")),
         cause=robot.lose,
         before=[(plugged, 1)],
     )

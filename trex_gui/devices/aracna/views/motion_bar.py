@@ -23,7 +23,10 @@ class StopSequenceButton(RedButton):
     def __init__(self, robot: Robot, name: str, parent: QWidget | None = None) -> None:
         super().__init__(name, title_of(tr("&Stop sequence")), robot.halt, parent)
         self.setToolTip(
-            tr("End the sequence, send nothing more, stay where the robot is (Esc, anywhere)")
+            tr(
+                "End the sequence and send nothing more; the robot stays where it is (Esc, "
+                "anywhere)"
+            )
         )
         self._robot = robot
         robot.link_changed.connect(self._on_link_changed)
@@ -54,8 +57,8 @@ class MotionBar(ActionBar):
         self._end.setMinimumHeight(self.stop.minimumHeight())
         self._activity = ui.named(Note(1, self), "aracnaMotionLabel")
         hint = tr(
-            "This link has no stop: a running motion ends only by itself, or by cutting the servo "
-            "power."
+            "This link has no stop command: a running motion ends by itself or when the "
+            "servo power is cut."
         )
         hint_label = ui.label(self, "aracnaHonestLabel", hint, wrap=True)
         texts = ui.column(self._activity, hint_label, spacing=2)

@@ -73,11 +73,15 @@ class RobotProblemsPage(ProblemsPage):
         stats = self._robot.state.stats
         finished = stats.replies + stats.timeouts + stats.corrupted
         answered = f"{Number(100 * stats.replies / max(finished, 1)):.1f} %"
-        timeouts = tr("Requests: {0}, without a reply: {1}.")
+        timeouts = tr("Requests: {0}, of which without a reply: {1}.")
         readings = (
             Reading(tr("Answered"), answered, timeouts.format(stats.requests, stats.timeouts)),
-            Reading(tr("Slowest reply"), f"{1000 * stats.slowest:.0f} ms", tr("Without motions")),
-            Reading(tr("Restarts seen"), str(stats.restarts)),
+            Reading(
+                tr("Slowest reply"),
+                f"{1000 * stats.slowest:.0f} ms",
+                tr("Motions are not included"),
+            ),
+            Reading(tr("Restarts detected"), str(stats.restarts)),
             Reading(tr("Corrupted replies"), str(stats.corrupted)),
             Reading(tr("Unrecognized lines"), str(stats.unrecognized)),
         )

@@ -123,7 +123,8 @@ class AracnaWorkspace(Workspace):
         texts = StartTexts(
             title=tr("Connect my {0}").format(self._controller.plugin.name),
             hint=tr(
-                "Give the legs room: this robot has no stop. Nothing moves until you choose Move."
+                "Keep clear of the legs: this robot has no stop command. Nothing moves until "
+                "you press Move."
             ),
             ways=(
                 StartWay(
@@ -131,9 +132,9 @@ class AracnaWorkspace(Workspace):
                         tr("ArbotiX"), tr("Adapter"), (("TX", "RX"), ("RX", "TX"), ("GND", "GND"))
                     ),
                     tr(
-                        "An FTDI cable at the header, or an XBee radio in the socket: both share "
-                        "one line. Switch on the servo power, too, without which the first move "
-                        "never ends."
+                        "Connect an FTDI cable to the header or plug an XBee radio into the "
+                        "socket: both share one line. Switch on the servo power as well; "
+                        "without it the first move never ends."
                     ),
                 ),
             ),

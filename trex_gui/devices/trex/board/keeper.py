@@ -37,7 +37,7 @@ def read_record(board: BoardIdentity, warn: Notify) -> BoardRecord | None:
     try:
         return BoardRecords().load(board)
     except SettingsError as error:
-        warn(f"The settings applied to this board before are not known. {error}")
+        warn(f"The settings last applied to this board are unknown. {error}")
         return None
 
 
@@ -141,7 +141,7 @@ class Keeper:
                         raise result.error
                 self.memory.restore(record)
             except StudioError as error:
-                self._inform(f"The board may store other settings than before. {error}")
+                self._inform(f"The settings in the board may have changed. {error}")
                 self._inform("`trexcmd diff --last` shows the differences.")
                 self._inform("The snapshot contains the previous settings.")
 

@@ -16,9 +16,9 @@ from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 
 DOUBTED = tr_noop(  # {0}: model, {1}: date of the record
-    "The notes, calibrations and applied settings of this {0} on this computer are of {1}, "
-    "when it was at another USB adapter or socket. If this is another board, give it "
-    "a device number of its own: boards with the same number share these files."
+    "The notes, calibrations and applied settings saved for this {0} date from {1}, when it "
+    "was connected through another USB adapter or socket. If this is another board, give it "
+    "its own device number: boards with the same number share these files."
 )
 
 

@@ -320,7 +320,7 @@ class BoardMirror:
         if was_read:
             text = tr("Disconnected")
             if may_move:
-                text = tr("Disconnected before a stop was confirmed: motors may still turn")
+                text = tr("Motors may still be turning: disconnected before a stop was confirmed")
             yield Event(now, EventKind.LINK, text, is_problem=may_move)
 
     def record_written(self, written: Written) -> None:

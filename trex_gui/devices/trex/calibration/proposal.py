@@ -14,9 +14,9 @@ _INSIDE_DEVIATIONS = 3.0  # standard deviations of the noise, added to `_INSIDE`
 _MIN_IDLE = 1 / 3  # minimum distance of an unreached end, as a fraction of the reached travel
 
 WHY_THESE_VALUES = tr_noop(
-    "The ends are 1 % of the travel and three times the noise inside the measured ones, so that "
-    "full output is reliably reached. The deadband covers the noise at rest, but is at least {0}, "
-    "since a stick does not return to exactly the same place each time."
+    "The ends lie inside the measured ends by 1 % of the travel plus three times the noise, "
+    "so that full output is reliably reached. The deadband covers the noise at rest, but is "
+    "at least {0}, because a stick does not return to exactly the same position each time."
 )
 """Reasons common to all channels. `{0}` is the smallest deadband."""
 
@@ -73,7 +73,7 @@ def _distance(neutral: Neutral, travel: Travel, way: Way) -> int:
 def _ends_reason(neutral: Neutral, travel: Travel) -> str:
     margins = [_margin(travel.length(way), neutral) for way in Way if travel.reached(way)]
     inside = swing_text(max(margins), neutral.source).removeprefix("±")
-    text = tr("The measured ends are up to {0} further out.").format(inside)
+    text = tr("The measured ends are up to {0} farther out.").format(inside)
     if (idle := travel.idle) is not None:
         text += " " + (
             tr(
@@ -106,13 +106,19 @@ def _reversal(travel: Travel, *, reversed_now: bool) -> tuple[bool, str]:
         case Task.SWITCH if travel.reached(Way.UP) != travel.reached(Way.DOWN):
             reversed_ = travel.reached(Way.UP)
             observation = (
-                tr("The other position is above the one at rest, which should be off")
+                tr("The other position reads higher than the rest position, which should be off")
                 if reversed_
-                else tr("The other position is below the one at rest, which should be off")
+                else tr(
+                    "The other position reads lower than the rest position, which should be off"
+                )
             )
         case _:
             return reversed_now, ""
     if reversed_ == reversed_now:
         return reversed_, ""
-    text = tr("{0}: reversed is suggested.") if reversed_ else tr("{0}: not reversed is suggested.")
+    text = (
+        tr("{0}, so the channel should be reversed.")
+        if reversed_
+        else tr("{0}, so the channel should not be reversed.")
+    )
     return reversed_, text.format(observation)

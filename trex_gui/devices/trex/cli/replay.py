@@ -101,7 +101,7 @@ class RecordedTraffic:
         all_rows = read_transcript(text, str(path), TrexDecoder())
         rows = [row for row in all_rows if not row.is_search]
         if not any(row.sent for row in rows):
-            message = tr("there is nothing to compare: nothing was sent, except to search")
+            message = tr("there is nothing to compare: only probes were sent")
             raise SettingsError.of(str(path), message)
         return cls.of(rows)
 

@@ -42,9 +42,9 @@ from trex_gui.devices.trex.protocol.framing import (
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number
 
 BOARD_DELAY = 0.005
-"""Longest delay of a reply in seconds: 1 ms response delay and half of the 10 ms cycle.
+"""Longest delay of a reply in seconds: half of the board's 10 ms cycle (inferred).
 
-Inferred, except for the response delay.
+This includes the response delay of 1 ms.
 """
 
 LONGEST_REPLY = 16  # in bytes: ten for five raw channels, a CRC, and the echo of the request

@@ -96,13 +96,13 @@ class DriveBlocker(Enum):
     )
     OTHER_DRIVES = (
         Effect.BLOCKS,
-        tr_noop("{0} drives this robot. You can watch it, and stop it."),
-        tr_noop("Arm motors asks {0} to hand it over."),
+        tr_noop("{0} drives this robot. You can watch and stop it."),
+        tr_noop("“Arm motors” asks {0} to hand over."),
     )
     NO_BOARD = (
         Effect.BLOCKS,
         tr_noop("No board is connected."),
-        tr_noop("Choose a port above and press Connect."),
+        tr_noop("Select a port above and press Connect."),
     )
     OPENING = (Effect.BLOCKS, tr_noop("The program is connecting to the board."))
     CLOSING = (Effect.BLOCKS, tr_noop("The connection is being closed."))
@@ -133,7 +133,7 @@ class DriveBlocker(Enum):
     GROUP = (
         Effect.BLOCKS,
         tr_noop("Board {0}, which is driven with this one, does not follow."),
-        tr_noop("Its diagram shows why. Drive alone drives the other board without it."),
+        tr_noop("Its diagram shows why. “Drive alone” drives the other board without it."),
     )
     NOT_ALLOWED = (Effect.BLOCKS, tr_noop("The motors cannot be armed at this moment."))
     STOPPED = (Effect.BLOCKS, tr_noop("Stopped. {0}"), tr_noop("Arm the motors again to continue."))

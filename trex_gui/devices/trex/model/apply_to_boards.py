@@ -180,7 +180,9 @@ class ApplyToBoards(QObject):
 
     def _write(self, number: int, changes: Comparison) -> None:
         if changes != next(plan.changes for plan in self.plans if plan.number == number):
-            problem = tr("Not written: the board stores other settings than when it was reviewed.")
+            problem = tr(
+                "Not written: the settings stored in the board have changed since the review."
+            )
             self._finish_board(number, BoardStep.FAILED, problem)
             return
         values = values_to_write(row for row in changes.rows if row.changed)

@@ -159,8 +159,8 @@ class BoardList(QObject):
         self.boards = tuple(present)
         self._save_numbers()
         text = tr(
-            "No other board replies on this line. Each needs power, the serial settings of this "
-            "one, and a device number of its own."
+            "No other board replies on this line. Each board needs power, the same serial "
+            "settings as this one, and its own device number."
         )
         if len(present) > 1:
             text = tr("%n board(s) on this line.", "", len(present))

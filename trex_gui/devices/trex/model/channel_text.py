@@ -25,20 +25,20 @@ SOURCE_NAMES = {
 }
 
 _TASKS = {
-    1: tr_noop("drives motor 1; with the mix jumper on it steers"),
-    2: tr_noop("drives motor 2; with the mix jumper on it drives forward and back"),
+    1: tr_noop("drives motor 1, or steers when the mix jumper is on"),
+    2: tr_noop("drives motor 2, or drives forward and back when the mix jumper is on"),
     3: tr_noop("drives the auxiliary motor, which turns one way only"),
     4: tr_noop("is the flip switch: motors 1 and 2 are swapped and reversed"),
     5: tr_noop("is the override switch: serial commands control the motors"),
 }
 _MIXED_TASKS = {
     (1, False): tr_noop("drives motor 1 (the mix jumper is off)"),
-    (1, True): tr_noop("steers: it moves both motors (the mix jumper is on)"),
+    (1, True): tr_noop("steers with both motors (the mix jumper is on)"),
     (2, False): tr_noop("drives motor 2 (the mix jumper is off)"),
     (2, True): tr_noop("drives both motors forward and back (the mix jumper is on)"),
 }
 _JOINT_TASKS = {
-    1: tr_noop("drives the one motor that both drivers power (joint mode, no mixing)"),
+    1: tr_noop("drives the single motor that both drivers power (joint mode, no mixing)"),
     2: tr_noop("has no motor: in joint mode both drivers power motor 1"),
 }
 _SWITCHES = (4, 5)
@@ -74,9 +74,9 @@ def function_text(
     `overridden` is true if serial commands control a board in RC or analog mode.
     """
     if curve is not None and curve.ignored:
-        task = tr("is ignored: it is held at neutral, whatever its input is")
+        task = tr("is ignored: it is held at neutral, whatever its input")
         if channel in _SWITCHES:
-            task = tr("is ignored: it is held off, whatever its input is")
+            task = tr("is ignored: it stays off, whatever its input")
     else:
         task = _TASKS[channel]
         if joint:
@@ -93,7 +93,7 @@ def function_text(
     if mode.is_serial:
         text = tr("In RC and analog mode it {1}.")
     elif overridden and channel not in _SWITCHES:
-        text = tr("Does not drive now: serial commands override it. Otherwise it {1}.")
+        text = tr("Has no effect now: serial commands override it. Otherwise it {1}.")
     elif overridden and channel == 5:
         text = tr("On now. It {1}.")
     else:
@@ -104,14 +104,15 @@ def function_text(
 def source_instructions(source: InputSource, mode: Mode) -> str:
     if mode.is_serial:
         text = tr(
-            "The board reads {0} now, and only shows and accepts calibrations for them. To see "
-            "these, make it read {1}: set Channel Input Source, apply, and switch the board off "
-            "and on."
+            "The board reads {0} now, and shows and accepts only their calibrations. To see "
+            "the calibrations for {1}, set Channel Input Source, apply, and switch the board "
+            "off and on."
         )
     else:
         text = tr(
-            "The board reads {0} now, and only shows and accepts calibrations for them. To see "
-            "these: switch it off, put the mode jumper to {2}, switch it on."
+            "The board reads {0} now, and shows and accepts only their calibrations. To see "
+            "these calibrations, switch the board off, set the mode jumper to {2}, and switch the "
+            "board on."
         )
     return text.format(tr(SOURCE_NAMES[mode.source]), tr(SOURCE_NAMES[source]), source.word)
 
@@ -142,7 +143,9 @@ def wrong_order(calibration: Calibration, source: InputSource) -> str:
 
 def input_range_text(source: InputSource) -> str:
     text = (
-        tr("A pulse is {0} to {1}.") if source is InputSource.RC else tr("A voltage is {0} to {1}.")
+        tr("Pulses range from {0} to {1}.")
+        if source is InputSource.RC
+        else tr("Voltages range from {0} to {1}.")
     )
     return text.format(source.text(source.lowest_count), source.text(source.highest_count))
 
@@ -156,10 +159,12 @@ def unreachable_warning(calibration: Calibration, source: InputSource) -> str:
     lowest, highest = source.lowest_count, source.highest_count
     range_text = input_range_text(source)
     if not lowest <= calibration.neutral <= highest:
-        text = tr("Neutral ({0}) is beyond the input. {1} No stick position gives 0.")
+        text = tr("Neutral ({0}) is outside the input range. {1} No stick position gives 0.")
         return text.format(_exact_text(calibration.neutral, source), range_text)
     ends = {tr("Minimum"): calibration.minimum, tr("Maximum"): calibration.maximum}
-    text = tr("{0} ({1}) is beyond the input. {2} Full output on that side is never reached.")
+    text = tr(
+        "{0} ({1}) is outside the input range. {2} Full output on that side is never reached."
+    )
     return " ".join(
         text.format(end, _exact_text(count, source), range_text)
         for end, count in ends.items()
@@ -188,6 +193,6 @@ def deadband_problem(calibration: Calibration, source: InputSource, *ends: str) 
     if not reached:
         return ""
     return tr(
-        "The deadband ({0} to each side of neutral) reaches {1}: there is nothing between 0 and "
-        "full output."
+        "The deadband ({0} to each side of neutral) reaches {1}: no output between 0 and "
+        "full is possible."
     ).format(source.text(calibration.deadband), tr(" and ").join(reached))

@@ -20,13 +20,13 @@ _SIGNAL_UNITS = {InputSource.RC: "US", InputSource.ANALOG: "V"}
 
 BOOT_TEXTS = {  # step of a boot mode, as reported by `show` → text for the user
     "learning: ready": tr_noop("Learning: remove the Mix jumper to begin."),
-    "learning: waiting for a signal": tr_noop("Learning: waits for a signal on any input."),
+    "learning: waiting for a signal": tr_noop("Learning: waiting for a signal on any input."),
     "learning: neutrals": tr_noop("Learning: leave the sticks centred for two seconds."),
-    "learning: neutrals learned": tr_noop("Learning: one flash per input; green is learned."),
+    "learning: neutrals learned": tr_noop("Learning: one flash per input; green means learned."),
     "learning: extremes": tr_noop("Learning: hold each stick at both ends, ten seconds in all."),
-    "learning: done": tr_noop("Learned; green is good. Remove SO–G, then power cycle."),
+    "learning: done": tr_noop("Learned; green means good. Remove SO–G, then power-cycle."),
     "boot loader: requested": tr_noop("Boot loader: remove Mix, then SO–G."),
-    "boot loader: ready": tr_noop("Boot loader: waits for firmware. Power cycle to leave."),
+    "boot loader: ready": tr_noop("Boot loader: waiting for firmware. Power-cycle to leave."),
 }
 
 

@@ -253,7 +253,7 @@ class Device(QObject):
 
     def _on_reloaded(self, outcome: Outcome) -> None:
         if outcome.error is not None:
-            text = tr("Reading again failed. {0}")
+            text = tr("The settings could not be read again. {0}")
             self._on_request_failed(text.format(error_text(outcome.error)))
 
     @Slot(object)
@@ -318,13 +318,15 @@ class Device(QObject):
             return
         pending, before = self.draft.pending, self.draft.stored
         if read.is_changed:
-            self.writer.give_up(tr("Nothing was written: other settings were read from the board."))
+            self.writer.give_up(
+                tr("Nothing was written: the settings read from the board have changed.")
+            )
         if read.is_new:
             self.calibrations.clear_last_known()
         is_same_kind = self.parameters.model_key == state.signature.model.key
         if pending and before is not None and not is_same_kind:
             text = tr(
-                "%n edit(s) not applied to the previous {0}: kept, and offered when it is "
+                "%n edit(s) not applied to the previous {0}: saved, and offered when it is "
                 "connected again.",
                 "",
                 pending,
@@ -359,7 +361,7 @@ class Device(QObject):
         self.writer.give_up(tr("Nothing was written: another board was selected."))
         if pending := self.draft.pending:
             text = tr(
-                "%n edit(s) of the former board kept: they return when it is selected again.",
+                "%n edit(s) of the previous board saved: they return when it is selected again.",
                 "",
                 pending,
             )
@@ -374,8 +376,8 @@ class Device(QObject):
         """Report all files so far, because each message replaces the last message."""
         self._replaced.append(path)
         text = tr(
-            "Edits, notes or settings were kept here for another board with this device number. "
-            "They are in {0} now."
+            "Edits, notes or settings of another board with this device number were saved "
+            "here. They are now in {0}."
         )
         self.notifier.info.emit(text.format(", ".join(map(str, self._replaced))))
 
@@ -426,7 +428,7 @@ class Device(QObject):
         settings = self.settings
         is_noisy = self.board.quality.is_noisy
         if self.motors.armed and is_noisy and settings and not settings.line.has_crc:
-            text = tr("Noise on the line can turn a motor another way for an instant.")
+            text = tr("Noise on the line can make a motor turn the wrong way for a moment.")
             self.notifier.report(text, (Remedy.SET_UP_CRC,))
 
     @Slot(object)

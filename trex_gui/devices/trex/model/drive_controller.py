@@ -395,8 +395,9 @@ class DriveController(QObject):
         self._lost_settings = None
         if settings is not None and self.place != self._lost_place:
             text = tr(
-                "The line to {0} was lost before a stop was confirmed. The board at this port has "
-                "confirmed one; if it is another board, cut the power of the first."
+                "The connection to {0} was lost before a stop was confirmed. The board now "
+                "at this port has confirmed a stop; if it is another board, cut the power of "
+                "the first."
             )
             self._notifier.error.emit(text.format(lost.label))
 

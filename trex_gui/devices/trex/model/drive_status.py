@@ -76,7 +76,7 @@ def held_drive_blocker(device: Device, holder: str) -> str:
     if not motors.armed:
         return tr("Put the robot on blocks, then arm the motors.")
     if motors.holder not in {"", holder}:
-        return tr("Another control drives now.")
+        return tr("Another control is driving now.")
     if not motors.holder and (is_moving or motors.auxiliary > 0):
-        return tr("Bring the motors to rest first ({0}).").format(motors.text)
+        return tr("Stop the motors first ({0}).").format(motors.text)
     return ""

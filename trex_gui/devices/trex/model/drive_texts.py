@@ -113,8 +113,8 @@ def timeout_warning_on(
         )
     elif stop is TimeoutStop.FAILED:
         text = tr(
-            "Serial timeout is on, but it did not stop the motors of this board when it was tried: "
-            "they keep turning if the cable or this computer fails."
+            "Serial timeout is on, but it did not stop the motors of this board when it was "
+            "tested: they keep turning if the cable or this computer fails."
         )
         return TimeoutWarning(text, None)
     elif stop is TimeoutStop.DOUBTFUL:
@@ -125,8 +125,9 @@ def timeout_warning_on(
         better = max(better, timeout)
     elif stop is TimeoutStop.REFUTED:
         text = tr(
-            "UART-Error Shutdown is off, and the serial timeout did not stop the motors of this "
-            "board when it was tried: they keep turning if the cable or this computer fails."
+            "UART-Error Shutdown is off, and the serial timeout did not stop the motors of "
+            "this board when it was tested: they keep turning if the cable or this computer "
+            "fails."
         )
         better = max(better, timeout)
     elif timeout >= better or survives(timeout):

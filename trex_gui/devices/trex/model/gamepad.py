@@ -98,7 +98,7 @@ class Gamepad(QObject):
     def select(self, pad: Pad) -> None:
         if pad in self.pads and pad != self.pad:
             self._store.set("gamepad/last", pad.guid)
-            self._control.abort(tr("Another gamepad was chosen."))
+            self._control.abort(tr("Another gamepad was selected."))
             self._set_pad(pad)
             self._refresh()
 
@@ -218,7 +218,7 @@ class Gamepad(QObject):
         if not self._motors.armed:
             return tr("Arm the motors first.")
         if self._motors.holder and not self.drives:
-            return tr("Another control drives now.")
+            return tr("Another control is driving now.")
         held = button_text(self.pad, self.profile.hold)
         return self._waits_text().format(held) if self._has_read else self.text
 
@@ -226,8 +226,8 @@ class Gamepad(QObject):
         match self.request.waits_for:
             case DriveCondition.REST:
                 return tr(
-                    "Release the sticks: driving starts only after both axes have been at rest. "
-                    "A worn stick may need a wider dead zone."
+                    "Release the sticks: driving starts only once both axes have been at "
+                    "rest. A worn stick may need a wider dead zone."
                 )
             case DriveCondition.RELEASE:
                 return tr("Release {0}, then hold it to drive.")
@@ -268,9 +268,9 @@ def _with_part(text: str, part: str) -> str:
         "dpdown": tr("D-pad down"),
         "dpleft": tr("D-pad left"),
         "dpright": tr("D-pad right"),
-        "a": tr("A, the lowest of four"),
-        "b": tr("B, the right one of four"),
-        "x": tr("X, the left one of four"),
-        "y": tr("Y, the highest of four"),
+        "a": tr("A (the bottom button)"),
+        "b": tr("B (the right button)"),
+        "x": tr("X (the left button)"),
+        "y": tr("Y (the top button)"),
     }
     return f"{text} ({words.get(part, part)})" if part else text

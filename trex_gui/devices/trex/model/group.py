@@ -64,7 +64,7 @@ class BoardGroup(QObject):
 
     @property
     def can_change(self) -> bool:
-        """True unless a server owns the group."""
+        """True for a direct connection. A server owns its group."""
         settings = self._device.settings
         return settings is not None and not is_served(settings.url)
 

@@ -119,7 +119,9 @@ def read_count(text: str) -> tuple[int, InputSource | None]:
             return InputSource.RC.counts(seconds * 1e6), InputSource.RC
         if (volts := quantity(number, "V", thousands=False)) is not None:
             return InputSource.ANALOG.counts(volts), InputSource.ANALOG
-    raise BadRequest(tr("it is counts (3750), or like 1500us or 2.5V, not {0}").format(text))
+    raise BadRequest(
+        tr("it is a number of counts (3750) or has a unit (1500us, 2.5V), not {0}").format(text)
+    )
 
 
 def encode_14_bits(value: int) -> bytes:

@@ -141,7 +141,7 @@ class GetSerialControl(Command[bool]):
 
     def parse(self, reply: bytes) -> bool:
         if reply[0] > 1:
-            raise BadReply(tr("0 or 1 says who controls the motors, not {0}").format(reply[0]))
+            raise BadReply(tr("the control flag is 0 or 1, not {0}").format(reply[0]))
         return bool(reply[0])
 
 

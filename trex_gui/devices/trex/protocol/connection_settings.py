@@ -66,7 +66,7 @@ class ConnectionSettings(PortSettings):
             )
             _ = settings.framing  # raises if the device number is missing or reserved
         except (KeyError, ValueError) as error:
-            raise BadRequest(tr("{0!r} are no settings of a board").format(text)) from error
+            raise BadRequest(tr("{0!r} are not settings of a board").format(text)) from error
         return settings
 
     def at(self, line: SerialFormat) -> PortSettings:
@@ -86,7 +86,7 @@ class ConnectionSettings(PortSettings):
         """
         group = tuple(seven_bits(number, tr("device number")) for number in numbers)
         if len(set(group)) < 2 or len(set(group)) < len(group) or self.reserved & set(group):
-            raise BadRequest(tr("Boards that are driven together need numbers of their own."))
+            raise BadRequest(tr("Boards that are driven together need different device numbers."))
         return replace(self, device_number=group[0], group=group)
 
     def of_board(self, number: int) -> "ConnectionSettings":

@@ -30,12 +30,12 @@ _FIELD_TEXTS = {
 _FIXED_TEXTS: dict[type[c.Command[Any]], str] = {
     c.GetSignature: tr_noop("get signature"),
     c.GetMode: tr_noop("get mode"),
-    c.GetSerialControl: tr_noop("get whether serial controls the motors"),
-    c.GetStatus: tr_noop("get status bits, and clear them"),
-    c.GetUartErrors: tr_noop("get UART error bits, and clear them"),
+    c.GetSerialControl: tr_noop("get serial control flag"),
+    c.GetStatus: tr_noop("get and clear status bits"),
+    c.GetUartErrors: tr_noop("get and clear UART error bits"),
     c.GetCurrents: tr_noop("get currents of both motors"),
-    c.GetCalibratedChannels: tr_noop("get which calibrations differ from the default"),
-    c.Null: tr_noop("null command: nothing"),
+    c.GetCalibratedChannels: tr_noop("get channels with a changed calibration"),
+    c.Null: tr_noop("null command (no effect)"),
 }
 
 _MODE_NAMES = {

@@ -85,7 +85,7 @@ class DeviceTable:
             if model.key == key:
                 return model
         known = ", ".join(model.key for model in self.models)
-        raise BadRequest(tr("the models are {0}, not {1!r}").format(known, key))
+        raise BadRequest(tr("the model is {0}, not {1!r}").format(known, key))
 
 
 @cache

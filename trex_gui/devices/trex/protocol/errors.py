@@ -24,13 +24,14 @@ class ErrorCode(Enum):
     NO_BOARD = tr_noop(
         "No TReX responds on {0}. Check that the board has power (an LED is lit), that the "
         "adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that "
-        "ground is connected, and that the board's serial settings are these. If both LEDs blink "
-        "together, the board is in learning mode: remove the SO–G jumper, then switch it off and "
-        "on."
+        "ground is connected, and that the serial settings match those of the board. If both "
+        "LEDs blink together, the board is in learning mode: remove the SO–G jumper, then "
+        "switch it off and on."
     )
     ECHO_ONLY = tr_noop(
-        "Everything sent on {0} comes back, and nothing else. Either this is the RS-232 side of a "
-        "board that is off or set to another baud rate, or the adapter's TX and RX are joined."
+        "Everything sent on {0} comes back, and nothing else arrives. Either this is the "
+        "RS-232 side of a board that is off or set to another baud rate, or the adapter's TX "
+        "and RX are joined."
     )
     OTHER_DEVICE = tr_noop(
         "Something responds on {0}, but not like a TReX. {1} Usually the baud rate, parity or CRC "
@@ -42,12 +43,13 @@ class ErrorCode(Enum):
         "settings may be those of the factory now: 19200 baud, no parity, no CRC."
     )
     QIK = tr_noop(
-        "The device on {0} responds like a Pololu qik, not like a TReX. This program does not "
-        "support it: choose the port of the TReX, or connect the adapter to the TReX."
+        "The device on {0} responds like a Pololu qik, not like a TReX. This program does "
+        "not support it: select the port of the TReX, or connect the adapter to the TReX."
     )
     SEVERAL_BOARDS = tr_noop(
-        "Several boards reply at once on {0} at {1}. Find asks for each device number; of boards "
-        "that share one, switch off all but one and give it a number of its own."
+        "Several boards reply at once on {0} at {1}. “Find” tries each device number. If "
+        "boards share a number, switch off all but one of them and give that board its own "
+        "number."
     )
     OTHER_LINE = tr_noop(
         "A {1} responds on {0} at {2}, but this connection uses {3}. Connect with the settings "
@@ -62,7 +64,7 @@ class ErrorCode(Enum):
         "Connect with the settings of the board."
     )
     REPLIES_LOST = tr_noop(
-        "A {1} responds on {0} only some of the time: the line loses or corrupts bytes. Check "
+        "A {1} responds on {0}, but not every time: the line loses or corrupts bytes. Check "
         "cable and ground, keep motor leads away from them, then connect again."
     )
     # Transactions
@@ -110,20 +112,20 @@ class ErrorCode(Enum):
         "previous board is still selected."
     )
     NUMBER_TAKEN = tr_noop(
-        "Another board on this line has the device number {0}. Choose a number that is free."
+        "Another board on this line has the device number {0}. Select a number that is free."
     )
     LEFT_GROUP = tr_noop("Board {0} no longer follows: it fell silent, was stopped or restarted.")
     NO_SUCH_BOARD = tr_noop("Board {0} does not belong to the boards driven together here.")
     OF_BOARD = tr_noop("Board {0}: {1}")
     IN_GROUP = tr_noop(
-        "Boards that are driven together keep their numbers, none can be selected, and no typed "
-        "packet can store anything. Connect to this board alone."
+        "While boards are driven together, no device number can be changed, no board can be "
+        "selected, and no typed packet can store anything. Connect to this board alone."
     )
     # Boards that are served to several clients
-    OTHER_DRIVES = tr_noop("Another user drives this board. Ask to have it handed over.")
+    OTHER_DRIVES = tr_noop("Another user drives this board. Ask that user to hand over.")
     MAY_NOT_DRIVE = tr_noop("You may watch this board and stop it, but not drive or change it.")
     MAY_NOT_TAKE = tr_noop("Only an owner may take over from another user.")
-    LEASE_LOST = tr_noop("Driving was handed over, or its heartbeat did not reach the robot.")
+    LEASE_LOST = tr_noop("Driving was handed over, or the heartbeat did not reach the robot.")
     # Writes
     BAD_PARAMETER = tr_noop(
         "{0}: the board does not know this parameter (code 1); its firmware may be too old for it"
@@ -162,7 +164,7 @@ class ErrorCode(Enum):
     )
     # The session
     SCANNING = tr_noop("The board is not responding; scanning for it.")
-    CLOSED = tr_noop("The connection was closed before this was done.")
+    CLOSED = tr_noop("The connection was closed before this was complete.")
     INTERNAL = tr_noop("Internal error in the connection: {0}")
 
 

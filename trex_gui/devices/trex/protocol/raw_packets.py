@@ -87,7 +87,7 @@ def parse_hexadecimal(text: str) -> bytes:
         raise BadRequest(tr("Enter bytes in hexadecimal, such as 86 1F."))
     if len(data) > _BYTE_LIMIT:
         raise BadRequest(
-            tr("{0} bytes are too many: at most {1} are sent at once.").format(
+            tr("{0} bytes are too many: at most {1} can be sent at once.").format(
                 len(data), _BYTE_LIMIT
             )
         )

@@ -68,7 +68,7 @@ class Robots:
         with ThreadPoolExecutor(_CONNECTION_LIMIT) as pool:
             errors = pool.map(self._stop, boards)
             results = {board.url: error for board, error in zip(boards, errors, strict=True)}
-        return results | dict.fromkeys(missing, tr("It did not answer."))
+        return results | dict.fromkeys(missing, tr("It did not respond."))
 
     def _rows_at(self, address: Address) -> list[dict[str, Any]]:
         try:
@@ -86,7 +86,7 @@ class Robots:
             replies = self._get(board, board.name, "stop", user, seconds=_STOP_TIMEOUT_S)
         except StudioError as error:
             return str(error)
-        return str(json.loads(replies[0])["error"]) if replies else tr("It did not answer.")
+        return str(json.loads(replies[0])["error"]) if replies else tr("It did not respond.")
 
     def _get(self, address: Address, *parts: str, seconds: float) -> list[bytes]:
         """Return the replies of a host. Reconnect if the open connection brings no reply."""

@@ -183,7 +183,11 @@ class SettingsHistory:
                 )
         name = cleaned.get("name", "")
         if name.isdecimal():
-            raise BadRequest(tr("{0} would be the number of a snapshot.").format(name))
+            raise BadRequest(
+                tr("A name cannot be a number like {0}, because snapshots have numbers.").format(
+                    name
+                )
+            )
         if name and any(other.name == name != snapshot.name for other in self.snapshots()):
             raise BadRequest(tr("Another snapshot has the name {0}.").format(name))
         lines = load(snapshot.path).split(b"\n")  # other lines do not change

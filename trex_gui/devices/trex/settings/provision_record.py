@@ -59,7 +59,7 @@ class ProvisionRecord:
         try:
             reader = csv.DictReader(io.StringIO(self._saved.decode("utf-8-sig"), newline=""))
             if self._saved and reader.fieldnames != _COLUMNS:
-                text = tr("{0} is no record of boards. Select another file.")
+                text = tr("{0} is not a record of boards. Select another file.")
                 raise BadRequest(text.format(file))
             self._rows = [ProvisionedBoard.of(row) for row in reader]
         except (TypeError, ValueError, csv.Error) as error:

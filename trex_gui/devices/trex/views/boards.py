@@ -147,8 +147,8 @@ class BoardPanel(QWidget):
         tips = {
             Presence.SILENT: tr("It replied before. Check its power and its wires."),
             Presence.UNREADABLE: tr(
-                "Several boards seem to have this number. Switch off all but one, and give it "
-                "a number of its own."
+                "Several boards seem to have this number. Switch off all but one, and give "
+                "that board its own number."
             ),
         }
         while self._list.count() > len(boards):
@@ -231,9 +231,9 @@ class NumberDialog(QObject):
             return None
         after = settings_after(stored, [(ParameterKey.DEVICE_NUMBER, new)])
         text = tr(
-            "The line is first searched for the new number: if another board has it, nothing is "
-            "written. A board that is off, or has other serial settings, cannot be found. A "
-            "snapshot is saved, then the new number takes effect at once."
+            "The line is first searched for the new number: if another board has it, nothing "
+            "is written. A board that is off, or has other serial settings, cannot be found. "
+            "Then a snapshot is saved, and the new number takes effect at once."
         )
         return Changes(
             title_of(tr("Change device nu&mber…")),

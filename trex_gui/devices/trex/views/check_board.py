@@ -36,8 +36,8 @@ _LED_STATES = (
         tr_noop("Red on"),
         tr_noop("Running, serial commands control the motors"),
         tr_noop(
-            "Compare the wires with the picture, then search with Find. Green lights while the "
-            "board receives a command: if it never does, nothing arrives."
+            "Compare the wires with the picture, then search with “Find”. Green lights while "
+            "the board receives a command: if it never lights, nothing arrives."
         ),
     ),
     (
@@ -46,8 +46,8 @@ _LED_STATES = (
         tr_noop("Running, the channels control the motors"),
         tr_noop(
             "As above: the board also responds in RC and analog mode. Red lights while it "
-            "receives a command. Fast flashes are safe-start; five at the start say which channels "
-            "are learned."
+            "receives a command. Fast flashes mean safe-start; five flashes at the start "
+            "show which channels are learned."
         ),
     ),
     (
@@ -93,7 +93,7 @@ class LedsPage(Page):
             rows.addLayout(about, row, 1)
         rows.setRowStretch(len(_LED_STATES), 1)
         sketch = WiringSketch(ttl_wiring(), "checkWiring", self.side)
-        text = tr("Mode may also be on: the board responds in every mode.")
+        text = tr("The mode jumper may also be on: the board responds in every mode.")
         ui.column((sketch, 1), Muted(text, self.side), into=self.side, margins=0)
 
 

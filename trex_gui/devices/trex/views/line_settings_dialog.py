@@ -28,9 +28,8 @@ class LineSettingsDialog(ReusedDialog):
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(title_of(tr("&Line settings…")))
         text = tr(
-            "These must be the settings that the board has now. A new board talks at 19200 baud, "
-            "without error detection, with one stop bit. Changing them here changes nothing in the "
-            "board."
+            "These settings must match those of the board. A new board uses 19200 baud, no "
+            "error detection and one stop bit. Changing them here does not change the board."
         )
         intro = ui.label(self, "", text, wrap=True)
         self._line = ui.named(LineSettingsEditor(self), "lineEditor")
@@ -41,9 +40,9 @@ class LineSettingsDialog(ReusedDialog):
         self._addressed = ui.check_box(self, "addressedBox", text)
         self._number = ui.spin_box(self, "deviceNumberField", "", 0, 127)
         tip = tr(
-            "Numbers of other devices on this line, such as 0,1 (older Pololu motor and servo "
-            "controllers). If there are any, every packet is addressed, none to these numbers, and "
-            "no other baud rate is tried."
+            "Device numbers of other devices on this line, such as 0,1 (older Pololu motor "
+            "and servo controllers). If you enter any, every packet has an address, none is "
+            "sent to these numbers, and no other baud rate is tried."
         )
         self._reserved = ui.named(QLineEdit(self), "reservedField", tip=tip)
         self._reserved.setValidator(QRegularExpressionValidator(_NUMBERS, self))

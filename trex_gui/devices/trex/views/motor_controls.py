@@ -249,7 +249,7 @@ class ArmButton(ConfirmButton):
             self.setText(text)
             self.setDown(False)  # the button under the mouse now has another effect
             self.hold_off()
-        tip = tr("Stops the motors, and sends nothing until they are armed again")
+        tip = tr("Stops the motors and sends them no command until they are armed again")
         if not armed:
             tip = tr("Lets both motors and the auxiliary be driven; nothing moves yet")
         self.setToolTip(tip)

@@ -24,7 +24,7 @@ class NoteField(QPlainTextEdit):
         self._undo_step = object()
         named(self, name, accessible=tr("Note"))
         self.setTabChangesFocus(True)
-        hint = tr("Why this value? Kept on this computer and in files.")
+        hint = tr("Why this value? Saved on this computer and in files.")
         if lines > 1:
             self.setPlaceholderText(hint)
         else:

@@ -184,7 +184,7 @@ class LeasePrompt(QObject):
             lease = self._device.board.lease
             return lease is not None and lease.is_mine and user in lease.waiting
 
-        text = tr("{0} requests to drive. Handing over stops the motors.").format(user)
+        text = tr("{0} wants to drive. Handing over stops the motors.").format(user)
         submit = partial(self._device.connection.submit, HandOver(user))
         self._question.prompt(text, Answer("handOver", tr("Hand over"), submit), still=is_valid)
 

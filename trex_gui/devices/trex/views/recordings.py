@@ -88,7 +88,7 @@ class Recordings(RecordingManager["PlaybackWindow"]):
 
     @Slot(str)
     def _on_event_failed(self, reason: str) -> None:
-        text = tr("The seconds around “{0}” could not be kept. {1}")
+        text = tr("The seconds around “{0}” could not be saved. {1}")
         self._notifier.logged.emit(text.format(self.events.cause, reason), True)
 
     def close_all(self) -> None:

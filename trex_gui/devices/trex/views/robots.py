@@ -42,9 +42,7 @@ class RobotsDialog(ReusedDialog):
         self.setObjectName("robotsDialog")
         self.setWindowTitle(title_of(tr("Robots on the net&work…")))
         resize_with_font(self, 820, 420)
-        about = tr(
-            "Served with trexcmd serve: by this computer, and by others on the local network."
-        )
+        about = tr("Robots that trexcmd serve offers on this computer and on the local network.")
         headings = [tr("Robot"), tr("Board"), tr("Driver"), tr("Problems")]
         table = QTableWidget(0, len(headings), self)
         self._table = ui.flat_table(table, "robotsTable", tr("Robots"))

@@ -117,8 +117,8 @@ class SettingsCommands(QObject):
             parameters.edit(key, line.to_wire())
             text = tr(
                 "{0} is now one of the pending changes. It takes effect after the board is "
-                "switched off and on; this window then follows. Other programs on this line have "
-                "to use it, too."
+                "switched off and on; this window then uses it as well. Other programs on "
+                "this line must use it, too."
             )
             self._device.notifier.info.emit(text.format("CRC-7"))
             self.review()

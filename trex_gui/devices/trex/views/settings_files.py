@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 
 SAMPLES = {  # file name → purpose, as stated in the first comment of the file
     "autonomous_robot": tr_noop(
-        "A robot without a driver: a computer on board drives it, and no one can catch it"
+        "An autonomous robot: an on-board computer drives it, and no one is near enough to catch it"
     ),
     "rover_with_serial_override": tr_noop(
         "A rover driven by radio; a switch hands it over to a computer"

@@ -72,7 +72,10 @@ class ShownSettings(QObject):
 
         def on_saved(_: object) -> None:
             file_questions.remember_folder(path)
-            text = tr("{0} applies and checks the settings shown; read its first lines.")
+            text = tr(
+                "{0} applies and verifies the settings shown; its first lines explain "
+                "how to use it."
+            )
             self._notifier.info.emit(text.format(path))
 
         def work() -> None:
@@ -165,7 +168,7 @@ class ShownSettings(QObject):
             problem = error.findings[0].message
             return (new_text if file_questions.may_rewrite(self._window, problem) else None), ""
         names = ", ".join(sorted({key.source.word for key in hidden}))
-        note = tr("Calibrations that the board does not show now were kept: {0}.")
+        note = tr("Calibrations that the board does not show now stay in the file: {0}.")
         return text, note.format(names) if hidden else ""
 
 

@@ -116,9 +116,9 @@ class SnapshotPane(QWidget):
     def _blocker(self) -> str:
         """Return the reason that prevents restoring, or an empty string."""
         if self._shown is None:
-            return tr("Nothing is selected to be restored.")
+            return tr("Nothing is selected for restoring.")
         if len(self._snapshots) == 2:
-            return tr("To restore one of the two, select it alone.")
+            return tr("To restore a snapshot, select it alone.")
         if blocker := self._board_blocker(self._snapshots[0]):
             return blocker
         if not self._device.is_connected:

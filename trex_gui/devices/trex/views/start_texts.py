@@ -28,13 +28,13 @@ def start_texts() -> StartTexts:
         tr("TReX"),
         tr("Receiver"),
         (("CH 1", "CH1"), ("CH 2", "CH2"), ("5 V, GND", "5 V, GND")),
-        ((tr("Mode: put it on RC"), True), (tr("BEC: feeds the receiver"), True)),
+        ((tr("Mode: set it to RC"), True), (tr("BEC: feeds the receiver"), True)),
     )
     danger = tr("Never connect RS-232 levels (±12 V) to SI and SO: they can destroy the board.")
     scale = tr("Schematic: the user's guide shows where your board has them.")
     set_up_first = tr(
         "Set the board up through an adapter first: with the mode jumper on, it accepts no "
-        "settings. BEC gives 100 mA at most."
+        "settings. BEC supplies at most 100 mA."
     )
     return StartTexts(
         title=tr("Connect my {0}").format(tr("TReX")),
@@ -54,4 +54,4 @@ def start_texts() -> StartTexts:
 
 
 def _to_remove() -> tuple[Jumper, ...]:
-    return (tr("Mode: take it off"), False), (tr("SO–G: take it off"), False)
+    return (tr("Mode: remove it"), False), (tr("SO–G: remove it"), False)

@@ -76,7 +76,7 @@ def test_stop_without_outcome_fails_when_the_line_closes(driven: DrivenDevice) -
     driven.driving.stop(answers.append)
     assert driven.shut_down()
     assert [str(answer) for answer in answers] == [
-        "The connection was closed before this was done."
+        "The connection was closed before this was complete."
     ]
 
 

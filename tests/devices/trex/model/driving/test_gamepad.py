@@ -186,7 +186,7 @@ def test_control_held_elsewhere_blocks_the_gamepad(setup: GamepadSetup) -> None:
     setup.motors.set_speed(1, 30, "pad")
     setup.pads.press(HOLD)
     setup.pads.move(Y, -1.0)
-    setup.wait_for("Another control drives")
+    setup.wait_for("Another control is driving")
     assert setup.motors.holder == "pad"
     setup.motors.release("pad")
     setup.pads.move(Y, 0.0)

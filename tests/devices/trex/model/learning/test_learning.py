@@ -456,7 +456,7 @@ def test_failed_test_does_not_deny_the_written_values(setup: LearningSetup, how:
         setup.simulator.do("power cycle")
     setup.until_step(LearningStep.FAILED)
     assert "Nothing was changed" not in setup.learning.problem
-    assert "The test has ended; it changes nothing in the board" in setup.learning.problem
+    assert "The test has ended. Nothing in the board was changed" in setup.learning.problem
     setup.device.motors.stop()
 
 

@@ -256,6 +256,6 @@ def test_switch_passes_after_both_positions_were_held() -> None:
     for active in (False, True):
         seen = switch_held_at((active, 3))
         assert (seen.on, seen.off) == (active, not active)
-        assert seen.text.startswith(f"Only {'on' if active else 'off'} was seen.")
+        assert seen.text.startswith(f"Only {'on' if active else 'off'} was detected.")
     assert switch_held_at((False, 3), (True, 3)).passed
     assert not switch_held_at((False, 3), (True, 2)).passed

@@ -121,7 +121,7 @@ class MotionBox(ui.Card):
 
     def _add_tool_tip(self, pose: str) -> str:
         if not self.table.editable:
-            return tr("Choose a sequence; built-in gaits cannot be changed")
+            return tr("Select a sequence; built-in gaits cannot be changed")
         if not pose:
             return tr("There are no poses")
         if not is_usable_in_step(pose):
@@ -331,7 +331,7 @@ class StepTable(QTableWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         if self.rowCount() == 0:
-            text = tr("Choose a sequence or a gait to see its steps.")
+            text = tr("Select a sequence or a gait to see its steps.")
             if self.editable:
                 text = tr("No steps yet. Add one: it uses the current pose.")
             paint_placeholder(self, text)

@@ -67,14 +67,17 @@ class PlayBar(QWidget):
             value=100,
             step=10,
             suffix=tr(" %"),
-            tip=tr("Also while playing, from the next step on. 50 %: each step takes twice."),
+            tip=tr(
+                "Also takes effect while playing, from the next step. At 50 %, each step "
+                "takes twice as long."
+            ),
             on_change=self._on_speed_changed,
         )
         self._blend_in = ui.check_box(
             self,
             "aracnaBlendIn",
             tr("&Blend in"),
-            tip=tr("First go slowly, in 3 s, to the start."),
+            tip=tr("First move slowly to the start, in 3 s."),
             checked=True,
             on_toggle=self._update_preview,
         )
@@ -82,7 +85,7 @@ class PlayBar(QWidget):
             self,
             "aracnaBlendOut",
             tr("B&lend out to stand"),
-            tip=tr("At the end go slowly, in 3 s, to the pose “stand”."),
+            tip=tr("At the end move slowly to the pose “stand”, in 3 s."),
             on_toggle=self._update_preview,
         )
         self._play = ui.button(self, "aracnaPlay", tr("Pla&y"), on_click=self.play)
@@ -147,7 +150,7 @@ class PlayBar(QWidget):
         limits, present, poses = self._limits, self._present, self._library.project.poses
         self._request = None
         if played is None:
-            self._show_preview(tr("Choose a sequence or a gait to play it."))
+            self._show_preview(tr("Select a sequence or a gait to play it."))
             return
         try:
             steps = steps_of(played, poses, limits)
@@ -201,7 +204,7 @@ class PlayBar(QWidget):
 
 
 def _notes(late: Mapping[int, dict[int, float]]) -> dict[int, str]:
-    text = tr("needs {0:.2f} s: motor {1}")
+    text = tr("needs {0:.2f} s (motor {1})")
     return {
         step: text.format(Number(max(needed.values())), ", ".join(map(str, needed)))
         for step, needed in late.items()

@@ -76,7 +76,7 @@ class RobotDrawing(Painted):
         self.setObjectName("aracnaDrawing")
         self.setAccessibleName(tr("The robot from above"))
         self.setAccessibleDescription(
-            tr("Legs at their reported positions, goals dashed; the table says both in numbers.")
+            tr("Legs at their reported positions, goals dashed; the table shows both as numbers.")
         )
         self._state = state
         self._goals: tuple[int, ...] = ()

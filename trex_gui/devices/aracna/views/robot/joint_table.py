@@ -96,8 +96,8 @@ class SpeedBox(ui.SpinBox):
         self.setKeyboardTracking(False)
         self.setToolTip(
             tr(
-                "Speed setting 1-1023, 0.669 °/s each; 0 is unlimited, not “stopped”. "
-                "Above about 870 (AX-18A) or 530 (AX-12A) a servo gets no faster."
+                "Speed setting 1–1023 in steps of 0.669 °/s; 0 means unlimited, not "
+                "“stopped”. Above about 870 (AX-18A) or 530 (AX-12A) a servo gets no faster."
             )
         )
         self.valueChanged.connect(self.update_suffix)
@@ -252,7 +252,7 @@ class JointTable(QWidget):
         self._headers = {
             column: self._add_header(column, text, tip)
             for column, text, tip in (
-                (_LEG, tr("Leg*"), tr("Which leg is which is assumed")),
+                (_LEG, tr("Leg*"), tr("The order of the legs is assumed")),
                 (_NAME, tr("Motor"), ""),
                 (
                     _SLIDER,

@@ -93,7 +93,9 @@ class RobotPage(QWidget):
             return *_parts(" ".join(faults)), True
         unknown = tr("The positions of the motors are unknown.")
         if state.uncertain:
-            more = tr("The last motion may still be running; the next move will report them.")
+            more = tr(
+                "The last motion may still be running; the next move will report the positions."
+            )
             return unknown, more, True
         if all(position is None for position in state.present):
             return unknown, self._before_first_move_text(), False
@@ -105,7 +107,7 @@ class RobotPage(QWidget):
         text = tr("This robot reports them only in its reply to a move.")
         if self._robot.speeds_chosen:
             return text
-        more = tr("The first one runs at speed {0} ({1}), unless you choose other speeds.")
+        more = tr("The first move runs at speed {0} ({1}) unless you set other speeds.")
         return f"{text} {more.format(FIRST_SPEED, speed_text(FIRST_SPEED))}"
 
 

@@ -242,7 +242,7 @@ class Learning(QObject):
     @Slot(str)
     def _on_violated(self, reason: str) -> None:
         if self.is_test:
-            outcome = tr("The test has ended; it changes nothing in the board.")
+            outcome = tr("The test has ended. Nothing in the board was changed.")
         else:
             outcome = tr("Nothing was changed.")
         self._fail(f"{reason} {outcome}")

@@ -29,12 +29,13 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
     )
     open_input = tr("An unconnected input behaves in the same way.")
     unmoved = tr(
-        "Either nothing is connected to it (its voltage then means nothing), or what is connected "
+        "Either nothing is connected to it (its voltage is then meaningless), or its stick "
         "was not moved."
     )
     needed = tr("At least {1} are needed: the deadband, and a count for each of the {2} speeds.")
     other_way = tr(
-        "Push it the other way too; if it cannot go there, it was at an end during sampling."
+        "Push it the other way, too; if it does not move that way, it was at an end during "
+        "sampling."
     )
     one_way = tr("It went one way only.")
     hold = tr("Go back, push it all the way and hold it there for {0:.1f} s.")
@@ -57,7 +58,7 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
             weak,
         ],
         (kind.JITTER, "SPIKES"): [
-            tr("Pulses far from all others: {0} of {1}."),
+            tr("Outlying pulses: {0} of {1}."),
             tr("The radio link is poor, or the cable picks up noise."),
         ],
         (kind.JITTER, "STUCK"): [
@@ -67,7 +68,7 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
             ),
             weak,
             tr(
-                "The board repeats the last value, so that losses below a third, or of a steadier "
+                "The board repeats the last value, so losses below a third, or in a steadier "
                 "signal, go unnoticed."
             ),
         ],
@@ -117,12 +118,12 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
         ],
         (kind.USELESS, ""): ["{0}"],
         (kind.NEVER_FULL, ""): [
-            tr("{0} is beyond the {1} that was reached: there is no full output.")
+            tr("{0} is beyond {1}, the farthest value reached: there is no full output.")
         ],
         (kind.SPEEDS_UP, ""): [
             tr(
-                "Beyond its rest position the motor speeds up again, whatever the sign: at {0} to "
-                "{1} of {2}."
+                "Beyond its rest position the motor speeds up again, in either direction: at "
+                "{0} to {1} of {2}."
             ),
             tr("Check that no trim and no broken wire can bring it there."),
         ],

@@ -79,7 +79,7 @@ class StickTest:
         if task is Task.SWITCH:
             if not self.off and not self.on:
                 return tr("Move the switch to all its positions.")
-            text = tr("Only {0} was seen. Move the switch to its other position.")
+            text = tr("Only {0} was detected. Move the switch to its other position.")
             return text.format(tr("off") if self.off else tr("on"))
         if task is Task.ONE_WAY and not (self.forward or self.reverse):
             return tr("Full output not reached yet. Push it all the way.")

@@ -398,7 +398,9 @@ class ParameterModel(QAbstractTableModel):
             self.rejected.emit(error_sentence(error))
             return False
         except (TypeError, ValueError, OverflowError):
-            self.rejected.emit(f"{self.text.title(key)}: {value} is not a valid value.")
+            self.rejected.emit(
+                tr("{0}: {1} is not a valid value.").format(self.text.title(key), value)
+            )
             return False
         return True
 

@@ -142,7 +142,7 @@ class ParameterText:
         wires = self.wires(key)
         sentences = (
             tr("Wire value: {0}.").format(self.with_wire(key, wires)) if wires else "",
-            tr("No source says what the wire values mean{0}.").format(meaning.mark)
+            tr("The meaning of the wire values is undocumented{0}.").format(meaning.mark)
             if meaning
             else "",
             tr("Range: {0}{1}.").format(self._range(key), limits.mark),
@@ -157,14 +157,14 @@ class ParameterText:
         wires = sorted(
             wire for cell_key in keys for wire in self._values.accepted.get(cell_key, ())
         )
-        text = tr("This firmware has stored beyond that: wire value {0}.")
+        text = tr("This firmware has also stored wire values outside this range: {0}.")
         return text.format(", ".join(map(str, wires))) if wires else ""
 
     def guide(self, key: str) -> tuple[str, str]:
         """Return the address and title of the user's guide section about a parameter."""
         section = self._values.specs[key].section
         if not section:
-            return self._guide, tr("User's guide of the board")
+            return self._guide, tr("User's guide")
         return f"{self._guide}/{section}", tr("User's guide, section {0}").format(section)
 
     def _range(self, key: str) -> str:

@@ -228,7 +228,7 @@ class SettingsWriter(QObject):
     def _on_written(self, transaction: WriteTransaction, outcome: Outcome) -> None:
         self.running = False
         if outcome.error is not None:
-            text = tr("Nothing more was written. {0}")
+            text = tr("Nothing else was written. {0}")
             self.failed.emit(text.format(error_sentence(outcome.error)))
             return
         written = cast("Written", outcome.value)

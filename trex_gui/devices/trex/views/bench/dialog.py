@@ -291,7 +291,10 @@ def _rows() -> tuple[tuple[str, str, str, str], ...]:
             tr("Setpoint to current"),
             "delay",
             "ms",
-            tr("Until the first reading of two counts: the line, the board and its measurement."),
+            tr(
+                "Until the first reading of two counts, including the delays of the line, the "
+                "board and its measurement."
+            ),
         ),
         (
             tr("Settled within {0:.0f} % after").format(100 * BAND),

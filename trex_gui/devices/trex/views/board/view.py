@@ -254,10 +254,12 @@ class BoardView(QWidget):
             self._mode.show_jumper(True, tr("Mode: {0}").format(name), words)
         mix = device.mix_jumper.is_on if state is not None else None
         if mix is None:
-            hint = tr("not known") if state is None else tr("not known: move a stick to see")
+            hint = tr("not known") if state is None else tr("unknown: move a stick to find out")
             self._mix.show_jumper(None, tr("Mix jumper"), hint)
         else:
-            words = tr("one stick drives both motors") if mix else tr("each channel has its motor")
+            words = (
+                tr("one stick drives both motors") if mix else tr("each channel drives one motor")
+            )
             if state is not None and state.mode.is_serial:
                 words = tr("for RC and analog mode")
             self._mix.show_jumper(mix, tr("Mix: on") if mix else tr("Mix: off"), words)

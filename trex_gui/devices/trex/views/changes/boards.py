@@ -120,9 +120,9 @@ class ApplyToSeveral(QObject):
         return Changes(
             tr("Apply {0} to several boards").format(self._name),
             caption=tr(
-                "Each checked board gets these settings, one board after the other, with a "
-                "snapshot before. Each keeps its device number and its serial settings. The "
-                "first error while writing ends the work."
+                "The checked boards get these settings one after another, each after a "
+                "snapshot. Each board keeps its device number and its serial settings. "
+                "Writing ends at the first error."
             ),
             rows=rows and replace(rows, rows=tuple(r for r in rows.rows if not r.is_missing)),
             sides=(tr("Board {0}").format(plan.number) if plan is not None else "", tr("File")),

@@ -164,8 +164,9 @@ class Review(QObject):
             "are discarded; Undo restores them."
         )
         conflict = tr(
-            "It gets device number {0}, which another board on this line has: both would reply at "
-            "once, and neither could be read. Give that board another number first."
+            "It would get device number {0}, which another board on this line has: both "
+            "would reply at once, and neither could be read. Give that board another number "
+            "first."
         )
         specs = self._device.parameters.values.specs
         number = specs[ParameterKey.DEVICE_NUMBER].default
@@ -354,7 +355,7 @@ class Review(QObject):
             text = tr("Active only after the board is switched off and on: {0}.")
             yield text.format(", ".join(later))
         if self._title and (unsure := unconfirmed_defaults(specs)):
-            yield tr("No source confirms the default of: {0}.").format(unsure)
+            yield tr("No source confirms these defaults: {0}.").format(unsure)
 
 
 def _outcomes(results: Iterable[WriteResult]) -> Iterator[str]:

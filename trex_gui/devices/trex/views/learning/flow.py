@@ -127,7 +127,9 @@ class LearnFlow(Flow):
         note, is_alarming = _status_note(learning)
         if self._offers_test:
             text, may_go_on = tr("Stop the motors and &test"), True
-            note = tr("The new values are in the board. Their test has to stop the motors first.")
+            note = tr(
+                "The new values are in the board. To test them, the motors must be stopped first."
+            )
         elif step is LearningStep.DOUBT:
             text = tr("The motors are stopped: co&ntinue")
         elif step is LearningStep.REVIEW:
@@ -270,7 +272,7 @@ def _test_text(learning: Learning) -> str:
     tests = learning.tests
     if tests is not None and tests.has_samples:
         if tests.passed:
-            return tr("Everything is as it should be.")
+            return tr("Every channel works as it should.")
         if tests.all_ignored:
             return tr("Nothing to test: the board ignores this input (Ignored Channels).")
         if tests.channels_passed:

@@ -231,8 +231,8 @@ class TestPage(ChannelRows):
         self._tests = tests
         self._safe_start = ui.named(Note(3, self.side), "learnSafeStart")
         explanation = tr(
-            "Calculated from the values in the board, for each channel by itself. Assumed: up to "
-            "8 of 127 counts as neutral; the switching points of switches."
+            "Calculated for each channel separately from the values in the board. Assumed: "
+            "an output of up to 8 of 127 is neutral, and the switching points of switches."
         )
         ui.column(self._safe_start, Muted(explanation, self.side), into=self.side, margins=0)
 

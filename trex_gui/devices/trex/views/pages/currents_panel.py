@@ -48,8 +48,8 @@ class CurrentsPanel(TracePanel):
             note = empty_text = tr("Connect to a board to see its motor currents.")
             if self._device.link is ConnectionState.DISCONNECTED:
                 empty_text = tr(
-                    "No board is connected. Choose a port at the top of the main window and press "
-                    "Connect; without hardware, choose the demo board."
+                    "No board is connected. Select a port at the top of the main window and "
+                    "press Connect; without hardware, select the demo board."
                 )
         elif self._device.board.is_joint:
             note = empty_text = tr("Joint mode: the board does not sense currents.")

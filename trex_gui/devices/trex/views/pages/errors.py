@@ -53,10 +53,10 @@ class ErrorsPage(ProblemsPage):
         counters, quality = board.counters, board.quality
         is_open = self._device.is_connected and opened is not None
         is_known = is_open and quality.is_noisy is not None
-        requests_text = tr("Requests: {0}, without a reply: {1}.")
+        requests_text = tr("Requests: {0}, of which without a reply: {1}.")
         returns_text = tr(
-            "The board came back in another mode, so its power was off meanwhile; it does not "
-            "report a restart in the same mode. Returned after silence: {0}."
+            "The board came back in another mode, so its power was off in the meantime. A "
+            "restart in the same mode is not reported. Returned after silence: {0}."
         )
         details = requests_text.format(counters.requests, counters.missing)
         readings = (
@@ -69,7 +69,9 @@ class ErrorsPage(ProblemsPage):
             Reading(tr("Reads per second"), f"{quality.rate:.0f}" if quality.rate else "–"),
             Reading(tr("Slowest reply"), f"{1000 * counters.slowest:.0f} ms"),
             Reading(tr("Connected for"), str(timedelta(seconds=int(now() - (opened or now()))))),
-            Reading(tr("Restarts seen"), str(board.restarts), returns_text.format(board.returns)),
+            Reading(
+                tr("Restarts detected"), str(board.restarts), returns_text.format(board.returns)
+            ),
             Reading(tr("Corrupted replies"), str(counters.corrupted)),
         )
         return readings if is_open else [reading.unknown() for reading in readings]

@@ -62,8 +62,8 @@ class TextPage(QWidget):
         text, tip = tr("Chec&k again"), tr("Read the text again and list its errors")
         self._check = button(self, "checkAgainButton", text, icon="reload", tip=tip)
         tip = tr(
-            "Write values with units as wire values, and numbers beyond their range as the "
-            "nearest one in it; the file changes when you save it"
+            "Replace values with units by wire values, and numbers outside their range by "
+            "the nearest valid number; the file changes when you save it"
         )
         text = tr("&Repair values")
         self._repair = button(self, "repairTextButton", text, icon="edited", tip=tip)

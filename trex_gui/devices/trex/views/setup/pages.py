@@ -94,8 +94,8 @@ class JumperPage(Page):
         is_on = self._device.mix_jumper.is_on
         if is_on is not is_mixed and self._device.writer.is_rejected:
             return None, tr(
-                "The mix jumper can be checked in serial mode only: now a stick would drive the "
-                "motors."
+                "The mix jumper can be checked in serial mode only: in this mode a stick "
+                "would drive the motors."
             )
         if is_on is None:
             return None, tr(
@@ -177,8 +177,8 @@ class LimitsPage(Page):
         if self._device.board.is_joint:
             return tr("In joint mode the board measures no current, so it cannot limit it.")
         text = tr(
-            "Set what your motors can draw continuously: the presets are examples. Without a ramp, "
-            "the current exceeds the limit for a moment."
+            "Set the current that your motors can draw continuously; the presets are "
+            "examples. Without a ramp, the current exceeds the limit for a moment."
         )
         text = f"{text} {tr(CURRENT_ACCURACY)}"
         if preset is not None and preset.product != self._device.parameters.model_key:
@@ -214,8 +214,8 @@ class TimeoutPage(Page):
         self._short = ui.named(Note(2, self), "setupTimeoutShort")
         title = ui.label(self, text=tr("&Stop the motors after a silence of"), buddy=self._seconds)
         hint = tr(
-            "The computer must send something at least twice within that time. UART-Error Shutdown "
-            "is switched on with it, as the timeout may need it (twin)."
+            "The computer must send something at least twice within this time. UART-Error "
+            "Shutdown is also switched on, because the timeout may need it (twin)."
         )
         seconds = self._seconds, 0, Qt.AlignmentFlag.AlignLeft
         ui.column(title, seconds, Muted(hint, self), self._short, 1, into=self, margins=0)
@@ -295,21 +295,23 @@ class SummaryPage(Page):
             text = rewiring_text(setup.driver, rewiring)
             return tr("{0} Then test the motors again.").format(text)
         if setup.driver.uses_sticks and not setup.knows_sticks:
-            return tr("The settings for the motors wait for the directions of the sticks.")
+            return tr("The motor settings depend on the directions of the sticks.")
         return tr("Its changes were not added: open the step and click Next.")
 
     def _task_texts(self) -> list[str]:
         driver, source = self._setup.driver, self._device.calibrations.source
-        drive = tr("Drive first with the wheels off the ground: forward, back, left, right.")
+        drive = tr(
+            "For the first drive, keep the wheels off the ground: forward, back, left, right."
+        )
         if not driver.uses_sticks:
             text = tr(
-                "Leave the mode jumper off. The first commands can come from the Motors page "
-                "of this window."
+                "Leave the mode jumper off. You can send the first commands from the Motors "
+                "page of this window."
             )
             return [text, drive]
         on, off = tr("put the mix jumper on"), tr("leave the mix jumper off")
         mix = on if driver is Driver.ONE_STICK else off
-        start = tr("Switch the board off, put the mode jumper on {0}, {1}.")
+        start = tr("Switch the board off, set the mode jumper to {0}, and {1}.")
         rc = tr("Switch on the transmitter, then the board.")
         on_again = rc if source is InputSource.RC else tr("Switch the board on.")
         safe = tr("The motors stay off until the sticks are released (safe-start).")

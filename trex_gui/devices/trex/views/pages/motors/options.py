@@ -147,7 +147,7 @@ class Options(ui.Card):
         text = tr("Stop when you lea&ve this page")
         tip = tr(
             "Stop both motors and the auxiliary when another page is shown or the window is "
-            "minimised"
+            "minimized"
         )
         store = "motors/stop_on_leaving"
         self.stop_on_leaving = self._create_stored("stopOnLeaving", text, tip, store)
