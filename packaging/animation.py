@@ -51,10 +51,15 @@ class Film(QObject):
         self._timer.start(1000 // RATE)
 
     def _step(self) -> None:
-        if next(self._script, False) is False:
+        try:
+            next(self._script)
+        except StopIteration:
             self._timer.stop()
             self.finished.emit()
             return
+        except Exception:
+            QCoreApplication.exit(1)
+            raise
         image = self._window.grab().toImage()
         with QPainter(image) as painter:
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -66,6 +71,8 @@ class Film(QObject):
     def _scenes(self) -> Iterator[None]:
         manager = self._program.device_manager
         yield from self._wait(1.0)
+        while not self._visible("startDemo"):
+            yield
         yield from self._click("startDemo")
         while manager.current.link is not ConnectionState.CONNECTED:
             yield
@@ -99,9 +106,11 @@ class Film(QObject):
     def _wait(seconds: float) -> Iterator[None]:
         yield from [None] * round(seconds * RATE)
 
+    def _visible(self, name: str) -> list[QWidget]:
+        return [child for child in self._window.findChildren(QWidget, name) if child.isVisible()]
+
     def _find(self, name: str) -> QWidget:
-        found = [one for one in self._window.findChildren(QWidget, name) if one.isVisible()]
-        return found[0]
+        return self._visible(name)[0]
 
     def _point(self, widget: QWidget, place: QPoint) -> None:
         self._pointer = QPointF(widget.mapTo(self._window, place))
@@ -175,7 +184,8 @@ def main() -> int:
         film = Film(program)
         film.finished.connect(QCoreApplication.quit)
         film.start()
-        application.exec()
+        if application.exec():
+            return 1
         save(film.frames, FILE)
     seconds, size = len(film.frames) / RATE, FILE.stat().st_size
     print(f"{FILE}: {seconds:.1f} s, {size / 1e6:.2f} MB")
