@@ -111,7 +111,7 @@
         <translation>Messwerte von {0} in den Datensätzen {1} bis {2} sind verloren: {3}.</translation></message>
     <message><source>The column {0} is computed.</source>
         <translation>Die Spalte {0} ist berechnet.</translation></message>
-    <message><source>The motors of the {0} at {1}, driven since {2}, were left running. The board now connected there has confirmed a stop. If a motor still turns, cut its power.</source>
+    <message><source>The motors of the {0} at {1}, driven since {2}, were left running. The board now connected there has confirmed a stop. If a motor is still turning, cut its power.</source>
         <translation>Die Motoren des Boards ({0}) an {1}, angesteuert seit {2}, liefen noch. Das Board, das jetzt dort ist, hat einen Stopp bestätigt. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>Stop the motors first.</source>
         <translation>Die Motoren müssen zuerst gestoppt werden.</translation></message>
@@ -223,7 +223,7 @@
         <translation>Das Board wurde neu gestartet; es ist in einer Sekunde wieder bereit …</translation></message>
     <message><source>The robot is not responding. Is its power on? Waiting for it …</source>
         <translation>Der Roboter antwortet nicht. Ist er eingeschaltet? Es wird auf ihn gewartet …</translation></message>
-    <message numerus="yes"><source>Cropped to the limits of the joints: %n step(s).</source>
+    <message numerus="yes"><source>Clamped to the limits of the joints: %n step(s).</source>
         <translation><numerusform>Auf die Gelenkgrenzen begrenzt: %n Schritt.</numerusform><numerusform>Auf die Gelenkgrenzen begrenzt: %n Schritte.</numerusform></translation></message>
     <message><source>Speeds not set: {0}</source>
         <translation>Geschwindigkeiten nicht gesetzt: {0}</translation></message>
@@ -277,7 +277,7 @@
         <translation>Einblendung läuft.</translation></message>
     <message><source>Playing blend-out.</source>
         <translation>Ausblendung läuft.</translation></message>
-    <message><source>Cropped to the limits of the joints: {0}.</source>
+    <message><source>Clamped to the limits of the joints: {0}.</source>
         <translation>Auf die Gelenkgrenzen begrenzt: {0}.</translation></message>
     <message><source>The board has restarted. Its servos continue to their goals.</source>
         <translation>Das Board wurde neu gestartet. Seine Servos bewegen sich weiter zu ihren Zielen.</translation></message>
@@ -345,13 +345,13 @@
         <translation>vor dem Doppelpunkt fehlt der Name ({0})</translation></message>
     <message><source>{0}; the line is kept, but not used</source>
         <translation>{0}; die Zeile bleibt erhalten, wird aber nicht verwendet</translation></message>
-    <message><source>a name has 1 to {0} printable characters, without colon, comma or bar</source>
+    <message><source>a name must have 1 to {0} printable characters, without colon, comma or bar</source>
         <translation>ein Name hat 1 bis {0} druckbare Zeichen und weder Doppelpunkt noch Komma noch senkrechten Strich</translation></message>
     <message><source>the name {0} is taken</source>
         <translation>der Name {0} ist schon vergeben</translation></message>
-    <message><source>the speed of motor {0} is 0 to {1}, not {2}</source>
+    <message><source>the speed of motor {0} must be 0 to {1}, not {2}</source>
         <translation>die Geschwindigkeit von Motor {0} ist 0 bis {1}, nicht {2}</translation></message>
-    <message><source>the position of motor {0} is 0 to {1}, not {2}</source>
+    <message><source>the position of motor {0} must be 0 to {1}, not {2}</source>
         <translation>die Position von Motor {0} ist 0 bis {1}, nicht {2}</translation></message>
     <message><source>{0} motors need {0} values, not {1}</source>
         <translation>{0} Motoren brauchen {0} Werte, nicht {1}</translation></message>
@@ -363,7 +363,7 @@
         <translation>Hinten rechts</translation></message>
     <message><source>Back left</source>
         <translation>Hinten links</translation></message>
-    <message><source>limits are 0 to {0}, the lower one first, not {1} to {2}</source>
+    <message><source>limits must be 0 to {0}, the lower one first, not {1} to {2}</source>
         <translation>Grenzen sind 0 bis {0} in aufsteigender Reihenfolge, nicht {1} bis {2}</translation></message>
     <message><source>No Aracna responds on {0}. It does not listen while it moves: if it is moving, wait until it stops. Check that the robot's board has power, that the adapter's TX goes to its RX and its RX to its TX (or that both radios are on the same channel), and that ground is connected.</source>
         <translation>An {0} antwortet kein Aracna. Während einer Bewegung hört er nicht zu: Falls er sich bewegt, warten Sie, bis er stillsteht. Prüfen Sie, ob das Board des Roboters Strom hat, ob TX des Adapters mit dessen RX und RX mit dessen TX verbunden ist (oder ob beide Funkmodule auf demselben Kanal sind) und ob Masse verbunden ist.</translation></message>
@@ -417,13 +417,13 @@
         <translation>Interner Fehler in der Verbindung: {0}</translation></message>
     <message><source>Played to the end.</source>
         <translation>Bis zum Ende abgespielt.</translation></message>
-    <message><source>The sequence ended after its step.</source>
+    <message><source>The sequence ended after the current step.</source>
         <translation>Die Sequenz wurde nach ihrem Schritt beendet.</translation></message>
     <message><source>The sequence was stopped.</source>
         <translation>Die Sequenz wurde gestoppt.</translation></message>
     <message><source>The sequence was aborted: the board has restarted.</source>
         <translation>Die Sequenz wurde abgebrochen: Das Board wurde neu gestartet.</translation></message>
-    <message><source>The sequence was aborted: the robot waits for a motor.</source>
+    <message><source>The sequence was aborted: the robot is waiting for a motor.</source>
         <translation>Die Sequenz wurde abgebrochen: Der Roboter wartet auf einen Motor.</translation></message>
     <message><source>The sequence was aborted: a motor did not accept its speed.</source>
         <translation>Die Sequenz wurde abgebrochen: Ein Motor hat seine Geschwindigkeit nicht angenommen.</translation></message>
@@ -659,7 +659,7 @@
         <translation>&amp;Neu</translation></message>
     <message><source>Add s&amp;tep</source>
         <translation>Schritt hin&amp;zufügen</translation></message>
-    <message><source>Add a step to “{0}” after the current one</source>
+    <message><source>Add a step with the pose “{0}” after the current step</source>
         <translation>Einen Schritt zu „{0}“ nach dem aktuellen hinzufügen</translation></message>
     <message><source> ms</source>
         <translation> ms</translation></message>
@@ -725,7 +725,7 @@
         <translation>Am Ende langsam, in 3 s, in die Pose „stand“ gehen.</translation></message>
     <message><source>Select a sequence or a gait to play it.</source>
         <translation>Wählen Sie eine Sequenz oder eine Gangart, um sie abzuspielen.</translation></message>
-    <message><source>Positions outside the limits are cropped.</source>
+    <message><source>Positions outside the limits are clamped.</source>
         <translation>Positionen außerhalb der Grenzen werden begrenzt.</translation></message>
     <message><source>Some motors are too slow.</source>
         <translation>Einige Motoren sind zu langsam.</translation></message>
@@ -867,7 +867,7 @@
         <translation>Jeder Motor hat sein Ziel bis auf wenige Einheiten erreicht.</translation></message>
     <message><source>The newest goal is sent as soon as the robot has reached the last one</source>
         <translation>Das neueste Ziel wird gesendet, sobald der Roboter das letzte erreicht hat</translation></message>
-    <message><source>How far each joint may turn; goals are cropped before sending</source>
+    <message><source>How far each joint may turn; goals are clamped before sending</source>
         <translation>Wie weit sich jedes Gelenk drehen darf; Ziele werden vor dem Senden begrenzt</translation></message>
     <message><source>differ</source>
         <translation>verschieden</translation></message>
@@ -963,11 +963,11 @@
         <translation>Umkehr {0}, {1} s</translation></message>
     <message><source>sine {0}, {1} s</source>
         <translation>Sinus {0}, {1} s</translation></message>
-    <message><source>the speed of a bench test is −{0} to −1 or 1 to {0}, not {1}</source>
+    <message><source>the speed of a bench test must be −{0} to −1 or 1 to {0}, not {1}</source>
         <translation>die Geschwindigkeit eines Prüflaufs ist −{0} bis {0} und nicht 0, nicht {1}</translation></message>
-    <message><source>a bench test lasts {0:g} to {1:g} s, not {2:g} s</source>
+    <message><source>a bench test must last {0:g} to {1:g} s, not {2:g} s</source>
         <translation>ein Prüflauf dauert {0:g} bis {1:g} s, nicht {2:g} s</translation></message>
-    <message><source>the period of a bench test is {0:g} to {1:g} s, not {2:g} s</source>
+    <message><source>the period of a bench test must be {0:g} to {1:g} s, not {2:g} s</source>
         <translation>die Periode eines Prüflaufs ist {0:g} bis {1:g} s, nicht {2:g} s</translation></message>
     <message><source>{0} Doubtful: the line is noisy and has no CRC.</source>
         <translation>{0} Zweifelhaft: Die Leitung ist gestört und hat kein CRC.</translation></message>
@@ -987,7 +987,7 @@
         <translation>Lassen Sie kein anderes Programm auf dieser Leitung senden.</translation></message>
     <message><source>Let other programs request fewer channels at once.</source>
         <translation>Lassen Sie andere Programme weniger Kanäle auf einmal anfordern.</translation></message>
-    <message><source>Latched before connecting, perhaps by the search for the board: {0}</source>
+    <message><source>Latched before connecting, perhaps by a search for the board: {0}</source>
         <translation>Schon vor dem Verbinden gesetzt, vielleicht durch die Suche nach dem Board: {0}</translation></message>
     <message><source>Connected to {0} on {1}.</source>
         <translation>Verbunden mit {0} an {1}.</translation></message>
@@ -1041,9 +1041,9 @@
         <translation>{0}; Vorschlag: nicht umgekehrt.</translation></message>
     <message><source>The measured ends are up to {0} farther out.</source>
         <translation>Die gemessenen Endlagen liegen bis zu {0} weiter außen.</translation></message>
-    <message><source>It never goes above its rest position, so maximum is set to the limit of the input.</source>
+    <message><source>The signal never goes above its rest position, so maximum is set to the limit of the input.</source>
         <translation>Er geht nie über seine Ruhelage, daher wird das Maximum auf die Grenze des Eingangs gesetzt.</translation></message>
-    <message><source>It never goes below its rest position, so minimum is set to the limit of the input.</source>
+    <message><source>The signal never goes below its rest position, so minimum is set to the limit of the input.</source>
         <translation>Er geht nie unter seine Ruhelage, daher wird das Minimum auf die Grenze des Eingangs gesetzt.</translation></message>
     <message><source>The value fell when the stick went forward or right first</source>
         <translation>Der Wert fiel, als der Knüppel zuerst nach vorn oder rechts ging</translation></message>
@@ -1053,7 +1053,7 @@
         <translation>Die andere Stellung liegt über der Ruhelage, die „aus“ sein soll</translation></message>
     <message><source>The other position reads lower than the rest position, which should be off</source>
         <translation>Die andere Stellung liegt unter der Ruhelage, die „aus“ sein soll</translation></message>
-    <message><source>At rest its noise is {0}: the deadband is twice that.</source>
+    <message><source>At rest the noise is {0}: the deadband is twice this value.</source>
         <translation>In Ruhe beträgt sein Rauschen {0}: Der Totbereich ist doppelt so groß.</translation></message>
     <message><source>there is nothing to compare: only probes were sent</source>
         <translation>es gibt nichts zu vergleichen: Außer für die Suche wurde nichts gesendet</translation></message>
@@ -1089,7 +1089,7 @@
         <translation>An {0} ist etwas angeschlossen, das aber nicht wie ein TReX antwortet: Es hat {1} mit {2} gesendet{3}. Es ist ein anderes Gerät, oder die Leitung ist gestört.</translation></message>
     <message><source>It is set to {0} baud, but firmware {1} then runs at half that rate: connect at {2}.</source>
         <translation>Es ist auf {0} Baud eingestellt; Firmware {1} läuft dabei mit der Hälfte: Verbinden Sie mit {2}.</translation></message>
-    <message><source>It is set to {0} stop bits; both numbers work on this line.</source>
+    <message><source>It is set to {0} stop bits; either number works on this line.</source>
         <translation>Es ist auf {0} Stoppbits eingestellt; an dieser Leitung funktioniert beides.</translation></message>
     <message><source> The port cannot be set to {0} baud, so nothing was probed there.</source>
         <translation> Der Port lässt sich nicht auf {0} Baud einstellen, daher wurde damit nicht gesucht.</translation></message>
@@ -1381,15 +1381,15 @@
         <translation>{0:.1f} % verloren</translation></message>
     <message><source>{0}: noisy; shorten cable, check ground, use CRC</source>
         <translation>{0}: gestört; Kabel kürzen, Masse prüfen, CRC verwenden</translation></message>
-    <message><source>The stop is not confirmed. If a motor still turns, cut its power.</source>
+    <message><source>The stop is not confirmed. If a motor is still turning, cut its power.</source>
         <translation>Der Stopp ist nicht bestätigt. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>{0} A stop was sent but is not confirmed yet.</source>
         <translation>{0} Ein Stopp wurde gesendet, ist aber noch nicht bestätigt.</translation></message>
-    <message><source>{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.</source>
+    <message><source>{0}. The stop is not confirmed: {1} If a motor is still turning, cut its power.</source>
         <translation>{0}. Der Stopp ist nicht bestätigt: {1} Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>{0}, so the motors were stopped.</source>
         <translation>{0}, daher wurden die Motoren gestoppt.</translation></message>
-    <message><source>{0}. No board is connected that could be stopped, and motors may still turn: cut their power.</source>
+    <message><source>{0}. Motors may still be turning: cut their power. No board is connected, so no stop can be sent.</source>
         <translation>{0}. Es ist kein Board verbunden, das sich stoppen ließe, und die Motoren können sich noch drehen: Trennen Sie die Motorversorgung.</translation></message>
     <message><source>{0}. The board has confirmed the stop.</source>
         <translation>{0}. Das Board hat den Stopp bestätigt.</translation></message>
@@ -1445,7 +1445,7 @@
         <translation>{0} ({1} fehlgeschlagen)</translation></message>
     <message><source>The connection is not responding, so the stop could not be sent.</source>
         <translation>Die Verbindung reagiert nicht, daher konnte der Stopp nicht gesendet werden.</translation></message>
-    <message><source>The stop may not have reached the {0} that was driven at {1}: another board responded. If its motor still turns, cut its power.</source>
+    <message><source>The stop may not have reached the {0} that was driven at {1}: another board responded. If a motor of that board is still turning, cut its power.</source>
         <translation>Ob ein Stopp das an {1} angesteuerte Board ({0}) erreicht hat, ist nicht bekannt: Ein anderes Board hat geantwortet. Falls sich am angesteuerten Board noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>Another board responds now: {0}, at {1}.</source>
         <translation>Jetzt antwortet ein anderes Board: {0}, an {1}.</translation></message>
@@ -1581,9 +1581,9 @@
         <translation>Aktiv über {0}, in der Mitte zwischen Neutralstellung und Maximum (erschlossen).</translation></message>
     <message><source>Active below {0}, halfway between neutral and minimum (inferred).</source>
         <translation>Aktiv unter {0}, in der Mitte zwischen Neutralstellung und Minimum (erschlossen).</translation></message>
-    <message><source>At rest it is active.</source>
+    <message><source>At rest the switch is active.</source>
         <translation>In Ruhe ist er aktiv.</translation></message>
-    <message><source>At rest it is off.</source>
+    <message><source>At rest the switch is off.</source>
         <translation>In Ruhe ist er aus.</translation></message>
     <message><source>Cannot continue: the motors could not be confirmed as stopped. {0}</source>
         <translation>Es kann nicht weitergehen: Für die Motoren ließ sich kein Stopp bestätigen. {0}</translation></message>
@@ -1611,31 +1611,31 @@
         <translation>Die Knüppel steuern jetzt die Motoren: Die Kanäle haben die Kontrolle.</translation></message>
     <message><source>motor {0} draws {1:.1f} A</source>
         <translation>Motor {0} nimmt {1:.1f} A auf</translation></message>
-    <message><source>It moved during sampling, between {0} and {1}. Release it and sample again.</source>
+    <message><source>The signal moved during sampling, between {0} and {1}. Release the stick and sample again.</source>
         <translation>Er hat sich während der Messung bewegt, zwischen {0} und {1}. Lassen Sie ihn los und messen Sie erneut.</translation></message>
-    <message><source>Release it and sample again; if it continues, the stick or the transmitter is warming up or worn.</source>
+    <message><source>Release the stick and sample again. If the drift continues, the stick or the transmitter is warming up or worn.</source>
         <translation>Lassen Sie ihn los und messen Sie erneut; bleibt es dabei, wird der Knüppel oder der Sender erst warm oder ist abgenutzt.</translation></message>
     <message><source>Bring the transmitter nearer, or check antenna and cable.</source>
         <translation>Bringen Sie den Sender näher heran oder prüfen Sie Antenne und Kabel.</translation></message>
-    <message><source>At rest its noise is {0}: a deadband wide enough to hide it would take a quarter of the travel. Repair the cable, the supply or the stick first.</source>
+    <message><source>At rest the noise is {0}: a deadband wide enough to hide this noise would take a quarter of the travel. Repair the cable, the supply or the stick first.</source>
         <translation>In Ruhe beträgt sein Rauschen {0}: Ein Totbereich, der es verdeckt, nähme ein Viertel des Wegs ein. Reparieren Sie zuerst das Kabel, die Versorgung oder den Knüppel.</translation></message>
     <message><source>An unconnected input behaves in the same way.</source>
         <translation>Auch ein Eingang, an dem nichts angeschlossen ist, verhält sich so.</translation></message>
-    <message><source>Either nothing is connected to it (its voltage is then meaningless), or its stick was not moved.</source>
+    <message><source>Either nothing is connected to this input (its voltage is then meaningless), or its stick was not moved.</source>
         <translation>Entweder ist nichts daran angeschlossen (dann bedeutet seine Spannung nichts), oder das Angeschlossene wurde nicht bewegt.</translation></message>
     <message><source>At least {1} are needed: the deadband, and a count for each of the {2} speeds.</source>
         <translation>Nötig sind mindestens {1}: der Totbereich und je ein Count für die {2} Geschwindigkeiten.</translation></message>
-    <message><source>Push it the other way, too; if it does not move that way, it was at an end during sampling.</source>
+    <message><source>Push the stick the other way, too. If it does not move that way, it was at an end during sampling.</source>
         <translation>Drücken Sie ihn auch in die andere Richtung; geht das nicht, war er während der Messung in einer Endlage.</translation></message>
-    <message><source>It went one way only.</source>
+    <message><source>The stick went one way only.</source>
         <translation>Er ging nur in eine Richtung.</translation></message>
-    <message><source>Go back, push it all the way and hold it there for {0:.1f} s.</source>
+    <message><source>Go back, push the stick all the way and hold it there for {0:.1f} s.</source>
         <translation>Gehen Sie zurück, drücken Sie ihn bis zum Anschlag und halten Sie ihn dort {0:.1f} s.</translation></message>
-    <message><source>It went {0} to one side, but only {1} to the other.</source>
+    <message><source>The stick went {0} to one side, but only {1} to the other.</source>
         <translation>Er ging {0} zur einen Seite, aber nur {1} zur anderen.</translation></message>
-    <message><source>Was it pushed all the way?</source>
+    <message><source>Was the stick pushed all the way?</source>
         <translation>Wurde er bis zum Anschlag gedrückt?</translation></message>
-    <message><source>Should it be reversed, or not?</source>
+    <message><source>Should the channel be reversed?</source>
         <translation>Sollte er umgekehrt sein oder gerade nicht?</translation></message>
     <message><source>No signal: no valid pulse arrives.</source>
         <translation>Kein Signal: Es kommt kein gültiger Impuls an.</translation></message>
@@ -1643,9 +1643,9 @@
         <translation>Ist der Sender eingeschaltet und der Empfänger an diesen Kanal angeschlossen?</translation></message>
     <message><source>No signal.</source>
         <translation>Kein Signal.</translation></message>
-    <message><source>It drifted up by {0} during sampling.</source>
+    <message><source>The signal drifted up by {0} during sampling.</source>
         <translation>Er ist während der Messung um {0} nach oben gewandert.</translation></message>
-    <message><source>It drifted down by {0} during sampling.</source>
+    <message><source>The signal drifted down by {0} during sampling.</source>
         <translation>Er ist während der Messung um {0} nach unten gewandert.</translation></message>
     <message><source>The signal comes and goes: {0:.0%} of the samples had no valid pulse.</source>
         <translation>Das Signal kommt und geht: {0:.0%} der Messwerte hatten keinen gültigen Impuls.</translation></message>
@@ -1659,7 +1659,7 @@
         <translation>Das Board wiederholt den letzten Wert; Verluste unter einem Drittel oder bei einem ruhigeren Signal bleiben daher unbemerkt.</translation></message>
     <message><source>At rest the noise is {0}, more than the deadband ({1}): the motor would creep.</source>
         <translation>In Ruhe beträgt das Rauschen {0}, mehr als der Totbereich ({1}): Der Motor würde kriechen.</translation></message>
-    <message><source>It never moved, although a steady signal arrives.</source>
+    <message><source>A steady signal arrives, but it never moved.</source>
         <translation>Er hat sich nie bewegt, obwohl ein stetiges Signal ankommt.</translation></message>
     <message><source>Either another stick controls this channel, or it was not moved.</source>
         <translation>Entweder steuert ein anderer Knüppel diesen Kanal, oder der Knüppel wurde nicht bewegt.</translation></message>
@@ -1667,7 +1667,7 @@
         <translation>An diesem Eingang bewegt sich nichts: Er bleibt bei {0}.</translation></message>
     <message><source>Nothing moves on this input: it stays at {0}, an end of the measuring range.</source>
         <translation>An diesem Eingang bewegt sich nichts: Er bleibt bei {0}, einem Ende des Messbereichs.</translation></message>
-    <message><source>It went only {0} from its rest position.</source>
+    <message><source>The stick went only {0} from its rest position.</source>
         <translation>Er ging nur {0} aus seiner Ruhelage.</translation></message>
     <message><source>The low end is only {0} from the rest position.</source>
         <translation>Die untere Endlage ist nur {0} von der Ruhelage entfernt.</translation></message>
@@ -1679,51 +1679,51 @@
         <translation>Die obere Endlage wurde nur durchlaufen, nicht gehalten.</translation></message>
     <message><source>Both ends were only passed, not held.</source>
         <translation>Beide Endlagen wurden nur durchlaufen, nicht gehalten.</translation></message>
-    <message><source>Its rest position ({0}) is not between its ends ({1} and {2}).</source>
+    <message><source>The rest position ({0}) is not between the ends ({1} and {2}).</source>
         <translation>Seine Ruhelage ({0}) liegt nicht zwischen seinen Endlagen ({1} und {2}).</translation></message>
     <message><source>Was a trim moved? Begin again with the sticks at rest.</source>
         <translation>Wurde eine Trimmung verstellt? Beginnen Sie erneut mit den Knüppeln in Ruhe.</translation></message>
-    <message><source>It rests at {0}: with this neutral it would give {1} there.</source>
+    <message><source>The stick rests at {0}: with this neutral, the output there would be {1}.</source>
         <translation>Er ruht bei {0}: Mit dieser Neutralstellung gäbe er dort {1} aus.</translation></message>
-    <message><source>After release it rests at {0}, not at {1}, and would give {2} there.</source>
+    <message><source>After release the stick rests at {0}, not at {1}, and the output there would be {2}.</source>
         <translation>Nach dem Loslassen ruht er bei {0}, nicht bei {1}, und gäbe dort {2} aus.</translation></message>
-    <message><source>Was a hand on it during sampling, or was a trim moved?</source>
+    <message><source>Was a hand on the stick during sampling, or was a trim moved?</source>
         <translation>War während der Messung eine Hand daran, oder wurde eine Trimmung verstellt?</translation></message>
-    <message><source>Go back and sample it again, or use the new rest position.</source>
+    <message><source>Go back and sample the channel again, or use the new rest position.</source>
         <translation>Gehen Sie zurück und messen Sie ihn erneut, oder verwenden Sie die neue Ruhelage.</translation></message>
     <message><source>{0} is beyond {1}, the farthest value reached: there is no full output.</source>
         <translation>{0} liegt jenseits der erreichten {1}: Es gibt keinen vollen Ausgang.</translation></message>
     <message><source>Beyond its rest position the motor speeds up again, in either direction: at {0} to {1} of {2}.</source>
         <translation>Jenseits der Ruhelage wird der Motor wieder schneller, unabhängig vom Vorzeichen: bei {0} bis auf {1} von {2}.</translation></message>
-    <message><source>Check that no trim and no broken wire can bring it there.</source>
+    <message><source>Check that no trim and no broken wire can move the signal there.</source>
         <translation>Prüfen Sie, dass weder eine Trimmung noch ein gebrochenes Kabel ihn dorthin bringen kann.</translation></message>
-    <message><source>Its rest position ({0}) is too close to its switching point ({1}).</source>
+    <message><source>The rest position ({0}) is too close to the switching point ({1}).</source>
         <translation>Seine Ruhelage ({0}) liegt zu nah an seinem Schaltpunkt ({1}).</translation></message>
-    <message><source>It may switch by itself.</source>
+    <message><source>The channel may switch by itself.</source>
         <translation>Er kann von selbst schalten.</translation></message>
-    <message><source>It is active in all its positions: none is beyond {0}, where it switches.</source>
+    <message><source>The switch is active in all its positions: none is beyond the switching point, {0}.</source>
         <translation>Er ist in allen seinen Stellungen aktiv: Keine liegt jenseits von {0}, wo er schaltet.</translation></message>
-    <message><source>It is inactive in all its positions: none is beyond {0}, where it switches.</source>
+    <message><source>The switch is inactive in all its positions: none is beyond the switching point, {0}.</source>
         <translation>Er ist in allen seinen Stellungen inaktiv: Keine liegt jenseits von {0}, wo er schaltet.</translation></message>
     <message><source>In {0} mode safe-start would release the motors now.</source>
         <translation>Im Modus {0} würde Safe-Start die Motoren jetzt laufen lassen.</translation></message>
-    <message><source>Ignored: the board holds it at neutral. There is nothing to test.</source>
+    <message><source>Ignored: the board holds this channel at neutral. There is nothing to test.</source>
         <translation>Ignoriert: Das Board hält ihn in Neutralstellung. Es gibt nichts zu testen.</translation></message>
     <message><source>Good.</source>
         <translation>Gut.</translation></message>
     <message><source>Only {0} was detected. Move the switch to its other position.</source>
         <translation>Nur „{0}“ wurde gesehen. Stellen Sie den Schalter in die andere Stellung.</translation></message>
-    <message><source>Full output not reached yet. Push it all the way.</source>
+    <message><source>Full output not reached yet. Push the stick all the way.</source>
         <translation>Voller Ausgang noch nicht erreicht. Drücken Sie ihn bis zum Anschlag.</translation></message>
     <message><source>Full output not reached yet: {0}.</source>
         <translation>Voller Ausgang noch nicht erreicht: {0}.</translation></message>
-    <message><source>Full output reached. Let it rest for a moment.</source>
+    <message><source>Full output reached. Let the stick rest for a moment.</source>
         <translation>Voller Ausgang erreicht. Lassen Sie ihn einen Moment ruhen.</translation></message>
     <message><source>In {0} mode safe-start would hold the motors now. {1}</source>
         <translation>Im Modus {0} würde Safe-Start die Motoren jetzt zurückhalten. {1}</translation></message>
     <message><source>Move the switch to all its positions.</source>
         <translation>Bringen Sie den Schalter in alle seine Stellungen.</translation></message>
-    <message><source>Full output reached. Release it: at rest the output must be 0, but it is {0}.</source>
+    <message><source>Full output reached. Release the stick: at rest the output must be 0, but it is {0}.</source>
         <translation>Voller Ausgang erreicht. Lassen Sie ihn los: In Ruhe muss der Ausgang 0 sein, er ist aber {0}.</translation></message>
     <message><source>off</source>
         <translation>aus</translation></message>
@@ -1863,7 +1863,7 @@
         <translation>Notiz: {0}</translation></message>
     <message><source>{0}; it is shown as Western European text. Check the characters that are not plain letters; Save writes UTF-8</source>
         <translation>{0}; sie wird als westeuropäischer Text angezeigt. Prüfen Sie die Zeichen, die keine einfachen Buchstaben sind; beim Speichern wird UTF-8 geschrieben</translation></message>
-    <message><source>{0} is left out, because it could not be read from the board.</source>
+    <message><source>{0} is left out because it could not be read from the board.</source>
         <translation>{0} wird ausgelassen: Der Wert konnte nicht vom Board gelesen werden.</translation></message>
     <message><source>The {0} calibrations are left out: the board accepts them only while it reads its inputs as {0}.</source>
         <translation>Die Kalibrierungen ({0}) werden ausgelassen: Das Board nimmt sie nur an, solange seine Eingangsquelle {0} ist.</translation></message>
@@ -1939,7 +1939,7 @@
         <translation>Neutralstellung {0} liegt über dem Maximum {1}</translation></message>
     <message><source>minimum and maximum are both {0}; they must differ</source>
         <translation>Minimum und Maximum sind beide {0}; sie müssen verschieden sein</translation></message>
-    <message><source>{0} is {1}; a calibration value is 0 to {2}</source>
+    <message><source>{0} is {1}; a calibration value must be 0 to {2}</source>
         <translation>{0} ist {1}; ein Kalibrierwert ist 0 bis {2}</translation></message>
     <message><source>calibration: {0}</source>
         <translation>Kalibrierung: {0}</translation></message>
@@ -1947,23 +1947,23 @@
         <translation>Parameternummer</translation></message>
     <message><source>the request came back instead of a status</source>
         <translation>statt eines Status kam die Anfrage zurück</translation></message>
-    <message><source>motors are numbered 1 and 2, not {0}</source>
+    <message><source>the motor number must be 1 or 2, not {0}</source>
         <translation>die Motoren haben die Nummern 1 und 2, nicht {0}</translation></message>
     <message><source>{0} is not the signature of a TReX</source>
         <translation>{0} ist nicht die Signatur eines TReX</translation></message>
-    <message><source>a write ends in 55 2A, not {0}</source>
+    <message><source>a write must end in 55 2A, not {0}</source>
         <translation>ein Schreibbefehl endet mit 55 2A, nicht {0}</translation></message>
     <message><source>speed of the auxiliary motor</source>
         <translation>Geschwindigkeit des Hilfsmotors</translation></message>
-    <message><source>channels are numbered 1 to 5, not {0}</source>
+    <message><source>the channel number must be 1 to 5, not {0}</source>
         <translation>die Kanäle haben die Nummern 1 bis 5, nicht {0}</translation></message>
-    <message><source>the control flag is 0 or 1, not {0}</source>
+    <message><source>the control flag must be 0 or 1, not {0}</source>
         <translation>0 oder 1 gibt an, wer die Motoren steuert, nicht {0}</translation></message>
-    <message><source>a channel mask is 0 to {0}, not {1}</source>
+    <message><source>a channel mask must be 0 to {0}, not {1}</source>
         <translation>eine Kanalmaske ist 0 bis {0}, nicht {1}</translation></message>
     <message><source>{0:#04x} names channels that a TReX does not have</source>
         <translation>{0:#04x} nennt Kanäle, die ein TReX nicht hat</translation></message>
-    <message><source>a parameter is 0 to 127, not {0}</source>
+    <message><source>a parameter number must be 0 to 127, not {0}</source>
         <translation>ein Parameter ist 0 bis 127, nicht {0}</translation></message>
     <message><source>{0} is not a TReX result code (0 to 3)</source>
         <translation>{0} ist kein Ergebniscode eines TReX (0 bis 3)</translation></message>
@@ -2093,13 +2093,13 @@
         <translation>analog</translation></message>
     <message><source>brake with {0}</source>
         <translation>bremsen mit {0}</translation></message>
-    <message><source>the model is {0}, not {1!r}</source>
+    <message><source>the model must be {0}, not {1!r}</source>
         <translation>die Modelle sind {0}, nicht {1!r}</translation></message>
-    <message><source>PWM prescaler is 0 to {0}, not {1}</source>
+    <message><source>the PWM prescaler must be 0 to {0}, not {1}</source>
         <translation>der PWM-Vorteiler ist 0 bis {0}, nicht {1}</translation></message>
     <message><source>brake duty</source>
         <translation>Bremsstärke</translation></message>
-    <message><source>a motor's speed is -127 to 127, not {0}</source>
+    <message><source>a motor's speed must be -127 to 127, not {0}</source>
         <translation>die Geschwindigkeit eines Motors ist -127 bis 127, nicht {0}</translation></message>
     <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that ground is connected, and that the serial settings match those of the board. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch it off and on.</source>
         <translation>An {0} antwortet kein TReX. Prüfen Sie, ob das Board Strom hat (eine LED leuchtet), ob TX des Adapters mit SI und RX mit SO verbunden ist (oder beide mit den RS-232-Pins, nie gemischt), ob die Masse verbunden ist und ob die seriellen Einstellungen des Boards diesen entsprechen. Wenn beide LEDs gemeinsam blinken, ist das Board im Lernmodus: Ziehen Sie den SO–G-Jumper ab, dann schalten Sie das Board aus und ein.</translation></message>
@@ -2131,9 +2131,9 @@
         <translation>Verspätete Antworten kamen an und lassen sich keiner Anfrage zuordnen.</translation></message>
     <message><source>The board's replies to {0} differ each time: the line corrupts bytes, so what is stored is not known. Check cable and ground, keep motor leads away from them, or use a lower baud rate or CRC.</source>
         <translation>Die Antworten des Boards auf {0} sind jedes Mal anders: Die Leitung verfälscht Bytes, daher ist nicht bekannt, was gespeichert ist. Prüfen Sie Kabel und Masse, halten Sie Motorleitungen davon fern, oder verwenden Sie eine niedrigere Baudrate oder CRC.</translation></message>
-    <message><source>The stop was sent, but the board does not confirm it. If a motor still turns, cut its power.</source>
+    <message><source>The stop was sent, but the board does not confirm it. If a motor is still turning, cut its power.</source>
         <translation>Der Stopp wurde gesendet, aber das Board bestätigt ihn nicht. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
-    <message><source>The stop was sent and the board responds, but the line corrupts bytes. It is sent again until the line is quiet. If a motor still turns, cut its power.</source>
+    <message><source>The stop was sent and the board responds, but the line corrupts bytes. The stop is repeated until the line is quiet. If a motor is still turning, cut its power.</source>
         <translation>Der Stopp wurde gesendet und das Board antwortet, aber die Leitung verfälscht Bytes. Er wird wiederholt, bis die Leitung ruhig ist. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>The program did not respond for more than half a second.</source>
         <translation>Das Programm reagierte länger als eine halbe Sekunde nicht.</translation></message>
@@ -2149,7 +2149,7 @@
         <translation>Ein Stopp kam zuvor; es wurde nichts gesendet.</translation></message>
     <message><source>The program does not scan for other boards while motors are armed or may be moving. Stop the motors first.</source>
         <translation>Andere Boards werden nicht gesucht, solange Motoren freigegeben sind oder sich vielleicht bewegen. Stoppen Sie zuerst die Motoren.</translation></message>
-    <message><source>Board {0} was not selected, because the stop of the present board is not confirmed. If a motor still turns, cut its power.</source>
+    <message><source>Board {0} was not selected, because the stop of the present board is not confirmed. If a motor is still turning, cut its power.</source>
         <translation>Board {0} wurde nicht ausgewählt, da für das jetzige kein Stopp bestätigt ist. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>Board {0} was not selected, because it does not respond. Check that it has power. The previous board is still selected.</source>
         <translation>Board {0} wurde nicht ausgewählt, da es nicht antwortet. Prüfen Sie, ob es Strom hat. Das vorher ausgewählte Board bleibt ausgewählt.</translation></message>
@@ -2249,13 +2249,13 @@
         <translation>Überlauf des Sendepuffers</translation></message>
     <message><source>A reply was longer than the send buffer.</source>
         <translation>Eine Antwort war länger als der Sendepuffer.</translation></message>
-    <message><source>{0} is 0 to 127, not {1}</source>
+    <message><source>{0} must be 0 to 127, not {1}</source>
         <translation>{0} ist 0 bis 127, nicht {1}</translation></message>
     <message><source>a data byte outside a packet</source>
         <translation>ein Datenbyte außerhalb eines Pakets</translation></message>
     <message><source>1 byte</source>
         <translation>1 Byte</translation></message>
-    <message><source>a CRC-7 polynomial is 0x80 to 0xFF, not {0:#x}</source>
+    <message><source>a CRC-7 polynomial must be 0x80 to 0xFF, not {0:#x}</source>
         <translation>ein CRC-7-Polynom ist 0x80 bis 0xFF, nicht {0:#x}</translation></message>
     <message><source>the packet is not complete</source>
         <translation>das Paket ist nicht vollständig</translation></message>
@@ -2271,13 +2271,13 @@
         <translation>{0} mehr, als die Antwort hat</translation></message>
     <message><source>the CRC is {0:02X}, not {1:02X}</source>
         <translation>der CRC-Wert ist {0:02X}, nicht {1:02X}</translation></message>
-    <message><source>UART settings are a wire value of 0 to 127, not {0}</source>
+    <message><source>UART settings must be a wire value from 0 to 127, not {0}</source>
         <translation>der Bytewert der UART-Einstellungen ist 0 bis 127, nicht {0}</translation></message>
     <message><source>UART settings {0:#04x} name no baud rate</source>
         <translation>die UART-Einstellungen {0:#04x} nennen keine Baudrate</translation></message>
     <message><source>a TReX runs at {0} baud, not {1}</source>
         <translation>ein TReX läuft mit {0} Baud, nicht {1}</translation></message>
-    <message><source>1 or 2 stop bits, not {0}</source>
+    <message><source>the number of stop bits must be 1 or 2, not {0}</source>
         <translation>1 oder 2 Stoppbits, nicht {0}</translation></message>
     <message><source>(twin)</source>
         <translation>(Zwilling)</translation></message>
@@ -2291,7 +2291,7 @@
         <translation>Kanäle {0}</translation></message>
     <message><source>none, or any of channels 1 to 5, such as 1, 3</source>
         <translation>keiner oder einige der Kanäle 1 bis 5, zum Beispiel 1, 3</translation></message>
-    <message><source>{0} is {1}, not {2}</source>
+    <message><source>{0} must be {1}, not {2}</source>
         <translation>{0} ist {1}, nicht {2}</translation></message>
     <message><source>any of 1 to 5</source>
         <translation>beliebige aus 1 bis 5</translation></message>
@@ -2407,7 +2407,7 @@
         <translation>Eine andere Sicherungskopie heißt schon {0}.</translation></message>
     <message><source>is missing</source>
         <translation>fehlt</translation></message>
-    <message><source>a history keeps at least one snapshot, not {0}</source>
+    <message><source>a history must keep at least one snapshot, not {0}</source>
         <translation>ein Verlauf behält mindestens eine Sicherungskopie, nicht {0}</translation></message>
     <message><source>At most {0} characters are allowed.</source>
         <translation>Höchstens {0} Zeichen sind möglich.</translation></message>
@@ -2459,7 +2459,7 @@
         <translation>wird {layout} geschrieben, nicht {given}</translation></message>
     <message><source>a calibration has no {field!r}{guess}</source>
         <translation>eine Kalibrierung hat kein {field!r}{guess}</translation></message>
-    <message><source>{field} is 0 to {highest}, not {given}</source>
+    <message><source>{field} must be 0 to {highest}, not {given}</source>
         <translation>{field} ist 0 bis {highest}, nicht {given}</translation></message>
     <message><source>{fields} is missing</source>
         <translation>{fields} fehlt</translation></message>
@@ -2493,7 +2493,7 @@
         <translation>Zugleich erforderlich und ignoriert: {channels}. Das Signal bewegt nichts, aber ohne es laufen die Motoren im RC-Modus vielleicht nicht (erschlossen).</translation></message>
     <message><source>The {end} of {channel}, {count}, is beyond {limit}, the last count that the board measures: full speed on that side is never reached.</source>
         <translation>Das {end} von {channel}, {count}, liegt jenseits von {limit}, dem letzten Count, den das Board misst: Die volle Geschwindigkeit auf dieser Seite wird nie erreicht.</translation></message>
-    <message><source>After the next power cycle the line settings of the board are {new}; now they are {now}. Change the programs that use the board then.</source>
+    <message><source>After the next power cycle, the line settings of the board will be {new} instead of {now}. Programs that use the board must then use them, too.</source>
         <translation>Nach dem nächsten Aus- und Einschalten sind die Leitungseinstellungen des Boards {new}; jetzt sind sie {now}. Ändern Sie dann die Programme, die das Board verwenden.</translation></message>
     <message><source>The prescaler {0} gives {1}.</source>
         <translation>Der Vorteiler {0} ergibt {1}.</translation></message>
@@ -2501,7 +2501,7 @@
         <translation>Der Totbereich von {channel} reicht von der Neutralstellung bis zur Endlage ({ends}): Zwischen Stillstand und voller Geschwindigkeit liegt auf dieser Seite nichts.</translation></message>
     <message><source>A {board} set to {baud} baud really runs at {real} baud; firmware {fixed_in} corrects this. Programs must use {real} baud.</source>
         <translation>Ein {board}, auf {baud} Baud eingestellt, läuft tatsächlich mit {real} Baud; Firmware {fixed_in} behebt das. Programme müssen {real} Baud verwenden.</translation></message>
-    <message><source>This computer's serial port does not support {baud} baud: after the next power cycle it could not reach the board any more.</source>
+    <message><source>This computer's serial port does not support {baud} baud: after the next power cycle, the computer could no longer reach the board.</source>
         <translation>Der serielle Port dieses Computers unterstützt {baud} Baud nicht: Nach dem nächsten Aus- und Einschalten könnte er das Board nicht mehr erreichen.</translation></message>
     <message><source>{0} to {1}</source><comment>set a parameter</comment>
         <translation>{0} auf {1}</translation></message>
@@ -2513,9 +2513,9 @@
         <translation>{timeout} von {seconds} stoppt die Motoren vielleicht nicht, wenn das Kabel oder der Computer ausfällt: {shutdown} ist aus (Zwilling).</translation></message>
     <message><source>No effect in joint mode: {limits}. The board measures no current then, so the motor is not protected.</source>
         <translation>Ohne Wirkung im Parallelbetrieb: {limits}. Das Board misst dann keinen Strom, der Motor ist also nicht geschützt.</translation></message>
-    <message><source>{limit} is {value}, but its proportionality constant P, how strongly the limiter reacts, is 0. The limit may have no effect then (inferred).</source>
+    <message><source>{limit} is {value}, but its proportionality constant P, which sets how strongly the limiter reacts, is 0. The limit may then have no effect (inferred).</source>
         <translation>{limit} ist {value}, aber der zugehörige Proportionalfaktor P, also wie stark die Strombegrenzung reagiert, ist 0. Die Grenze hat dann vielleicht keine Wirkung (erschlossen).</translation></message>
-    <message><source>{limit} is {value} and {ramp} is 0, which means at once. As soon as the current falls below the limit, the motor jumps back to its full target speed, so it may run in jerks (inferred).</source>
+    <message><source>{limit} is {value} and {ramp} is 0, so the speed changes at once. As soon as the current falls below the limit, the motor jumps back to its full target speed, so it may run in jerks (inferred).</source>
         <translation>{limit} ist {value}, und {ramp} ist 0, also sofort. Sobald der Strom unter die Grenze fällt, springt der Motor auf seine volle Sollgeschwindigkeit zurück und läuft dadurch vielleicht ruckweise (erschlossen).</translation></message>
     <message><source>The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} is rated for {highest}; above that it gets hot.</source>
         <translation>Die PWM von Motor {motor} läuft mit {now} (erschlossen), der Motortreiber eines {product} ist aber nur für {highest} ausgelegt; darüber wird er heiß.</translation></message>
@@ -3345,15 +3345,15 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>Diese Werte &amp;verwenden…</translation></message>
     <message><source>{0} end: not reached yet</source>
         <translation>Endlage {0}: noch nicht erreicht</translation></message>
-    <message><source>{0} end: hold it there</source>
+    <message><source>{0} end: hold this position</source>
         <translation>Endlage {0}: dort halten</translation></message>
     <message><source>{0} end: reached</source>
         <translation>Endlage {0}: erreicht</translation></message>
     <message><source>{0} end: not needed</source>
         <translation>Endlage {0}: nicht nötig</translation></message>
-    <message><source>Calculated for each channel separately from the values in the board. Assumed: an output of up to 8 of 127 is neutral, and the switching points of switches.</source>
+    <message><source>Calculated from the values in the board, for each channel on its own. Two assumptions: outputs of up to 8 of 127 are neutral, and switches change halfway between neutral and the end.</source>
         <translation>Aus den Werten im Board berechnet, für jeden Kanal einzeln. Angenommen: bis zu 8 von 127 gelten als neutral; die Umschaltpunkte von Schaltern.</translation></message>
-    <message><source>Hold it there …</source>
+    <message><source>Hold this position …</source>
         <translation>Dort halten …</translation></message>
     <message><source>No end reached yet.</source>
         <translation>Noch keine Endlage erreicht.</translation></message>
@@ -3363,9 +3363,9 @@ Bevor Einstellungen angewendet oder Standardwerte wiederhergestellt werden, in d
         <translation>unten</translation></message>
     <message><source>high</source>
         <translation>oben</translation></message>
-    <message><source>Left out: its rest position is not known.</source>
+    <message><source>Left out: the rest position is unknown.</source>
         <translation>Ausgelassen: Die Ruhelage ist nicht bekannt.</translation></message>
-    <message><source>Not held. Hold it there for {0:.1f} s.</source>
+    <message><source>Not held. Hold this position for {0:.1f} s.</source>
         <translation>Nicht gehalten. Halten Sie ihn dort {0:.1f} s lang.</translation></message>
     <message><source>Reached: {0}.</source>
         <translation>Erreicht: {0}.</translation></message>
@@ -3597,7 +3597,7 @@ bisher {1}</translation></message>
         <translation>Verbunden seit</translation></message>
     <message><source>The line is noisy and has no CRC: a corrupted reply looks the same.</source>
         <translation>Die Leitung ist gestört und hat kein CRC: Eine verfälschte Antwort sieht genauso aus.</translation></message>
-    <message><source>Latched before connecting, perhaps by the search for the board; not counted.</source>
+    <message><source>Latched before connecting, perhaps by a search for the board; not counted.</source>
         <translation>Schon vor dem Verbinden gesetzt, vielleicht durch die Suche nach dem Board; nicht gezählt.</translation></message>
     <message><source>{0}, active now, stops the motors</source>
         <translation>{0}, jetzt aktiv, stoppt die Motoren</translation></message>
@@ -3647,7 +3647,7 @@ bisher {1}</translation></message>
         <translation>Gamepad einrichten</translation></message>
     <message><source>Assignment</source>
         <translation>Zuordnung</translation></message>
-    <message><source>One axis drives, one turns</source>
+    <message><source>One axis drives, the other turns</source>
         <translation>Eine Achse fährt, eine lenkt</translation></message>
     <message><source>An axis for each motor</source>
         <translation>Eine Achse für jeden Motor</translation></message>
@@ -3705,7 +3705,7 @@ bisher {1}</translation></message>
         <translation>Gehaltene Tasten fahren überall auf dieser Seite, wo auch der Fokus ist, außer in Zahlenfeldern, Tabellen und Listen; Schieberegler erhalten dann keine Pfeiltasten. Im Fahrfeld fahren sie immer.</translation></message>
     <message><source>Both motors &amp;linked</source>
         <translation>Beide Motoren ge&amp;koppelt</translation></message>
-    <message><source>Either slider sets both motors; the robot does not turn</source>
+    <message><source>Either slider sets both motors, so the robot does not turn</source>
         <translation>Jeder Schieberegler setzt beide Motoren; der Roboter lenkt nicht</translation></message>
     <message><source>The motors run differently: stop both, or give both the same speed</source>
         <translation>Die Motoren laufen verschieden: Stoppen Sie beide, oder geben Sie beiden dieselbe Geschwindigkeit</translation></message>
@@ -4005,7 +4005,7 @@ bisher {1}</translation></message>
         <translation>Die Räder sind vom &amp;Boden abgehoben</translation></message>
     <message><source>Short, weak pulses while you hold it with the mouse or the space bar</source>
         <translation>Kurze, schwache Impulse, solange Sie die Schaltfläche mit der Maus oder der Leertaste gedrückt halten</translation></message>
-    <message><source>Armed. The motor turns in short, weak pulses while you hold.</source>
+    <message><source>Armed. The motor turns in short, weak pulses while you hold the button.</source>
         <translation>Freigegeben. Der Motor dreht in kurzen, schwachen Impulsen, solange Sie gedrückt halten.</translation></message>
     <message><source>Motor {0} is driven in pulses. Release the button to stop it.</source>
         <translation>Motor {0} läuft in Impulsen. Lassen Sie die Schaltfläche los, um ihn zu stoppen.</translation></message>
@@ -4527,7 +4527,7 @@ bisher {1}</translation></message>
         <translation>Verbinden mit {0} …</translation></message>
     <message><source>Disconnecting …</source>
         <translation>Trennen …</translation></message>
-    <message><source>The cable of the Demo {0} is unplugged. Plug it in on its panel, then connect again.</source>
+    <message><source>The cable of the Demo {0} is unplugged. Plug the cable in on the demo panel, then connect again.</source>
         <translation>Das Kabel des Demo-{0} ist ausgesteckt. Stecken Sie es auf seinem Bedienfeld ein und verbinden Sie dann wieder.</translation></message>
     <message><source>Replies lost</source>
         <translation>Verlorene Antworten</translation></message>
@@ -4569,7 +4569,7 @@ bisher {1}</translation></message>
         <translation>Demo-{0}</translation></message>
     <message><source>The simulator does not start. Reinstall the program.</source>
         <translation>Der Simulator startet nicht. Installieren Sie das Programm neu.</translation></message>
-    <message><source>The simulator ended at once. {0}</source>
+    <message><source>The simulator exited immediately. {0}</source>
         <translation>Der Simulator hat sich sofort beendet. {0}</translation></message>
     <message><source>&amp;Undo {0}</source>
         <translation>&amp;Rückgängig: {0}</translation></message>
@@ -4787,7 +4787,7 @@ bisher {1}</translation></message>
         <translation>Fenster schließen</translation></message>
     <message><source>Pages of the help</source>
         <translation>Seiten der Hilfe</translation></message>
-    <message><source>The program could not stop the motors itself. The guardian process sent a stop at {0}, which the board did not confirm. If a motor still turns, cut its power.</source>
+    <message><source>The program could not stop the motors itself. The guardian process sent a stop at {0}, which the board did not confirm. If a motor is still turning, cut its power.</source>
         <translation>Das Programm konnte die Motoren nicht selbst stoppen. Der Wächterprozess hat einen Stopp gesendet ({0}), den das Board nicht bestätigt hat. Falls sich noch ein Motor dreht, trennen Sie die Motorversorgung.</translation></message>
     <message><source>The program could not stop the motors itself. The guardian process stopped them at {0}, and the board confirmed that.</source>
         <translation>Das Programm konnte die Motoren nicht selbst stoppen. Der Wächterprozess hat sie gestoppt ({0}), und das Board hat das bestätigt.</translation></message>
@@ -4797,7 +4797,7 @@ bisher {1}</translation></message>
         <translation>Die Aufzeichnung beenden; Motoren und Verbindung sind nicht betroffen</translation></message>
     <message><source>Recorded to {0} ({1}). Use {2} to view it.</source>
         <translation>Aufgezeichnet in {0} ({1}). Zum Ansehen: {2}.</translation></message>
-    <message><source>{0} is open; close its window before recording over it.</source>
+    <message><source>{0} is open; close its window before you overwrite it.</source>
         <translation>{0} ist geöffnet; schließen Sie das zugehörige Fenster, bevor Sie die Datei mit einer neuen Aufzeichnung überschreiben.</translation></message>
     <message><source>Save a cop&amp;y…</source>
         <translation>&amp;Kopie speichern…</translation></message>
@@ -5035,7 +5035,7 @@ bisher {1}</translation></message>
         <translation>&amp;Nur Fehler</translation></message>
     <message><source>Show only failed transactions and line errors</source>
         <translation>Nur fehlgeschlagene Transaktionen und Leitungsfehler anzeigen</translation></message>
-    <message><source>Do not add rows for now; the traffic is still logged</source>
+    <message><source>Stop adding rows; the traffic is still logged</source>
         <translation>Vorerst keine Zeilen hinzufügen; der Datenverkehr wird weiter protokolliert</translation></message>
     <message><source>events lost: {0}</source>
         <translation>verlorene Ereignisse: {0}</translation></message>

@@ -7,8 +7,8 @@
         <translation><numerusform>once</numerusform><numerusform>%n times</numerusform></translation></message>
     <message numerus="yes"><source>Connected to Aracna: firmware {0}, %n motor(s).</source>
         <translation><numerusform>Connected to Aracna: firmware {0}, %n motor.</numerusform><numerusform>Connected to Aracna: firmware {0}, %n motors.</numerusform></translation></message>
-    <message numerus="yes"><source>Cropped to the limits of the joints: %n step(s).</source>
-        <translation><numerusform>Cropped to the limits of the joints: %n step.</numerusform><numerusform>Cropped to the limits of the joints: %n steps.</numerusform></translation></message>
+    <message numerus="yes"><source>Clamped to the limits of the joints: %n step(s).</source>
+        <translation><numerusform>Clamped to the limits of the joints: %n step.</numerusform><numerusform>Clamped to the limits of the joints: %n steps.</numerusform></translation></message>
     <message numerus="yes"><source>Playing %n step(s), {0}.</source>
         <translation><numerusform>Playing %n step, {0}.</numerusform><numerusform>Playing %n steps, {0}.</numerusform></translation></message>
     <message numerus="yes"><source>Aracna, firmware {0}, %n motor(s)</source>

@@ -111,7 +111,7 @@
         <translation>Des échantillons de {0} parmi les éléments {1} à {2} sont perdus : {3}.</translation></message>
     <message><source>The column {0} is computed.</source>
         <translation>La colonne {0} est calculée.</translation></message>
-    <message><source>The motors of the {0} at {1}, driven since {2}, were left running. The board now connected there has confirmed a stop. If a motor still turns, cut its power.</source>
+    <message><source>The motors of the {0} at {1}, driven since {2}, were left running. The board now connected there has confirmed a stop. If a motor is still turning, cut its power.</source>
         <translation>Les moteurs de la carte {0} sur {1}, pilotée depuis {2}, étaient restés en marche. La carte qui s'y trouve maintenant a confirmé un arrêt. Si un moteur tourne encore, coupez son alimentation.</translation></message>
     <message><source>Stop the motors first.</source>
         <translation>Il faut d'abord arrêter les moteurs.</translation></message>
@@ -223,7 +223,7 @@
         <translation>La carte a redémarré ; elle sera prête dans une seconde …</translation></message>
     <message><source>The robot is not responding. Is its power on? Waiting for it …</source>
         <translation>Le robot ne répond pas. Est-il sous tension ? Attente …</translation></message>
-    <message numerus="yes"><source>Cropped to the limits of the joints: %n step(s).</source>
+    <message numerus="yes"><source>Clamped to the limits of the joints: %n step(s).</source>
         <translation><numerusform>Ramenée aux limites des articulations : %n étape.</numerusform><numerusform>Ramenées aux limites des articulations : %n étapes.</numerusform></translation></message>
     <message><source>Speeds not set: {0}</source>
         <translation>Vitesses non réglées : {0}</translation></message>
@@ -277,7 +277,7 @@
         <translation>Transition d'entrée en cours.</translation></message>
     <message><source>Playing blend-out.</source>
         <translation>Transition de sortie en cours.</translation></message>
-    <message><source>Cropped to the limits of the joints: {0}.</source>
+    <message><source>Clamped to the limits of the joints: {0}.</source>
         <translation>Ramené aux limites des articulations : {0}.</translation></message>
     <message><source>The board has restarted. Its servos continue to their goals.</source>
         <translation>La carte a redémarré. Ses servos continuent jusqu'à leurs cibles.</translation></message>
@@ -345,13 +345,13 @@
         <translation>une {0} a un nom avant son deux-points</translation></message>
     <message><source>{0}; the line is kept, but not used</source>
         <translation>{0} ; la ligne est conservée, mais pas utilisée</translation></message>
-    <message><source>a name has 1 to {0} printable characters, without colon, comma or bar</source>
+    <message><source>a name must have 1 to {0} printable characters, without colon, comma or bar</source>
         <translation>un nom a de 1 à {0} caractères imprimables, sans deux-points, virgule ni barre</translation></message>
     <message><source>the name {0} is taken</source>
         <translation>le nom {0} est déjà pris</translation></message>
-    <message><source>the speed of motor {0} is 0 to {1}, not {2}</source>
+    <message><source>the speed of motor {0} must be 0 to {1}, not {2}</source>
         <translation>la vitesse du moteur {0} va de 0 à {1}, et non {2}</translation></message>
-    <message><source>the position of motor {0} is 0 to {1}, not {2}</source>
+    <message><source>the position of motor {0} must be 0 to {1}, not {2}</source>
         <translation>la position du moteur {0} va de 0 à {1}, et non {2}</translation></message>
     <message><source>{0} motors need {0} values, not {1}</source>
         <translation>{0} moteurs demandent {0} valeurs, et non {1}</translation></message>
@@ -363,7 +363,7 @@
         <translation>Arrière droite</translation></message>
     <message><source>Back left</source>
         <translation>Arrière gauche</translation></message>
-    <message><source>limits are 0 to {0}, the lower one first, not {1} to {2}</source>
+    <message><source>limits must be 0 to {0}, the lower one first, not {1} to {2}</source>
         <translation>les limites vont de 0 à {0}, dans l'ordre, pas de {1} à {2}</translation></message>
     <message><source>No Aracna responds on {0}. It does not listen while it moves: if it is moving, wait until it stops. Check that the robot's board has power, that the adapter's TX goes to its RX and its RX to its TX (or that both radios are on the same channel), and that ground is connected.</source>
         <translation>Aucun Aracna ne répond sur {0}. Il n'écoute pas pendant qu'il bouge : s'il bouge, attendez qu'il s'arrête. Vérifiez que la carte du robot est alimentée, que TX de l'adaptateur va à son RX et RX à son TX (ou que les deux radios sont sur le même canal), et que la masse est reliée.</translation></message>
@@ -417,13 +417,13 @@
         <translation>Erreur interne de la connexion : {0}</translation></message>
     <message><source>Played to the end.</source>
         <translation>Joué jusqu'à la fin.</translation></message>
-    <message><source>The sequence ended after its step.</source>
+    <message><source>The sequence ended after the current step.</source>
         <translation>La séquence s'est terminée après son étape.</translation></message>
     <message><source>The sequence was stopped.</source>
         <translation>La séquence a été arrêtée.</translation></message>
     <message><source>The sequence was aborted: the board has restarted.</source>
         <translation>La séquence a été interrompue : la carte a redémarré.</translation></message>
-    <message><source>The sequence was aborted: the robot waits for a motor.</source>
+    <message><source>The sequence was aborted: the robot is waiting for a motor.</source>
         <translation>La séquence a été interrompue : le robot attend un moteur.</translation></message>
     <message><source>The sequence was aborted: a motor did not accept its speed.</source>
         <translation>La séquence a été interrompue : un moteur n'a pas accepté sa vitesse.</translation></message>
@@ -659,7 +659,7 @@
         <translation>No&amp;uveau</translation></message>
     <message><source>Add s&amp;tep</source>
         <translation>Ajout&amp;er une étape</translation></message>
-    <message><source>Add a step to “{0}” after the current one</source>
+    <message><source>Add a step with the pose “{0}” after the current step</source>
         <translation>Ajouter une étape vers « {0} » après l'étape actuelle</translation></message>
     <message><source> ms</source>
         <translation> ms</translation></message>
@@ -725,7 +725,7 @@
         <translation>À la fin, aller lentement, en 3 s, à la pose « stand ».</translation></message>
     <message><source>Select a sequence or a gait to play it.</source>
         <translation>Choisissez une séquence ou une allure pour la jouer.</translation></message>
-    <message><source>Positions outside the limits are cropped.</source>
+    <message><source>Positions outside the limits are clamped.</source>
         <translation>Les positions hors limites sont ramenées aux limites.</translation></message>
     <message><source>Some motors are too slow.</source>
         <translation>Certains moteurs sont trop lents.</translation></message>
@@ -867,7 +867,7 @@
         <translation>Tous les moteurs ont atteint leur cible à quelques unités près.</translation></message>
     <message><source>The newest goal is sent as soon as the robot has reached the last one</source>
         <translation>La cible la plus récente est envoyée dès que le robot a atteint la précédente</translation></message>
-    <message><source>How far each joint may turn; goals are cropped before sending</source>
+    <message><source>How far each joint may turn; goals are clamped before sending</source>
         <translation>Jusqu'où chaque articulation peut tourner ; les cibles sont ramenées aux limites avant l'envoi</translation></message>
     <message><source>differ</source>
         <translation>différentes</translation></message>
@@ -963,11 +963,11 @@
         <translation>inversion {0}, {1} s</translation></message>
     <message><source>sine {0}, {1} s</source>
         <translation>sinus {0}, {1} s</translation></message>
-    <message><source>the speed of a bench test is −{0} to −1 or 1 to {0}, not {1}</source>
+    <message><source>the speed of a bench test must be −{0} to −1 or 1 to {0}, not {1}</source>
         <translation>la vitesse d'un essai au banc va de −{0} à {0} sans être 0, pas {1}</translation></message>
-    <message><source>a bench test lasts {0:g} to {1:g} s, not {2:g} s</source>
+    <message><source>a bench test must last {0:g} to {1:g} s, not {2:g} s</source>
         <translation>un essai au banc dure de {0:g} à {1:g} s, pas {2:g} s</translation></message>
-    <message><source>the period of a bench test is {0:g} to {1:g} s, not {2:g} s</source>
+    <message><source>the period of a bench test must be {0:g} to {1:g} s, not {2:g} s</source>
         <translation>la période d'un essai au banc va de {0:g} à {1:g} s, pas {2:g} s</translation></message>
     <message><source>{0} Doubtful: the line is noisy and has no CRC.</source>
         <translation>{0} Douteux : la liaison est bruitée et n'a pas de CRC.</translation></message>
@@ -987,7 +987,7 @@
         <translation>Ne laissez aucun autre programme émettre sur cette liaison.</translation></message>
     <message><source>Let other programs request fewer channels at once.</source>
         <translation>Faites en sorte que les autres programmes demandent moins de voies à la fois.</translation></message>
-    <message><source>Latched before connecting, perhaps by the search for the board: {0}</source>
+    <message><source>Latched before connecting, perhaps by a search for the board: {0}</source>
         <translation>Mémorisé avant la connexion, peut-être à cause de la recherche de la carte : {0}</translation></message>
     <message><source>Connected to {0} on {1}.</source>
         <translation>Connecté à {0} sur {1}.</translation></message>
@@ -1041,9 +1041,9 @@
         <translation>{0} ; réglage conseillé : non inversée.</translation></message>
     <message><source>The measured ends are up to {0} farther out.</source>
         <translation>Les extrémités mesurées sont jusqu'à {0} plus loin.</translation></message>
-    <message><source>It never goes above its rest position, so maximum is set to the limit of the input.</source>
+    <message><source>The signal never goes above its rest position, so maximum is set to the limit of the input.</source>
         <translation>Elle ne va jamais au-dessus de sa position de repos ; le maximum est donc réglé à la limite de l'entrée.</translation></message>
-    <message><source>It never goes below its rest position, so minimum is set to the limit of the input.</source>
+    <message><source>The signal never goes below its rest position, so minimum is set to the limit of the input.</source>
         <translation>Elle ne va jamais en dessous de sa position de repos ; le minimum est donc réglé à la limite de l'entrée.</translation></message>
     <message><source>The value fell when the stick went forward or right first</source>
         <translation>La valeur a diminué quand le manche est d'abord allé vers l'avant ou vers la droite</translation></message>
@@ -1053,7 +1053,7 @@
         <translation>L'autre position est au-dessus de celle de repos, qui devrait être inactive</translation></message>
     <message><source>The other position reads lower than the rest position, which should be off</source>
         <translation>L'autre position est en dessous de celle de repos, qui devrait être inactive</translation></message>
-    <message><source>At rest its noise is {0}: the deadband is twice that.</source>
+    <message><source>At rest the noise is {0}: the deadband is twice this value.</source>
         <translation>Au repos, son bruit est de {0} : la zone morte vaut le double.</translation></message>
     <message><source>there is nothing to compare: only probes were sent</source>
         <translation>il n'y a rien à comparer : rien n'a été envoyé, sauf pour rechercher</translation></message>
@@ -1089,7 +1089,7 @@
         <translation>Quelque chose est connecté à {0}, mais ne répond pas comme un TReX : il a envoyé {1} à {2}{3}. C'est un autre appareil, ou la liaison est bruitée.</translation></message>
     <message><source>It is set to {0} baud, but firmware {1} then runs at half that rate: connect at {2}.</source>
         <translation>Elle est réglée sur {0} bauds, que le firmware {1} fait fonctionner à la moitié : connectez à {2}.</translation></message>
-    <message><source>It is set to {0} stop bits; both numbers work on this line.</source>
+    <message><source>It is set to {0} stop bits; either number works on this line.</source>
         <translation>Elle est réglée sur {0} bits d'arrêt ; les deux nombres fonctionnent sur cette liaison.</translation></message>
     <message><source> The port cannot be set to {0} baud, so nothing was probed there.</source>
         <translation> Le port ne peut pas être réglé sur {0} bauds ; rien n'y a donc été cherché.</translation></message>
@@ -1381,15 +1381,15 @@
         <translation>{0:.1f} % de pertes</translation></message>
     <message><source>{0}: noisy; shorten cable, check ground, use CRC</source>
         <translation>{0} : bruitée ; raccourcir le câble, vérifier la masse, utiliser le CRC</translation></message>
-    <message><source>The stop is not confirmed. If a motor still turns, cut its power.</source>
+    <message><source>The stop is not confirmed. If a motor is still turning, cut its power.</source>
         <translation>L'arrêt n'est pas confirmé. Si un moteur tourne encore, coupez son alimentation.</translation></message>
     <message><source>{0} A stop was sent but is not confirmed yet.</source>
         <translation>{0} Un ordre d'arrêt a été envoyé, mais n'est pas encore confirmé.</translation></message>
-    <message><source>{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.</source>
+    <message><source>{0}. The stop is not confirmed: {1} If a motor is still turning, cut its power.</source>
         <translation>{0}. L'arrêt n'est pas confirmé : {1} Si un moteur tourne encore, coupez son alimentation.</translation></message>
     <message><source>{0}, so the motors were stopped.</source>
         <translation>{0} : les moteurs ont donc été arrêtés.</translation></message>
-    <message><source>{0}. No board is connected that could be stopped, and motors may still turn: cut their power.</source>
+    <message><source>{0}. Motors may still be turning: cut their power. No board is connected, so no stop can be sent.</source>
         <translation>{0}. Aucune carte n'est connectée qui puisse être arrêtée, et les moteurs peuvent encore tourner : coupez leur alimentation.</translation></message>
     <message><source>{0}. The board has confirmed the stop.</source>
         <translation>{0}. La carte a confirmé l'arrêt.</translation></message>
@@ -1445,7 +1445,7 @@
         <translation>{0} (échecs : {1})</translation></message>
     <message><source>The connection is not responding, so the stop could not be sent.</source>
         <translation>La connexion ne répond pas ; l'ordre d'arrêt n'a donc pas pu être envoyé.</translation></message>
-    <message><source>The stop may not have reached the {0} that was driven at {1}: another board responded. If its motor still turns, cut its power.</source>
+    <message><source>The stop may not have reached the {0} that was driven at {1}: another board responded. If a motor of that board is still turning, cut its power.</source>
         <translation>Rien n'indique qu'un arrêt ait atteint la carte {0} qui était pilotée sur {1} : une autre carte a répondu. Si un moteur de la première tourne encore, coupez son alimentation.</translation></message>
     <message><source>Another board responds now: {0}, at {1}.</source>
         <translation>Une autre carte répond maintenant : {0}, sur {1}.</translation></message>
@@ -1581,9 +1581,9 @@
         <translation>Active au-dessus de {0}, à mi-chemin entre le neutre et le maximum (déduit).</translation></message>
     <message><source>Active below {0}, halfway between neutral and minimum (inferred).</source>
         <translation>Active en dessous de {0}, à mi-chemin entre le neutre et le minimum (déduit).</translation></message>
-    <message><source>At rest it is active.</source>
+    <message><source>At rest the switch is active.</source>
         <translation>Au repos, elle est active.</translation></message>
-    <message><source>At rest it is off.</source>
+    <message><source>At rest the switch is off.</source>
         <translation>Au repos, elle est inactive.</translation></message>
     <message><source>Cannot continue: the motors could not be confirmed as stopped. {0}</source>
         <translation>Impossible de continuer : l'arrêt des moteurs n'a pas pu être confirmé. {0}</translation></message>
@@ -1611,31 +1611,31 @@
         <translation>Les manches commandent maintenant les moteurs : la commande est passée aux voies.</translation></message>
     <message><source>motor {0} draws {1:.1f} A</source>
         <translation>le moteur {0} consomme {1:.1f} A</translation></message>
-    <message><source>It moved during sampling, between {0} and {1}. Release it and sample again.</source>
+    <message><source>The signal moved during sampling, between {0} and {1}. Release the stick and sample again.</source>
         <translation>La valeur a bougé pendant la mesure, entre {0} et {1}. Lâchez tout et refaites la mesure.</translation></message>
-    <message><source>Release it and sample again; if it continues, the stick or the transmitter is warming up or worn.</source>
+    <message><source>Release the stick and sample again. If the drift continues, the stick or the transmitter is warming up or worn.</source>
         <translation>Lâchez tout et refaites la mesure ; si cela continue, le manche ou l'émetteur est en train de chauffer, ou usé.</translation></message>
     <message><source>Bring the transmitter nearer, or check antenna and cable.</source>
         <translation>Rapprochez l'émetteur, ou vérifiez l'antenne et le câble.</translation></message>
-    <message><source>At rest its noise is {0}: a deadband wide enough to hide it would take a quarter of the travel. Repair the cable, the supply or the stick first.</source>
+    <message><source>At rest the noise is {0}: a deadband wide enough to hide this noise would take a quarter of the travel. Repair the cable, the supply or the stick first.</source>
         <translation>Au repos, son bruit est de {0} : une zone morte assez large pour le masquer prendrait un quart de la course. Réparez d'abord le câble, l'alimentation ou le manche.</translation></message>
     <message><source>An unconnected input behaves in the same way.</source>
         <translation>Une entrée à laquelle rien n'est raccordé fait cela aussi.</translation></message>
-    <message><source>Either nothing is connected to it (its voltage is then meaningless), or its stick was not moved.</source>
+    <message><source>Either nothing is connected to this input (its voltage is then meaningless), or its stick was not moved.</source>
         <translation>Soit rien n'y est raccordé (sa tension ne signifie alors rien), soit ce qui y est raccordé n'a pas été bougé.</translation></message>
     <message><source>At least {1} are needed: the deadband, and a count for each of the {2} speeds.</source>
         <translation>Il faut au moins {1} : la zone morte, et un count pour chacune des {2} vitesses.</translation></message>
-    <message><source>Push it the other way, too; if it does not move that way, it was at an end during sampling.</source>
+    <message><source>Push the stick the other way, too. If it does not move that way, it was at an end during sampling.</source>
         <translation>Poussez le manche aussi dans l'autre sens ; s'il ne peut pas y aller, il était à une extrémité pendant la mesure.</translation></message>
-    <message><source>It went one way only.</source>
+    <message><source>The stick went one way only.</source>
         <translation>La valeur n'est allée que dans un sens.</translation></message>
-    <message><source>Go back, push it all the way and hold it there for {0:.1f} s.</source>
+    <message><source>Go back, push the stick all the way and hold it there for {0:.1f} s.</source>
         <translation>Revenez en arrière, poussez le manche jusqu'au bout et maintenez-l'y {0:.1f} s.</translation></message>
-    <message><source>It went {0} to one side, but only {1} to the other.</source>
+    <message><source>The stick went {0} to one side, but only {1} to the other.</source>
         <translation>La valeur est allée à {0} d'un côté, mais seulement à {1} de l'autre.</translation></message>
-    <message><source>Was it pushed all the way?</source>
+    <message><source>Was the stick pushed all the way?</source>
         <translation>Le manche a-t-il été poussé jusqu'au bout ?</translation></message>
-    <message><source>Should it be reversed, or not?</source>
+    <message><source>Should the channel be reversed?</source>
         <translation>Faut-il l'inverser, ou non ?</translation></message>
     <message><source>No signal: no valid pulse arrives.</source>
         <translation>Pas de signal : aucune impulsion valide n'arrive.</translation></message>
@@ -1643,9 +1643,9 @@
         <translation>L'émetteur est-il allumé, et le récepteur est-il raccordé à cette voie ?</translation></message>
     <message><source>No signal.</source>
         <translation>Pas de signal.</translation></message>
-    <message><source>It drifted up by {0} during sampling.</source>
+    <message><source>The signal drifted up by {0} during sampling.</source>
         <translation>La valeur a dérivé de {0} vers le haut pendant la mesure.</translation></message>
-    <message><source>It drifted down by {0} during sampling.</source>
+    <message><source>The signal drifted down by {0} during sampling.</source>
         <translation>La valeur a dérivé de {0} vers le bas pendant la mesure.</translation></message>
     <message><source>The signal comes and goes: {0:.0%} of the samples had no valid pulse.</source>
         <translation>Le signal va et vient : {0:.0%} des échantillons n'avaient pas d'impulsion valide.</translation></message>
@@ -1659,7 +1659,7 @@
         <translation>La carte répète la dernière valeur ; des pertes inférieures à un tiers, ou d'un signal plus stable, passent donc inaperçues.</translation></message>
     <message><source>At rest the noise is {0}, more than the deadband ({1}): the motor would creep.</source>
         <translation>Au repos, le bruit est de {0}, plus que la zone morte ({1}) : le moteur tournerait lentement tout seul.</translation></message>
-    <message><source>It never moved, although a steady signal arrives.</source>
+    <message><source>A steady signal arrives, but it never moved.</source>
         <translation>La valeur n'a jamais bougé, bien qu'un signal stable arrive.</translation></message>
     <message><source>Either another stick controls this channel, or it was not moved.</source>
         <translation>Soit un autre manche commande cette voie, soit le sien n'a pas été bougé.</translation></message>
@@ -1667,7 +1667,7 @@
         <translation>Rien ne bouge sur cette entrée : elle reste à {0}.</translation></message>
     <message><source>Nothing moves on this input: it stays at {0}, an end of the measuring range.</source>
         <translation>Rien ne bouge sur cette entrée : elle reste à {0}, une extrémité de la plage de mesure.</translation></message>
-    <message><source>It went only {0} from its rest position.</source>
+    <message><source>The stick went only {0} from its rest position.</source>
         <translation>La valeur ne s'est éloignée que de {0} de sa position de repos.</translation></message>
     <message><source>The low end is only {0} from the rest position.</source>
         <translation>L'extrémité basse n'est qu'à {0} de la position de repos.</translation></message>
@@ -1679,51 +1679,51 @@
         <translation>L'extrémité haute n'a été atteinte qu'en passant, sans maintien.</translation></message>
     <message><source>Both ends were only passed, not held.</source>
         <translation>Les deux extrémités n'ont été atteintes qu'en passant, sans maintien.</translation></message>
-    <message><source>Its rest position ({0}) is not between its ends ({1} and {2}).</source>
+    <message><source>The rest position ({0}) is not between the ends ({1} and {2}).</source>
         <translation>Sa position de repos ({0}) n'est pas entre ses extrémités ({1} et {2}).</translation></message>
     <message><source>Was a trim moved? Begin again with the sticks at rest.</source>
         <translation>Un trim a-t-il été bougé ? Recommencez avec les manches au repos.</translation></message>
-    <message><source>It rests at {0}: with this neutral it would give {1} there.</source>
+    <message><source>The stick rests at {0}: with this neutral, the output there would be {1}.</source>
         <translation>Au repos, la voie est à {0} : avec ce neutre, elle donnerait {1} à cet endroit.</translation></message>
-    <message><source>After release it rests at {0}, not at {1}, and would give {2} there.</source>
+    <message><source>After release the stick rests at {0}, not at {1}, and the output there would be {2}.</source>
         <translation>Une fois relâchée, la voie reste à {0}, et non à {1}, et donnerait {2} à cet endroit.</translation></message>
-    <message><source>Was a hand on it during sampling, or was a trim moved?</source>
+    <message><source>Was a hand on the stick during sampling, or was a trim moved?</source>
         <translation>Une main y était-elle posée pendant la mesure, ou un trim a-t-il été bougé ?</translation></message>
-    <message><source>Go back and sample it again, or use the new rest position.</source>
+    <message><source>Go back and sample the channel again, or use the new rest position.</source>
         <translation>Revenez en arrière et refaites la mesure, ou utilisez la nouvelle position de repos.</translation></message>
     <message><source>{0} is beyond {1}, the farthest value reached: there is no full output.</source>
         <translation>{0} est au-delà de la valeur atteinte ({1}) : il n'y a pas de sortie maximale.</translation></message>
     <message><source>Beyond its rest position the motor speeds up again, in either direction: at {0} to {1} of {2}.</source>
         <translation>Au-delà de la position de repos, le moteur accélère de nouveau, quel que soit le signe : à {0}, jusqu'à {1} sur {2}.</translation></message>
-    <message><source>Check that no trim and no broken wire can bring it there.</source>
+    <message><source>Check that no trim and no broken wire can move the signal there.</source>
         <translation>Vérifiez qu'aucun trim ni aucun fil coupé ne peut l'y amener.</translation></message>
-    <message><source>Its rest position ({0}) is too close to its switching point ({1}).</source>
+    <message><source>The rest position ({0}) is too close to the switching point ({1}).</source>
         <translation>Sa position de repos ({0}) est trop proche de son point de basculement ({1}).</translation></message>
-    <message><source>It may switch by itself.</source>
+    <message><source>The channel may switch by itself.</source>
         <translation>Elle peut basculer d'elle-même.</translation></message>
-    <message><source>It is active in all its positions: none is beyond {0}, where it switches.</source>
+    <message><source>The switch is active in all its positions: none is beyond the switching point, {0}.</source>
         <translation>Elle est active dans toutes ses positions : aucune n'est au-delà de {0}, où elle bascule.</translation></message>
-    <message><source>It is inactive in all its positions: none is beyond {0}, where it switches.</source>
+    <message><source>The switch is inactive in all its positions: none is beyond the switching point, {0}.</source>
         <translation>Elle est inactive dans toutes ses positions : aucune n'est au-delà de {0}, où elle bascule.</translation></message>
     <message><source>In {0} mode safe-start would release the motors now.</source>
         <translation>En mode {0}, le démarrage sécurisé libérerait les moteurs maintenant.</translation></message>
-    <message><source>Ignored: the board holds it at neutral. There is nothing to test.</source>
+    <message><source>Ignored: the board holds this channel at neutral. There is nothing to test.</source>
         <translation>Ignorée : la carte la maintient au neutre. Il n'y a rien à tester.</translation></message>
     <message><source>Good.</source>
         <translation>C'est bon.</translation></message>
     <message><source>Only {0} was detected. Move the switch to its other position.</source>
         <translation>Seule la position « {0} » a été vue. Mettez l'interrupteur dans son autre position.</translation></message>
-    <message><source>Full output not reached yet. Push it all the way.</source>
+    <message><source>Full output not reached yet. Push the stick all the way.</source>
         <translation>Sortie maximale pas encore atteinte. Poussez jusqu'au bout.</translation></message>
     <message><source>Full output not reached yet: {0}.</source>
         <translation>Sortie maximale pas encore atteinte : {0}.</translation></message>
-    <message><source>Full output reached. Let it rest for a moment.</source>
+    <message><source>Full output reached. Let the stick rest for a moment.</source>
         <translation>Sortie maximale atteinte. Laissez au repos un instant.</translation></message>
     <message><source>In {0} mode safe-start would hold the motors now. {1}</source>
         <translation>En mode {0}, le démarrage sécurisé bloquerait les moteurs maintenant. {1}</translation></message>
     <message><source>Move the switch to all its positions.</source>
         <translation>Mettez l'interrupteur dans toutes ses positions.</translation></message>
-    <message><source>Full output reached. Release it: at rest the output must be 0, but it is {0}.</source>
+    <message><source>Full output reached. Release the stick: at rest the output must be 0, but it is {0}.</source>
         <translation>Sortie maximale atteinte. Relâchez : au repos, la sortie doit être 0, mais elle est {0}.</translation></message>
     <message><source>off</source>
         <translation>désactivé</translation></message>
@@ -1863,7 +1863,7 @@
         <translation>Note : {0}</translation></message>
     <message><source>{0}; it is shown as Western European text. Check the characters that are not plain letters; Save writes UTF-8</source>
         <translation>{0} ; il est affiché comme texte d'Europe occidentale. Vérifiez les caractères qui ne sont pas de simples lettres ; l'enregistrement écrit en UTF-8</translation></message>
-    <message><source>{0} is left out, because it could not be read from the board.</source>
+    <message><source>{0} is left out because it could not be read from the board.</source>
         <translation>{0} est omis : impossible de le lire dans la carte.</translation></message>
     <message><source>The {0} calibrations are left out: the board accepts them only while it reads its inputs as {0}.</source>
         <translation>Les étalonnages {0} sont omis : la carte ne les accepte que si elle lit ses entrées en {0}.</translation></message>
@@ -1939,7 +1939,7 @@
         <translation>le neutre {0} est au-dessus du maximum {1}</translation></message>
     <message><source>minimum and maximum are both {0}; they must differ</source>
         <translation>le minimum et le maximum valent tous deux {0} ; ils doivent être différents</translation></message>
-    <message><source>{0} is {1}; a calibration value is 0 to {2}</source>
+    <message><source>{0} is {1}; a calibration value must be 0 to {2}</source>
         <translation>{0} vaut {1} ; une valeur d'étalonnage va de 0 à {2}</translation></message>
     <message><source>calibration: {0}</source>
         <translation>étalonnage : {0}</translation></message>
@@ -1947,23 +1947,23 @@
         <translation>numéro de paramètre</translation></message>
     <message><source>the request came back instead of a status</source>
         <translation>la requête est revenue à la place d'un état</translation></message>
-    <message><source>motors are numbered 1 and 2, not {0}</source>
+    <message><source>the motor number must be 1 or 2, not {0}</source>
         <translation>les moteurs portent les numéros 1 et 2, et non {0}</translation></message>
     <message><source>{0} is not the signature of a TReX</source>
         <translation>{0} n'est pas la signature d'un TReX</translation></message>
-    <message><source>a write ends in 55 2A, not {0}</source>
+    <message><source>a write must end in 55 2A, not {0}</source>
         <translation>une écriture se termine par 55 2A, et non {0}</translation></message>
     <message><source>speed of the auxiliary motor</source>
         <translation>vitesse du moteur auxiliaire</translation></message>
-    <message><source>channels are numbered 1 to 5, not {0}</source>
+    <message><source>the channel number must be 1 to 5, not {0}</source>
         <translation>les voies sont numérotées de 1 à 5, et non {0}</translation></message>
-    <message><source>the control flag is 0 or 1, not {0}</source>
+    <message><source>the control flag must be 0 or 1, not {0}</source>
         <translation>0 ou 1 indique qui commande les moteurs, et non {0}</translation></message>
-    <message><source>a channel mask is 0 to {0}, not {1}</source>
+    <message><source>a channel mask must be 0 to {0}, not {1}</source>
         <translation>un masque de voies va de 0 à {0}, et non {1}</translation></message>
     <message><source>{0:#04x} names channels that a TReX does not have</source>
         <translation>{0:#04x} désigne des voies qu'un TReX n'a pas</translation></message>
-    <message><source>a parameter is 0 to 127, not {0}</source>
+    <message><source>a parameter number must be 0 to 127, not {0}</source>
         <translation>un paramètre va de 0 à 127, et non {0}</translation></message>
     <message><source>{0} is not a TReX result code (0 to 3)</source>
         <translation>{0} n'est pas un code de résultat du TReX (0 à 3)</translation></message>
@@ -2093,13 +2093,13 @@
         <translation>analogique</translation></message>
     <message><source>brake with {0}</source>
         <translation>freiner à {0}</translation></message>
-    <message><source>the model is {0}, not {1!r}</source>
+    <message><source>the model must be {0}, not {1!r}</source>
         <translation>les modèles sont {0}, et non {1!r}</translation></message>
-    <message><source>PWM prescaler is 0 to {0}, not {1}</source>
+    <message><source>the PWM prescaler must be 0 to {0}, not {1}</source>
         <translation>le prédiviseur PWM va de 0 à {0}, et non {1}</translation></message>
     <message><source>brake duty</source>
         <translation>taux de freinage</translation></message>
-    <message><source>a motor's speed is -127 to 127, not {0}</source>
+    <message><source>a motor's speed must be -127 to 127, not {0}</source>
         <translation>la vitesse d'un moteur va de -127 à 127, et non {0}</translation></message>
     <message><source>No TReX responds on {0}. Check that the board has power (an LED is lit), that the adapter's TX goes to SI and its RX to SO (or both RS-232 pins, never mixed), that ground is connected, and that the serial settings match those of the board. If both LEDs blink together, the board is in learning mode: remove the SO–G jumper, then switch it off and on.</source>
         <translation>Aucun TReX ne répond sur {0}. Vérifiez que la carte est alimentée (une LED est allumée), que TX de l'adaptateur va à SI et son RX à SO (ou aux deux broches RS-232, sans jamais mélanger), que la masse est reliée et que les réglages série de la carte sont bien ceux-ci. Si les deux LED clignotent ensemble, la carte est en mode apprentissage : retirez le cavalier SO–G, puis coupez et remettez l'alimentation.</translation></message>
@@ -2131,9 +2131,9 @@
         <translation>Des réponses tardives sont arrivées et ne peuvent pas être associées aux requêtes.</translation></message>
     <message><source>The board's replies to {0} differ each time: the line corrupts bytes, so what is stored is not known. Check cable and ground, keep motor leads away from them, or use a lower baud rate or CRC.</source>
         <translation>Les réponses de la carte à {0} diffèrent à chaque fois : la liaison altère des octets, ce qui est enregistré n'est donc pas connu. Vérifiez le câble et la masse, éloignez-en les fils des moteurs, ou utilisez un débit plus bas ou le CRC.</translation></message>
-    <message><source>The stop was sent, but the board does not confirm it. If a motor still turns, cut its power.</source>
+    <message><source>The stop was sent, but the board does not confirm it. If a motor is still turning, cut its power.</source>
         <translation>L'ordre d'arrêt a été envoyé, mais la carte ne le confirme pas. Si un moteur tourne encore, coupez son alimentation.</translation></message>
-    <message><source>The stop was sent and the board responds, but the line corrupts bytes. It is sent again until the line is quiet. If a motor still turns, cut its power.</source>
+    <message><source>The stop was sent and the board responds, but the line corrupts bytes. The stop is repeated until the line is quiet. If a motor is still turning, cut its power.</source>
         <translation>L'ordre d'arrêt a été envoyé et la carte répond, mais la liaison altère des octets. Il est renvoyé jusqu'à ce que la liaison soit calme. Si un moteur tourne encore, coupez son alimentation.</translation></message>
     <message><source>The program did not respond for more than half a second.</source>
         <translation>Le programme n'a pas répondu pendant plus d'une demi-seconde.</translation></message>
@@ -2149,7 +2149,7 @@
         <translation>Un arrêt est intervenu avant ; rien n'a été envoyé.</translation></message>
     <message><source>The program does not scan for other boards while motors are armed or may be moving. Stop the motors first.</source>
         <translation>Aucune autre carte n'est recherchée tant que des moteurs sont activés ou tournent peut-être encore. Arrêtez d'abord les moteurs.</translation></message>
-    <message><source>Board {0} was not selected, because the stop of the present board is not confirmed. If a motor still turns, cut its power.</source>
+    <message><source>Board {0} was not selected, because the stop of the present board is not confirmed. If a motor is still turning, cut its power.</source>
         <translation>La carte {0} n'a pas été sélectionnée, car aucun arrêt de la carte actuelle n'est confirmé. Si un moteur tourne encore, coupez son alimentation.</translation></message>
     <message><source>Board {0} was not selected, because it does not respond. Check that it has power. The previous board is still selected.</source>
         <translation>La carte {0} n'a pas été sélectionnée, car elle ne répond pas. Vérifiez qu'elle est alimentée. La carte sélectionnée auparavant le reste.</translation></message>
@@ -2249,13 +2249,13 @@
         <translation>Débordement du tampon d'émission</translation></message>
     <message><source>A reply was longer than the send buffer.</source>
         <translation>Une réponse était plus longue que le tampon d'émission.</translation></message>
-    <message><source>{0} is 0 to 127, not {1}</source>
+    <message><source>{0} must be 0 to 127, not {1}</source>
         <translation>{0} va de 0 à 127, et non {1}</translation></message>
     <message><source>a data byte outside a packet</source>
         <translation>un octet de données hors d'un paquet</translation></message>
     <message><source>1 byte</source>
         <translation>1 octet</translation></message>
-    <message><source>a CRC-7 polynomial is 0x80 to 0xFF, not {0:#x}</source>
+    <message><source>a CRC-7 polynomial must be 0x80 to 0xFF, not {0:#x}</source>
         <translation>un polynôme CRC-7 va de 0x80 à 0xFF, et non {0:#x}</translation></message>
     <message><source>the packet is not complete</source>
         <translation>le paquet n'est pas complet</translation></message>
@@ -2271,13 +2271,13 @@
         <translation>{0} de trop par rapport à la réponse</translation></message>
     <message><source>the CRC is {0:02X}, not {1:02X}</source>
         <translation>le CRC est {0:02X}, et non {1:02X}</translation></message>
-    <message><source>UART settings are a wire value of 0 to 127, not {0}</source>
+    <message><source>UART settings must be a wire value from 0 to 127, not {0}</source>
         <translation>les réglages UART sont une valeur transmise de 0 à 127, et non {0}</translation></message>
     <message><source>UART settings {0:#04x} name no baud rate</source>
         <translation>les réglages UART {0:#04x} ne désignent aucun débit</translation></message>
     <message><source>a TReX runs at {0} baud, not {1}</source>
         <translation>un TReX fonctionne à {0} bauds, et non {1}</translation></message>
-    <message><source>1 or 2 stop bits, not {0}</source>
+    <message><source>the number of stop bits must be 1 or 2, not {0}</source>
         <translation>1 ou 2 bits d'arrêt, et non {0}</translation></message>
     <message><source>(twin)</source>
         <translation>(jumeau)</translation></message>
@@ -2291,7 +2291,7 @@
         <translation>voies {0}</translation></message>
     <message><source>none, or any of channels 1 to 5, such as 1, 3</source>
         <translation>aucune, une ou plusieurs des voies 1 à 5, par exemple 1, 3</translation></message>
-    <message><source>{0} is {1}, not {2}</source>
+    <message><source>{0} must be {1}, not {2}</source>
         <translation>{0} accepte {1}, et non {2}</translation></message>
     <message><source>any of 1 to 5</source>
         <translation>n'importe lesquelles de 1 à 5</translation></message>
@@ -2407,7 +2407,7 @@
         <translation>Un autre instantané s'appelle déjà {0}.</translation></message>
     <message><source>is missing</source>
         <translation>est absent</translation></message>
-    <message><source>a history keeps at least one snapshot, not {0}</source>
+    <message><source>a history must keep at least one snapshot, not {0}</source>
         <translation>un historique conserve au moins un instantané, et non {0}</translation></message>
     <message><source>At most {0} characters are allowed.</source>
         <translation>{0} caractères au plus sont possibles.</translation></message>
@@ -2459,7 +2459,7 @@
         <translation>s'écrit {layout}, et non {given}</translation></message>
     <message><source>a calibration has no {field!r}{guess}</source>
         <translation>un étalonnage n'a pas de {field!r}{guess}</translation></message>
-    <message><source>{field} is 0 to {highest}, not {given}</source>
+    <message><source>{field} must be 0 to {highest}, not {given}</source>
         <translation>{field} va de 0 à {highest}, et non {given}</translation></message>
     <message><source>{fields} is missing</source>
         <translation>{fields} manque</translation></message>
@@ -2493,7 +2493,7 @@
         <translation>À la fois requis et ignoré : {channels}. Le signal ne fait rien bouger, mais sans lui les moteurs risquent de ne pas tourner en mode RC (déduit).</translation></message>
     <message><source>The {end} of {channel}, {count}, is beyond {limit}, the last count that the board measures: full speed on that side is never reached.</source>
         <translation>Le {end} de la {channel}, {count}, est au-delà de {limit}, la dernière valeur en counts que la carte mesure : la pleine vitesse n'est jamais atteinte de ce côté.</translation></message>
-    <message><source>After the next power cycle the line settings of the board are {new}; now they are {now}. Change the programs that use the board then.</source>
+    <message><source>After the next power cycle, the line settings of the board will be {new} instead of {now}. Programs that use the board must then use them, too.</source>
         <translation>Après la prochaine coupure et remise de l'alimentation, les réglages de liaison de la carte seront {new} ; ce sont actuellement {now}. Modifiez alors les programmes qui utilisent la carte.</translation></message>
     <message><source>The prescaler {0} gives {1}.</source>
         <translation>Le prédiviseur {0} donne {1}.</translation></message>
@@ -2501,7 +2501,7 @@
         <translation>La zone morte de la {channel} s'étend du neutre jusqu'au {ends} : il n'y a rien entre l'arrêt et la pleine vitesse de ce côté.</translation></message>
     <message><source>A {board} set to {baud} baud really runs at {real} baud; firmware {fixed_in} corrects this. Programs must use {real} baud.</source>
         <translation>Un {board} réglé à {baud} bauds fonctionne en réalité à {real} bauds ; le firmware {fixed_in} corrige cela. Les programmes doivent utiliser {real} bauds.</translation></message>
-    <message><source>This computer's serial port does not support {baud} baud: after the next power cycle it could not reach the board any more.</source>
+    <message><source>This computer's serial port does not support {baud} baud: after the next power cycle, the computer could no longer reach the board.</source>
         <translation>Le port série de cet ordinateur ne prend pas en charge {baud} bauds : après la prochaine coupure et remise de l'alimentation, il ne pourrait plus atteindre la carte.</translation></message>
     <message><source>{0} to {1}</source><comment>set a parameter</comment>
         <translation>{0} à {1}</translation></message>
@@ -2513,9 +2513,9 @@
         <translation>{timeout} de {seconds} n'arrête peut-être pas les moteurs si le câble ou l'ordinateur tombe en panne : {shutdown} est désactivé (jumeau).</translation></message>
     <message><source>No effect in joint mode: {limits}. The board measures no current then, so the motor is not protected.</source>
         <translation>Sans effet en mode jumelé : {limits}. La carte ne mesure alors aucun courant, le moteur n'est donc pas protégé.</translation></message>
-    <message><source>{limit} is {value}, but its proportionality constant P, how strongly the limiter reacts, is 0. The limit may have no effect then (inferred).</source>
+    <message><source>{limit} is {value}, but its proportionality constant P, which sets how strongly the limiter reacts, is 0. The limit may then have no effect (inferred).</source>
         <translation>{limit} vaut {value}, mais sa constante de proportionnalité P, c'est-à-dire la force de réaction du limiteur, est à 0. La limite peut alors rester sans effet (déduit).</translation></message>
-    <message><source>{limit} is {value} and {ramp} is 0, which means at once. As soon as the current falls below the limit, the motor jumps back to its full target speed, so it may run in jerks (inferred).</source>
+    <message><source>{limit} is {value} and {ramp} is 0, so the speed changes at once. As soon as the current falls below the limit, the motor jumps back to its full target speed, so it may run in jerks (inferred).</source>
         <translation>{limit} vaut {value} et {ramp} est à 0, c'est-à-dire immédiat. Dès que le courant repasse sous la limite, le moteur revient d'un coup à sa pleine vitesse de consigne ; il peut donc tourner par à-coups (déduit).</translation></message>
     <message><source>The PWM of motor {motor} runs at {now} (inferred), but the motor driver of a {product} is rated for {highest}; above that it gets hot.</source>
         <translation>Le PWM du moteur {motor} fonctionne à {now} (déduit), mais le driver de moteur d'un {product} est prévu pour {highest} ; au-delà, il chauffe.</translation></message>
@@ -3345,15 +3345,15 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>&amp;Utiliser ces valeurs…</translation></message>
     <message><source>{0} end: not reached yet</source>
         <translation>Extrémité {0} : pas encore atteinte</translation></message>
-    <message><source>{0} end: hold it there</source>
+    <message><source>{0} end: hold this position</source>
         <translation>Extrémité {0} : à maintenir</translation></message>
     <message><source>{0} end: reached</source>
         <translation>Extrémité {0} : atteinte</translation></message>
     <message><source>{0} end: not needed</source>
         <translation>Extrémité {0} : pas nécessaire</translation></message>
-    <message><source>Calculated for each channel separately from the values in the board. Assumed: an output of up to 8 of 127 is neutral, and the switching points of switches.</source>
+    <message><source>Calculated from the values in the board, for each channel on its own. Two assumptions: outputs of up to 8 of 127 are neutral, and switches change halfway between neutral and the end.</source>
         <translation>Calculé à partir des valeurs de la carte, pour chaque voie séparément. Supposé : jusqu'à 8 sur 127 compte comme neutre ; les points de basculement des interrupteurs.</translation></message>
-    <message><source>Hold it there …</source>
+    <message><source>Hold this position …</source>
         <translation>Maintenez cette position …</translation></message>
     <message><source>No end reached yet.</source>
         <translation>Aucune extrémité encore atteinte.</translation></message>
@@ -3363,9 +3363,9 @@ Avant d'appliquer des réglages ou de restaurer les valeurs par défaut, dans ce
         <translation>basse</translation></message>
     <message><source>high</source>
         <translation>haute</translation></message>
-    <message><source>Left out: its rest position is not known.</source>
+    <message><source>Left out: the rest position is unknown.</source>
         <translation>Omise : sa position de repos n'est pas connue.</translation></message>
-    <message><source>Not held. Hold it there for {0:.1f} s.</source>
+    <message><source>Not held. Hold this position for {0:.1f} s.</source>
         <translation>Non maintenu. Maintenez-le là pendant {0:.1f} s.</translation></message>
     <message><source>Reached: {0}.</source>
         <translation>Atteint : {0}.</translation></message>
@@ -3597,7 +3597,7 @@ avant {1}</translation></message>
         <translation>Connecté depuis</translation></message>
     <message><source>The line is noisy and has no CRC: a corrupted reply looks the same.</source>
         <translation>La liaison est bruitée et n'a pas de CRC : une réponse altérée y ressemble.</translation></message>
-    <message><source>Latched before connecting, perhaps by the search for the board; not counted.</source>
+    <message><source>Latched before connecting, perhaps by a search for the board; not counted.</source>
         <translation>Mémorisée avant la connexion, peut-être par la recherche de la carte ; non comptée.</translation></message>
     <message><source>{0}, active now, stops the motors</source>
         <translation>{0}, active, arrête les moteurs</translation></message>
@@ -3647,7 +3647,7 @@ avant {1}</translation></message>
         <translation>Configurer la manette</translation></message>
     <message><source>Assignment</source>
         <translation>Affectation</translation></message>
-    <message><source>One axis drives, one turns</source>
+    <message><source>One axis drives, the other turns</source>
         <translation>Un axe fait avancer, l'autre tourner</translation></message>
     <message><source>An axis for each motor</source>
         <translation>Un axe par moteur</translation></message>
@@ -3705,7 +3705,7 @@ avant {1}</translation></message>
         <translation>Les touches maintenues pilotent où que soit le focus sur cette page, sauf dans les champs numériques, les tableaux et les listes ; les curseurs ne reçoivent alors pas les touches fléchées. Dans le pavé, elles pilotent toujours.</translation></message>
     <message><source>Both motors &amp;linked</source>
         <translation>Les deu&amp;x moteurs liés</translation></message>
-    <message><source>Either slider sets both motors; the robot does not turn</source>
+    <message><source>Either slider sets both motors, so the robot does not turn</source>
         <translation>L'un ou l'autre curseur règle les deux moteurs ; le robot ne tourne pas</translation></message>
     <message><source>The motors run differently: stop both, or give both the same speed</source>
         <translation>Les moteurs tournent différemment : arrêtez-les tous les deux ou donnez-leur la même vitesse</translation></message>
@@ -4005,7 +4005,7 @@ avant {1}</translation></message>
         <translation>&amp;Les roues ne touchent pas le sol</translation></message>
     <message><source>Short, weak pulses while you hold it with the mouse or the space bar</source>
         <translation>Impulsions courtes et faibles tant que vous le maintenez avec la souris ou la barre d'espace</translation></message>
-    <message><source>Armed. The motor turns in short, weak pulses while you hold.</source>
+    <message><source>Armed. The motor turns in short, weak pulses while you hold the button.</source>
         <translation>Activé. Le moteur tourne par impulsions courtes et faibles tant que vous maintenez.</translation></message>
     <message><source>Motor {0} is driven in pulses. Release the button to stop it.</source>
         <translation>Le moteur {0} tourne par impulsions. Relâchez le bouton pour l'arrêter.</translation></message>
@@ -4527,7 +4527,7 @@ avant {1}</translation></message>
         <translation>Connexion à {0} …</translation></message>
     <message><source>Disconnecting …</source>
         <translation>Déconnexion …</translation></message>
-    <message><source>The cable of the Demo {0} is unplugged. Plug it in on its panel, then connect again.</source>
+    <message><source>The cable of the Demo {0} is unplugged. Plug the cable in on the demo panel, then connect again.</source>
         <translation>Le câble de la démo {0} est débranché. Branchez-le sur son panneau, puis reconnectez.</translation></message>
     <message><source>Replies lost</source>
         <translation>Réponses perdues</translation></message>
@@ -4569,7 +4569,7 @@ avant {1}</translation></message>
         <translation>la démo {0}</translation></message>
     <message><source>The simulator does not start. Reinstall the program.</source>
         <translation>Le simulateur ne démarre pas. Réinstallez le programme.</translation></message>
-    <message><source>The simulator ended at once. {0}</source>
+    <message><source>The simulator exited immediately. {0}</source>
         <translation>Le simulateur s'est terminé aussitôt. {0}</translation></message>
     <message><source>&amp;Undo {0}</source>
         <translation>&amp;Annuler : {0}</translation></message>
@@ -4787,7 +4787,7 @@ avant {1}</translation></message>
         <translation>Fermer la fenêtre</translation></message>
     <message><source>Pages of the help</source>
         <translation>Pages de l'aide</translation></message>
-    <message><source>The program could not stop the motors itself. The guardian process sent a stop at {0}, which the board did not confirm. If a motor still turns, cut its power.</source>
+    <message><source>The program could not stop the motors itself. The guardian process sent a stop at {0}, which the board did not confirm. If a motor is still turning, cut its power.</source>
         <translation>Le programme n'a pas pu arrêter les moteurs lui-même. Le processus gardien a envoyé à {0} un ordre d'arrêt que la carte n'a pas confirmé. Si un moteur tourne encore, coupez son alimentation.</translation></message>
     <message><source>The program could not stop the motors itself. The guardian process stopped them at {0}, and the board confirmed that.</source>
         <translation>Le programme n'a pas pu arrêter les moteurs lui-même. Le processus gardien les a arrêtés à {0} et la carte l'a confirmé.</translation></message>
@@ -4797,7 +4797,7 @@ avant {1}</translation></message>
         <translation>Terminer l'enregistrement ; les moteurs et la connexion ne sont pas touchés</translation></message>
     <message><source>Recorded to {0} ({1}). Use {2} to view it.</source>
         <translation>Enregistré dans {0} ({1}). {2} l'affiche.</translation></message>
-    <message><source>{0} is open; close its window before recording over it.</source>
+    <message><source>{0} is open; close its window before you overwrite it.</source>
         <translation>{0} est ouvert ; fermez sa fenêtre avant d'enregistrer par-dessus.</translation></message>
     <message><source>Save a cop&amp;y…</source>
         <translation>Enregistrer une cop&amp;ie…</translation></message>
@@ -5035,7 +5035,7 @@ avant {1}</translation></message>
         <translation>Défauts &amp;seulement</translation></message>
     <message><source>Show only failed transactions and line errors</source>
         <translation>N'afficher que les transactions échouées et les erreurs de liaison</translation></message>
-    <message><source>Do not add rows for now; the traffic is still logged</source>
+    <message><source>Stop adding rows; the traffic is still logged</source>
         <translation>Ne pas ajouter de lignes pour l'instant ; le trafic reste journalisé</translation></message>
     <message><source>events lost: {0}</source>
         <translation>événements perdus : {0}</translation></message>

@@ -92,8 +92,8 @@ def test_stop_stays_unconfirmed_while_board_does_not_reply(
     quick_simulator.do("line mute on")
     causes.lock_the_screen()
     unconfirmed = (
-        f"{LOCKED}. The stop was sent, but the board does not confirm it. If a motor still turns, "
-        "cut its power."
+        f"{LOCKED}. The stop was sent, but the board does not confirm it. If a motor is "
+        "still turning, cut its power."
     )
     window.wait(lambda: unconfirmed in causes.reports)
     window.wait(lambda: causes.banner.startswith("Motor 1 may still be turning."))
@@ -111,7 +111,8 @@ def test_stop_stays_unconfirmed_while_board_does_not_reply(
     causes.reports.clear()
     causes.lock_the_screen()
     out_of_reach = (
-        "No board is connected that could be stopped, and motors may still turn: cut their power."
+        "Motors may still be turning: cut their power. No board is connected, so no stop can be "
+        "sent."
     )
     window.wait(lambda: causes.reports == [f"{LOCKED}. {out_of_reach}"])
     assert causes.banner.startswith("Motor 1 may still be turning.")

@@ -19,7 +19,7 @@ from trex_gui.ui.runtime import runtime
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="needs pseudo-terminals")
 
-WARNING = "The stop is not confirmed. If a motor still turns, cut its power."
+WARNING = "The stop is not confirmed. If a motor is still turning, cut its power."
 
 
 class UnconfirmedStopWindow(WindowDriver):

@@ -138,7 +138,7 @@ def test_cable_is_unplugged_and_plugged_in_again(
     assert not panel.is_enabled("demoNoise")
 
     window.click("bannerReconnect")
-    assert "Plug it in on its panel" in window.text("bannerText")
+    assert "Plug the cable in on the demo panel" in window.text("bannerText")
     assert window.device.link is ConnectionState.DISCONNECTED
     assert panel.root.isVisible()
     assert window.text("statusLabel") == "Not connected"
@@ -158,7 +158,7 @@ def test_cable_is_unplugged_and_plugged_in_again(
     controller.connect_to(window.program.ports.demo_of("trex"))
     panel.wait_for(ConnectionState.DISCONNECTED)
     assert controller.port is None, "the other board was left"
-    assert "Plug it in on its panel" in window.text("bannerText")
+    assert "Plug the cable in on the demo panel" in window.text("bannerText")
     assert panel.root.isVisible()
     panel.plug_cable()
     window.connect_port(window.program.ports.demo_of("trex"))

@@ -21,7 +21,7 @@ from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.writer import write_settings
 
 _TITLE = re.compile(rb"# Read from the board by trexcmd \S+\n")
-_OPTIONS = re.compile(r"off and on, reach it with (.*)")
+_OPTIONS = re.compile(r"off and on, connect with (.*)")
 
 
 class CommandLineBoard:

@@ -47,7 +47,7 @@ def log_stops(*stops: str) -> None:
     ("result", "text"),
     [
         ("confirmed", "stopped them at 2026-11-23 12:03:05, and the board confirmed that."),
-        ("unconfirmed", "If a motor still turns, cut its power."),
+        ("unconfirmed", "If a motor is still turning, cut its power."),
     ],
 )
 def test_stop_by_guardian_is_reported_once(messages: Messages, result: str, text: str) -> None:
@@ -64,7 +64,7 @@ def test_crash_is_reported_with_the_stop_or_without(window: WindowDriver) -> Non
 
     log_stops("12:03:05 unconfirmed")
     window.program.report_last_run(has_crashed=True)
-    window.wait_for_text("bannerText", "If a motor still turns, cut its power.")
+    window.wait_for_text("bannerText", "If a motor is still turning, cut its power.")
     window.click("bannerReport")
     assert window.dialog("reportDialog").root.isVisible()
 
@@ -114,7 +114,7 @@ def test_unconfirmed_stop_is_repeated_while_a_board_runs(messages: Messages) -> 
     for _ in range(2):  # a new connection clears the first message
         [(kind, text)] = messages.after(report_last_run)
         assert kind == "danger"
-        assert text.splitlines()[1].endswith("If a motor still turns, cut its power.")
+        assert text.splitlines()[1].endswith("If a motor is still turning, cut its power.")
     file.unlink()
     [(kind, text)] = messages.after(report_last_run)
     assert (kind, text.count("\n")) == ("error", 0)
@@ -134,7 +134,7 @@ def test_stop_is_reported_after_the_running_board_is_connected(
     window.program.connect_to_port(quick_simulator.url)
     window.program.report_last_run()
     window.wait(lambda: window.device.link is ConnectionState.CONNECTED)
-    text = "If a motor still turns, cut its power."
+    text = "If a motor is still turning, cut its power."
     window.wait_for_text("bannerText", text)
     entries = window.program.workspace("trex").log.entries
     assert [text in entry.text for entry in entries].count(True) == 1

@@ -16,8 +16,8 @@ _SEEN = "guardian/seen"
 
 _STOPS = {
     StopResult.UNCONFIRMED: tr_noop(
-        "The program could not stop the motors itself. The guardian process sent a stop at {0}, "
-        "which the board did not confirm. If a motor still turns, cut its power."
+        "The program could not stop the motors itself. The guardian process sent a stop at "
+        "{0}, which the board did not confirm. If a motor is still turning, cut its power."
     ),
     StopResult.CONFIRMED: tr_noop(
         "The program could not stop the motors itself. The guardian process stopped them at {0}, "

@@ -50,7 +50,7 @@ def number_of(text: str, allowed: Sequence[int], noun: str) -> int:
     """Parse a number from a range. `allowed`: consecutive numbers. Raises ValueError."""
     if text in map(str, allowed):
         return int(text)
-    raise ValueError(f"{noun} is {allowed[0]} to {allowed[-1]}, not {text!r}")
+    raise ValueError(f"{noun} must be {allowed[0]} to {allowed[-1]}, not {text!r}")
 
 
 def real(text: str, noun: str, highest: float) -> float:
@@ -60,14 +60,14 @@ def real(text: str, noun: str, highest: float) -> float:
     except ValueError:
         value = math.nan
     if not 0 <= value <= highest:
-        raise ValueError(f"{noun} is 0 to {highest:g}, not {text!r}")
+        raise ValueError(f"{noun} must be 0 to {highest:g}, not {text!r}")
     return value
 
 
 def amount(text: str, noun: str = "a number of bytes", highest: int = _MAX_COUNT) -> int:
     """Parse a whole number from 0 to `highest`. Raises ValueError."""
     if not (text.isascii() and text.isdigit() and len(text) <= 9) or int(text) > highest:
-        raise ValueError(f"{noun} is 0 to {highest}, not {text!r}")
+        raise ValueError(f"{noun} must be 0 to {highest}, not {text!r}")
     return int(text)
 
 
@@ -125,5 +125,5 @@ def _garbage(text: str) -> bytes:
     except ValueError:
         raise ValueError(f"{text!r} is not hexadecimal bytes such as FF80") from None
     if len(data) > _MAX_GARBAGE:
-        raise ValueError(f"garbage is at most {_MAX_GARBAGE} bytes, not {len(data)}")
+        raise ValueError(f"garbage must be at most {_MAX_GARBAGE} bytes, not {len(data)}")
     return data

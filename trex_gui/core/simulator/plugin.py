@@ -10,7 +10,7 @@ from trex_gui.core.simulator.line import SimulatedLine
 
 @dataclass(frozen=True, slots=True)
 class Simulation:
-    """Line in virtual time, and a function that replies to control lines."""
+    """Simulated line in virtual time, and a function that replies to control lines."""
 
     line: SimulatedLine
     control: Callable[[str], str]

@@ -21,8 +21,8 @@ class Adapter:
     Attributes:
         product: IDs of vendor and product, such as `0403:6001`.
         number: serial number, or an empty string.
-        location: USB socket, such as `1-2.3`. If the adapter has several ports, it includes the
-            interface, as in `1-2:1.1`. Empty if the system does not report it.
+        location: USB socket, such as `1-2.3`, and for an adapter with several ports also the
+            interface, as in `1-2:1.1`. Empty if the system does not report the socket.
     """
 
     product: str

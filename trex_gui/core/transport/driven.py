@@ -29,7 +29,7 @@ from trex_gui.core.transport.settings import Parity, PortSettings, SerialFormat
 
 _STOPPED = tr_noop(
     "The motors of the {0} at {1}, driven since {2}, were left running. The board now "
-    "connected there has confirmed a stop. If a motor still turns, cut its power."
+    "connected there has confirmed a stop. If a motor is still turning, cut its power."
 )
 
 

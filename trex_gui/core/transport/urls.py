@@ -73,7 +73,7 @@ class Address:
 
     @property
     def secret(self) -> str:
-        """Secret of the user, from `TREX_SECRET` or the file of secrets. Empty if unknown."""
+        """Secret of the user, from `TREX_SECRET` or the secrets file. Empty if unknown."""
         if secret := os.environ.get("TREX_SECRET"):
             return secret
         name = f"{self.user}@{self.host}"

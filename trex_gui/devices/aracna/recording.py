@@ -81,7 +81,7 @@ class RobotHeader:
         except (KeyError, TypeError, OverflowError) as error:
             raise ValueError(f"the header is incomplete ({error})") from error
         if not 1 <= header.motors <= MAX_MOTORS:
-            raise ValueError(f"the number of motors is 1 to {MAX_MOTORS}, not {header.motors}")
+            raise ValueError(f"the number of motors must be 1 to {MAX_MOTORS}, not {header.motors}")
         return header
 
 
@@ -156,7 +156,7 @@ def sample_kinds(motors: int) -> tuple[SampleKind, ...]:
                 Column("part", "TEXT", "in, steps or out"),
                 Column("step", "INTEGER", "from 1"),
                 Column("round", "INTEGER", "from 1"),
-                Column("late_s", "REAL", "delay of the start behind the schedule"),
+                Column("late_s", "REAL", "delay of the start relative to the schedule"),
             ),
             lambda r: (r.part, r.index + 1, r.round + 1, r.late),
             lambda time, part, step, round_, late: StepStarted(

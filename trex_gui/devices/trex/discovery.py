@@ -319,7 +319,7 @@ def _line_hint(used: LineSettings, signature: Signature, wire_value: int) -> str
             "It is set to {0} baud, but firmware {1} then runs at half that rate: connect at {2}."
         ).format(stored.baud, signature.firmware, used.baud)
     if replace(stored, stop_bits=used.stop_bits) == used:
-        return tr("It is set to {0} stop bits; both numbers work on this line.").format(
+        return tr("It is set to {0} stop bits; either number works on this line.").format(
             stored.stop_bits
         )
     return tr("After a power cycle, it will run at {0}.").format(stored.text())

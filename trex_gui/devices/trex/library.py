@@ -441,7 +441,7 @@ class Trex:
         `user` is the waiting user who receives the lease.
 
         Raises:
-            BadRequest: `user` has not asked to drive.
+            BadRequest: `user` has not requested to drive.
         """
         self.stop()
         board = self._board
@@ -449,7 +449,7 @@ class Trex:
         if lease is None or not lease.is_mine:
             return
         if user and user not in lease.waiting:
-            raise BadRequest(f"{user} has not asked to drive.")
+            raise BadRequest(f"{user} has not requested to drive.")
         board.session.put(HandOver(user) if user else ReturnLease())
         board.session.wait_for(lambda: not board.session.has_lease, _LEASE_TIMEOUT)
 

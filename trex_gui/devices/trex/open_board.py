@@ -191,7 +191,7 @@ class OpenSession:
         """Close the line. If a stop is unconfirmed, raise NoReply or add a note to `error`."""
         closed = self.close()
         if closed is not None and closed.may_move:
-            text = "The stop is not confirmed. If a motor still turns, cut its power."
+            text = "The stop is not confirmed. If a motor is still turning, cut its power."
             if error is None:
                 raise NoReply(text)
             error.add_note(text)

@@ -173,8 +173,8 @@ class DeviceController(QObject, Generic[SettingsT]):
             return
         if not self.simulator.plugged:
             text = tr(
-                "The cable of the Demo {0} is unplugged. Plug it in on its panel, then connect "
-                "again."
+                "The cable of the Demo {0} is unplugged. Plug the cable in on the demo "
+                "panel, then connect again."
             )
             self._abandon_demo(text.format(self.plugin.name), (Remedy.RECONNECT,))
             return

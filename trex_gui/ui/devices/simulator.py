@@ -106,7 +106,7 @@ class Simulator(QObject):
         if not was_running and not self._ending:
             output = bytes(self._process.readAllStandardError().data()).decode(errors="replace")
             reason = output.strip().splitlines()[-1] if output.strip() else ""
-            self.failed.emit(tr("The simulator ended at once. {0}").format(reason).strip())
+            self.failed.emit(tr("The simulator exited immediately. {0}").format(reason).strip())
 
 
 @dataclass(frozen=True, slots=True)

@@ -152,7 +152,7 @@ class RecordingManager(QObject, Generic[WindowT]):
 
     def record(self, path: Path) -> None:
         if any(window.player.path == path for window in self.windows):
-            text = tr("{0} is open; close its window before recording over it.")
+            text = tr("{0} is open; close its window before you overwrite it.")
             self._notifier.error.emit(text.format(path.name))
         elif self.recorder.start(path):
             remember_folder(path, self._folder_key)

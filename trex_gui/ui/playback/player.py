@@ -101,7 +101,7 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
     defines the curves of a device. Before the recording is loaded, only its header is available.
     """
 
-    progressed = Signal()  # `share`, `is_busy` or `end` has changed
+    progressed = Signal()  # `progress`, `is_busy` or `end` has changed
     moved = Signal()  # `position` has changed
     playing_changed = Signal()
     loaded = Signal()
@@ -132,7 +132,7 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
         self._rows = 0
         self._history = SampleHistory(curves.columns, capacity=4096)
         self._traces: Traces | None = None
-        self.share = 0.0  # completed share of loading or exporting, 0 to 1
+        self.progress = 0.0  # completed fraction of loading or exporting, 0 to 1
         self._task = FileTask(self)
         self._task.progressed.connect(self._on_progressed)
         self._task.done.connect(self._on_done)
@@ -148,7 +148,7 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
             self.moved.emit()
 
     def play(self) -> None:
-        """Play from the position. At the end, start from the beginning."""
+        """Play from the position, or from the start if the position is at the end."""
         if self.position >= self.end:
             self.set_position(self.start)
         self._last_frame = now()
@@ -232,12 +232,12 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
         self._task.cancel()
 
     def _start(self, work: Callable[[ProgressCallback], object]) -> None:
-        self.share = 0.0
+        self.progress = 0.0
         self._task.start(work)
 
     @Slot(float)
-    def _on_progressed(self, share: float) -> None:
-        self.share = share
+    def _on_progressed(self, progress: float) -> None:
+        self.progress = progress
         self.progressed.emit()
 
     @Slot(object)
@@ -252,7 +252,7 @@ class RecordingPlayer(QObject, Generic[HeaderT, RecordT, StateT]):
             self.progressed.emit()
 
     def _set_recording(self, loaded: LoadedRecording[HeaderT, RecordT, StateT]) -> None:
-        self._replay, self.is_loaded, self.share = loaded.replay, True, 1.0
+        self._replay, self.is_loaded, self.progress = loaded.replay, True, 1.0
         self._history, self._rows = loaded.history, loaded.rows
         self.events = loaded.events
         self._traces = None

@@ -139,7 +139,7 @@ class RecordingWindow(QMainWindow):
         self._export.setEnabled(player.is_loaded and not player.is_busy)
         self._progress.setVisible(player.is_busy)
         self._cancel.setVisible(player.is_busy)
-        self._progress.setValue(round(100 * player.share))
+        self._progress.setValue(round(100 * player.progress))
         text = tr("Exporting, %p %") if player.is_loaded else tr("Reading, %p %")
         self._progress.setFormat(text)
 

@@ -56,7 +56,7 @@ class TrafficPage(View):
             for name, text, tip in (
                 ("Polling", tr("&Show polling"), polling),
                 ("Faults", tr("O&nly faults"), tr("Show only failed transactions and line errors")),
-                ("Pause", tr("Pa&use"), tr("Do not add rows for now; the traffic is still logged")),
+                ("Pause", tr("Pa&use"), tr("Stop adding rows; the traffic is still logged")),
             )
         )
         text, tip = tr("C&lear"), tr("Remove all rows")

@@ -127,7 +127,7 @@ def test_built_in_pose_fits_the_limits(trexcmd: RunCommand, robot: SimulatedDevi
     assert "limit" not in result.stderr
 
 
-def test_pose_is_loaded_from_file_by_name_and_cropped_to_the_limits(
+def test_pose_is_loaded_from_file_by_name_and_clampped_to_the_limits(
     trexcmd: RunCommand, robot: SimulatedDevice, file: str
 ) -> None:
     trexcmd("aracna", "pose", "--pose", "low", "--file", file, "--speed", "0")

@@ -75,7 +75,7 @@ def test_open_recording_is_not_overwritten_and_can_stop_robot(
     [playback] = opened(window)
     window.wait(lambda: playback.playback.is_loaded)
     manager.record(path)
-    assert "close its window before recording over it" in window.text("bannerText")
+    assert "close its window before you overwrite it" in window.text("bannerText")
     assert path.read_bytes() == before
 
     halted: list[bool] = []

@@ -109,7 +109,7 @@ def test_first_move_is_slow_and_makes_positions_known(robot: Robot, harness: Rob
     assert order.index(SpeedsHeld) < order.index(Moving)
 
 
-def test_goals_are_cropped_to_limits_with_message(robot: Robot, harness: RobotHarness) -> None:
+def test_goals_are_clampped_to_limits_with_message(robot: Robot, harness: RobotHarness) -> None:
     robot.set_speeds((0,) * 8)
     harness.move((0, 1023, 512, 512, 512, 512, 512, 512))
     assert harness.sent == [(50, 550, 512, 512, 512, 512, 512, 512)]
@@ -230,11 +230,11 @@ def steps(*goals: tuple[int, ...]) -> tuple[Step, ...]:
     return tuple(Step(goal, 0.2, f"step {index}") for index, goal in enumerate(goals))
 
 
-def test_cropped_steps_of_a_sequence_are_reported(robot: Robot, harness: RobotHarness) -> None:
+def test_clampped_steps_of_a_sequence_are_reported(robot: Robot, harness: RobotHarness) -> None:
     robot.play(Play(0, steps((0,) * 8, (500,) * 8, (1023,) * 8)))
-    assert harness.messages == ["Cropped to the limits of the joints: 2 steps."]
+    assert harness.messages == ["Clamped to the limits of the joints: 2 steps."]
     harness.wait(lambda: robot.state.play is None)
-    assert [robot.limits.crop(goals) for goals in harness.sent] == harness.sent
+    assert [robot.limits.clamp(goals) for goals in harness.sent] == harness.sent
 
 
 def test_halt_ends_playback_and_holds_reported_positions(

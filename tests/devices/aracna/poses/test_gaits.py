@@ -5,7 +5,7 @@ import math
 import pytest
 
 from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES, GAITS, Gait
-from trex_gui.devices.aracna.protocol.joints import crop, factory_limits
+from trex_gui.devices.aracna.protocol.joints import clamp, factory_limits
 
 
 def gait(name: str) -> Gait:
@@ -31,7 +31,7 @@ def test_built_in_poses_repeat_joint_pair_within_limits(name: str, inner: int, o
 
 def test_every_built_in_pose_is_within_factory_limits() -> None:
     for pose in (*BUILT_IN_POSES, *(pose for one in GAITS for pose in one.poses)):
-        assert crop(pose.positions, factory_limits()) == pose.positions, pose.name
+        assert clamp(pose.positions, factory_limits()) == pose.positions, pose.name
 
 
 @pytest.mark.parametrize("number", [0, 2, 4, 6])
@@ -58,7 +58,7 @@ def test_sine_gait_follows_sine_function() -> None:
     )  # whole milliseconds
     for number, pose in enumerate(sine.poses, 1):
         time = 2 * math.pi * number / 16
-        position = min(512 + 100 * math.sin(time), 600)  # cropped as on the robot
+        position = min(512 + 100 * math.sin(time), 600)  # clamped as on the robot
         assert pose.positions[0] == pytest.approx(position, abs=0.51)
 
 

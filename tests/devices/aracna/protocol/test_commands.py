@@ -21,7 +21,7 @@ def test_wrong_number_of_values_is_rejected(count: int) -> None:
 @pytest.mark.parametrize("bad", [-1, 1024, 1.5, "512", None, True])
 def test_value_other_than_integer_0_to_1023_is_rejected(bad: object) -> None:
     values = [512] * 7 + [bad]
-    with pytest.raises(BadRequest, match="motor 7 is 0 to 1023"):
+    with pytest.raises(BadRequest, match="motor 7 must be 0 to 1023"):
         commands.positions(values, 8)  # type: ignore[arg-type]  # on purpose
     with pytest.raises(BadRequest, match="speed of motor 7"):
         commands.speeds(values, 8)  # type: ignore[arg-type]  # on purpose

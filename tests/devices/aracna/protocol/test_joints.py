@@ -51,11 +51,11 @@ def test_speed_for_time_matches_authors_formula() -> None:
 
 @examples(40)
 @given(st.integers(-2000, 3000), st.integers(0, 1023), st.integers(0, 1023))
-def test_crop_changes_only_values_outside_limits(value: int, one: int, two: int) -> None:
+def test_clamp_changes_only_values_outside_limits(value: int, one: int, two: int) -> None:
     limits = Limits(min(one, two), max(one, two))
-    cropped = limits.crop(value)
-    assert limits.allow(cropped)
-    assert (cropped == value) == limits.allow(value)
+    clamped = limits.clamp(value)
+    assert limits.allow(clamped)
+    assert (clamped == value) == limits.allow(value)
 
 
 @pytest.mark.parametrize(("low", "high"), [(-1, 5), (6, 5), (0, 1024)])

@@ -47,16 +47,16 @@ REJECTED = [
     ("servo power maybe", SERVO),
     ("servo 3 jump", SERVO),
     ("servo 3 lose faith", SERVO),
-    ("servo 8 dead", "a servo is 0 to 7, not '8'"),
-    ("servo -1 dead", "a servo is 0 to 7, not '-1'"),
-    ("servo x dead", "a servo is 0 to 7, not 'x'"),
-    ("servo 3 load 2", "a load is 0 to 1, not '2'"),
-    ("servo 3 lose speed -1", "a number of reads is 0 to 999999999, not '-1'"),
+    ("servo 8 dead", "a servo must be 0 to 7, not '8'"),
+    ("servo -1 dead", "a servo must be 0 to 7, not '-1'"),
+    ("servo x dead", "a servo must be 0 to 7, not 'x'"),
+    ("servo 3 load 2", "a load must be 0 to 1, not '2'"),
+    ("servo 3 lose speed -1", "a number of reads must be 0 to 999999999, not '-1'"),
     ("line warp", LINE),
     (f"line garbage {'00' * 10_001}", "garbage is at most 10000 bytes, not 10001"),
     ("line drop 1 received", LINE),
     ("line cut", LINE),
-    ("line cut -1", "a number of bytes is 0 to 999999999, not '-1'"),
+    ("line cut -1", "a number of bytes must be 0 to 999999999, not '-1'"),
 ]
 
 

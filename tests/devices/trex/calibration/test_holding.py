@@ -115,7 +115,7 @@ def test_ends_only_passed_are_reported_and_block_proposal(rate: float) -> None:
     assert not travel.is_enough
     proposal = proposal_of(stick, travel)
     assert [problem.kind for problem in proposal.problems] == [ProblemKind.NOT_HELD]
-    assert "Both ends were only passed, not held. Go back, push it" in problem_text(
+    assert "Both ends were only passed, not held. Go back, push the stick" in problem_text(
         proposal.problems[0]
     )
     assert proposal.calibration is None
@@ -186,7 +186,7 @@ def test_still_analog_input_is_reported_as_maybe_unconnected(volts: float, words
     (problem,) = travel_of(stick, ((2.0, 0.0),), 50.0).problems
     assert problem.kind is ProblemKind.NEVER_MOVED
     assert words in problem_text(problem)
-    assert "Either nothing is connected to it" in problem_text(problem)
+    assert "Either nothing is connected to this input" in problem_text(problem)
     assert "was not moved" in problem_text(problem)
 
 

@@ -83,7 +83,7 @@ def test_twitch_is_reported_as_movement(twitch: float, noise: float, seed: int) 
 def test_drift_is_reported_as_movement_with_direction(drift: float, seed: int) -> None:
     (problem,) = neutral_of(Stick(drift=drift, noise=0.5), seed).problems
     assert problem.kind is ProblemKind.MOVED
-    assert f"It drifted {'up' if drift > 0 else 'down'} by" in problem_text(problem)
+    assert f"The signal drifted {'up' if drift > 0 else 'down'} by" in problem_text(problem)
 
 
 @pytest.mark.parametrize("source", InputSource)
@@ -176,7 +176,7 @@ def test_excessive_noise_is_reported_with_its_size() -> None:
     assert problems_of([3594, *[3906, 3594] * 40]) == []
     ((kind, text),) = problems_of([3593, *[3907, 3593] * 40])
     assert kind is ProblemKind.NOISE
-    assert text.startswith("At rest its noise is ±62.8 µs:")
+    assert text.startswith("At rest the noise is ±62.8 µs:")
 
 
 @modest
@@ -192,7 +192,7 @@ def test_deadband_covers_noise_and_never_falls_below_floor(noise: float, seed: i
 
 
 def test_deadband_widened_for_noise_is_explained() -> None:
-    reason = "At rest its noise is ±"
+    reason = "At rest the noise is ±"
     assert not any(reason in text for text in learn(Stick(noise=0.5)).reasons)
     assert any(reason in text for text in learn(Stick(noise=12)).reasons)
 

@@ -330,7 +330,7 @@ def test_deadband_below_noise_is_reported() -> None:
         (1, (1000, 3750, 4950, 75), "Minimum (400 µs) is outside the input"),
         (1, (2550, 3750, 5050, 75), "Maximum is beyond 2000 µs, the farthest value reached"),
         (1, (2450, 3750, 4950, 75), "Minimum is beyond 1000 µs, the farthest value reached"),
-        (1, (2550, 3500, 4950, 75), "It rests at 1500 µs: with this neutral it would"),
+        (1, (2550, 3500, 4950, 75), "The stick rests at 1500 µs: with this neutral, the output"),
         (3, (1250, 2750, 4700, 3000), "reaches maximum: no output between 0 and full"),
     ],
 )
@@ -353,14 +353,14 @@ def test_proposed_calibration_has_no_problems(channel: int) -> None:
 def test_switching_point_is_reported_as_inferred() -> None:
     text = check(THROTTLE, 5).remark
     assert "Active above 1495 µs, halfway between neutral and maximum (inferred)" in text
-    assert text.endswith("At rest it is off.")
+    assert text.endswith("At rest the switch is off.")
 
 
 def test_unreversed_switch_resting_low_is_reported() -> None:
     (problem,) = check(THROTTLE, 5, reversed_=False).problems
     assert problem.kind is ProblemKind.NEVER_SWITCHES
-    assert "It is inactive in all its positions" in problem_text(problem)
-    assert "Should it be reversed" in problem_text(problem)
+    assert "The switch is inactive in all its positions" in problem_text(problem)
+    assert "Should the channel be reversed" in problem_text(problem)
 
 
 def test_switch_resting_at_its_switching_point_is_reported() -> None:
@@ -386,8 +386,8 @@ def test_stick_held_off_rest_while_sampled_is_reported(off: float, up: bool, see
     assert wanted is not None
     (problem,) = Check(1, ChannelCurve(wanted), neutral, travel).problems
     assert problem.kind is ProblemKind.NEUTRAL_MOVED
-    assert problem_text(problem).startswith("After release it rests at 1500 µs, not at ")
-    assert "sample it again, or use the new rest" in problem_text(problem)
+    assert problem_text(problem).startswith("After release the stick rests at 1500 µs, not at ")
+    assert "sample the channel again, or use the new rest" in problem_text(problem)
     taken = replace(wanted, neutral=travel.rest)
     assert Check(1, ChannelCurve(taken), neutral, travel).problems == ()
 

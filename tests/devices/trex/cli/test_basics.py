@@ -117,7 +117,7 @@ def test_status_shows_setpoints_and_log(
     result = trexcmd("status").stdout
     assert "Motor 2 setpoint:     -59 (channel)\n" in result
     assert "Log:\n  Connected to TReX 1.2 on " in result
-    assert "Latched before connecting, perhaps by the search for the board: Framing" in result
+    assert "Latched before connecting, perhaps by a search for the board: Framing" in result
 
 
 def test_status_gives_no_error_that_is_over_as_a_reason(
@@ -163,7 +163,7 @@ def test_set_reports_when_a_power_cycle_is_needed(trexcmd: RunCommand) -> None:
         ("set factory_reset restore", "`trexcmd restore-defaults`"),
         ("get nosuch", "No TReX has a parameter 'nosuch'."),
         ("get factory_reset", "can only be written"),
-        ("calibration set 1 99999 99999 99999 20", "a calibration value is 0 to 16383"),
+        ("calibration set 1 99999 99999 99999 20", "a calibration value must be 0 to 16383"),
         ("calibration set 1 3000 2000 4000 20", "minimum 3000 is above neutral 2000"),
         ("calibration set 1 1ms 2V 2ms 20", "cannot contain both µs and V"),
         ("calibration set 1 '1,000 µs' 1500us 2000us 20", "MINIMUM: 1,000 is ambiguous"),
@@ -220,12 +220,12 @@ def test_set_reports_when_a_power_cycle_is_needed(trexcmd: RunCommand) -> None:
         ("history path first", "is neither the number"),
         ("history path 1.5", "is neither the number"),
         ("history path ./1", "is neither the number"),
-        ("history keep 0", "neither a number of snapshots"),
-        ("history keep -- -1", "neither a number of snapshots"),
-        ("history keep many", "neither a number of snapshots"),
-        ("history keep 1.5", "neither a number of snapshots"),
-        ("history keep 10000000", "neither a number of snapshots"),
-        (f"history keep {'9' * 5000}", "neither a number of snapshots"),
+        ("history keep 0", "give a number of snapshots"),
+        ("history keep -- -1", "give a number of snapshots"),
+        ("history keep many", "give a number of snapshots"),
+        ("history keep 1.5", "give a number of snapshots"),
+        ("history keep 10000000", "give a number of snapshots"),
+        (f"history keep {'9' * 5000}", "give a number of snapshots"),
         ("check-settings ''", "name of the file is empty"),
         ("stop --traffic ''", "name of the file is empty"),
         ("history show ''", "name of the file is empty"),
@@ -275,7 +275,7 @@ def test_status_names_the_options_that_reach_the_board(
     assert "A TReX 1.2 responds on" in result.stderr
     assert "odd parity, but this connection uses 19200 baud." in result.stderr
     url = quick_simulator.url
-    assert result.stderr.endswith(f"reach it:\n--port {url} --baud 19200 --parity odd\n")
+    assert result.stderr.endswith(f"Use these options:\n--port {url} --baud 19200 --parity odd\n")
     trexcmd("status", "--parity", "odd")
     assert quick_simulator.show()["counters"]["packets"] > 0
 

@@ -168,7 +168,7 @@ def test_changed_line_settings_print_new_options(
     options: str,
 ) -> None:
     said = given(trexcmd, tmp_path / "line.txt", **values)
-    sentence = "After the board is switched off and on, reach it with"
+    sentence = "After the board is switched off and on, connect with"
     assert f"{sentence} --port {quick_simulator.url} {options}\n" in said
 
 
@@ -176,11 +176,11 @@ def test_printed_options_reach_the_board(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     said = given(trexcmd, tmp_path / "line.txt", uart_settings=0x3A, crc7_polynomial=0x15)
-    (reports,) = re.findall("off and on, reach it with (.*)", said)
+    (reports,) = re.findall("off and on, connect with (.*)", said)
     quick_simulator.do("power cycle")
     trexcmd("get", "crc7_polynomial", *reports.split())
     restored = trexcmd("restore-defaults", "--yes", *reports.split())
-    (reports,) = re.findall("off and on, reach it with (.*)", restored.stderr)
+    (reports,) = re.findall("off and on, connect with (.*)", restored.stderr)
     quick_simulator.do("power cycle")
     trexcmd("get", "crc7_polynomial", *reports.split())
 
@@ -192,7 +192,7 @@ def test_baud_rate_halved_by_old_firmware_is_printed_halved(
     file = tmp_path / "line.txt"
     file.write_text("product: TReX\nuart_settings: 6\n", encoding="utf-8")  # 28800 baud
     said = trexcmd("set-settings", str(file), "--port", old.url).stderr
-    assert f"reach it with --port {old.url} --baud 14400\n" in said
+    assert f"connect with --port {old.url} --baud 14400\n" in said
 
 
 def test_new_device_number_is_printed_for_expanded_protocol(
@@ -202,8 +202,8 @@ def test_new_device_number_is_printed_for_expanded_protocol(
     file.write_text("product: TReX\ndevice_number: 9\nuart_settings: 8\n", encoding="utf-8")
     result = trexcmd("set-settings", str(file), "--protocol", "expanded")
     url = quick_simulator.url
-    now = f"Reach the board with --port {url} --baud 19200 --protocol expanded --device 9 from"
-    later = f"reach it with --port {url} --baud 57600 --protocol expanded --device 9\n"
+    now = f"From now on, connect with --port {url} --baud 19200 --protocol expanded --device 9."
+    later = f"connect with --port {url} --baud 57600 --protocol expanded --device 9\n"
     assert now in result.stderr
     assert later in result.stderr
 
@@ -218,4 +218,4 @@ def test_unchanged_line_settings_print_no_options(
 
 
 def test_restore_defaults_without_line_change_prints_no_options(trexcmd: RunCommand) -> None:
-    assert "reach it with" not in trexcmd("restore-defaults", "--yes").stderr
+    assert "connect with" not in trexcmd("restore-defaults", "--yes").stderr

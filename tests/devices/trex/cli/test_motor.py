@@ -279,7 +279,7 @@ def test_unplugging_ends_the_run_with_a_message(
     command = run_motor_1(start, simulator)
     simulator.do("line unplug")
     errors = command.ends(1).stderr
-    assert "Motor 1 may still be turning. Cut the power. The line" in errors
+    assert "Motor 1 may still be turning. Cut the power. The connection" in errors
 
 
 def test_stop_fails_while_rc_channels_drive(
@@ -299,7 +299,7 @@ def test_stop_without_reply_is_reported_as_unconfirmed(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     result = trexcmd("stop", "--baud", "57600", exits=1)
-    assert "The stop is not confirmed. If a motor still turns, cut its power." in result.stderr
+    assert "The stop is not confirmed. If a motor is still turning, cut its power." in result.stderr
     quick_simulator.do("power off")
     assert "No TReX responds" in trexcmd("stop", "--timeout=0", exits=1).stderr
 

@@ -79,7 +79,7 @@ def test_progress_of_reading_is_reported(long_file: Path, qtbot: QtBot) -> None:
     playback = loading(Playback(open_recording(long_file)))
     assert not playback.is_loaded
     shares: list[float] = []
-    playback.progressed.connect(lambda: shares.append(playback.share))
+    playback.progressed.connect(lambda: shares.append(playback.progress))
     with qtbot.waitSignal(playback.loaded):
         pass
     assert shares == sorted(shares)
@@ -277,7 +277,7 @@ def responds_while_reading(hour: Path, qtbot: QtBot) -> bool:
     begin = now()
     playback = loading(Playback(open_recording(hour)))
     opened = now()
-    qtbot.waitUntil(lambda: playback.share > 0.2, timeout=120_000)
+    qtbot.waitUntil(lambda: playback.progress > 0.2, timeout=120_000)
     looked_through = now()
     with qtbot.waitSignal(playback.loaded, timeout=240_000):
         pass
@@ -314,7 +314,7 @@ def test_close_while_reading_ends_the_thread(
 ) -> None:
     playback = loading(Playback(open_recording(long_file)))
     (thread,) = started_workers
-    qtbot.waitUntil(lambda: playback.share > 0)
+    qtbot.waitUntil(lambda: playback.progress > 0)
     signals: list[str] = []
     playback.loaded.connect(lambda: signals.append("loaded"))
     playback.failed.connect(signals.append)

@@ -123,19 +123,34 @@ def test_packets_of_both_protocols_match_documentation(
 @pytest.mark.parametrize(
     ("command", "sentence"),
     [
-        *((GetRawChannels(mask), "channel mask is 0 to 31, not") for mask in (-1, 0x20, 0x80)),
-        *((GetRemappedChannels(mask), "channel mask is 0 to 31, not") for mask in (-1, 0x20)),
-        *((GetCurrent(motor), "motors are numbered 1 and 2, not") for motor in (-1, 0, 3)),
-        *((DriveMotor(motor, FULL_BRAKE), "numbered 1 and 2, not") for motor in (-1, 0, 3)),
-        *((GetCalibration(channel), "channels are numbered 1 to 5, not") for channel in (0, 6)),
-        *((SetCalibration(channel, TYPICAL), "numbered 1 to 5, not") for channel in (-1, 0, 6)),
-        *((GetParameter(number), "parameter number is 0 to 127, not") for number in (-1, 128)),
-        *((SetParameter(number, 0), "parameter number is 0 to 127, not") for number in (-1, 128)),
-        *((SetParameter(0, value), "parameter value is 0 to 127, not") for value in (-1, 128)),
-        *((DriveMotor(1, Drive(Direction.FORWARD, speed)), "is 0 to 127") for speed in (-1, 128)),
-        (DriveBoth(Drive(Direction.FORWARD, 128), FULL_BRAKE), "is 0 to 127, not 128"),
-        (DriveBoth(FULL_BRAKE, Drive(Direction.FORWARD, 128)), "is 0 to 127, not 128"),
-        *((DriveAuxiliary(speed), "is 0 to 127, not") for speed in (-1, 128)),
+        *((GetRawChannels(mask), "channel mask must be 0 to 31, not") for mask in (-1, 0x20, 0x80)),
+        *((GetRemappedChannels(mask), "channel mask must be 0 to 31, not") for mask in (-1, 0x20)),
+        *((GetCurrent(motor), "the motor number must be 1 or 2, not") for motor in (-1, 0, 3)),
+        *(
+            (DriveMotor(motor, FULL_BRAKE), "motor number must be 1 or 2, not")
+            for motor in (-1, 0, 3)
+        ),
+        *(
+            (GetCalibration(channel), "the channel number must be 1 to 5, not")
+            for channel in (0, 6)
+        ),
+        *(
+            (SetCalibration(channel, TYPICAL), "channel number must be 1 to 5, not")
+            for channel in (-1, 0, 6)
+        ),
+        *((GetParameter(number), "parameter number must be 0 to 127, not") for number in (-1, 128)),
+        *(
+            (SetParameter(number, 0), "parameter number must be 0 to 127, not")
+            for number in (-1, 128)
+        ),
+        *((SetParameter(0, value), "parameter value must be 0 to 127, not") for value in (-1, 128)),
+        *(
+            (DriveMotor(1, Drive(Direction.FORWARD, speed)), "must be 0 to 127")
+            for speed in (-1, 128)
+        ),
+        (DriveBoth(Drive(Direction.FORWARD, 128), FULL_BRAKE), "must be 0 to 127, not 128"),
+        (DriveBoth(FULL_BRAKE, Drive(Direction.FORWARD, 128)), "must be 0 to 127, not 128"),
+        *((DriveAuxiliary(speed), "must be 0 to 127, not") for speed in (-1, 128)),
     ],
 )
 def test_number_beyond_its_limits_is_rejected_with_them(

@@ -51,7 +51,7 @@ def test_pwm_frequency_follows_prescaler_and_maximum(prescaler: int, wire: int, 
 
 @pytest.mark.parametrize("prescaler", [-1, 4])
 def test_invalid_prescaler_is_rejected_with_limits(prescaler: int) -> None:
-    with pytest.raises(BadRequest, match=f"PWM prescaler is 0 to 3, not {prescaler}"):
+    with pytest.raises(BadRequest, match=f"PWM prescaler must be 0 to 3, not {prescaler}"):
         device_table().pwm.frequency(prescaler, 63)
 
 

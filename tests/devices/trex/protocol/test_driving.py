@@ -41,7 +41,7 @@ def test_braking_has_signed_speed_0() -> None:
 
 @pytest.mark.parametrize("duty", [-1, 128])
 def test_invalid_brake_duty_is_rejected_with_limits(duty: int) -> None:
-    with pytest.raises(BadRequest, match=f"brake duty is 0 to 127, not {duty}"):
+    with pytest.raises(BadRequest, match=f"brake duty must be 0 to 127, not {duty}"):
         Drive.brake(duty)
 
 

@@ -73,7 +73,7 @@ def test_mask_bit_n_is_channel_n_plus_1() -> None:
 
 @pytest.mark.parametrize("channel", [-1, 0, 6])
 def test_invalid_channel_number_is_rejected(channel: int) -> None:
-    with pytest.raises(BadRequest, match=f"channels are numbered 1 to 5, not {channel}"):
+    with pytest.raises(BadRequest, match=f"the channel number must be 1 to 5, not {channel}"):
         channel_mask([1, channel])
 
 

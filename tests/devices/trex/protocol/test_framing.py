@@ -57,5 +57,5 @@ def test_polynomial_without_top_bit_is_rejected_with_limits(
 
 @pytest.mark.parametrize("device_number", [-1, 128, 255])
 def test_invalid_device_number_is_rejected_with_limits(device_number: int) -> None:
-    with pytest.raises(BadRequest, match=f"device number is 0 to 127, not {device_number}"):
+    with pytest.raises(BadRequest, match=f"device number must be 0 to 127, not {device_number}"):
         Framing(device_number)

@@ -50,7 +50,7 @@ def test_unknown_baud_rate_is_rejected_with_valid_ones() -> None:
 
 @pytest.mark.parametrize("stop_bits", [0, 3])
 def test_invalid_stop_bits_are_rejected_with_limits(stop_bits: int) -> None:
-    with pytest.raises(BadRequest, match=f"1 or 2 stop bits, not {stop_bits}"):
+    with pytest.raises(BadRequest, match=f"must be 1 or 2, not {stop_bits}"):
         LineSettings(stop_bits=stop_bits).to_wire()
 
 

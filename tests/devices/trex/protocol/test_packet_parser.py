@@ -52,10 +52,10 @@ def test_wrong_crc_makes_packet_malformed_and_names_both() -> None:
 @pytest.mark.parametrize(
     ("sent", "words"),
     [
-        ("af 00 07 2a 55", "ends in 55 2A, not 2A 55"),
-        ("af 00 07 55 2b", "ends in 55 2A, not 55 2B"),
-        ("af 00 07 00 00", "ends in 55 2A, not 00 00"),
-        ("86 20", "channel mask is 0 to 31"),
+        ("af 00 07 2a 55", "must end in 55 2A, not 2A 55"),
+        ("af 00 07 55 2b", "must end in 55 2A, not 55 2B"),
+        ("af 00 07 00 00", "must end in 55 2A, not 00 00"),
+        ("86 20", "channel mask must be 0 to 31"),
     ],
 )
 def test_invalid_data_makes_packet_malformed(sent: str, words: str) -> None:

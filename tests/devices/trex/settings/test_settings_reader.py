@@ -134,7 +134,7 @@ def test_unknown_firmware_gives_warning() -> None:
         ),
         (
             "rc_channel_1: {minimum: 1, neutral: 2, maximum: 16384, deadband: 0}",
-            "rc_channel_1: maximum is 0 to 16383, not 16384",
+            "rc_channel_1: maximum must be 0 to 16383, not 16384",
         ),
         (
             "rc_channel_1: {minimum: 1, neutral: 2, maximum: 3, deadband: {a: 1}}",

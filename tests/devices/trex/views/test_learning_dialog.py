@@ -33,7 +33,7 @@ def test_rest_position_of_a_held_stick_can_be_corrected(learning: LearningDialog
     learning.transmitter.put(1, 0.2)
     learning.wait(lambda: learning.device.telemetry.raw_of(1) == 4000)
     learning.go_to_review(1)
-    words = "After release it rests at 1500 µs, not at 1600 µs"
+    words = "After release the stick rests at 1500 µs, not at 1600 µs"
     assert words in learning.problem(1)
     assert learning.button("learnUseRest1").text() == "Use 1500 µs &as neutral"
 

@@ -22,7 +22,7 @@ from trex_gui.core.plugin import Lazy
 from trex_gui.core.texts import counted
 from trex_gui.devices.aracna.cli.session import CommandSession, port_settings
 from trex_gui.devices.aracna.poses.gaits import BUILT_IN_POSES
-from trex_gui.devices.aracna.poses.playing import blend_in, cropped, mismatch, steps_of
+from trex_gui.devices.aracna.poses.playing import blend_in, clamped, mismatch, steps_of
 from trex_gui.devices.aracna.poses.ppr import read_file
 from trex_gui.devices.aracna.poses.project import Pose, Project, Sequence
 from trex_gui.devices.aracna.protocol.joints import Limits, factory_limits
@@ -121,7 +121,7 @@ def pose(
     """Move every motor to a position, 0 to 1023 (512 is the centre), and wait.
 
     Give one position for each motor, or the name of a pose. Positions outside the joints' limits
-    are rejected, but positions of a pose are cropped. The command prints the final positions.
+    are rejected, but positions of a pose are clamped. The command prints the final positions.
     """
     if bool(values) == (name is not None):
         raise click.UsageError("Give either one position for each motor, or --pose NAME.")
@@ -137,7 +137,7 @@ def pose(
             _check_count(values, motors, "positions")
             goals = values
         else:
-            goals = _report_crops(target, _limits(motors, lifted=no_limits))
+            goals = _report_clamps(target, _limits(motors, lifted=no_limits))
         present = session.move(goals, (speed,) * motors)
     click.echo(_joined(present))
     session.report_faults()
@@ -172,7 +172,7 @@ def play(
 ) -> None:
     """Play a sequence of a pose file (.ppr), after a slow move to its start.
 
-    Positions outside the joints' limits are cropped and reported. After Ctrl-C, nothing more is
+    Positions outside the joints' limits are clamped and reported. After Ctrl-C, nothing more is
     sent, and the running step continues to its end.
     """
     if loop and rounds is not None:
@@ -191,7 +191,7 @@ def play(
         used_names = {step.pose_name for step in sequence.steps}
         for pose in project.poses:
             if pose.name in used_names:
-                _report_crops(pose, limits)
+                _report_clamps(pose, limits)
         session.play(Play(0, steps, 0 if loop else rounds or 1, first, time_scale=scale))
     say("Stopped." if session.halted else "Played.")
     if session.moved is not None:
@@ -254,8 +254,8 @@ def _limits(motors: int, *, lifted: bool) -> tuple[Limits, ...]:
     return (Limits(),) * motors if lifted else factory_limits(motors)
 
 
-def _report_crops(pose: Pose, limits: tuple[Limits, ...]) -> tuple[int, ...]:
-    goals = cropped(pose, limits)
+def _report_clamps(pose: Pose, limits: tuple[Limits, ...]) -> tuple[int, ...]:
+    goals = clamped(pose, limits)
     if problem := mismatch([pose], len(limits)):
         say(f"{pose.name}: {problem}")
     for motor, (position, goal) in enumerate(zip(pose.for_motors(len(limits)), goals, strict=True)):

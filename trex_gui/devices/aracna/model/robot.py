@@ -13,7 +13,7 @@ from trex_gui.core.transport.settings import PortSettings
 from trex_gui.devices.aracna.model.robot_state import RobotState
 from trex_gui.devices.aracna.model.setpoints import JointLimits, Targets
 from trex_gui.devices.aracna.model.texts import (
-    cropped_goals_text,
+    clamped_goals_text,
     ending_text,
     event_of,
     waiting_text,
@@ -167,12 +167,12 @@ class Robot(DeviceConnection[PortSettings]):
         """Move every motor to its goal after any running motion. Return False if rejected."""
         if not self._can_move():
             return False
-        cropped = self.limits.crop(goals)
-        if cropped != tuple(goals):
-            self._inform(cropped_goals_text(goals, cropped))
-        self.targets.set_all(cropped)
-        self.events.add(EventKind.NOTE, tr("Move to {0}.").format(", ".join(map(str, cropped))))
-        return self._request_move(cropped, dragged=False)
+        clamped = self.limits.clamp(goals)
+        if clamped != tuple(goals):
+            self._inform(clamped_goals_text(goals, clamped))
+        self.targets.set_all(clamped)
+        self.events.add(EventKind.NOTE, tr("Move to {0}.").format(", ".join(map(str, clamped))))
+        return self._request_move(clamped, dragged=False)
 
     def _request_move(self, goals: tuple[int, ...], *, dragged: bool) -> bool:
         speeds, self._is_holding = self.speeds, False
@@ -191,7 +191,7 @@ class Robot(DeviceConnection[PortSettings]):
     def drag(self, goals: Sequence[int]) -> None:
         """Send goals once the robot is ready. They replace unsent goals."""
         if self.dragging and self.link is ConnectionState.CONNECTED:
-            self._request_move(self.limits.crop(goals), dragged=True)
+            self._request_move(self.limits.clamp(goals), dragged=True)
 
     def end_drag(self) -> None:
         if self.dragging:
@@ -215,14 +215,14 @@ class Robot(DeviceConnection[PortSettings]):
             self.request(lambda number: SetLed(number, on), self._on_led_done)
 
     def play(self, play: Play) -> bool:
-        """Play steps, cropped to the limits. Return False if rejected.
+        """Play steps, clamped to the limits. Return False if rejected.
 
         From unknown positions, the robot starts with a slow motion.
         """
         if not self._can_move():
             return False
-        if cropped := sum(self.limits.crop(step.goals) != step.goals for step in play.steps):
-            self._inform(tr("Cropped to the limits of the joints: %n step(s).", "", cropped))
+        if clamped := sum(self.limits.clamp(step.goals) != step.goals for step in play.steps):
+            self._inform(tr("Clamped to the limits of the joints: %n step(s).", "", clamped))
         if None in self.state.present:
             play = self._with_slow_start(play)
         self._is_holding = False

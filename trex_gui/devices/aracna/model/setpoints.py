@@ -46,8 +46,8 @@ class JointLimits(QObject):
             self._all = factory_limits(len(self._all))
             self._save()
 
-    def crop(self, goals: Sequence[int]) -> tuple[int, ...]:
-        return tuple(self.of(motor).crop(goal) for motor, goal in enumerate(goals))
+    def clamp(self, goals: Sequence[int]) -> tuple[int, ...]:
+        return tuple(self.of(motor).clamp(goal) for motor, goal in enumerate(goals))
 
     def _save(self) -> None:
         text = " ".join(f"{limits.low}-{limits.high}" for limits in self._all)
@@ -64,14 +64,14 @@ class JointLimits(QObject):
 
 
 class Targets(QObject):
-    """Goals of the sliders, cropped to the limits. They need not have been sent."""
+    """Goals of the sliders, clamped to the limits. They need not have been sent."""
 
     changed = Signal()
 
     def __init__(self, limits: JointLimits, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._limits = limits
-        self.goals = limits.crop((CENTER,) * MOTORS)
+        self.goals = limits.clamp((CENTER,) * MOTORS)
         limits.changed.connect(self._on_limits_changed)
 
     def set_count(self, motors: int) -> None:
@@ -82,9 +82,9 @@ class Targets(QObject):
         self.set_all((*self.goals[:motor], position, *self.goals[motor + 1 :]))
 
     def set_all(self, goals: Sequence[int]) -> None:
-        cropped = self._limits.crop(goals)
-        if cropped != self.goals:
-            self.goals = cropped
+        clamped = self._limits.clamp(goals)
+        if clamped != self.goals:
+            self.goals = clamped
             self.changed.emit()
 
     @Slot()

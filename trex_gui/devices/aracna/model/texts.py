@@ -135,13 +135,13 @@ def stuck_text(motor: int | None) -> str:
     return f"{waiting_text(motor)} {hint}"
 
 
-def cropped_goals_text(goals: Sequence[int], cropped: Sequence[int]) -> str:
+def clamped_goals_text(goals: Sequence[int], clamped: Sequence[int]) -> str:
     changes = [
         tr("motor {0} to {1} instead of {2}").format(motor, sent, goal)
-        for motor, (goal, sent) in enumerate(zip(goals, cropped, strict=True))
+        for motor, (goal, sent) in enumerate(zip(goals, clamped, strict=True))
         if goal != sent
     ]
-    return tr("Cropped to the limits of the joints: {0}.").format(", ".join(changes))
+    return tr("Clamped to the limits of the joints: {0}.").format(", ".join(changes))
 
 
 def event_of(report: object, state: RobotState) -> tuple[EventKind, str] | None:

@@ -7,8 +7,8 @@ Ref: CreativeMachinesLab/aracna:
 - `RobotPi/commonGaits.py`: gaits. A gait is a loop of poses with durations, linearly interpolated.
 - `RobotPi/RobotPi.py`: 3 s to flat, then 3 s to stand.
 
-Gaits marked `ours` use the authors' poses, but are not by the authors. All poses are cropped to the
-limits that were tuned on the robot. The authors' programs also crop goals.
+Gaits marked `ours` use the authors' poses, but are not by the authors. All poses are clamped to the
+limits that were tuned on the robot. The authors' programs also clamp goals.
 """
 
 import math
@@ -17,7 +17,7 @@ from dataclasses import dataclass
 
 from trex_gui.core.translation import tr_noop
 from trex_gui.devices.aracna.poses.project import Pose, Sequence, SequenceStep
-from trex_gui.devices.aracna.protocol.joints import MOTORS, crop, factory_limits
+from trex_gui.devices.aracna.protocol.joints import MOTORS, clamp, factory_limits
 
 SLOW_SECONDS = 3.0  # the authors' robot takes 3 s to lie flat, and 3 s to stand up
 
@@ -28,7 +28,7 @@ def all_legs(name: str, inner: int, outer: int) -> Pose:
 
 
 def _within_limits(name: str, positions: Iterable[float]) -> Pose:
-    return Pose(name, crop(positions, factory_limits()))
+    return Pose(name, clamp(positions, factory_limits()))
 
 
 FLAT = all_legs("flat", 770, 40)

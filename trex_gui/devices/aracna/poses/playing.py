@@ -7,7 +7,7 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.core.translation import tr
 from trex_gui.devices.aracna.poses.gaits import SLOW_SECONDS, STAND, Gait
 from trex_gui.devices.aracna.poses.project import Pose, Sequence
-from trex_gui.devices.aracna.protocol.joints import CENTER, Limits, crop, travel_seconds
+from trex_gui.devices.aracna.protocol.joints import CENTER, Limits, clamp, travel_seconds
 from trex_gui.devices.aracna.session.messages import Step
 
 Present = Many[int | None]  # position of each motor; `None`: unknown
@@ -17,12 +17,12 @@ COMMAND_SECONDS = 0.1  # shortest step; without motion, `.v` takes 42-55 ms and 
 def steps_of(
     played: Sequence, poses: Iterable[Pose], limits: Many[Limits], time_scale: float = 1.0
 ) -> tuple[Step, ...]:
-    """Return the steps of a sequence or gait, cropped to each motor's limits.
+    """Return the steps of a sequence or gait, clamped to each motor's limits.
 
     Raises BadRequest if it has no steps, or if a pose is not defined.
     """
     return tuple(
-        Step(cropped(pose, limits), seconds * time_scale, pose.name)
+        Step(clamped(pose, limits), seconds * time_scale, pose.name)
         for pose, seconds in stages_of(played, poses)
     )
 
@@ -40,8 +40,8 @@ def mismatch(poses: Iterable[Pose], motors: int) -> str:
     return text.format(max(counts), motors, CENTER)
 
 
-def cropped(pose: Pose, limits: Many[Limits]) -> tuple[int, ...]:
-    return crop(pose.for_motors(len(limits)), limits)
+def clamped(pose: Pose, limits: Many[Limits]) -> tuple[int, ...]:
+    return clamp(pose.for_motors(len(limits)), limits)
 
 
 def blend_in(
@@ -58,14 +58,14 @@ def blend_in(
             return ()
         index = -1
     start, _ = stages_of(played, poses)[index]
-    goals = cropped(start, limits)
+    goals = clamped(start, limits)
     return () if tuple(present) == goals else (Step(goals, SLOW_SECONDS, start.name),)
 
 
 def blend_out(limits: Many[Limits], poses: Iterable[Pose] = ()) -> tuple[Step, ...]:
     """Return the slow step to the pose `stand`. The default is the built-in pose."""
     stand = next((pose for pose in poses if pose.name == STAND.name), STAND)
-    return (Step(cropped(stand, limits), SLOW_SECONDS, stand.name),)
+    return (Step(clamped(stand, limits), SLOW_SECONDS, stand.name),)
 
 
 def late_motors(

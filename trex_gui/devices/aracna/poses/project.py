@@ -119,7 +119,7 @@ def checked_name(name: str, taken: Iterable[str]) -> str:
     stripped = name.strip()
     is_valid = stripped.isprintable() and not any(sign in _SEPARATORS for sign in stripped)
     if not is_valid or not 0 < len(stripped) <= _MAX_NAME_LENGTH:
-        text = tr("a name has 1 to {0} printable characters, without colon, comma or bar")
+        text = tr("a name must have 1 to {0} printable characters, without colon, comma or bar")
         raise BadRequest(text.format(_MAX_NAME_LENGTH))
     if stripped in set(taken):
         raise BadRequest(tr("the name {0} is taken").format(stripped))

@@ -22,12 +22,14 @@ def led(*, on: bool) -> bytes:
 
 def speeds(values: Sequence[int], motors: int) -> bytes:
     """Return the command that sets the servos' speeds, 0-1023 (0: unlimited)."""
-    return _line("v", tr_noop("the speed of motor {0} is 0 to {1}, not {2}"), values, motors)
+    return _line("v", tr_noop("the speed of motor {0} must be 0 to {1}, not {2}"), values, motors)
 
 
 def positions(values: Sequence[int], motors: int) -> bytes:
     """Return the command that moves the servos to goals, 0-1023."""
-    return _line("c", tr_noop("the position of motor {0} is 0 to {1}, not {2}"), values, motors)
+    return _line(
+        "c", tr_noop("the position of motor {0} must be 0 to {1}, not {2}"), values, motors
+    )
 
 
 def _line(letter: str, rejection: str, values: Sequence[int], motors: int) -> bytes:

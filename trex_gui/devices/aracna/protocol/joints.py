@@ -43,12 +43,12 @@ class Limits:
     def __post_init__(self) -> None:
         if not 0 <= self.low <= self.high <= HIGHEST:
             raise BadRequest(
-                tr("limits are 0 to {0}, the lower one first, not {1} to {2}").format(
+                tr("limits must be 0 to {0}, the lower one first, not {1} to {2}").format(
                     HIGHEST, self.low, self.high
                 )
             )
 
-    def crop(self, position: float) -> int:
+    def clamp(self, position: float) -> int:
         return min(max(round(position), self.low), self.high)
 
     def allow(self, position: int) -> bool:
@@ -66,11 +66,11 @@ def factory_limits(motors: int = MOTORS) -> tuple[Limits, ...]:
     return tuple(FACTORY_LIMITS[motor % 2] for motor in range(motors))
 
 
-def crop(goals: Iterable[float], limits: Sequence[Limits]) -> tuple[int, ...]:
+def clamp(goals: Iterable[float], limits: Sequence[Limits]) -> tuple[int, ...]:
     """Return the nearest allowed goals. Without limits, a motor's goal is only rounded."""
     count = len(limits)
     return tuple(
-        limits[motor].crop(goal) if motor < count else round(goal)
+        limits[motor].clamp(goal) if motor < count else round(goal)
         for motor, goal in enumerate(goals)
     )
 

@@ -3,9 +3,9 @@
 The reply to `.c` arrives motor by motor, so no call waits for the whole reply. The session sends a
 command, listens in short slices, and receives events.
 
-Only a single `.q` may follow an unanswered command, because the chip can store just its three bytes
-while the firmware is busy. The reply to this `.q` means that the firmware is free. A late reply to
-the command arrives before it.
+Only a single `.q` may follow an unanswered command, because the chip can store only three bytes,
+the length of a `.q`, while the firmware is busy. The reply to this `.q` means that the firmware is
+free. A late reply to the command arrives before it.
 """
 
 from collections.abc import Sequence
@@ -208,7 +208,7 @@ class AracnaClient:
         if self._query_deadline is not None and now >= self._query_deadline:
             if self.awaited_motor is None:
                 return [self._lose(now, robot_free=False)]
-            # The reply to the `.q` may have been lost together with the end of the line.
+            # The reply to the `.q` may have been lost together with the end of the reply to `.c`.
             self._query_deadline = None
             self._send_query(now + QUERY_RETRY)
         if self._is_late or now < command.sent + command.timeout:

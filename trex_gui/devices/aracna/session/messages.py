@@ -51,7 +51,7 @@ class Move:
 
 @dataclass(frozen=True, slots=True)
 class SetLimits:
-    """Set each motor's limits, to which later goals are cropped."""
+    """Set each motor's limits, to which later goals are clamped."""
 
     limits: tuple[Limits, ...]
 
@@ -216,10 +216,10 @@ class Ending(Enum):
     """End of a sequence. The value is a sentence for the user."""
 
     DONE = tr_noop("Played to the end.")
-    ENDED = tr_noop("The sequence ended after its step.")
+    ENDED = tr_noop("The sequence ended after the current step.")
     HALTED = tr_noop("The sequence was stopped.")
     RESTARTED = tr_noop("The sequence was aborted: the board has restarted.")
-    STUCK = tr_noop("The sequence was aborted: the robot waits for a motor.")
+    STUCK = tr_noop("The sequence was aborted: the robot is waiting for a motor.")
     SPEEDS = tr_noop("The sequence was aborted: a motor did not accept its speed.")
     MISSED = tr_noop("The sequence was aborted: a motor was far from its goal.")
     LOST = tr_noop("The sequence was aborted: the robot does not respond.")

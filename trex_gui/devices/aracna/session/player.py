@@ -131,7 +131,7 @@ class SequencePlayer:
         if late > seconds:  # too late to catch up
             self._due = now
         self._due += seconds
-        self._goals = self.servos.crop(step.goals)
+        self._goals = self.servos.clamp(step.goals)
         self._report(StepStarted(now, self._part, index, number, late))
         # Leaves time for the `.c`. `speeds_to` leaves time for the `.v`.
         remaining = max(self._due - now - REPLY_TIME, seconds * _MIN_FRACTION)

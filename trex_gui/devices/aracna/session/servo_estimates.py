@@ -5,7 +5,13 @@ Position and speed cannot be queried. Only the replies to `.c` and `.v` contain 
 
 from collections.abc import Sequence
 
-from trex_gui.devices.aracna.protocol.joints import HIGHEST, Limits, crop, speed_for, travel_seconds
+from trex_gui.devices.aracna.protocol.joints import (
+    HIGHEST,
+    Limits,
+    clamp,
+    speed_for,
+    travel_seconds,
+)
 from trex_gui.devices.aracna.session.errors import missed_goals
 
 ASSUMED_SPEED = 100  # for a servo of unknown speed; low, so that no timeout expires early
@@ -36,8 +42,8 @@ class ServoEstimates:
         self.speeds: tuple[int | None, ...] = (None,) * motors
         self._speeds_reported_at = 0.0
 
-    def crop(self, goals: Sequence[int]) -> tuple[int, ...]:
-        return crop(goals, self.limits)
+    def clamp(self, goals: Sequence[int]) -> tuple[int, ...]:
+        return clamp(goals, self.limits)
 
     def clear_positions(self) -> None:
         self.present = (None,) * len(self.present)

@@ -213,7 +213,7 @@ class AracnaSession:
                 self._servos.expire_speeds(self._now(), validity)
                 if speeds is not None and speeds != self._servos.speeds:
                     # Raises BadRequest before the speeds are sent.
-                    commands.positions(self._servos.crop(goals), self._client.motors)
+                    commands.positions(self._servos.clamp(goals), self._client.motors)
                     self._client.set_speeds(speeds)
                     return True
                 self._move(goals)
@@ -224,7 +224,7 @@ class AracnaSession:
         return False
 
     def _move(self, goals: tuple[int, ...]) -> None:
-        goals = self._servos.crop(goals)
+        goals = self._servos.clamp(goals)
         fits = len(goals) == self._client.motors
         expected = self._servos.seconds_to(goals) if fits else 0.0
         self._client.move(goals, move_timeout(expected))

@@ -31,7 +31,7 @@ class Servo:
         self.alive = True
         self.blocked = False  # a blocked servo stays "moving"
         self.load = 0.0  # fraction by which the load reduces the speed, 0-1
-        self.to_fail: Counter[Register] = Counter()  # register → number of next reads that fail
+        self.to_fail: Counter[Register] = Counter()  # register → number of upcoming reads that fail
 
     def write_goal(self, value: int) -> None:
         """Write a goal, unless it is above 1023."""

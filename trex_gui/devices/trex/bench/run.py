@@ -59,13 +59,13 @@ class Profile:
         """Raise `ValueError` if a value is out of range. The text gives the limits."""
         limits = Number(MIN_SECONDS), Number(MAX_SECONDS)
         if self.speed == 0 or not -FULL_SCALE <= self.speed <= FULL_SCALE:
-            text = tr("the speed of a bench test is −{0} to −1 or 1 to {0}, not {1}")
+            text = tr("the speed of a bench test must be −{0} to −1 or 1 to {0}, not {1}")
             raise ValueError(text.format(FULL_SCALE, self.speed))
         if not MIN_SECONDS <= self.duration <= MAX_SECONDS:
-            text = tr("a bench test lasts {0:g} to {1:g} s, not {2:g} s")
+            text = tr("a bench test must last {0:g} to {1:g} s, not {2:g} s")
             raise ValueError(text.format(*limits, Number(self.duration)))
         if self.shape.has_period and not MIN_SECONDS <= self.period <= MAX_SECONDS:
-            text = tr("the period of a bench test is {0:g} to {1:g} s, not {2:g} s")
+            text = tr("the period of a bench test must be {0:g} to {1:g} s, not {2:g} s")
             raise ValueError(text.format(*limits, Number(self.period)))
 
     def speed_at(self, seconds: float) -> int:

@@ -46,7 +46,9 @@ def propose(neutral: Neutral, travel: Travel, *, reversed_now: bool) -> Proposal
     reasons = [_ends_reason(neutral, travel)]
     if neutral.noise > deadband_floor(neutral.source):
         reasons.append(
-            tr("At rest its noise is {0}: the deadband is twice that.").format(neutral.noise_text)
+            tr("At rest the noise is {0}: the deadband is twice this value.").format(
+                neutral.noise_text
+            )
         )
     reversed_, reversed_reason = _reversal(travel, reversed_now=reversed_now)
     return Proposal(calibration, reversed_, reversed_reason, tuple(reasons), problems)
@@ -77,13 +79,13 @@ def _ends_reason(neutral: Neutral, travel: Travel) -> str:
     if (idle := travel.idle) is not None:
         text += " " + (
             tr(
-                "It never goes above its rest position, so maximum is set to the limit of the "
-                "input."
+                "The signal never goes above its rest position, so maximum is set to the "
+                "limit of the input."
             )
             if idle is Way.UP
             else tr(
-                "It never goes below its rest position, so minimum is set to the limit of the "
-                "input."
+                "The signal never goes below its rest position, so minimum is set to the "
+                "limit of the input."
             )
         )
     return text

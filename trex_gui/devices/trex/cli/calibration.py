@@ -13,8 +13,8 @@ from trex_gui.devices.trex.cli.common import (
     link_options,
     link_settings,
     open_line,
-    open_line_to_change,
-    rounded,
+    open_line_for_writing,
+    physical_value,
 )
 from trex_gui.devices.trex.protocol.calibration import (
     CALIBRATION_FIELDS,
@@ -53,7 +53,7 @@ def get_command(as_json: bool, **options: Any) -> None:
                     "differs_from_default": channel in changed,
                     **asdict(row),
                     PHYSICAL_KEYS[source]: {
-                        name: rounded(source, count) for name, count in asdict(row).items()
+                        name: physical_value(source, count) for name, count in asdict(row).items()
                     },
                 }
                 for channel, row in rows.items()
@@ -89,7 +89,7 @@ def set_command(channel: int, **options: Any) -> None:
         target.encode()
     except BadRequest as error:
         raise click.UsageError(f"{error}.") from error
-    with open_line_to_change(link) as (client, rates):
+    with open_line_for_writing(link) as (client, rates):
         state = read_board(client)
         source = state.source
         if sources - {source}:

@@ -153,7 +153,7 @@ def say_next_steps(
     if pending := sorted(specs[key].name for key in stored if specs[key].needs_power_cycle):
         say(f"Takes effect when the board is switched off and on: {', '.join(pending)}.")
     if client.settings != link:
-        say(f"Reach the board with {as_options(client.settings)} from now on.")
+        say(f"From now on, connect with {as_options(client.settings)}.")
     say_how_to_reach(client.settings, {**state.parameters, **stored}, state.signature.firmware)
 
 
@@ -161,6 +161,6 @@ def say_how_to_reach(used: ConnectionSettings, stored: dict[str, int], firmware:
     """Report the options that reach the board after its next power cycle, if they change."""
     after = after_power_cycle(used, stored, firmware)
     if after is None:
-        say("The UART settings have an unknown value. Find the board with trexcmd find.")
+        say("The UART settings have an unknown value. Find the board with `trexcmd find`.")
     elif (options := as_options(after)) != as_options(used):
-        say(f"After the board is switched off and on, reach it with {options}")
+        say(f"After the board is switched off and on, connect with {options}")

@@ -179,7 +179,7 @@ def as_options(settings: ConnectionSettings) -> str:
 PHYSICAL_KEYS = {InputSource.RC: "pulse_us", InputSource.ANALOG: "voltage_V"}
 
 
-def rounded(source: InputSource, count: int | None) -> float | None:
+def physical_value(source: InputSource, count: int | None) -> float | None:
     """Convert a raw count to µs or V."""
     return None if count is None else round(source.physical(count), 4)
 
@@ -214,7 +214,7 @@ def open_line(settings: ConnectionSettings) -> Iterator[TrexClient]:
 
 
 @contextlib.contextmanager
-def open_line_to_change(
+def open_line_for_writing(
     settings: ConnectionSettings,
 ) -> Iterator[tuple[TrexClient, frozenset[int] | None]]:
     """Open the line. Also yield the baud rates that the port supports, or `None` if unknown."""
@@ -259,7 +259,7 @@ def identify(client: TrexClient, *, quick: bool = False) -> Signature:
             )
         if isinstance(cause, BoardElsewhere):
             options = as_options(ConnectionSettings.on(cause.settings))
-            raise NoReply(f"{cause} These options reach it:\n{options}") from cause
+            raise NoReply(f"{cause} Use these options:\n{options}") from cause
         if isinstance(cause, TrexError) and cause.code is ErrorCode.SEVERAL_BOARDS:
             text = f"{cause} `trexcmd boards` prints the options that reach each board."
             raise BadReply(text) from cause

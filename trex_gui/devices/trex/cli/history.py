@@ -27,8 +27,8 @@ def _complete_number(_ctx: click.Context, _param: click.Parameter, incomplete: s
 
 _HELP = """List the snapshots of settings, newest first.
 
-Apply in the window and the commands set, set-settings, calibration set and restore-defaults save a
-snapshot before they write. To restore snapshot 3:
+A snapshot is saved before any settings are written, in the window or by `set`, `set-settings`,
+`calibration set` and `restore-defaults`. To restore snapshot 3:
 
 \b
 trexcmd history diff 3
@@ -127,7 +127,9 @@ def diff(ctx: click.Context, /, first: str, second: str | None, **options: Any) 
 @history.command("name")
 @click.argument("which", metavar="N|NAME", shell_complete=_complete_number)
 @click.argument("name", required=False)
-@click.option("--note", metavar="TEXT", help="Note on the snapshot; an empty text removes it.")
+@click.option(
+    "--note", metavar="TEXT", help="Note on the snapshot. An empty text removes the note."
+)
 def name(which: str, name: str | None, note: str | None) -> None:
     """Give a snapshot a name, a note or both.
 
@@ -179,7 +181,7 @@ def _parse_count(word: str) -> int | None:
     if word.casefold() == "all":
         return None
     if not word.isascii() or not word.isdecimal() or not 1 <= int(word[:8]) < 10**7:
-        raise click.UsageError(f"{word!r} is neither a number of snapshots (at least 1) nor all.")
+        raise click.UsageError(f"give a number of snapshots (at least 1) or all, not {word!r}")
     return int(word)
 
 

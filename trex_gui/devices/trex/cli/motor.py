@@ -138,7 +138,7 @@ _CAUSES = {
     TimeoutStop.FAILED: "Serial Timeout did not stop the motors of this board when it was tried",
     TimeoutStop.REFUTED: "Serial Timeout did not stop the motors of this board when it was tried",
 }
-_UNCONFIRMED = "The stop is not confirmed. If a motor still turns, cut its power."
+_UNCONFIRMED = "The stop is not confirmed. If a motor is still turning, cut its power."
 
 
 @click.command()
@@ -214,7 +214,7 @@ def _stop_problem(client: TrexClient, run: StopRun) -> str:
             return f"{_UNCONFIRMED} {error}"
         return (
             "The stop was sent, but the board reports errors on the line each time. If a motor "
-            "still turns, cut its power."
+            "is still turning, cut its power."
         )
     try:
         return "" if query(client.request, GetSerialControl()) else STOP_WITHOUT_EFFECT

@@ -24,7 +24,7 @@ from trex_gui.devices.trex.cli.common import (
     link_options,
     link_settings,
     open_line,
-    open_line_to_change,
+    open_line_for_writing,
     specs_of,
 )
 from trex_gui.devices.trex.client.reading import require_free_number
@@ -64,7 +64,7 @@ def set_command(name: str, value: str, force: bool, **options: Any) -> None:
     """
     link = link_settings(options)
     _check_value(name, value)
-    with open_line_to_change(link) as (client, rates):
+    with open_line_for_writing(link) as (client, rates):
         state = read_board(client)
         spec = state.specs[name]
         wire = _wire(spec, value)

@@ -59,7 +59,7 @@ _EVERYWHERE = "0.0.0.0"  # noqa: S104 - users are checked
     "--add-user",
     "new_user",
     metavar="NAME",
-    help="Add a user to the file, print the secret, and end.",
+    help="Add a user to the file, print the secret, and exit.",
 )
 @click.option(
     "--role",
@@ -76,7 +76,7 @@ _EVERYWHERE = "0.0.0.0"  # noqa: S104 - users are checked
     help="Encrypt with the certificate and the key in these files.",
 )
 @boards_option
-@click.option("--install", is_flag=True, help="Print how to start the server at boot, and end.")
+@click.option("--install", is_flag=True, help="Print how to start the server at boot, and exit.")
 def serve(
     name: str,
     *,
@@ -105,12 +105,12 @@ def serve(
             raise click.UsageError("--add-user needs --users FILE.")
         with refusals():
             secret = add_user(Path(users_file), new_user, role)
-        say(f"{new_user} may {role}. Secret for TREX_SECRET or the file of secrets:")
+        say(f"Added {new_user} with the role {role}. Secret for TREX_SECRET or the secrets file:")
         click.echo(secret)
         return
     if not is_name(name):
         raise click.UsageError(
-            f"A name consists of letters, digits, hyphens, underscores and dots, not {name!r}."
+            f"{name!r} is not a name: use letters, digits, hyphens, underscores and dots."
         )
     settings = grouped(link_settings(options), boards)
     with refusals():
@@ -140,7 +140,9 @@ def serve(
         with Interruption(must_finish=True) as interrupted:
             last = board.run(lambda: bool(interrupted))
     if last.may_move:
-        raise CommandFailed("The stop is not confirmed. If a motor still turns, cut its power.")
+        raise CommandFailed(
+            "The stop is not confirmed. If a motor is still turning, cut its power."
+        )
 
 
 def _is_local(name: str) -> bool:
@@ -197,7 +199,7 @@ def add_user(path: Path, name: str, role: str) -> str:
         StudioError: the name is invalid or already used, or the file cannot be written.
     """
     if not _is_user(name):
-        raise BadRequest(f"A user name consists of letters and digits, not {name!r}.")
+        raise BadRequest(f"{name!r} is not a user name: use letters and digits.")
     before = load(path).decode("utf-8", "replace") if path.exists() else ""
     if any(line.split()[:1] == [name] for line in before.splitlines()):
         raise BadRequest(f"{path} already has a user {name}.")
@@ -224,8 +226,8 @@ def _is_user(name: str) -> bool:
 def robots(hosts: tuple[str, ...], release: str | None, *, as_json: bool) -> None:
     """List the served boards, the users who drive them, and their problems.
 
-    Queries the given computers. By default, queries this computer, the computers in the file of
-    secrets, and every server that answers on the local network.
+    Queries the given computers. By default, queries this computer, the computers in the secrets
+    file, and every server that responds on the local network.
     """
     with refusals():
         with Robots() as boards:

@@ -25,7 +25,7 @@ from trex_gui.devices.trex.cli.common import (
     link_options,
     link_settings,
     open_line,
-    open_line_to_change,
+    open_line_for_writing,
 )
 from trex_gui.devices.trex.cli.files import FILE, name_of, print_comparison, read_file, visible
 from trex_gui.devices.trex.client.client import TrexClient
@@ -50,7 +50,7 @@ def _read_numbers(text: str) -> tuple[int, ...]:
     numbers = []
     for part in text.split(","):
         if not (part.isascii() and part.isdigit() and int(part) < NUMBERS):
-            raise click.BadParameter(f"a device number is 0 to {NUMBERS - 1}, not {part!r}")
+            raise click.BadParameter(f"a device number must be 0 to {NUMBERS - 1}, not {part!r}")
         numbers.append(int(part))
     if len(set(numbers)) < len(numbers):
         raise click.BadParameter("give each device number only once")
@@ -102,7 +102,7 @@ def set_settings(
     command = shell_words("trexcmd", "set-settings", file)
     review = partial(_review, file, dry_run=dry_run, convert=convert, force=force)
     if devices is None:
-        with open_line_to_change(base) as (client, rates):
+        with open_line_for_writing(base) as (client, rates):
             state, rows = review(target, client, rates)
             if rows:
                 _write(client, base, state, command, rows)
@@ -112,7 +112,7 @@ def set_settings(
     for number in devices:
         say(f"Device {number}:")
         link = replace(base, device_number=number)
-        with open_line_to_change(link) as (client, rates):
+        with open_line_for_writing(link) as (client, rates):
             work.append((link, *review(target, client, rates)))
     for link, state, rows in work:
         if rows:

@@ -25,7 +25,7 @@ from trex_gui.devices.trex.cli.common import (
     link_options,
     link_settings,
     open_line,
-    rounded,
+    physical_value,
     row_of,
     specs_of,
 )
@@ -82,26 +82,28 @@ def status(as_json: bool, **options: Any) -> None:
     """Show the state of the board, its measurements and its parameters.
 
     Shows the errors that occurred since they were last read. Reading clears them in the board. The
-    measured currents may be wrong by 20 % (twin). In the vendor's document, channel 3 has six bits,
-    0 to 63. The program reads seven (inferred).
+    measured currents may be off by 20 % (twin: documented for a board with the same motor drivers).
+    In the vendor's document, channel 3 has six bits, 0 to 63. The program reads seven (inferred).
 
-    With --json, measurements are numbers with the unit in the key, as in stream and in recordings.
-    The motor currents are motor_1_current_A and motor_2_current_A. Each channel has raw (counts),
-    pulse_us or voltage_V, and remapped (-127 to 127). Without a valid signal, the first two are
-    null. mode is R or A for RC or analog mode, and r or a for serial mode with these inputs. Each
-    error has a text and the name of its column in recordings. is_earlier marks line errors that an
-    earlier search for the board may have caused. Each parameter has its wire value and a text.
+    With --json, measurements are numbers with the unit in the key, as in `trexcmd stream` and in
+    recordings. The motor currents are `motor_1_current_A` and `motor_2_current_A`. Each channel has
+    `raw` (counts), `pulse_us` or `voltage_V`, and `remapped` (-127 to 127). Without a valid signal,
+    the first two are null. `mode` is R or A for RC or analog mode, and r or a for serial mode with
+    these inputs. Each error has a text and the name of its column in recordings. `is_earlier` marks
+    line errors that an earlier search for the board may have caused. Each parameter has its wire
+    value and a text.
 
-    motors lists the reasons why the motors do not follow serial commands. The effect of a reason is
-    stops (the motors are or may be off), blocks (serial commands have no effect), limits (the speed
-    is lower than commanded) or note. Past errors are not listed. leds contains the pattern that the
-    board shows in this state. If a channel commands a speed and no current flows, safe-start may
-    hold the motors (inferred), but a motor without load looks the same.
+    `motors` lists the reasons why the motors do not follow serial commands. The effect of a reason
+    is `stops` (the motors are or may be off), `blocks` (serial commands have no effect), `limits`
+    (the speed is lower than commanded) or `note`. Past errors are not listed. `leds` contains the
+    pattern that the board shows in this state. If a channel commands a speed and no current flows,
+    safe-start may hold the motors (inferred), but a motor without load looks the same.
 
-    setpoints contains the speeds (-127 to 127) at which motors 1, 2 and 3 (auxiliary) are set to
-    turn. The source of a speed is channel, safe_start (safe-start holds the motor), joint (motor 2
-    works with motor 1), not_armed (serial commands control the motors, and this command sends none)
-    or unknown. events contains the entries of the window's log, such as serial errors.
+    `setpoints` contains the speeds (-127 to 127) at which motors 1, 2 and 3 (auxiliary) are set to
+    turn. The source of a speed is `channel`, `safe_start` (safe-start holds the motor), `joint`
+    (motor 2 works with motor 1), `not_armed` (serial commands control the motors, and this command
+    sends none) or `unknown`. `events` contains the entries of the window's log, such as serial
+    errors.
     """
     with open_line(link_settings(options)) as client:
         identify(client)
@@ -246,7 +248,7 @@ def board_report(client: TrexClient, state: DeviceState) -> dict[str, Any]:
             {
                 "channel": channel,
                 "raw": raw[channel],
-                PHYSICAL_KEYS[state.source]: rounded(state.source, raw[channel]),
+                PHYSICAL_KEYS[state.source]: physical_value(state.source, raw[channel]),
                 "remapped": remapped[channel],
             }
             for channel in CHANNELS

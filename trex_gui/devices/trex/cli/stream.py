@@ -52,7 +52,7 @@ def _read_separator(_context: click.Context, _option: click.Parameter, text: str
     type=FiniteRange(0),
     default=0.0,
     metavar="S",
-    help="Minimum seconds between two rows. By default, every row is written.",
+    help="Minimum time between two rows in seconds. By default, every row is written.",
 )
 @click.option("--limit", type=click.IntRange(1), metavar="N", help="End after N rows.")
 @click.option(

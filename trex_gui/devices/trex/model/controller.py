@@ -193,7 +193,9 @@ class TrexController(DeviceController[ConnectionSettings]):
             return ""
         texts = [self.device.driving.lost_board]
         if self.may_move:
-            texts.append(tr("The stop is not confirmed. If a motor still turns, cut its power."))
+            texts.append(
+                tr("The stop is not confirmed. If a motor is still turning, cut its power.")
+            )
         return "\n".join(filter(None, texts))
 
     @property
@@ -252,7 +254,9 @@ class TrexController(DeviceController[ConnectionSettings]):
                 text = self._unreachable_text(reason)
         else:
             self._unconfirmed = reason if self.may_move else ""
-            text = tr("{0}. The stop is not confirmed: {1} If a motor still turns, cut its power.")
+            text = tr(
+                "{0}. The stop is not confirmed: {1} If a motor is still turning, cut its power."
+            )
             if isinstance(error, NoReply):  # the error names the cause and the remedy
                 text = "{0}. {1}"
             text = text.format(reason, error_sentence(error))
@@ -276,6 +280,6 @@ class TrexController(DeviceController[ConnectionSettings]):
 
     def _unreachable_text(self, reason: str) -> str:
         return tr(
-            "{0}. No board is connected that could be stopped, and motors may still turn: cut "
-            "their power."
+            "{0}. Motors may still be turning: cut their power. No board is connected, so no "
+            "stop can be sent."
         ).format(reason)

@@ -298,7 +298,7 @@ class DriveController(QObject):
             return ""
         text = tr(
             "The stop may not have reached the {0} that was driven at {1}: another board "
-            "responded. If its motor still turns, cut its power."
+            "responded. If a motor of that board is still turning, cut its power."
         )
         lost = self._lost[0]
         return text.format(_name_of(lost), lost.settings.label)

@@ -75,7 +75,7 @@ class Calibration:
         """
         for name in self.__slots__:
             if not 0 <= (value := getattr(self, name)) <= HIGHEST_CODED:
-                return tr("{0} is {1}; a calibration value is 0 to {2}").format(
+                return tr("{0} is {1}; a calibration value must be 0 to {2}").format(
                     name, value, HIGHEST_CODED
                 )
         if self.minimum > self.neutral:

@@ -68,7 +68,7 @@ class Command(ABC, Generic[ReplyT_co]):
 
 def _motor_index(motor: int) -> int:
     if motor not in {1, 2}:
-        raise BadRequest(tr("motors are numbered 1 and 2, not {0}").format(motor))
+        raise BadRequest(tr("the motor number must be 1 or 2, not {0}").format(motor))
     return motor - 1
 
 
@@ -81,7 +81,7 @@ class _ChannelCommand(Command[ReplyT_co]):
     @property
     def opcode(self) -> int:
         if self.channel not in CHANNELS:
-            raise BadRequest(tr("channels are numbered 1 to 5, not {0}").format(self.channel))
+            raise BadRequest(tr("the channel number must be 1 to 5, not {0}").format(self.channel))
         return self.opcodes[self.channel - 1]
 
 
@@ -141,7 +141,7 @@ class GetSerialControl(Command[bool]):
 
     def parse(self, reply: bytes) -> bool:
         if reply[0] > 1:
-            raise BadReply(tr("the control flag is 0 or 1, not {0}").format(reply[0]))
+            raise BadReply(tr("the control flag must be 0 or 1, not {0}").format(reply[0]))
         return bool(reply[0])
 
 
@@ -181,7 +181,7 @@ class _ChannelQuery(Command[ReplyT_co]):
     def data(self) -> bytes:
         if not 0 <= self.mask <= ALL_CHANNELS:
             raise BadRequest(
-                tr("a channel mask is 0 to {0}, not {1}").format(ALL_CHANNELS, self.mask)
+                tr("a channel mask must be 0 to {0}, not {1}").format(ALL_CHANNELS, self.mask)
             )
         return bytes([self.mask])
 
@@ -309,7 +309,7 @@ class GetParameter(Command[int]):
 
     def parse(self, reply: bytes) -> int:
         if reply[0] > FULL_SCALE:
-            raise BadReply(tr("a parameter is 0 to 127, not {0}").format(reply[0]))
+            raise BadReply(tr("a parameter number must be 0 to 127, not {0}").format(reply[0]))
         return reply[0]
 
 
@@ -328,7 +328,7 @@ def _result(reply: bytes) -> ResultCode:
 
 def _without_format_bytes(data: bytes) -> bytes:
     if data[-2:] != FORMAT_BYTES:
-        raise BadRequest(tr("a write ends in 55 2A, not {0}").format(hex_text(data[-2:])))
+        raise BadRequest(tr("a write must end in 55 2A, not {0}").format(hex_text(data[-2:])))
     return data[:-2]
 
 

@@ -48,7 +48,9 @@ class PwmClock:
         """Return the frequency in Hz. Raise BadRequest for an unknown prescaler."""
         if not 0 <= prescaler < len(self.divisors):
             raise BadRequest(
-                tr("PWM prescaler is 0 to {0}, not {1}").format(len(self.divisors) - 1, prescaler)
+                tr("the PWM prescaler must be 0 to {0}, not {1}").format(
+                    len(self.divisors) - 1, prescaler
+                )
             )
         return self.clock / (self.divisors[prescaler] * (self.maximum(maximum_wire) + 1))
 
@@ -85,7 +87,7 @@ class DeviceTable:
             if model.key == key:
                 return model
         known = ", ".join(model.key for model in self.models)
-        raise BadRequest(tr("the model is {0}, not {1!r}").format(known, key))
+        raise BadRequest(tr("the model must be {0}, not {1!r}").format(known, key))
 
 
 @cache

@@ -37,7 +37,7 @@ class Drive:
             BadRequest: the speed is outside its limits.
         """
         if not -FULL_SCALE <= speed <= FULL_SCALE:
-            raise BadRequest(tr("a motor's speed is -127 to 127, not {0}").format(speed))
+            raise BadRequest(tr("a motor's speed must be -127 to 127, not {0}").format(speed))
         return cls(Direction.REVERSE if speed < 0 else Direction.FORWARD, abs(speed))
 
     @classmethod

@@ -79,12 +79,12 @@ class ErrorCode(Enum):
     )
     # Motors
     STOP_UNCONFIRMED = tr_noop(
-        "The stop was sent, but the board does not confirm it. If a motor still turns, cut its "
-        "power."
+        "The stop was sent, but the board does not confirm it. If a motor is still turning, "
+        "cut its power."
     )
     STOP_ON_NOISY_LINE = tr_noop(
-        "The stop was sent and the board responds, but the line corrupts bytes. It is sent again "
-        "until the line is quiet. If a motor still turns, cut its power."
+        "The stop was sent and the board responds, but the line corrupts bytes. The stop is "
+        "repeated until the line is quiet. If a motor is still turning, cut its power."
     )
     NO_HEARTBEAT = tr_noop("The program did not respond for more than half a second.")
     MAY_HAVE_RESTARTED = tr_noop(
@@ -104,8 +104,8 @@ class ErrorCode(Enum):
         "the motors first."
     )
     NOT_SELECTED_MOVING = tr_noop(
-        "Board {0} was not selected, because the stop of the present board is not confirmed. If a "
-        "motor still turns, cut its power."
+        "Board {0} was not selected, because the stop of the present board is not confirmed. "
+        "If a motor is still turning, cut its power."
     )
     NOT_SELECTED_SILENT = tr_noop(
         "Board {0} was not selected, because it does not respond. Check that it has power. The "

@@ -202,7 +202,7 @@ def channel_mask(channels: Iterable[int]) -> int:
     mask = 0
     for channel in channels:
         if channel not in CHANNELS:
-            raise BadRequest(tr("channels are numbered 1 to 5, not {0}").format(channel))
+            raise BadRequest(tr("the channel number must be 1 to 5, not {0}").format(channel))
         mask |= 1 << (channel - 1)
     return mask
 
@@ -210,5 +210,5 @@ def channel_mask(channels: Iterable[int]) -> int:
 def seven_bits(value: int, what: str) -> int:
     """Return `value`, or raise BadRequest with the name `what` if it is not 0-127."""
     if not 0 <= value <= 0x7F:
-        raise BadRequest(tr("{0} is 0 to 127, not {1}").format(what, value))
+        raise BadRequest(tr("{0} must be 0 to 127, not {1}").format(what, value))
     return value

@@ -32,7 +32,9 @@ def _table(polynomial: int) -> bytes:
 def check_polynomial(polynomial: int) -> int:
     """Return `polynomial`, or raise BadRequest if it is not 0x80-0xFF."""
     if not 0x80 <= polynomial <= 0xFF:
-        raise BadRequest(tr("a CRC-7 polynomial is 0x80 to 0xFF, not {0:#x}").format(polynomial))
+        raise BadRequest(
+            tr("a CRC-7 polynomial must be 0x80 to 0xFF, not {0:#x}").format(polynomial)
+        )
     return polynomial
 
 

@@ -197,7 +197,7 @@ class ParameterSpec:
         """Return the reason a value is not allowed, or `None`. `forced` allows open values."""
         if wire in self.valid or (forced and self.is_open(wire)):
             return None
-        return tr("{0} is {1}, not {2}").format(self.name, self.range_text(), wire)
+        return tr("{0} must be {1}, not {2}").format(self.name, self.range_text(), wire)
 
     def check(self, wire: int, *, forced: bool = False) -> int:
         if problem := self.problem(wire, forced=forced):
@@ -285,7 +285,7 @@ class ParameterSpec:
         if value is None or value not in self.valid:
             shortened = text if len(text) <= 40 else f"{text[:40]}…"
             raise BadRequest(
-                tr("{0} is {1}, not {2}").format(
+                tr("{0} must be {1}, not {2}").format(
                     self.name, self._range_in_words(), shortened or tr("empty")
                 )
             )

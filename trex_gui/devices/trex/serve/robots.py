@@ -41,7 +41,7 @@ class Robots:
         """Return the info and `url` of each served board, sorted by name.
 
         Raises:
-            StudioError: a host or the file of secrets is invalid, or a scan needs more packages.
+            StudioError: a host or the secrets file is invalid, or a scan needs more packages.
         """
         addresses = _addresses(hosts)
         with ThreadPoolExecutor(_CONNECTION_LIMIT) as pool:

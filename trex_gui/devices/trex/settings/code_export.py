@@ -143,11 +143,11 @@ def _warning(settings: Settings) -> str:
     timeout = f"{spec.name} (parameter {hexadecimal(spec.number)})"
     shutdown = f"{shutdown_spec.name} (parameter {hexadecimal(shutdown_spec.number)}; twin)"
     if wire == 0:
-        return f"{risk}: these settings switch {timeout} off. It and {shutdown} should stop them."
+        return f"{risk}: {timeout} is off. Together with {shutdown}, it should stop them."
     if not settings.parameters.get(shutdown_spec.key):
         return f"{risk}, perhaps also with {timeout} at {spec.text(wire)}: it may need {shutdown}."
     return (
-        f"With these settings motors should stop when the board has heard nothing for "
+        f"With these settings motors should stop when the board has received nothing for "
         f"{spec.text(wire)}: {timeout}. Without it they would keep running when a program ends or "
         f"crashes."
     )

@@ -70,7 +70,7 @@ class Settings:
 
 
 def open_values(specs: ParameterSet, parameters: Mapping[str, int]) -> dict[str, int]:
-    """Return the values whose only problem is a limit without a source."""
+    """Return the values outside an inferred limit, which the board may or may not accept."""
     return {
         spec.key: parameters[spec.key]
         for spec in specs.readable

@@ -54,7 +54,7 @@ _MESSAGES: Mapping[str, str] = {
     "key_unknown": tr_noop("there is no such setting{guess}"),
     "calibration_layout": tr_noop("is written {layout}, not {given}"),
     "field_unknown": tr_noop("a calibration has no {field!r}{guess}"),
-    "field_invalid": tr_noop("{field} is 0 to {highest}, not {given}"),
+    "field_invalid": tr_noop("{field} must be 0 to {highest}, not {given}"),
     "field_missing": tr_noop("{fields} is missing"),
     "fields_missing": tr_noop("{fields} are missing"),
     "calibration_invalid": "{problem}",

@@ -180,7 +180,7 @@ def _limit_in_joint_mode(case: _Case) -> Iterator[_Match]:
 
 
 def _limits_with_zero(case: _Case, parameter: MotorParameter) -> Iterator[tuple[str, str]]:
-    """Yield the keys of each active limit whose `parameter` is 0, and of that parameter."""
+    """Yield the keys of each active current limit and of its `parameter`, if the latter is 0."""
     for motor in () if case.is_joint else _MOTORS:
         limit, other = MotorParameter.CURRENT_LIMIT.of(motor), parameter.of(motor)
         if case.wires.get(limit) and case.wires.get(other) == 0:
@@ -190,8 +190,8 @@ def _limits_with_zero(case: _Case, parameter: MotorParameter) -> Iterator[tuple[
 def _limit_without_gain(case: _Case) -> Iterator[_Match]:
     for limit, gain in _limits_with_zero(case, MotorParameter.CURRENT_LIMIT_P):
         text = tr(
-            "{limit} is {value}, but its proportionality constant P, how strongly the limiter "
-            "reacts, is 0. The limit may have no effect then (inferred)."
+            "{limit} is {value}, but its proportionality constant P, which sets how strongly "
+            "the limiter reacts, is 0. The limit may then have no effect (inferred)."
         ).format(limit=case.name(limit), value=case.text(limit))
         yield _Match((limit, gain), text, {gain: case.default(gain)})
 
@@ -199,9 +199,9 @@ def _limit_without_gain(case: _Case) -> Iterator[_Match]:
 def _limit_without_ramp(case: _Case) -> Iterator[_Match]:
     for limit, ramp in _limits_with_zero(case, MotorParameter.ACCELERATION):
         text = tr(
-            "{limit} is {value} and {ramp} is 0, which means at once. As soon as the current falls "
-            "below the limit, the motor jumps back to its full target speed, so it may run in "
-            "jerks (inferred)."
+            "{limit} is {value} and {ramp} is 0, so the speed changes at once. As soon as "
+            "the current falls below the limit, the motor jumps back to its full target "
+            "speed, so it may run in jerks (inferred)."
         ).format(limit=case.name(limit), value=case.text(limit), ramp=case.name(ramp))
         yield _Match((limit, ramp), text, {ramp: _ACCELERATION})
 
@@ -346,8 +346,8 @@ def _rate_the_port_lacks(case: _Case) -> Iterator[_Match]:
     if used is not None and used.baud in baud_rates() and case.real(used.baud) == used.baud:
         best = used.baud
     text = tr(
-        "This computer's serial port does not support {baud} baud: after the next power cycle it "
-        "could not reach the board any more."
+        "This computer's serial port does not support {baud} baud: after the next power "
+        "cycle, the computer could no longer reach the board."
     ).format(baud=real)
     yield _line_match(text, None if best is None else replace(line, baud=best))
 
@@ -359,8 +359,8 @@ def _line_will_change(case: _Case) -> Iterator[_Match]:
     real = replace(line, baud=case.real(line.baud))
     if real != used:
         text = tr(
-            "After the next power cycle the line settings of the board are {new}; now they are "
-            "{now}. Change the programs that use the board then."
+            "After the next power cycle, the line settings of the board will be {new} "
+            "instead of {now}. Programs that use the board must then use them, too."
         )
         yield _line_match(text.format(new=real.text(), now=used.text()))
 

@@ -57,7 +57,7 @@ class Signal:
         match = _SIGNAL.fullmatch(word)
         if not match:
             raise ValueError(
-                f"a signal is counts, 1500us, 2.5V, invalid, silent or rest, not {text!r} "
+                f"a signal must be counts, 1500us, 2.5V, invalid, silent or rest, not {text!r} "
                 "(noise 2us and lost 0.1 may follow a value)"
             )
         signal = cls._of(float(match[1]), match[2], source)
@@ -69,7 +69,7 @@ class Signal:
         if noise.kind is not signal.kind:
             raise ValueError("the value and the noise have different units")
         if not 0 <= lost <= 1:
-            raise ValueError(f"the fraction of lost pulses is 0 to 1, not {lost:g}")
+            raise ValueError(f"the fraction of lost pulses must be 0 to 1, not {lost:g}")
         return replace(signal, noise=noise.value, lost=lost)
 
     @classmethod
@@ -84,14 +84,14 @@ class Signal:
     def pulses(cls, microseconds: float) -> "Signal":
         """Return a signal of 50 servo pulses a second. The board may reject their width."""
         if not 0 <= microseconds < _RECEIVER_PERIOD:
-            raise ValueError(f"a pulse is 0 to {_RECEIVER_PERIOD:.0f} us wide")
+            raise ValueError(f"a pulse must be 0 to {_RECEIVER_PERIOD:.0f} us wide")
         return cls(SignalKind.PULSES, microseconds)
 
     @classmethod
     def voltage(cls, volts: float) -> "Signal":
         """Return a steady voltage. Raise ValueError if it is not 0-5 V."""
         if not 0 <= volts <= SUPPLY:
-            raise ValueError(f"the voltage of an input is 0 to {SUPPLY:g} V")
+            raise ValueError(f"the voltage of an input must be 0 to {SUPPLY:g} V")
         return cls(SignalKind.VOLTAGE, volts)
 
     @property

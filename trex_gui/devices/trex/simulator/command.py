@@ -61,9 +61,9 @@ class DeviceOption:
 def _read_device(text: str) -> DeviceOption:
     number, _, model = text.partition(":")
     if not (number.isascii() and number.isdigit() and int(number) <= 127):
-        raise click.BadParameter(f"a device number is 0 to 127, not {number!r}")
+        raise click.BadParameter(f"a device number must be 0 to 127, not {number!r}")
     if model and model not in _MODELS:
-        raise click.BadParameter(f"a model is {' or '.join(_MODELS)}, not {model!r}")
+        raise click.BadParameter(f"a model must be {' or '.join(_MODELS)}, not {model!r}")
     return DeviceOption(int(number), model or None)
 
 

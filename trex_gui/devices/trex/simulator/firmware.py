@@ -75,7 +75,7 @@ class Board:
         self.firmware = firmware
         self.memory = Memory(self.eeprom, firmware)
         if mode not in MODE_JUMPERS:
-            raise ValueError(f"the mode jumper is {', '.join(MODE_JUMPERS)}, not {mode!r}")
+            raise ValueError(f"the mode jumper must be {', '.join(MODE_JUMPERS)}, not {mode!r}")
         self.mode_jumper = mode  # one of `MODE_JUMPERS`, read at power-up
         self.mix = mix  # True if the mix jumper is set; read continuously
         self.so_ground = False

@@ -80,7 +80,9 @@ class PulseControls(QWidget):
         self._arm_frame.setEnabled(may_arm or self._device.motors.armed)
         for motor, hold in self._holds.items():
             hold.setEnabled(pulses.motor in {0, motor} and not blocker)
-        text = blocker or tr("Armed. The motor turns in short, weak pulses while you hold.")
+        text = blocker or tr(
+            "Armed. The motor turns in short, weak pulses while you hold the button."
+        )
         if pulses.motor:
             text = tr("Motor {0} is driven in pulses. Release the button to stop it.")
             text = text.format(pulses.motor)

@@ -83,7 +83,7 @@ def test_throttle_passes_with_full_output_on_its_travel_side() -> None:
         test.feed(step / 50, round(2.5 * microseconds), ChannelCurve(THROTTLE))
     assert not test.reverse
     assert not test.passed
-    assert test.text == "Full output not reached yet. Push it all the way."
+    assert test.text == "Full output not reached yet. Push the stick all the way."
     for step, microseconds in enumerate([1895] * 30 + [1100] * 40):
         test.feed(2 + step / 50, round(2.5 * microseconds), ChannelCurve(THROTTLE))
     assert test.forward
@@ -117,7 +117,9 @@ def test_passed_channel_held_off_neutral_fails_until_released(
     assert inputs.text(1) == "Good."
     assert inputs.passed()
     inputs.hold(1, 1650)
-    assert inputs.text(1).startswith("Full output reached. Release it: at rest the output must")
+    assert inputs.text(1).startswith(
+        "Full output reached. Release the stick: at rest the output must"
+    )
     assert not inputs.passed()
     inputs.hold(1, 1500)
     assert inputs.passed()
@@ -155,7 +157,7 @@ def test_safe_start_of_another_channel_blocks_passing(
 def test_ignored_channel_is_named_and_not_counted(connect: Callable[..., Device]) -> None:
     inputs = Sticks(connect("eeprom ignored_channels 2"), 1, 2)
     inputs.hold()
-    assert inputs.text(2) == "Ignored: the board holds it at neutral. There is nothing to test."
+    assert inputs.text(2).startswith("Ignored: the board holds this channel at neutral.")
     inputs.push(2)
     assert not inputs.passed()
     inputs.push(1)
@@ -230,7 +232,8 @@ def test_stick_result_names_missing_ends() -> None:
 def test_stick_passes_after_both_ends_and_rest() -> None:
     both = (127, 3), (-127, 3)
     assert stick_held_at(*both, (40, 1)).text.endswith("but it is +40.")
-    assert stick_held_at(*both, (0, 5)).text == "Full output reached. Let it rest for a moment."
+    resting = "Full output reached. Let the stick rest for a moment."
+    assert stick_held_at(*both, (0, 5)).text == resting
     at_rest = stick_held_at(*both, (0, 30))
     assert at_rest.passed
     assert at_rest.text == "Good."

@@ -175,10 +175,10 @@ def test_header_names_board_and_warns_of_running_motors(language: Language) -> N
     assert "keep running" in head()
     assert "unless Serial Timeout and UART-Error Shutdown (twin) are set on the board" in head()
     off = head(serial_timeout=0)
-    assert "switch Serial Timeout (parameter 0x07) off" in off
-    assert "UART-Error Shutdown (parameter 0x08; twin) should stop them" in off
+    assert "Serial Timeout (parameter 0x07) is off" in off
+    assert "UART-Error Shutdown (parameter 0x08; twin), it should stop them" in off
     assert "it may need UART-Error Shutdown" in head(serial_timeout=15, uart_error_shutdown=0)
-    assert "heard nothing for 1.5 s" in head(serial_timeout=15, uart_error_shutdown=1)
+    assert "received nothing for 1.5 s" in head(serial_timeout=15, uart_error_shutdown=1)
 
 
 @every_language
@@ -207,7 +207,7 @@ def test_invalid_values_are_reported_and_left_out(language: Language) -> None:
     )
     text = export_code(settings, link(), language)
     assert "0x7E," not in text
-    assert "UART Settings is" in text
+    assert "UART Settings must be" in text
     assert "rc_channel_2: minimum 9 is above neutral 8" in text
     assert "CALIBRATIONS" not in text
 

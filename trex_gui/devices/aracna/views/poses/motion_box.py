@@ -62,7 +62,7 @@ class StepColumn(IntEnum):
 
 
 class MotionBox(ui.Card):
-    shown = Signal()  # the current item or its steps have changed
+    steps_changed = Signal()  # the current item or its steps have changed
 
     def __init__(self, library: Library, notifier: Notifier, parent: QWidget | None = None) -> None:
         super().__init__(tr("Sequences and gaits"), parent)
@@ -94,8 +94,8 @@ class MotionBox(ui.Card):
         self._add.clicked.connect(self._on_add_clicked)
         self._list.chosen.connect(lambda: self.table.show_item(self._list.current))
         self.table.selectionModel().currentChanged.connect(self._update_buttons)
-        self.table.shown.connect(self._update_buttons)
-        self.table.shown.connect(self.shown)
+        self.table.steps_changed.connect(self._update_buttons)
+        self.table.steps_changed.connect(self.steps_changed)
         self._list.select(ItemKey(GAITS[0].name, built_in=True))  # so that Play is enabled
         self._update_buttons()
 
@@ -104,10 +104,10 @@ class MotionBox(ui.Card):
         return self._list.current
 
     @property
-    def played(self) -> Sequence | None:
+    def playable(self) -> Sequence | None:
         return self._library.playable(self._list.current)
 
-    def show_pose(self, name: str) -> None:
+    def set_step_pose(self, name: str) -> None:
         """Set the pose of new steps."""
         self._next_pose = name
         self._update_buttons()
@@ -129,7 +129,7 @@ class MotionBox(ui.Card):
                 "A step cannot use “{0}”: remove commas and vertical bars from the pose's name"
             )
             return text.format(pose)
-        return tr("Add a step to “{0}” after the current one").format(pose)
+        return tr("Add a step with the pose “{0}” after the current step").format(pose)
 
     def _pose_for_step(self) -> str:
         names = self._library.project.pose_names
@@ -191,7 +191,7 @@ class _Delegate(QStyledItemDelegate):
 
 
 class StepTable(QTableWidget):
-    shown = Signal()  # the item or its steps have changed
+    steps_changed = Signal()  # the item or its steps have changed
 
     def __init__(self, library: Library, parent: QWidget | None = None) -> None:
         super().__init__(0, len(StepColumn), parent)
@@ -298,7 +298,7 @@ class StepTable(QTableWidget):
             self._notes = {}
         self.steps = steps
         self._fill()
-        self.shown.emit()
+        self.steps_changed.emit()
 
     def _fill(self) -> None:
         with QSignalBlocker(self):

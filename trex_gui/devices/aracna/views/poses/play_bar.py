@@ -13,7 +13,7 @@ from trex_gui.devices.aracna.poses.playing import (
     Present,
     blend_in,
     blend_out,
-    cropped,
+    clamped,
     estimated_seconds,
     late_motors,
     mismatch,
@@ -110,7 +110,7 @@ class PlayBar(QWidget):
             spacing=8,
         )
 
-        motions.shown.connect(self._update_preview)
+        motions.steps_changed.connect(self._update_preview)
         library.changed.connect(self._update_preview)
         robot.changed.connect(self._on_robot_changed)
         robot.limits.changed.connect(self._on_robot_changed)
@@ -145,7 +145,7 @@ class PlayBar(QWidget):
 
     @Slot()
     def _update_preview(self) -> None:
-        state, played = self._robot.state, self._motions.played
+        state, played = self._robot.state, self._motions.playable
         self._limits, self._present = self._robot.limits.for_motors(state.motors), state.present
         limits, present, poses = self._limits, self._present, self._library.project.poses
         self._request = None
@@ -172,12 +172,12 @@ class PlayBar(QWidget):
         start = play.blend_in[-1].goals if play.blend_in else present
         late = late_motors(scaled, start, again=play.rounds != 1)
         used = [pose for pose, _ in stages_of(played, poses)]
-        is_cropped = any(pose.for_motors(len(limits)) != cropped(pose, limits) for pose in used)
+        is_clampped = any(pose.for_motors(len(limits)) != clamped(pose, limits) for pose in used)
         other = mismatch(used, len(limits))
         sentences = (
             other,
             _length_text(len(steps), estimated_seconds(scaled, start), play.rounds),
-            tr("Positions outside the limits are cropped.") if is_cropped else "",
+            tr("Positions outside the limits are clamped.") if is_clampped else "",
             tr("Some motors are too slow.") if late else "",
         )
         text, alarming = " ".join(filter(None, sentences)), bool(late or other)

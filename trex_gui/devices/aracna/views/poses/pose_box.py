@@ -107,7 +107,7 @@ class PoseBox(ui.Card):
             text = tr("Motor {0}: {1:.0f}°, limits {2} to {3}")
             if not limits.allow(value):
                 text = tr("Motor {0}: {1:.0f}°, limits {2} to {3}, sent as {4}")
-            angle, sent = degrees(value), limits.crop(value)
+            angle, sent = degrees(value), limits.clamp(value)
             box.setToolTip(ui.plain(text.format(motor, angle, limits.low, limits.high, sent)))
 
     @Slot()

@@ -197,7 +197,7 @@ class Controls(QWidget):
             self,
             "aracnaLimitsBox",
             tr("&Limits instead of speeds"),
-            tip=tr("How far each joint may turn; goals are cropped before sending"),
+            tip=tr("How far each joint may turn; goals are clamped before sending"),
             on_toggle=self._on_limits_toggled,
         )
         speed_label = ui.label(self, "", tr("Speed &of all:"), buddy=self._speed)

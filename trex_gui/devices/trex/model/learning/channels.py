@@ -115,9 +115,9 @@ class Check:
         else:
             text = tr("Active below {0}, halfway between neutral and minimum (inferred).")
         if self.curve.is_switched(self.channel, self.neutral.value):
-            rest = tr("At rest it is active.")
+            rest = tr("At rest the switch is active.")
         else:
-            rest = tr("At rest it is off.")
+            rest = tr("At rest the switch is off.")
         return f"{text.format(self.neutral.source.text(round(threshold)))} {rest}"
 
 

@@ -17,32 +17,34 @@ def problems_text(problems: tuple[CalibrationProblem, ...]) -> str:
 def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
     """Return the sentences for each kind and variant."""
     kind = ProblemKind
-    moved = tr("It moved during sampling, between {0} and {1}. Release it and sample again.")
+    moved = tr(
+        "The signal moved during sampling, between {0} and {1}. Release the stick and sample again."
+    )
     worn = tr(
-        "Release it and sample again; if it continues, the stick or the transmitter is warming "
-        "up or worn."
+        "Release the stick and sample again. If the drift continues, the stick or the "
+        "transmitter is warming up or worn."
     )
     weak = tr("Bring the transmitter nearer, or check antenna and cable.")
     noisy = tr(
-        "At rest its noise is {0}: a deadband wide enough to hide it would take a quarter of the "
-        "travel. Repair the cable, the supply or the stick first."
+        "At rest the noise is {0}: a deadband wide enough to hide this noise would take a "
+        "quarter of the travel. Repair the cable, the supply or the stick first."
     )
     open_input = tr("An unconnected input behaves in the same way.")
     unmoved = tr(
-        "Either nothing is connected to it (its voltage is then meaningless), or its stick "
-        "was not moved."
+        "Either nothing is connected to this input (its voltage is then meaningless), or its "
+        "stick was not moved."
     )
     needed = tr("At least {1} are needed: the deadband, and a count for each of the {2} speeds.")
     other_way = tr(
-        "Push it the other way, too; if it does not move that way, it was at an end during "
-        "sampling."
+        "Push the stick the other way, too. If it does not move that way, it was at an end "
+        "during sampling."
     )
-    one_way = tr("It went one way only.")
-    hold = tr("Go back, push it all the way and hold it there for {0:.1f} s.")
-    uneven = tr("It went {0} to one side, but only {1} to the other.")
-    all_the_way = tr("Was it pushed all the way?")
+    one_way = tr("The stick went one way only.")
+    hold = tr("Go back, push the stick all the way and hold it there for {0:.1f} s.")
+    uneven = tr("The stick went {0} to one side, but only {1} to the other.")
+    all_the_way = tr("Was the stick pushed all the way?")
     refused = tr("The board would reject this: {0}.")
-    reverse = tr("Should it be reversed, or not?")
+    reverse = tr("Should the channel be reversed?")
     return {
         (kind.NO_SIGNAL, "RC"): [
             tr("No signal: no valid pulse arrives."),
@@ -51,8 +53,8 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
         (kind.NO_SIGNAL, "ANALOG"): [tr("No signal.")],
         (kind.MOVED, "RC"): [moved],
         (kind.MOVED, "ANALOG"): [moved, open_input],
-        (kind.MOVED, "UP"): [tr("It drifted up by {0} during sampling."), worn],
-        (kind.MOVED, "DOWN"): [tr("It drifted down by {0} during sampling."), worn],
+        (kind.MOVED, "UP"): [tr("The signal drifted up by {0} during sampling."), worn],
+        (kind.MOVED, "DOWN"): [tr("The signal drifted down by {0} during sampling."), worn],
         (kind.JITTER, "LOST"): [
             tr("The signal comes and goes: {0:.0%} of the samples had no valid pulse."),
             weak,
@@ -78,7 +80,7 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
             tr("At rest the noise is {0}, more than the deadband ({1}): the motor would creep.")
         ],
         (kind.NEVER_MOVED, "RC"): [
-            tr("It never moved, although a steady signal arrives."),
+            tr("A steady signal arrives, but it never moved."),
             tr("Either another stick controls this channel, or it was not moved."),
         ],
         (kind.NEVER_MOVED, "ANALOG"): [
@@ -89,7 +91,7 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
             tr("Nothing moves on this input: it stays at {0}, an end of the measuring range."),
             unmoved,
         ],
-        (kind.TOO_LITTLE, ""): [tr("It went only {0} from its rest position."), needed],
+        (kind.TOO_LITTLE, ""): [tr("The stick went only {0} from its rest position."), needed],
         (kind.ONE_DIRECTION, "DOWN"): [one_way, other_way],
         (kind.ONE_DIRECTION, "UP"): [one_way, other_way],
         (kind.END_TOO_NEAR, "DOWN"): [
@@ -101,7 +103,7 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
         (kind.NOT_HELD, "UP"): [tr("The high end was only passed, not held."), hold],
         (kind.NOT_HELD, "BOTH"): [tr("Both ends were only passed, not held."), hold],
         (kind.NEUTRAL_OUTSIDE, ""): [
-            tr("Its rest position ({0}) is not between its ends ({1} and {2})."),
+            tr("The rest position ({0}) is not between the ends ({1} and {2})."),
             tr("Was a trim moved? Begin again with the sticks at rest."),
         ],
         (kind.UNEVEN, "DOWN"): [uneven, all_the_way],
@@ -109,12 +111,15 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
         (kind.REFUSED, "MEASURED"): [refused],
         (kind.REFUSED, "CHOSEN"): [refused],
         (kind.NEUTRAL_MOVED, "CHOSEN"): [
-            tr("It rests at {0}: with this neutral it would give {1} there.")
+            tr("The stick rests at {0}: with this neutral, the output there would be {1}.")
         ],
         (kind.NEUTRAL_MOVED, "MEASURED"): [
-            tr("After release it rests at {0}, not at {1}, and would give {2} there."),
-            tr("Was a hand on it during sampling, or was a trim moved?"),
-            tr("Go back and sample it again, or use the new rest position."),
+            tr(
+                "After release the stick rests at {0}, not at {1}, and the output there would "
+                "be {2}."
+            ),
+            tr("Was a hand on the stick during sampling, or was a trim moved?"),
+            tr("Go back and sample the channel again, or use the new rest position."),
         ],
         (kind.USELESS, ""): ["{0}"],
         (kind.NEVER_FULL, ""): [
@@ -125,18 +130,24 @@ def _sentences() -> dict[tuple[ProblemKind, str], list[str]]:
                 "Beyond its rest position the motor speeds up again, in either direction: at "
                 "{0} to {1} of {2}."
             ),
-            tr("Check that no trim and no broken wire can bring it there."),
+            tr("Check that no trim and no broken wire can move the signal there."),
         ],
         (kind.SWITCHES_AT_REST, ""): [
-            tr("Its rest position ({0}) is too close to its switching point ({1})."),
-            tr("It may switch by itself."),
+            tr("The rest position ({0}) is too close to the switching point ({1})."),
+            tr("The channel may switch by itself."),
         ],
         (kind.NEVER_SWITCHES, "ACTIVE"): [
-            tr("It is active in all its positions: none is beyond {0}, where it switches."),
+            tr(
+                "The switch is active in all its positions: none is beyond the switching "
+                "point, {0}."
+            ),
             reverse,
         ],
         (kind.NEVER_SWITCHES, "INACTIVE"): [
-            tr("It is inactive in all its positions: none is beyond {0}, where it switches."),
+            tr(
+                "The switch is inactive in all its positions: none is beyond the switching "
+                "point, {0}."
+            ),
             reverse,
         ],
     }

@@ -70,7 +70,7 @@ class StickTest:
     def text(self) -> str:
         """Next task for the user, or the result."""
         if self.ignored:
-            return tr("Ignored: the board holds it at neutral. There is nothing to test.")
+            return tr("Ignored: the board holds this channel at neutral. There is nothing to test.")
         if self.output is None:
             return tr("No signal.")
         if self.passed:
@@ -82,16 +82,16 @@ class StickTest:
             text = tr("Only {0} was detected. Move the switch to its other position.")
             return text.format(tr("off") if self.off else tr("on"))
         if task is Task.ONE_WAY and not (self.forward or self.reverse):
-            return tr("Full output not reached yet. Push it all the way.")
+            return tr("Full output not reached yet. Push the stick all the way.")
         if task is Task.STICK and not (self.forward and self.reverse):
             text = tr("Full output not reached yet: {0}.")
             missing = [FULL_SCALE] * (not self.forward) + [-FULL_SCALE] * (not self.reverse)
             return text.format(", ".join(map(direction_text, missing)))
         if self.output == 0:
-            return tr("Full output reached. Let it rest for a moment.")
+            return tr("Full output reached. Let the stick rest for a moment.")
         output = signed_text(self.output)
         return tr(
-            "Full output reached. Release it: at rest the output must be 0, but it is {0}."
+            "Full output reached. Release the stick: at rest the output must be 0, but it is {0}."
         ).format(output)
 
 

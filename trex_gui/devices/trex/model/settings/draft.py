@@ -294,7 +294,7 @@ def diff_against_draft(
     unread = [key for key in settings.parameters if key in known and not draft.can_edit(key)]
     hidden = [key for key in settings.calibrations if not draft.can_edit(key)]
     result = compare(shown, settings.without([*unread, *hidden]))
-    not_read = tr("{0} is left out, because it could not be read from the board.")
+    not_read = tr("{0} is left out because it could not be read from the board.")
     not_shown = tr(
         "The {0} calibrations are left out: the board accepts them only while it reads its inputs "
         "as {0}."

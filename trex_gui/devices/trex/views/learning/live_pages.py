@@ -138,7 +138,7 @@ class RestRow(ChannelRow[LearnedChannel]):
 
 class EndState(Enum):
     OPEN = "○", "muted", tr_noop("{0} end: not reached yet")
-    HOLD = "▸", "window_text", tr_noop("{0} end: hold it there")
+    HOLD = "▸", "window_text", tr_noop("{0} end: hold this position")
     DONE = "✓", "good", tr_noop("{0} end: reached")
     NOT_NEEDED = "", "muted", tr_noop("{0} end: not needed")  # a switch reached its other end
 
@@ -182,7 +182,7 @@ class TravelRow(ChannelRow[LearnedChannel]):
             sign.setVisible(travel is not None)
         if travel is None:
             self.strip.show_input(channel.time, channel.source, None, channel.raw)
-            self.text.show_note(tr("Left out: its rest position is not known."))
+            self.text.show_note(tr("Left out: the rest position is unknown."))
             return
         self._show_ends(travel)
         text = problem_text(no_signal(travel.source)) if channel.is_silent else self._text(travel)
@@ -205,9 +205,11 @@ class TravelRow(ChannelRow[LearnedChannel]):
 
     def _text(self, travel: Travel) -> str:
         if travel.to_hold is not None:
-            return tr("Hold it there …")
+            return tr("Hold this position …")
         if any(travel.reached(way) and not travel.held(way) for way in Way):
-            return tr("Not held. Hold it there for {0:.1f} s.").format(Number(travel.hold_seconds))
+            return tr("Not held. Hold this position for {0:.1f} s.").format(
+                Number(travel.hold_seconds)
+            )
         held = [travel.source.text(travel.end(way)) for way in Way if travel.held(way)]
         return tr("Reached: {0}.").format(", ".join(held)) if held else tr("No end reached yet.")
 
@@ -231,8 +233,9 @@ class TestPage(ChannelRows):
         self._tests = tests
         self._safe_start = ui.named(Note(3, self.side), "learnSafeStart")
         explanation = tr(
-            "Calculated for each channel separately from the values in the board. Assumed: "
-            "an output of up to 8 of 127 is neutral, and the switching points of switches."
+            "Calculated from the values in the board, for each channel on its own. Two "
+            "assumptions: outputs of up to 8 of 127 are neutral, and switches change halfway "
+            "between neutral and the end."
         )
         ui.column(self._safe_start, Muted(explanation, self.side), into=self.side, margins=0)
 

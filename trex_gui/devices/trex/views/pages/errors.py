@@ -96,9 +96,7 @@ class ErrorsPage(ProblemsPage):
         if entry.last is not None:
             times = self.times_text(entry.count, entry.last)
         elif entry.is_earlier:
-            times = tr(
-                "Latched before connecting, perhaps by the search for the board; not counted."
-            )
+            times = tr("Latched before connecting, perhaps by a search for the board; not counted.")
         return Problem(
             str(bit.name),
             title,

@@ -123,7 +123,7 @@ class GamepadDialog(ReusedDialog):
         self._robot = RobotView(live)
         self._live_layout = ui.column(self._live, (self._robot, 1), into=live)
         uses = ui.Card(tr("Assignment"), self)
-        mixed, tank = tr("One axis drives, one turns"), tr("An axis for each motor")
+        mixed, tank = tr("One axis drives, the other turns"), tr("An axis for each motor")
         self._style = ui.combo_box(
             uses,
             "gamepadStyleCombo",

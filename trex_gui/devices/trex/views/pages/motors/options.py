@@ -99,7 +99,7 @@ class DriveWith(ui.Card):
         can_link = motors.linked or motors.can_link
         self._link.setChecked(motors.linked)
         self._link.setEnabled(can_link and not self._device.board.is_joint)
-        linked = tr("Either slider sets both motors; the robot does not turn")
+        linked = tr("Either slider sets both motors, so the robot does not turn")
         blocked = tr("The motors run differently: stop both, or give both the same speed")
         self._link.setToolTip(linked if can_link else blocked)
 

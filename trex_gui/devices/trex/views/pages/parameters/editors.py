@@ -74,7 +74,7 @@ class NumberEditor(UnitSpinBox):
         try:
             wire = int(number)
         except ValueError:
-            text = tr("{0} is {1}, not {2}").format(
+            text = tr("{0} must be {1}, not {2}").format(
                 self._spec.name, self._spec.range_text(), number
             )
             raise BadRequest(text) from None
