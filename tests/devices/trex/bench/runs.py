@@ -1,11 +1,9 @@
-"""Sample bench tests."""
+"""Results of bench tests."""
 
 from collections.abc import Sequence
 from datetime import UTC, datetime
 
 from trex_gui.devices.trex.bench.run import End, Profile, Run
-
-BEGAN = datetime(2026, 11, 21, 12, 30, tzinfo=UTC)
 
 
 def run_of(
@@ -17,7 +15,7 @@ def run_of(
     reason: str = "",
     motor: int = 1,
 ) -> Run:
-    """Return a test with these readings (s, A)."""
+    """Return the result of a bench test with these readings (s, A)."""
     profile = profile or Profile(duration=2.0)
     return Run(
         motor=motor,
@@ -25,7 +23,7 @@ def run_of(
         accelerate=True,
         abort_current=10.0,
         ampere=0.15,
-        started=BEGAN,
+        started=datetime(2026, 11, 21, 12, 30, tzinfo=UTC),
         end=end,
         reason=reason,
         ended=ended,

@@ -9,46 +9,46 @@ RATE = 80
 
 
 def readings(*parts: tuple[float, float]) -> list[tuple[float, float]]:
-    """Return 80 readings a second of each (seconds, ampere) in turn."""
-    found: list[tuple[float, float]] = []
-    for seconds, amps in parts:
-        begin = len(found)
-        found += [((begin + index) / RATE, amps) for index in range(round(seconds * RATE))]
-    return found
+    """Return 80 readings a second from consecutive parts: (duration in s, current in A)."""
+    result: list[tuple[float, float]] = []
+    for seconds, amperes in parts:
+        first = len(result)
+        result += [((first + index) / RATE, amperes) for index in range(round(seconds * RATE))]
+    return result
 
 
-def test_inrush_and_settling_are_measured() -> None:
+def test_inrush_and_settling_time_are_measured() -> None:
     run = run_of(readings((0.05, 0.0), (0.1, 12.0), (0.15, 6.0), (1.8, 4.0)))
-    found = figures(run)
-    assert found.peak == 12.0
-    assert found.delay == pytest.approx(0.05)
-    assert found.steady == pytest.approx(4.0)
-    assert found.settled == pytest.approx(0.3)
+    result = figures(run)
+    assert result.peak == 12.0
+    assert result.delay == pytest.approx(0.05)
+    assert result.steady == pytest.approx(4.0)
+    assert result.settled == pytest.approx(0.3)
 
 
-def test_inrush_crossing_steady_current_has_not_settled() -> None:
-    """The inrush is within a tenth of 4 A on its way up and down."""
+def test_inrush_crossing_the_steady_current_has_not_settled() -> None:
+    """The rising and the falling current both pass within a tenth of 4 A."""
     parts = (0.1, 4.0), (0.1, 9.0), (0.1, 4.0), (0.1, 3.0), (1.6, 4.0)
-    found = figures(run_of(readings(*parts)))
-    assert found.delay == pytest.approx(0)
-    assert found.settled == pytest.approx(0.4)
+    result = figures(run_of(readings(*parts)))
+    assert result.delay == pytest.approx(0)
+    assert result.settled == pytest.approx(0.4)
 
 
-def test_mean_and_charge_cover_only_driven_time() -> None:
+def test_mean_and_charge_cover_only_the_driven_time() -> None:
     run = run_of([(index / 100, 3.6) for index in range(301)], ended=2.0)
-    found = figures(run)
-    assert found.mean == pytest.approx(3.6)
-    assert found.charge == pytest.approx(2.0)  # 3.6 A for 2 s are 7.2 A s, 2 mAh
+    result = figures(run)
+    assert result.mean == pytest.approx(3.6)
+    assert result.charge == pytest.approx(2.0)  # 3.6 A for 2 s is 2 mAh
 
 
 def test_gap_in_readings_adds_no_charge() -> None:
     gap = MAX_GAP + 0.1
-    found = figures(run_of([(0.0, 3.6), (0.5, 3.6), (0.5 + gap, 3.6), (1.0 + gap, 3.6)]))
-    assert found.charge == pytest.approx(1.0)
-    assert found.mean == pytest.approx(3.6)
+    result = figures(run_of([(0.0, 3.6), (0.5, 3.6), (0.5 + gap, 3.6), (1.0 + gap, 3.6)]))
+    assert result.charge == pytest.approx(1.0)
+    assert result.mean == pytest.approx(3.6)
 
 
-def test_peak_excludes_current_after_end() -> None:
+def test_peak_excludes_the_current_after_the_end() -> None:
     run = run_of([(0.1, 1.0), (0.5, 1.0), (1.2, 50.0)], ended=1.0, end=End.RELEASED)
     assert figures(run).peak == 1.0
 
@@ -58,45 +58,45 @@ def test_run_without_readings_has_empty_figures() -> None:
 
 
 def test_delay_ignores_noise_of_one_count() -> None:
-    found = figures(run_of(readings((0.5, 0.15), (1.5, 0.3))))
-    assert found.delay == pytest.approx(0.5)
+    result = figures(run_of(readings((0.5, 0.15), (1.5, 0.3))))
+    assert result.delay == pytest.approx(0.5)
 
 
 def test_motor_drawing_no_current_never_settles() -> None:
-    found = figures(run_of(readings((2.0, 0.0))))
-    assert found.peak == 0
-    assert found.steady == 0
-    assert found.settled is None
-    assert found.delay is None
+    result = figures(run_of(readings((2.0, 0.0))))
+    assert result.peak == 0
+    assert result.steady == 0
+    assert result.settled is None
+    assert result.delay is None
 
 
 def test_sine_has_no_steady_current() -> None:
     profile = Profile(shape=Shape.SINE, duration=2.0)
-    found = figures(run_of(readings((2.0, 3.0)), profile))
-    assert found.steady is None
-    assert found.peak == 3.0
+    result = figures(run_of(readings((2.0, 3.0)), profile))
+    assert result.steady is None
+    assert result.peak == 3.0
 
 
-def test_reversal_takes_steady_current_before_first_turn() -> None:
+def test_steady_current_of_reversal_precedes_first_turn() -> None:
     profile = Profile(shape=Shape.REVERSE, duration=2.0, period=2.0)
-    found = figures(run_of(readings((0.2, 9.0), (0.8, 3.0), (1.0, 20.0)), profile))
-    assert found.steady == pytest.approx(3.0)
-    assert found.settled == pytest.approx(0.2)
-    assert found.peak == 20.0
+    result = figures(run_of(readings((0.2, 9.0), (0.8, 3.0), (1.0, 20.0)), profile))
+    assert result.steady == pytest.approx(3.0)
+    assert result.settled == pytest.approx(0.2)
+    assert result.peak == 20.0
 
 
-def test_ramp_takes_steady_current_after_its_rise() -> None:
+def test_steady_current_of_ramp_follows_its_rise() -> None:
     profile = Profile(shape=Shape.RAMP, duration=2.0, period=1.0)
-    found = figures(run_of(readings((1.0, 1.0), (1.0, 5.0)), profile))
-    assert found.steady == pytest.approx(5.0)
+    result = figures(run_of(readings((1.0, 1.0), (1.0, 5.0)), profile))
+    assert result.steady == pytest.approx(5.0)
 
 
 def test_run_released_early_has_no_steady_current() -> None:
-    found = figures(run_of(readings((0.3, 5.0)), ended=0.3, end=End.RELEASED))
-    assert found.steady is None
-    assert found.mean == pytest.approx(5.0)
+    result = figures(run_of(readings((0.3, 5.0)), ended=0.3, end=End.RELEASED))
+    assert result.steady is None
+    assert result.mean == pytest.approx(5.0)
 
 
 def test_oscillating_current_never_settles() -> None:
-    waves = [(index / RATE, 8.0 if index % 2 else 0.0) for index in range(2 * RATE)]
-    assert figures(run_of(waves)).settled is None
+    oscillation = [(index / RATE, 8.0 if index % 2 else 0.0) for index in range(2 * RATE)]
+    assert figures(run_of(oscillation)).settled is None

@@ -1,4 +1,6 @@
-"""Bench tests saved and read back."""
+"""Files of bench tests."""
+
+from dataclasses import replace
 
 import pytest
 from hypothesis import given
@@ -8,31 +10,26 @@ from tests.devices.trex.bench.runs import run_of
 from tests.devices.trex.bench.test_profile import PROFILES
 from tests.support.matrix import examples
 from trex_gui.devices.trex.bench.files import BenchFileError, from_csv, to_csv
-from trex_gui.devices.trex.bench.run import End, Profile, Run
+from trex_gui.devices.trex.bench.run import End, Run
 
 SAVED = run_of([(0.0125, 0.0), (0.025, 4.5)])
 
 
-def ticks(unit: int, most: int) -> st.SearchStrategy[float]:
-    """Return times as exact as the file stores them."""
-    return st.integers(0, most).map(lambda count: count / unit)
+def multiples(unit: int, highest: int) -> st.SearchStrategy[float]:
+    """Return multiples of `1 / unit`, the resolution of the file."""
+    return st.integers(0, highest).map(lambda count: count / unit)
 
 
 @st.composite
 def runs(draw: st.DrawFn) -> Run:
-    times = sorted(draw(st.sets(ticks(10_000, 1_200_000), max_size=30)))
-    amps = draw(st.lists(ticks(10_000, 400_000), min_size=len(times), max_size=len(times)))
+    times = sorted(draw(st.sets(multiples(10_000, 1_200_000), max_size=30)))
+    currents = draw(st.lists(multiples(10_000, 400_000), min_size=len(times), max_size=len(times)))
     profile = draw(PROFILES)
-    plain = Profile(
-        shape=profile.shape,
-        speed=profile.speed,
-        duration=round(profile.duration, 2),
-        period=round(profile.period, 2),
-    )
+    duration, period = round(profile.duration, 2), round(profile.period, 2)
     return run_of(
-        list(zip(times, amps, strict=True)),
-        plain,
-        ended=draw(ticks(10_000, 1_200_000)),
+        list(zip(times, currents, strict=True)),
+        replace(profile, duration=duration, period=period),
+        ended=draw(multiples(10_000, 1_200_000)),
         end=draw(st.sampled_from(End)),
         reason=draw(st.sampled_from(["", "Motor 1 drew 12.00 A: more, than allowed."])),
         motor=draw(st.sampled_from([1, 2])),
@@ -45,7 +42,7 @@ def test_saved_run_is_read_back_equal(run: Run) -> None:
     assert from_csv(to_csv(run)) == run
 
 
-def test_csv_has_heading_with_units_and_row_per_reading() -> None:
+def test_csv_has_headings_with_units_and_a_row_per_reading() -> None:
     lines = [line for line in to_csv(SAVED).splitlines() if not line.startswith("#")]
     assert lines == [
         "time_s,setpoint,current_a",
@@ -76,9 +73,9 @@ def test_file_header_lists_motor_shape_and_settings() -> None:
         ("0.0250,40,4.5000", "0.0250,40,many", "line 17: invalid row “0.0250,40,many”"),
     ],
 )
-def test_damaged_file_is_rejected_with_reason(old: str, new: str, words: str) -> None:
+def test_damaged_file_is_rejected_with_a_reason(old: str, new: str, words: str) -> None:
     text = to_csv(SAVED)
     assert old in text
-    with pytest.raises(BenchFileError) as refused:
+    with pytest.raises(BenchFileError) as error:
         from_csv(text.replace(old, new, 1))
-    assert words in str(refused.value)
+    assert words in str(error.value)

@@ -1,6 +1,7 @@
 """Profiles of bench tests."""
 
 import math
+from dataclasses import replace
 
 import pytest
 from hypothesis import given
@@ -18,9 +19,9 @@ PROFILES = st.builds(
 )
 
 
-@given(profile=PROFILES, share=st.floats(-1, 2))
-def test_profile_never_exceeds_its_speed(profile: Profile, share: float) -> None:
-    assert abs(profile.speed_at(profile.duration * share)) <= abs(profile.speed)
+@given(profile=PROFILES, fraction=st.floats(-1, 2))
+def test_profile_never_exceeds_its_speed(profile: Profile, fraction: float) -> None:
+    assert abs(profile.speed_at(profile.duration * fraction)) <= abs(profile.speed)
 
 
 @given(profile=PROFILES)
@@ -30,38 +31,35 @@ def test_profile_is_zero_before_start_and_after_end(profile: Profile) -> None:
     assert profile.speed_at(profile.duration + 1) == 0
 
 
-@given(profile=PROFILES, share=st.floats(0, 0.999))
-def test_negative_speed_mirrors_profile(profile: Profile, share: float) -> None:
-    turned = Profile(
-        shape=profile.shape, speed=-profile.speed, duration=profile.duration, period=profile.period
-    )
-    moment = profile.duration * share
-    assert turned.speed_at(moment) == -profile.speed_at(moment)
+@given(profile=PROFILES, fraction=st.floats(0, 0.999))
+def test_negative_speed_mirrors_the_profile(profile: Profile, fraction: float) -> None:
+    time = profile.duration * fraction
+    assert replace(profile, speed=-profile.speed).speed_at(time) == -profile.speed_at(time)
 
 
-def test_step_has_full_speed_from_start_to_end_and_no_period() -> None:
+def test_step_runs_at_full_speed_and_ignores_its_period() -> None:
     profile = Profile(shape=Shape.STEP, speed=90, duration=2, period=0)
-    assert [profile.speed_at(at) for at in (0, 0.01, 1, 1.99)] == [90] * 4
+    assert [profile.speed_at(time) for time in (0, 0.01, 1, 1.99)] == [90] * 4
 
 
-def test_ramp_rises_for_its_period_then_holds() -> None:
+def test_ramp_rises_for_its_period_and_then_holds() -> None:
     profile = Profile(shape=Shape.RAMP, speed=-100, duration=4, period=2)
-    assert [profile.speed_at(at) for at in (0, 0.5, 1, 2, 3.9)] == [0, -25, -50, -100, -100]
+    assert [profile.speed_at(time) for time in (0, 0.5, 1, 2, 3.9)] == [0, -25, -50, -100, -100]
 
 
 def test_reversal_changes_direction_every_half_period() -> None:
     profile = Profile(shape=Shape.REVERSE, speed=50, duration=3, period=2)
-    assert [profile.speed_at(at) for at in (0, 0.99, 1, 1.99, 2.5)] == [50, 50, -50, -50, 50]
+    assert [profile.speed_at(time) for time in (0, 0.99, 1, 1.99, 2.5)] == [50, 50, -50, -50, 50]
 
 
 def test_sine_starts_forward_and_passes_through_zero() -> None:
     profile = Profile(shape=Shape.SINE, speed=100, duration=4, period=4)
-    assert [profile.speed_at(at) for at in (0, 1, 2, 3)] == [0, 100, 0, -100]
+    assert [profile.speed_at(time) for time in (0, 1, 2, 3)] == [0, 100, 0, -100]
     assert profile.speed_at(0.5) == round(100 * math.sin(math.pi / 4))
 
 
 @given(profile=PROFILES, ceiling=st.integers(1, 127))
-def test_ceiling_limits_speed_and_keeps_direction_and_shape(profile: Profile, ceiling: int) -> None:
+def test_ceiling_limits_only_the_speed(profile: Profile, ceiling: int) -> None:
     limited = profile.limited(ceiling)
     assert abs(limited.speed) == min(abs(profile.speed), ceiling)
     assert (limited.speed > 0) is (profile.speed > 0)
@@ -69,7 +67,7 @@ def test_ceiling_limits_speed_and_keeps_direction_and_shape(profile: Profile, ce
 
 
 @given(profile=PROFILES)
-def test_drawn_course_matches_profile_speeds(profile: Profile) -> None:
+def test_drawn_course_matches_the_profile(profile: Profile) -> None:
     course = profile.course(100)
     times = [time for time, _ in course]
     assert times == sorted(times)
@@ -90,6 +88,6 @@ def test_drawn_course_matches_profile_speeds(profile: Profile) -> None:
         ({"shape": Shape.SINE, "period": 0.1}, "period of a bench test is 0.2 to 120 s"),
     ],
 )
-def test_invalid_profile_is_rejected_with_limits(values: dict[str, float], words: str) -> None:
+def test_invalid_profile_is_rejected_with_its_limits(values: dict[str, float], words: str) -> None:
     with pytest.raises(ValueError, match=words):
-        Profile(**values)  # type: ignore[arg-type]  # one of them is wrong on purpose
+        Profile(**values)  # type: ignore[arg-type]  # the values have several types
