@@ -1,23 +1,42 @@
 """Calibrations from simulated sticks, without a board."""
 
+from collections.abc import Sequence
 from random import Random
 
-from tests.support.transmitter import HOLD, Stick
+from tests.support.transmitter import HOLD, RATE, Stick
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
-from trex_gui.devices.trex.calibration.neutral import Neutral, measure_neutral
+from trex_gui.devices.trex.calibration.neutral import ChannelSample, Neutral, measure_neutral
 from trex_gui.devices.trex.calibration.proposal import Proposal, propose
 from trex_gui.devices.trex.calibration.travel import TASKS, Travel
 from trex_gui.devices.trex.model.learning.channels import Check
 from trex_gui.devices.trex.protocol.calibration import Calibration
+from trex_gui.devices.trex.protocol.flags import InputSource
 
-REST = ((1.6, 0.0),)
+THROTTLE = Stick(rest=1100, low=1100, high=1900)
+HIGH_THROTTLE = Stick(rest=1900, low=1100, high=1900)
+
+
+def neutral_of_samples(
+    samples: Sequence[ChannelSample], source: InputSource = InputSource.RC
+) -> Neutral:
+    neutral = measure_neutral(samples, source)
+    assert neutral is not None
+    return neutral
+
+
+def neutral_of_counts(
+    counts: Sequence[int], source: InputSource = InputSource.RC, rate: float = RATE
+) -> Neutral:
+    """Measure an input at rest with these counts, `rate` per second."""
+    samples = [ChannelSample(index / rate, count) for index, count in enumerate(counts)]
+    return neutral_of_samples(samples, source)
 
 
 def neutral_of(stick: Stick, seed: int = 1) -> Neutral:
-    found = measure_neutral(stick.samples(REST, Random(seed)), stick.source)
-    assert found is not None
-    assert found.seconds_left == 0
-    return found
+    """Measure a stick that rests for 1.6 s."""
+    neutral = neutral_of_samples(stick.samples(((1.6, 0.0),), Random(seed)), stick.source)
+    assert neutral.seconds_left == 0
+    return neutral
 
 
 def travel_of(
@@ -47,13 +66,17 @@ def learn(
 
 
 def check(
-    stick: Stick, channel: int, wanted: Calibration | None = None, *, reversed_: bool | None = None
+    stick: Stick,
+    channel: int,
+    calibration: Calibration | None = None,
+    *,
+    reversed_: bool | None = None,
 ) -> Check:
-    """Return the findings on a calibration, by default the proposed calibration."""
+    """Check a calibration. The default is the proposed calibration."""
     neutral = neutral_of(stick)
     travel = travel_of(stick, neutral, channel)
     proposal = propose(neutral, travel, reversed_now=False)
     assert proposal.calibration is not None
-    turned = proposal.reversed_ if reversed_ is None else reversed_
-    curve = ChannelCurve(wanted or proposal.calibration, turned)
+    reversed_ = proposal.reversed_ if reversed_ is None else reversed_
+    curve = ChannelCurve(calibration or proposal.calibration, reversed_)
     return Check(channel, curve, neutral, travel)

@@ -14,27 +14,24 @@ CALIBRATIONS = (
     Calibration(2500, 3750, 5000, 75),
     Calibration(2400, 3700, 5100, 0),
     Calibration(0, 512, 1023, 20),
-    Calibration(3000, 3000, 4500, 10),  # no way down
+    Calibration(3000, 3000, 4500, 10),  # no travel below neutral
     Calibration(2000, 3000, 3000, 400),
-    Calibration(3000, 3010, 3020, 200),  # the deadband swallows both sides
+    Calibration(3000, 3010, 3020, 200),  # the deadband covers the whole travel
     Calibration(0, 8000, HIGHEST_CODED, 1),
 )
-
-
-OPTIONS = (
+OPTIONS = (  # reversed, parabolic, ignored
     (False, False, False),
     (True, False, False),
     (False, True, False),
     (True, True, False),
     (True, True, True),
 )
-"""Reversed, parabolic, ignored."""
 
 
 @pytest.mark.parametrize(
     ("calibration", "options"), sampled(product(CALIBRATIONS, OPTIONS), every=4), ids=str
 )
-def test_curve_matches_board_remapping_at_every_raw_count(
+def test_curve_matches_the_board_at_every_raw_count(
     calibration: Calibration, options: tuple[bool, bool, bool]
 ) -> None:
     reversed_, parabolic, ignored = options
@@ -47,11 +44,11 @@ def test_curve_matches_board_remapping_at_every_raw_count(
     )
     outputs = [curve.output(raw) for raw in range(HIGHEST_CODED + 1)]
     for raw in range(0, HIGHEST_CODED + 1, 5):
-        # Five channels with the same settings: five counts at a time.
+        # The five channels have equal settings and remap five counts at once.
         counts = [min(raw + step, HIGHEST_CODED) for step in range(5)]
         assert setup.remapped(counts) == tuple(outputs[count] for count in counts)
     assert curve.output(None) == 0
-    # The emulator shares the arithmetic with the curve; the oracle was written apart from both.
+    # The simulator and the curve share their arithmetic. The oracle is independent of both.
     values = oracle.Calibration(
         *(getattr(calibration, name) for name in oracle.Calibration._fields)
     )
@@ -62,7 +59,7 @@ def test_curve_matches_board_remapping_at_every_raw_count(
 
 
 @pytest.mark.parametrize("calibration", CALIBRATIONS, ids=str)
-def test_drawn_corners_reproduce_every_output(calibration: Calibration) -> None:
+def test_drawn_curve_reproduces_every_output(calibration: Calibration) -> None:
     curve = ChannelCurve(calibration, parabolic=True)
     low, high = 0, 6250
     outputs = [curve.output(raw) for raw in range(low, high + 1)]

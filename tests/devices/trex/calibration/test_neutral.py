@@ -1,15 +1,14 @@
-"""Rest positions and their problems."""
+"""Measurement of rest positions, and its problems."""
 
 import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from tests.devices.trex.calibration.measure import learn, neutral_of
+from tests.devices.trex.calibration.measure import learn, neutral_of, neutral_of_counts
 from tests.support.matrix import examples
 from tests.support.transmitter import Stick
 from trex_gui.devices.trex.calibration.neutral import (
     LIMITS,
-    ChannelSample,
     deadband_floor,
     measure_neutral,
 )
@@ -39,14 +38,14 @@ def test_stick_rest_is_measured_within_half_its_noise(
     rest: float, noise: float, drift: float, lost: float, spikes: float, seed: int
 ) -> None:
     stick = Stick(rest=rest, noise=noise, drift=drift, lost=lost, spikes=spikes)
-    found = neutral_of(stick, seed)
-    if found.invalid > 0.05:  # once in thousands so many are lost in a row
-        assert [problem.kind for problem in found.problems] == [ProblemKind.JITTER]
+    neutral = neutral_of(stick, seed)
+    if neutral.invalid > 0.05:  # rare: many pulses are lost in a row
+        assert [problem.kind for problem in neutral.problems] == [ProblemKind.JITTER]
     else:
-        # A wild pulse that lost ones behind it repeat looks like a movement: rare, and no harm.
+        # A wild pulse is repeated while pulses are lost. In rare cases it looks like a movement.
         known = {ProblemKind.JITTER, ProblemKind.MOVED} if spikes and lost else {ProblemKind.JITTER}
-        assert {problem.kind for problem in found.problems} <= known
-    assert abs(found.value - rest * 2.5) <= max(1, found.noise / 2) + abs(drift) * 2.5
+        assert {problem.kind for problem in neutral.problems} <= known
+    assert abs(neutral.value - rest * 2.5) <= max(1, neutral.noise / 2) + abs(drift) * 2.5
 
 
 @modest
@@ -54,17 +53,17 @@ def test_stick_rest_is_measured_within_half_its_noise(
 def test_analog_rest_is_measured_within_half_its_noise(
     rest: float, noise: float, seed: int
 ) -> None:
-    found = neutral_of(Stick(rest=rest, noise=noise, source=ANALOG), seed)
-    assert not found.problems
-    assert abs(found.value - rest * 204.6) <= max(1, found.noise / 2)
+    neutral = neutral_of(Stick(rest=rest, noise=noise, source=ANALOG), seed)
+    assert not neutral.problems
+    assert abs(neutral.value - rest * 204.6) <= max(1, neutral.noise / 2)
 
 
 @modest
 @given(noise=st.floats(0.4, 15), seed=st.integers(0, 2**32))
-def test_noise_is_measured_within_factor_of_two(noise: float, seed: int) -> None:
-    found = neutral_of(Stick(noise=noise), seed)
-    rounding = 0.25  # of counts, which are whole
-    assert noise * 2.5 / 2 <= found.deviation <= noise * 2.5 * 2 + rounding
+def test_noise_is_measured_within_a_factor_of_two(noise: float, seed: int) -> None:
+    neutral = neutral_of(Stick(noise=noise), seed)
+    rounding = 0.25  # counts are integers
+    assert noise * 2.5 / 2 <= neutral.deviation <= noise * 2.5 * 2 + rounding
 
 
 @modest
@@ -91,22 +90,15 @@ def test_drift_is_reported_only_beyond_its_limit(source: InputSource) -> None:
     def problems(drift: int) -> list[ProblemKind]:
         middle = source.highest_count // 2
         counts = [middle + step for step in (0, drift // 2, drift) for _ in range(25)]
-        samples = [ChannelSample(i / 50, count) for i, count in enumerate(counts)]
-        found = measure_neutral(samples, source)
-        assert found is not None
-        return [problem.kind for problem in found.problems]
+        return [problem.kind for problem in neutral_of_counts(counts, source).problems]
 
     assert problems(LIMITS[source].drifted) == []
     assert problems(LIMITS[source].drifted + 1) == [ProblemKind.MOVED]
 
 
 def problems_of(counts: list[int]) -> list[tuple[ProblemKind, str]]:
-    """Measure an RC input at rest with these counts, 50 a second."""
-    found = measure_neutral(
-        [ChannelSample(i / 50, c) for i, c in enumerate(counts)], InputSource.RC
-    )
-    assert found is not None
-    return [(problem.kind, problem_text(problem)) for problem in found.problems]
+    problems = neutral_of_counts(counts).problems
+    return [(problem.kind, problem_text(problem)) for problem in problems]
 
 
 def test_twitch_is_reported_only_beyond_ten_microseconds() -> None:
@@ -123,12 +115,12 @@ def test_missing_signal_is_reported_with_remedy() -> None:
     assert "Is the transmitter on" in problem_text(problem)
 
 
-def test_lost_pulses_are_reported_from_about_one_third() -> None:
-    """The message names these bounds."""
+def test_lost_pulses_are_reported_beyond_about_one_third() -> None:
+    """The message gives these limits."""
 
     def reports(lost: float, noise: float = 1.0) -> int:
-        sticks = [neutral_of(Stick(lost=lost, noise=noise), seed) for seed in range(100)]
-        return sum(bool(found.problems) for found in sticks)
+        neutrals = [neutral_of(Stick(lost=lost, noise=noise), seed) for seed in range(100)]
+        return sum(bool(neutral.problems) for neutral in neutrals)
 
     assert reports(0.0) == reports(0.0, 0.8) == reports(0.0, 10) == 0
     assert reports(0.1) <= 2
@@ -136,17 +128,16 @@ def test_lost_pulses_are_reported_from_about_one_third() -> None:
     assert reports(0.45) >= 95
 
 
-def test_reported_share_of_lost_pulses_is_roughly_right() -> None:
-    found = neutral_of(Stick(lost=0.45, noise=2))
-    (problem,) = found.problems
+def test_reported_share_of_lost_pulses_is_about_right() -> None:
+    (problem,) = neutral_of(Stick(lost=0.45, noise=2)).problems
     share = int(problem_text(problem).removeprefix("About ").split("%")[0].strip())
     assert 30 <= share <= 60
     assert not problem.fatal
 
 
 def test_outliers_are_reported_only_beyond_three_percent() -> None:
-    def with_outliers(*places: int) -> list[int]:
-        return [5100 if i in places else 3750 for i in range(100)]
+    def with_outliers(*indexes: int) -> list[int]:
+        return [5100 if index in indexes else 3750 for index in range(100)]
 
     assert problems_of(with_outliers(20, 40, 60)) == []
     ((kind, text),) = problems_of(with_outliers(20, 40, 60, 80))
@@ -155,21 +146,15 @@ def test_outliers_are_reported_only_beyond_three_percent() -> None:
 
 
 def test_single_outlier_does_not_count_as_noise() -> None:
-    samples = [ChannelSample(i / 50, 5100 if i == 30 else 3750 + i % 2) for i in range(80)]
-    found = measure_neutral(samples, InputSource.RC)
-    assert found is not None
-    assert not found.problems
-    assert found.noise == 1
+    counts = [5100 if index == 30 else 3750 + index % 2 for index in range(80)]
+    neutral = neutral_of_counts(counts)
+    assert not neutral.problems
+    assert neutral.noise == 1
 
 
-@pytest.mark.parametrize("wild", [1, 2])
-def test_outliers_at_end_of_samples_are_ignored(wild: int) -> None:
-    counts = [3750] * 80 + [5100] * wild
-    found = measure_neutral(
-        [ChannelSample(i / 50, c) for i, c in enumerate(counts)], InputSource.RC
-    )
-    assert found is not None
-    assert not found.problems
+@pytest.mark.parametrize("outliers", [1, 2])
+def test_outliers_at_the_end_of_samples_are_ignored(outliers: int) -> None:
+    assert problems_of([3750] * 80 + [5100] * outliers) == []
 
 
 def test_excessive_noise_is_reported_with_its_size() -> None:
@@ -183,27 +168,25 @@ def test_excessive_noise_is_reported_with_its_size() -> None:
 @example(noise=20.0, seed=312)
 @given(noise=st.floats(0, 20), seed=st.integers(0, 2**32))
 def test_deadband_covers_noise_and_never_falls_below_floor(noise: float, seed: int) -> None:
-    found = neutral_of(Stick(noise=noise), seed)
-    assert found.deadband >= max(found.noise, deadband_floor(InputSource.RC))
-    if found.noise > LIMITS[InputSource.RC].noisy:
-        assert any(problem.fatal for problem in found.problems)  # no deadband is proposed
+    neutral = neutral_of(Stick(noise=noise), seed)
+    assert neutral.deadband >= max(neutral.noise, deadband_floor(InputSource.RC))
+    if neutral.noise > LIMITS[InputSource.RC].noisy:
+        assert any(problem.fatal for problem in neutral.problems)  # no deadband is proposed
     else:
-        assert found.deadband <= max(deadband_floor(InputSource.RC), LIMITS[InputSource.RC].noisy)
+        assert neutral.deadband <= max(deadband_floor(InputSource.RC), LIMITS[InputSource.RC].noisy)
 
 
-def test_deadband_widened_for_noise_is_explained() -> None:
-    reason = "At rest the noise is ±"
+def test_deadband_that_is_wider_because_of_noise_is_explained() -> None:
+    reason = "At rest its noise is ±"
     assert not any(reason in text for text in learn(Stick(noise=0.5)).reasons)
     assert any(reason in text for text in learn(Stick(noise=12)).reasons)
 
 
-def test_neutral_without_samples_is_none() -> None:
+def test_empty_samples_give_no_neutral() -> None:
     assert measure_neutral([], InputSource.RC) is None
 
 
 def test_movement_is_reported_before_sampling_is_complete() -> None:
-    moving = [ChannelSample(i / 50, 3750 + 40 * i) for i in range(10)]
-    found = measure_neutral(moving, InputSource.RC)
-    assert found is not None
-    assert [problem.kind for problem in found.problems] == [ProblemKind.MOVED]
-    assert found.seconds_left > 0
+    neutral = neutral_of_counts([3750 + 40 * index for index in range(10)])
+    assert [problem.kind for problem in neutral.problems] == [ProblemKind.MOVED]
+    assert neutral.seconds_left > 0

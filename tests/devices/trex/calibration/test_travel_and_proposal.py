@@ -1,4 +1,4 @@
-"""Travel of sticks, and proposed calibrations."""
+"""Travel of sticks and proposed calibrations."""
 
 from dataclasses import replace
 
@@ -6,7 +6,14 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from tests.devices.trex.calibration.measure import check, learn, neutral_of, travel_of
+from tests.devices.trex.calibration.measure import (
+    HIGH_THROTTLE,
+    THROTTLE,
+    check,
+    learn,
+    neutral_of,
+    travel_of,
+)
 from tests.support.matrix import examples
 from tests.support.transmitter import HOLD, Stick
 from trex_gui.devices.trex.calibration.channel_curve import ChannelCurve
@@ -21,12 +28,10 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 
 modest = examples(40)
 
-# A wild pulse is not told from an end that is held where the pulses behind it are lost: the board
-# repeats the last value. So a stick has one of both.
+# The board repeats the last value while pulses are lost. A wild pulse before lost pulses would look
+# like an end that is held, so a stick has either wild or lost pulses.
 sticks = st.builds(
-    lambda traits, lost, spikes: replace(
-        traits, **({"lost": lost} if lost else {"spikes": spikes})
-    ),
+    lambda stick, lost, spikes: replace(stick, **({"lost": lost} if lost else {"spikes": spikes})),
     st.builds(
         Stick,
         rest=st.floats(1380, 1620),
@@ -40,34 +45,34 @@ sticks = st.builds(
 )
 
 
-def learned(stick: Stick, channel: int = 1, *, seed: int, reversed_now: bool = False) -> Proposal:
-    """Learn a channel. Its rest position must have no fatal problem."""
+def learn_good_stick(stick: Stick, seed: int, *, reversed_now: bool = False) -> Proposal:
+    """Learn channel 1 from a stick whose rest position has no fatal problem."""
     assume(not any(problem.fatal for problem in neutral_of(stick, seed).problems))
     return learn(stick, seed=seed, reversed_now=reversed_now)
 
 
-def bound(stick: Stick) -> float:
-    """Return the tolerance in counts: one percent of the travel, and the noise."""
+def tolerance(stick: Stick) -> float:
+    """Return the tolerance in counts: one percent of the travel, plus the noise."""
     low, _, high = stick.truth()
     return 0.01 * (high - low) + 5 * max(1.0, stick.noise * stick.source.counts_per_unit)
 
 
 @modest
 @given(stick=sticks, seed=st.integers(0, 2**32))
-def test_ends_are_found_within_one_percent_of_travel(stick: Stick, seed: int) -> None:
-    found = learned(stick, seed=seed).calibration
-    assert found is not None
-    assert found.problem() is None
+def test_ends_are_measured_within_one_percent_of_travel(stick: Stick, seed: int) -> None:
+    calibration = learn_good_stick(stick, seed).calibration
+    assert calibration is not None
+    assert calibration.problem() is None
     low, neutral, high = stick.truth()
-    assert 0 < found.minimum - low <= bound(stick)
-    assert 0 < high - found.maximum <= bound(stick)
-    assert abs(found.neutral - neutral) <= max(1.0, 2.5 * stick.noise)
+    assert 0 < calibration.minimum - low <= tolerance(stick)
+    assert 0 < high - calibration.maximum <= tolerance(stick)
+    assert abs(calibration.neutral - neutral) <= max(1.0, 2.5 * stick.noise)
 
 
 @modest
 @given(stick=sticks, seed=st.integers(0, 2**32))
-def test_calibration_gives_full_output_at_ends_and_zero_at_rest(stick: Stick, seed: int) -> None:
-    proposal = learned(stick, seed=seed)
+def test_calibration_gives_full_output_at_ends_and_0_at_rest(stick: Stick, seed: int) -> None:
+    proposal = learn_good_stick(stick, seed)
     assert proposal.calibration is not None
     low, neutral, high = stick.truth()
     noise = 2 * stick.noise * 2.5
@@ -80,7 +85,7 @@ def test_calibration_gives_full_output_at_ends_and_zero_at_rest(stick: Stick, se
 @modest
 @given(stick=sticks, now=st.booleans(), seed=st.integers(0, 2**32))
 def test_reversed_is_suggested_when_forward_is_down(stick: Stick, now: bool, seed: int) -> None:
-    proposal = learned(stick, seed=seed, reversed_now=now)
+    proposal = learn_good_stick(stick, seed, reversed_now=now)
     assert proposal.reversed_ is stick.forward_is_down
     suggested = "should be reversed." if stick.forward_is_down else "should not be reversed."
     assert proposal.reversed_reason.endswith(suggested if stick.forward_is_down != now else "")
@@ -89,15 +94,15 @@ def test_reversed_is_suggested_when_forward_is_down(stick: Stick, now: bool, see
 
 @modest
 @given(low=st.floats(0.2, 1.5), high=st.floats(3.5, 4.8), seed=st.integers(0, 2**32))
-def test_analog_ends_are_found_within_one_percent_of_travel(
+def test_analog_ends_are_measured_within_one_percent_of_travel(
     low: float, high: float, seed: int
 ) -> None:
     stick = Stick(rest=2.5, low=low, high=high, noise=0.004, source=InputSource.ANALOG)
-    found = learn(stick, seed=seed).calibration
-    assert found is not None
+    calibration = learn(stick, seed=seed).calibration
+    assert calibration is not None
     minimum, _, maximum = stick.truth()
-    assert 0 < found.minimum - minimum <= bound(stick)
-    assert 0 < maximum - found.maximum <= bound(stick)
+    assert 0 < calibration.minimum - minimum <= tolerance(stick)
+    assert 0 < maximum - calibration.maximum <= tolerance(stick)
 
 
 @modest
@@ -140,7 +145,7 @@ ONLY_UP = ((0.3, 1.0), (0.3, 1.0), (0.3, 0.0), (0.3, 0.0))
         (Stick(low=1300), HOLD, ProblemKind.UNEVEN),
     ],
 )
-def test_travel_that_does_not_fit_is_reported(
+def test_unsuitable_travel_is_reported(
     stick: Stick, moves: tuple[tuple[float, float], ...], kind: ProblemKind
 ) -> None:
     proposal = learn(stick, moves=moves)
@@ -158,14 +163,12 @@ def test_too_little_travel_is_reported_with_required_travel() -> None:
 
 def test_neutral_outside_travel_is_reported() -> None:
     neutral = neutral_of(Stick())
-    moved = Stick(rest=1700, low=1650, high=2000)
-    travel = travel_of(moved, neutral)
+    travel = travel_of(Stick(rest=1700, low=1650, high=2000), neutral)
     assert [problem.kind for problem in travel.problems] == [ProblemKind.NEUTRAL_OUTSIDE]
 
 
 def test_outlier_pulses_do_not_extend_travel() -> None:
-    stick = Stick(spikes=0.02)
-    travel = travel_of(stick, neutral_of(Stick()), seed=5)
+    travel = travel_of(Stick(spikes=0.02), neutral_of(Stick()), seed=5)
     assert abs(travel.end(Way.UP) - 5000) <= 2
     assert abs(travel.end(Way.DOWN) - 2500) <= 2
 
@@ -176,48 +179,48 @@ def test_signal_lost_during_travel_is_reported() -> None:
 
 
 def travel_of_counts(counts: list[int | None]) -> Travel:
-    """Feed these counts, 50 a second, to a stick that rests at 3750."""
+    """Return the travel of a stick that rests at 3750 and gives 50 counts a second."""
     travel = Travel(neutral_of(Stick()), Task.STICK)
-    for step, count in enumerate(counts):
-        travel.feed(ChannelSample(step / 50, count))
+    for index, count in enumerate(counts):
+        travel.feed(ChannelSample(index / 50, count))
     return travel
 
 
-def test_wild_pulse_before_lost_pulses_is_no_end() -> None:
+def test_wild_pulse_before_lost_pulses_is_not_an_end() -> None:
     """The board repeats the wild value for each lost pulse, for up to 100 ms."""
     wild: list[int | None] = [*[5600] * 5, *[3750] * 20]
-    still = travel_of_counts([*[3750] * 20, *wild])
-    assert still.end(Way.UP) == 3750
+    at_rest = travel_of_counts([*[3750] * 20, *wild])
+    assert at_rest.end(Way.UP) == 3750
     pushed = travel_of_counts([*[5000] * 15, *[2500] * 15, *wild])
     assert pushed.end(Way.UP) == 5000
     assert pushed.is_enough
 
 
 def problems_with_lost_samples(lost: int) -> list[tuple[ProblemKind, str]]:
-    """Push a stick to both ends. `lost` of the 50 samples have no signal."""
+    """Push a stick to both ends. `lost` is the number without signal among 50 samples."""
     travel = travel_of_counts([*[None] * lost, *[5000] * 15, *[2500] * (35 - lost)])
     return [(problem.kind, problem_text(problem)) for problem in travel.problems]
 
 
-def test_lost_samples_are_reported_only_beyond_one_tenth() -> None:
+def test_lost_samples_are_reported_only_beyond_ten_percent() -> None:
     assert problems_with_lost_samples(5) == []
     ((kind, text),) = problems_with_lost_samples(6)
     assert kind is ProblemKind.JITTER
     assert "12\u00a0% of the samples had no valid pulse" in text
 
 
-def test_no_signal_is_reported_beyond_half_of_samples() -> None:
+def test_no_signal_is_reported_if_most_samples_are_lost() -> None:
     assert [kind for kind, _ in problems_with_lost_samples(25)] == [ProblemKind.JITTER]
     assert [kind for kind, _ in problems_with_lost_samples(26)] == [ProblemKind.NO_SIGNAL]
 
 
 def test_first_end_is_known_once_travel_is_enough() -> None:
-    least = least_travel(neutral_of(Stick()).deadband)
-    assert travel_of_counts([3750 - least + 1] * WINDOW).first is None
-    assert travel_of_counts([3750 - least] * WINDOW).first is Way.DOWN
+    required = least_travel(neutral_of(Stick()).deadband)
+    assert travel_of_counts([3750 - required + 1] * WINDOW).first is None
+    assert travel_of_counts([3750 - required] * WINDOW).first is Way.DOWN
 
 
-def test_only_travelled_direction_counts_as_reached() -> None:
+def test_only_the_travelled_direction_counts_as_reached() -> None:
     travel = travel_of(Stick(), neutral_of(Stick()), moves=ONLY_UP)
     assert travel.reached(Way.UP)
     assert not travel.reached(Way.DOWN)
@@ -225,19 +228,20 @@ def test_only_travelled_direction_counts_as_reached() -> None:
     assert not travel.is_enough
 
 
-def test_two_way_switch_resting_high_needs_no_middle() -> None:
+def test_two_position_switch_resting_high_needs_no_middle() -> None:
     switch = Stick(rest=1900, low=1100, high=1900, forward_is_down=True)
     proposal = learn(switch, channel=4)
     assert proposal.problems == ()
-    found = proposal.calibration
-    assert found is not None
-    assert found.neutral == 4750
-    assert (found.minimum + found.neutral) / 2 == 3760 + (found.minimum - 2770) / 2
+    calibration = proposal.calibration
+    assert calibration is not None
+    assert calibration.neutral == 4750
+    middle = (calibration.minimum + calibration.neutral) / 2
+    assert middle == 3760 + (calibration.minimum - 2770) / 2
     assert not proposal.reversed_
 
 
 def test_switch_resting_low_is_reversed_to_be_off_at_rest() -> None:
-    proposal = learn(Stick(rest=1100, low=1100, high=1900), channel=5)
+    proposal = learn(THROTTLE, channel=5)
     assert proposal.problems == ()
     assert proposal.reversed_
     assert "than the rest position" in proposal.reversed_reason
@@ -245,7 +249,7 @@ def test_switch_resting_low_is_reversed_to_be_off_at_rest() -> None:
     assert proposal.calibration.problem() is None
 
 
-def test_three_way_switch_keeps_its_direction() -> None:
+def test_three_position_switch_keeps_its_direction() -> None:
     proposal = learn(Stick(rest=1500, low=1100, high=1900), channel=4, reversed_now=True)
     assert proposal.problems == ()
     assert proposal.reversed_
@@ -260,21 +264,18 @@ def test_throttle_on_channel_3_may_rest_at_its_end() -> None:
     assert remap(2500, proposal.calibration) == 0
 
 
-THROTTLE = Stick(rest=1100, low=1100, high=1900)
-
-
-@pytest.mark.parametrize("stick", [THROTTLE, Stick(rest=1900, low=1100, high=1900)])
+@pytest.mark.parametrize("stick", [THROTTLE, HIGH_THROTTLE])
 def test_trim_beyond_throttle_rest_gives_low_auxiliary_speed(stick: Stick) -> None:
-    found = learn(stick, channel=3, moves=HOLD).calibration
-    assert found is not None
-    beyond = -250 if stick.rest < 1500 else 250
-    assert abs(remap(round(stick.rest * 2.5) + beyond, found)) <= 25
-    assert abs(remap(round(stick.rest * 2.5) + beyond * 6 // 10, found)) <= 10
+    calibration = learn(stick, channel=3).calibration
+    assert calibration is not None
+    trim = -250 if stick.rest < 1500 else 250
+    assert abs(remap(round(stick.rest * 2.5) + trim, calibration)) <= 25
+    assert abs(remap(round(stick.rest * 2.5) + trim * 6 // 10, calibration)) <= 10
 
 
-def test_throttle_idle_end_is_put_at_input_limit() -> None:
+def test_throttle_end_at_rest_is_set_to_the_input_limit() -> None:
     low = learn(THROTTLE, channel=3).calibration
-    high = learn(Stick(rest=1900, low=1100, high=1900), channel=3).calibration
+    high = learn(HIGH_THROTTLE, channel=3).calibration
     assert low is not None
     assert high is not None
     assert (low.minimum, high.maximum) == (1250, 6250), "0.5 and 2.5 ms"
@@ -282,27 +283,23 @@ def test_throttle_idle_end_is_put_at_input_limit() -> None:
 
 def test_analog_throttle_calibration_extends_beyond_its_rest() -> None:
     stick = Stick(rest=1.0, low=1.0, high=4.5, source=InputSource.ANALOG)
-    found = learn(stick, channel=3).calibration
-    assert found is not None
-    assert found.minimum == 0
+    calibration = learn(stick, channel=3).calibration
+    assert calibration is not None
+    assert calibration.minimum == 0
     stick = Stick(rest=4.0, low=0.5, high=4.0, source=InputSource.ANALOG, forward_is_down=True)
-    found = learn(stick, channel=3).calibration
-    assert found is not None
-    assert remap(1023, found) < 127
+    calibration = learn(stick, channel=3).calibration
+    assert calibration is not None
+    assert remap(1023, calibration) < 127
 
 
 @modest
 @given(rest=st.floats(600, 2400), seed=st.integers(0, 2**32))
-def test_throttle_output_stays_low_just_beyond_its_rest(rest: float, seed: int) -> None:
-    far = 2400.0 if rest < 1500 else 600.0
-    stick = Stick(rest=rest, low=min(rest, far), high=max(rest, far), forward_is_down=rest > far)
-    found = learn(stick, channel=3, seed=seed).calibration
-    assert found is not None
-    assert abs(remap(round(rest * 2.5) + (-150 if rest < far else 150), found)) <= 20
-
-
-def texts(check_: Check) -> list[str]:
-    return [problem_text(problem) for problem in check_.problems]
+def test_throttle_output_stays_low_just_beyond_the_rest(rest: float, seed: int) -> None:
+    end = 2400.0 if rest < 1500 else 600.0
+    stick = Stick(rest=rest, low=min(rest, end), high=max(rest, end), forward_is_down=rest > end)
+    calibration = learn(stick, channel=3, seed=seed).calibration
+    assert calibration is not None
+    assert abs(remap(round(rest * 2.5) + (-150 if rest < end else 150), calibration)) <= 20
 
 
 def test_full_speed_beyond_throttle_rest_is_reported() -> None:
@@ -338,7 +335,8 @@ def test_unsuitable_calibration_is_reported(
     channel: int, points: tuple[int, int, int, int], words: str
 ) -> None:
     stick = THROTTLE if channel == 3 else Stick()
-    assert words in " ".join(texts(check(stick, channel, Calibration(*points))))
+    problems = check(stick, channel, Calibration(*points)).problems
+    assert words in " ".join(problem_text(problem) for problem in problems)
 
 
 @pytest.mark.parametrize("channel", [1, 3, 4])
@@ -350,7 +348,7 @@ def test_proposed_calibration_has_no_problems(channel: int) -> None:
 # --- Switches ---------------------------------------------------------------------------
 
 
-def test_switching_point_is_reported_as_inferred() -> None:
+def test_switching_point_is_described_as_inferred() -> None:
     text = check(THROTTLE, 5).remark
     assert "Active above 1495 µs, halfway between neutral and maximum (inferred)" in text
     assert text.endswith("At rest the switch is off.")
@@ -364,32 +362,28 @@ def test_unreversed_switch_resting_low_is_reported() -> None:
 
 
 def test_switch_resting_at_its_switching_point_is_reported() -> None:
-    kinds_ = [
-        p.kind
-        for p in check(THROTTLE, 5, Calibration(2700, 2750, 4700, 75), reversed_=False).problems
-    ]
-    assert ProblemKind.SWITCHES_AT_REST in kinds_
+    problems = check(THROTTLE, 5, Calibration(2700, 2750, 4700, 75), reversed_=False).problems
+    assert ProblemKind.SWITCHES_AT_REST in [problem.kind for problem in problems]
 
 
-# --- A hand on the stick, a trim that moves ---------------------------------------------
+# --- Sticks that are held off their rest position ---------------------------------------
 
 
 @modest
 @given(off=st.floats(0.1, 0.3), up=st.booleans(), seed=st.integers(0, 2**32))
 def test_stick_held_off_rest_while_sampled_is_reported(off: float, up: bool, seed: int) -> None:
     stick = Stick(noise=0.5)
-    held = stick.value(off if up else -off)
-    neutral = neutral_of(replace(stick, rest=held), seed)
+    neutral = neutral_of(replace(stick, rest=stick.value(off if up else -off)), seed)
     travel = travel_of(stick, neutral, moves=(*HOLD, (0.5, 0.0)), seed=seed)
     assert abs(travel.rest - 3750) <= 3
-    wanted = propose(neutral, travel, reversed_now=False).calibration
-    assert wanted is not None
-    (problem,) = Check(1, ChannelCurve(wanted), neutral, travel).problems
+    proposed = propose(neutral, travel, reversed_now=False).calibration
+    assert proposed is not None
+    (problem,) = Check(1, ChannelCurve(proposed), neutral, travel).problems
     assert problem.kind is ProblemKind.NEUTRAL_MOVED
-    assert problem_text(problem).startswith("After release the stick rests at 1500 µs, not at ")
-    assert "sample the channel again, or use the new rest" in problem_text(problem)
-    taken = replace(wanted, neutral=travel.rest)
-    assert Check(1, ChannelCurve(taken), neutral, travel).problems == ()
+    assert problem_text(problem).startswith("After release it rests at 1500 µs, not at ")
+    assert "sample it again, or use the new rest" in problem_text(problem)
+    corrected = replace(proposed, neutral=travel.rest)
+    assert Check(1, ChannelCurve(corrected), neutral, travel).problems == ()
 
 
 @pytest.mark.parametrize("held", [1.0, -1.0, 0.7])
@@ -399,16 +393,16 @@ def test_stick_held_off_rest_after_travel_keeps_neutral(held: float) -> None:
     assert travel.settled is not None
     assert travel.rest == neutral.value
     travel = travel_of(Stick(), neutral, moves=(*HOLD, (1.0, 0.4 * held)))
-    assert travel.settled is None, "it moves"
+    assert travel.settled is None, "the stick moves"
 
 
-def test_noisy_stick_settles_when_let_go() -> None:
+def test_noisy_stick_settles_after_its_release() -> None:
     stick = Stick(noise=12)
     travel = travel_of(stick, neutral_of(stick), moves=(*HOLD, (0.5, 0.0)))
     assert travel.settled == pytest.approx(3750, abs=15)
 
 
-# --- Sticks of two axes -----------------------------------------------------------------
+# --- Sticks with two axes ---------------------------------------------------------------
 
 
 @pytest.mark.parametrize("share", [0.2, 0.35, 0.5])
@@ -417,6 +411,5 @@ def test_crosstalk_of_other_axis_does_not_change_reversal(
     share: float, forward_is_down: bool
 ) -> None:
     stick = Stick(forward_is_down=forward_is_down)
-    other = ((0.2, -share), (0.3, -share), (0.3, share), (0.3, share), (0.2, 0.0))
-    found = learn(stick, moves=(*other, *HOLD))
-    assert found.reversed_ is forward_is_down
+    crosstalk = ((0.2, -share), (0.3, -share), (0.3, share), (0.3, share), (0.2, 0.0))
+    assert learn(stick, moves=(*crosstalk, *HOLD)).reversed_ is forward_is_down
