@@ -1,4 +1,4 @@
-"""Moved handles of a calibration stay within the limits of the board."""
+"""Moves of calibration handles within the limits of the board."""
 
 import pytest
 from hypothesis import given
@@ -8,7 +8,7 @@ from trex_gui.devices.trex.model.calibration_moves import Handle, moved, within_
 from trex_gui.devices.trex.protocol.calibration import HIGHEST_CODED, Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
 
-USUAL = Calibration(2500, 3750, 5000, 75)
+CALIBRATION = Calibration(2500, 3750, 5000, 75)
 
 counts = st.integers(0, HIGHEST_CODED)
 
@@ -22,16 +22,16 @@ def calibrations(draw: st.DrawFn) -> Calibration:
 
 
 @given(calibration=calibrations(), handle=st.sampled_from(Handle), count=counts)
-def test_moved_handle_gives_a_calibration_the_board_accepts(
+def test_moved_handle_gives_a_valid_calibration(
     calibration: Calibration, handle: Handle, count: int
 ) -> None:
-    made, why = moved(calibration, handle, count)
-    assert made.problem() is None
-    assert (handle.count(made) == count) == (why == "")
+    result, reason = moved(calibration, handle, count)
+    assert result.problem() is None
+    assert (handle.count(result) == count) == (reason == "")
 
 
 @pytest.mark.parametrize(
-    ("source", "handle", "count", "kept", "words"),
+    ("source", "handle", "count", "limited", "reason"),
     [
         (InputSource.RC, Handle.MAXIMUM, 6250, 6250, ""),
         (InputSource.RC, Handle.MAXIMUM, 7000, 6250, "Pulses range from 500 µs to 2500 µs."),
@@ -41,31 +41,31 @@ def test_moved_handle_gives_a_calibration_the_board_accepts(
     ],
 )
 def test_handle_is_limited_to_the_input_range(
-    source: InputSource, handle: Handle, count: int, kept: int, words: str
+    source: InputSource, handle: Handle, count: int, limited: int, reason: str
 ) -> None:
-    calibration = USUAL if source is InputSource.RC else Calibration(100, 512, 900, 20)
-    assert within_input(calibration, handle, count, source) == (kept, words)
+    calibration = CALIBRATION if source is InputSource.RC else Calibration(100, 512, 900, 20)
+    assert within_input(calibration, handle, count, source) == (limited, reason)
 
 
-def test_handle_beyond_the_input_range_may_stay() -> None:
+def test_handle_beyond_the_input_range_may_remain_there() -> None:
     wide = Calibration(100, 3750, 15000, 75)
     assert within_input(wide, Handle.MAXIMUM, 14000, InputSource.RC) == (14000, "")
     assert within_input(wide, Handle.MINIMUM, 50, InputSource.RC)[0] == 100
 
 
 def test_each_handle_changes_its_own_value() -> None:
-    assert moved(USUAL, Handle.MINIMUM, 2400)[0] == Calibration(2400, 3750, 5000, 75)
-    assert moved(USUAL, Handle.NEUTRAL, 3700)[0] == Calibration(2500, 3700, 5000, 75)
-    assert moved(USUAL, Handle.MAXIMUM, 5100)[0] == Calibration(2500, 3750, 5100, 75)
-    assert moved(USUAL, Handle.DEADBAND_LOW, 3650)[0].deadband == 100
-    assert moved(USUAL, Handle.DEADBAND_HIGH, 3790)[0].deadband == 40
+    assert moved(CALIBRATION, Handle.MINIMUM, 2400)[0] == Calibration(2400, 3750, 5000, 75)
+    assert moved(CALIBRATION, Handle.NEUTRAL, 3700)[0] == Calibration(2500, 3700, 5000, 75)
+    assert moved(CALIBRATION, Handle.MAXIMUM, 5100)[0] == Calibration(2500, 3750, 5100, 75)
+    assert moved(CALIBRATION, Handle.DEADBAND_LOW, 3650)[0].deadband == 100
+    assert moved(CALIBRATION, Handle.DEADBAND_HIGH, 3790)[0].deadband == 40
 
 
-def test_blocked_handle_names_what_blocks_it() -> None:
-    assert moved(USUAL, Handle.MINIMUM, 4000)[1] == "Minimum cannot pass neutral."
-    assert moved(USUAL, Handle.NEUTRAL, 2000)[1] == "Neutral cannot pass minimum."
-    assert moved(USUAL, Handle.NEUTRAL, 6000)[1] == "Neutral cannot pass maximum."
-    assert moved(USUAL, Handle.MAXIMUM, 3000)[1] == "Maximum cannot pass neutral."
-    assert moved(USUAL, Handle.DEADBAND_HIGH, 3000)[1] == "The deadband ends at neutral."
-    at_the_end = Calibration(2500, 5000, 5000, 0)
-    assert moved(at_the_end, Handle.MINIMUM, 5000)[1] == "Minimum and maximum must differ."
+def test_blocked_handle_names_the_blocking_value() -> None:
+    assert moved(CALIBRATION, Handle.MINIMUM, 4000)[1] == "Minimum cannot pass neutral."
+    assert moved(CALIBRATION, Handle.NEUTRAL, 2000)[1] == "Neutral cannot pass minimum."
+    assert moved(CALIBRATION, Handle.NEUTRAL, 6000)[1] == "Neutral cannot pass maximum."
+    assert moved(CALIBRATION, Handle.MAXIMUM, 3000)[1] == "Maximum cannot pass neutral."
+    assert moved(CALIBRATION, Handle.DEADBAND_HIGH, 3000)[1] == "The deadband ends at neutral."
+    neutral_at_maximum = Calibration(2500, 5000, 5000, 0)
+    assert moved(neutral_at_maximum, Handle.MINIMUM, 5000)[1] == "Minimum and maximum must differ."

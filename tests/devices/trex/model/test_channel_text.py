@@ -18,7 +18,7 @@ from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.errors import Rejected, ResultCode
 from trex_gui.devices.trex.protocol.flags import InputSource, Mode
 
-USUAL = Calibration(2500, 3750, 5000, 75)
+CALIBRATION = Calibration(2500, 3750, 5000, 75)
 
 
 @pytest.mark.parametrize(
@@ -42,38 +42,34 @@ USUAL = Calibration(2500, 3750, 5000, 75)
         (5, Mode.RC, {"reversed_": True}, "while the input is above about 1750 µs (inferred)"),
     ],
 )
-def test_function_text_of_channel(
+def test_function_text_describes_the_channel(
     channel: int, mode: Mode, state: dict[str, Any], words: str
 ) -> None:
     options = {"joint": False} | {key: state[key] for key in ("joint", "mixed") if key in state}
-    curve = ChannelCurve(USUAL, **{key: state[key] for key in state.keys() - options.keys()})
+    curve = ChannelCurve(CALIBRATION, **{key: state[key] for key in state.keys() - options.keys()})
     assert words in function_text(channel, mode, curve, InputSource.RC, **options)
 
 
 def test_override_is_reported_with_channel_5() -> None:
-    said = [
+    texts = [
         function_text(channel, Mode.RC, None, InputSource.RC, joint=False, overridden=True)
         for channel in (1, 2, 3, 4, 5)
     ]
-    assert [
-        text.startswith("Has no effect now: serial commands override it.") for text in said
-    ] == [
-        *(True, True, True),
-        *(False, False),
-    ]
-    assert said[4].startswith("On now. It is the override switch")
+    beginning = "Has no effect now: serial commands override it."
+    assert [text.startswith(beginning) for text in texts] == [True] * 3 + [False] * 2
+    assert texts[4].startswith("On now. It is the override switch")
 
 
-def test_input_source_instruction_depends_on_mode() -> None:
+def test_input_source_instruction_depends_on_the_mode() -> None:
     assert "Channel Input Source" in source_instructions(InputSource.ANALOG, Mode.SERIAL_RC)
     assert "mode jumper to analog" in source_instructions(InputSource.ANALOG, Mode.RC)
     assert "mode jumper to RC" in source_instructions(InputSource.RC, Mode.ANALOG)
 
 
-def test_result_codes_of_board_are_explained() -> None:
-    bad = write_failure(Rejected("Calibration of channel 2", ResultCode.BAD_VALUE))
-    assert "code 2" in bad
-    assert "minimum is not above neutral" in bad
+def test_result_codes_of_the_board_are_explained() -> None:
+    value = write_failure(Rejected("Calibration of channel 2", ResultCode.BAD_VALUE))
+    assert "code 2" in value
+    assert "minimum is not above neutral" in value
     mode = write_failure(Rejected("Calibration of channel 2", ResultCode.NOT_SERIAL_MODE))
     assert "code 3" in mode
     assert "mode jumper" in mode
@@ -82,14 +78,14 @@ def test_result_codes_of_board_are_explained() -> None:
 
 def test_wrong_calibration_order_is_described_in_units() -> None:
     rc = InputSource.RC
-    assert wrong_order(USUAL, rc) == ""
+    assert wrong_order(CALIBRATION, rc) == ""
     assert "minimum 1600 µs" in wrong_order(Calibration(4000, 3750, 5000, 75), rc)
     assert "maximum 1200 µs" in wrong_order(Calibration(2500, 3750, 3000, 75), rc)
     assert "both 2.50 V" in wrong_order(Calibration(512, 512, 512, 0), InputSource.ANALOG)
 
 
-def test_values_within_their_ranges_are_no_concern() -> None:
-    assert concern(USUAL, InputSource.RC) == ""
+def test_calibration_within_the_input_range_is_no_concern() -> None:
+    assert concern(CALIBRATION, InputSource.RC) == ""
     assert concern(Calibration(1250, 3750, 6250, 75), InputSource.RC) == ""
     assert concern(Calibration(0, 512, 1023, 20), InputSource.ANALOG) == ""
     assert "reaches minimum" in concern(Calibration(3700, 3750, 5000, 75), InputSource.RC)
@@ -100,11 +96,7 @@ def test_values_within_their_ranges_are_no_concern() -> None:
     [
         (Calibration(2500, 3750, 15000, 75), InputSource.RC, "Maximum (6000 µs) is outside"),
         (Calibration(250, 3750, 5000, 75), InputSource.RC, "Minimum (100 µs) is outside"),
-        (
-            Calibration(1249, 3750, 6251, 75),
-            InputSource.RC,
-            "Minimum (499.6 µs) is outside",
-        ),
+        (Calibration(1249, 3750, 6251, 75), InputSource.RC, "Minimum (499.6 µs) is outside"),
         (Calibration(100, 512, 1100, 20), InputSource.ANALOG, "Maximum (5.376 V) is outside"),
         (Calibration(2500, 7000, 9000, 75), InputSource.RC, "Neutral (2800 µs) is outside"),
     ],
@@ -112,8 +104,8 @@ def test_values_within_their_ranges_are_no_concern() -> None:
 def test_calibration_beyond_input_range_is_a_concern(
     calibration: Calibration, source: InputSource, words: str
 ) -> None:
-    said = concern(calibration, source)
-    assert said.startswith(words)
-    assert said == unreachable_warning(calibration, source)
-    assert ("Pulses range from 500 µs to 2500 µs." in said) is (source is InputSource.RC)
-    assert ("Voltages range from 0.00 V to 5.00 V." in said) is (source is InputSource.ANALOG)
+    text = concern(calibration, source)
+    assert text.startswith(words)
+    assert text == unreachable_warning(calibration, source)
+    assert ("Pulses range from 500 µs to 2500 µs." in text) is (source is InputSource.RC)
+    assert ("Voltages range from 0.00 V to 5.00 V." in text) is (source is InputSource.ANALOG)

@@ -1,4 +1,4 @@
-"""Lines that end without a last report."""
+"""Connections without a running session."""
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -14,29 +14,29 @@ from trex_gui.ui.runtime import runtime
 
 
 @pytest.mark.parametrize("drives", [False, True])
-def test_crashed_session_closes_the_line_and_keeps_may_move(
+def test_crashed_session_closes_the_line_and_retains_may_move(
     qtbot: QtBot, monkeypatch: pytest.MonkeyPatch, drives: bool
 ) -> None:
     monkeypatch.setattr(TrexSession, "run", lambda _: runtime().sleep(0.1))
-    line = Connection()
-    line.open(ConnectionSettings("nowhere"), may_move=False)
+    connection = Connection()
+    connection.open(ConnectionSettings("nowhere"), may_move=False)
     if drives:
-        line.submit(SetMotor(1, Drive.at(20)))
-    with qtbot.waitSignal(line.closed) as last:
+        connection.submit(SetMotor(1, Drive.at(20)))
+    with qtbot.waitSignal(connection.closed) as signal:
         pass
-    assert isinstance(last.args, list)
-    (closed,) = last.args
+    assert isinstance(signal.args, list)
+    (closed,) = signal.args
     assert isinstance(closed, Closed)
     assert "Internal error" in str(closed.error)
     assert closed.may_move is drives
-    assert not line.is_open
+    assert not connection.is_open
 
 
-def test_requests_without_a_session_are_rejected(qtbot: QtBot) -> None:
-    del qtbot
-    line = Connection()
+@pytest.mark.usefixtures("qapp")
+def test_requests_without_a_session_are_rejected() -> None:
+    connection = Connection()
     outcomes: list[object] = []
-    assert not line.request(Reload, outcomes.append)
-    assert not line.submit(Reload(1))
+    assert not connection.request(Reload, outcomes.append)
+    assert not connection.submit(Reload(1))
     assert outcomes == []
-    assert line.shut_down()
+    assert connection.shut_down()

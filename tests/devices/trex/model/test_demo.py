@@ -1,4 +1,4 @@
-"""Panel of the simulated board: control lines and displayed state."""
+"""Control of the simulated board: control lines and displayed state."""
 
 from collections.abc import Callable, Iterator
 
@@ -41,21 +41,22 @@ def board(qtbot: QtBot) -> Iterator[RecordingDemoBoard]:
     board.simulator.stop()
 
 
-def seen(board: DemoBoard) -> DemoSnapshot:
+def snapshot_of(board: DemoBoard) -> DemoSnapshot:
     assert board.snapshot is not None
     return board.snapshot
 
 
-# --- Display ----------------------------------------------------------------------------
+# --- Snapshots --------------------------------------------------------------------------
 
 
-def test_new_board_starts_in_serial_mode_with_moving_sticks(board: RecordingDemoBoard) -> None:
-    assert seen(board).power
-    assert seen(board).mode is Mode.SERIAL_RC
-    assert seen(board).jumpers.mode == "serial"
-    assert len(seen(board).channels) == 5
-    assert len(seen(board).motors) == 2
-    assert seen(board).line.plugged
+def test_new_board_starts_in_serial_mode_with_automatic_sticks(board: RecordingDemoBoard) -> None:
+    snapshot = snapshot_of(board)
+    assert snapshot.power
+    assert snapshot.mode is Mode.SERIAL_RC
+    assert snapshot.jumpers.mode == "serial"
+    assert len(snapshot.channels) == 5
+    assert len(snapshot.motors) == 2
+    assert snapshot.line.plugged
     assert board.automatic == frozenset(CHANNELS)
 
 
@@ -65,13 +66,13 @@ def test_unwatched_board_is_not_polled(board: RecordingDemoBoard) -> None:
     board.watch(False)
     board.simulator.lines.clear()
     board.set_mix(True)
-    answers: list[str] = []
-    board.simulator.send("jumper mix on", answers.append)
-    board.wait(lambda: answers != [])
+    replies: list[str] = []
+    board.simulator.send("jumper mix on", replies.append)
+    board.wait(lambda: replies != [])
     assert board.simulator.lines == ["jumper mix on", "jumper mix on"]
 
 
-def test_ended_simulator_clears_the_snapshot(board: RecordingDemoBoard, qtbot: QtBot) -> None:
+def test_end_of_the_simulator_clears_the_snapshot(board: RecordingDemoBoard, qtbot: QtBot) -> None:
     board.hold_stick(1, 1200)
     with qtbot.waitSignal(board.simulator.ended):
         board.simulator.stop()
@@ -82,9 +83,9 @@ def test_ended_simulator_clears_the_snapshot(board: RecordingDemoBoard, qtbot: Q
     board.wait(lambda: board.snapshot is not None)
 
 
-def test_snapshot_is_parsed_from_show() -> None:
+def test_snapshot_is_parsed_from_the_reply_to_show() -> None:
     line = SimulatedBoards([Board()])
-    for text in (
+    for command in (
         "channel 2 silent",
         "load 1 4.5",
         "fault 2 on",
@@ -92,7 +93,7 @@ def test_snapshot_is_parsed_from_show() -> None:
         "jumper mix on",
         "jumper so-ground on",
     ):
-        assert control(line, text).startswith("ok")
+        assert control(line, command).startswith("ok")
     line.faults.mute = True
     line.faults.noise = 0.012
     line.advance(0.2)
@@ -129,7 +130,7 @@ def test_stick_position_follows_its_signal(
 # --- Controls ---------------------------------------------------------------------------
 
 
-HANDS: list[tuple[str, Callable[[DemoBoard], None]]] = [
+CONTROLS: list[tuple[str, Callable[[DemoBoard], None]]] = [
     ("power off", lambda board: board.set_power(False)),
     ("jumper mix on", lambda board: board.set_mix(True)),
     ("jumper so-ground on", lambda board: board.set_so_ground(True)),
@@ -143,74 +144,65 @@ HANDS: list[tuple[str, Callable[[DemoBoard], None]]] = [
 ]
 
 
-def test_each_hand_sends_its_control_line(board: RecordingDemoBoard, qtbot: QtBot) -> None:
-    for line, act in HANDS:
+def test_each_control_sends_its_control_line(board: RecordingDemoBoard, qtbot: QtBot) -> None:
+    for line, operate in CONTROLS:
         board.simulator.lines.clear()
-        answers: list[str] = []
+        replies: list[str] = []
         with qtbot.assertNotEmitted(board.rejected):
-            act(board)
-            board.simulator.send("show", answers.append)
-            board.wait(lambda: bool(answers))  # noqa: B023
+            operate(board)
+            board.simulator.send("show", replies.append)
+            board.wait(lambda: bool(replies))  # noqa: B023
         assert board.simulator.orders() == [line]
 
 
-def test_power_cycle_is_visible_and_runs_once(board: RecordingDemoBoard) -> None:
-    off: list[bool] = []
-
-    def on_changed() -> None:
-        off.append(board.snapshot is not None and not board.snapshot.power)
-
-    board.changed.connect(on_changed)
+def test_power_cycle_is_displayed_and_runs_once(board: RecordingDemoBoard) -> None:
+    powers: list[bool] = []
+    board.changed.connect(lambda: powers.append(snapshot_of(board).power))
     board.simulator.lines.clear()
     board.power_cycle()
-    board.power_cycle()  # not complete yet
-    board.wait(lambda: "power on" in board.simulator.lines and seen(board).power)
+    board.power_cycle()  # the first is not complete yet
+    board.wait(lambda: "power on" in board.simulator.lines and snapshot_of(board).power)
     assert board.simulator.orders() == ["power off", "power on"]
-    assert any(off)
+    assert False in powers
 
 
-def test_stick_positions_are_coalesced_to_first_and_last(board: RecordingDemoBoard) -> None:
+def test_only_first_and_last_stick_position_are_sent(board: RecordingDemoBoard) -> None:
     board.simulator.lines.clear()
     for microseconds in range(1000, 2001):
         board.hold_stick(1, microseconds)
-    board.wait(lambda: seen(board).channels[0].raw == InputSource.RC.counts(2000))
+    board.wait(lambda: snapshot_of(board).channels[0].raw == InputSource.RC.counts(2000))
     assert board.simulator.orders() == ["channel 1 1000us", "channel 1 2000us"]
     assert board.automatic == {2, 3, 4, 5}
 
 
-def test_snapshot_older_than_a_command_is_not_shown(board: RecordingDemoBoard) -> None:
+def test_snapshot_from_before_a_command_is_not_displayed(board: RecordingDemoBoard) -> None:
     board.hold_stick(1, 1000)
-    board.wait(lambda: seen(board).channels[0].signal == "1000us")
-    shown: list[str] = []
+    board.wait(lambda: snapshot_of(board).channels[0].signal == "1000us")
+    signals: list[str] = []
     board.wait(lambda: board.simulator.lines[-1] == "show")  # a snapshot was requested
     board.hold_stick(1, 2000)
-
-    def on_changed() -> None:
-        if board.snapshot is not None:
-            shown.append(board.snapshot.channels[0].signal)
-
-    board.changed.connect(on_changed)
-    board.wait(lambda: "2000us" in shown)
-    assert "1000us" not in shown
+    board.changed.connect(lambda: signals.append(snapshot_of(board).channels[0].signal))
+    board.wait(lambda: "2000us" in signals)
+    assert "1000us" not in signals
 
 
 def test_restored_signal_returns_to_the_stick_position(board: RecordingDemoBoard) -> None:
     board.hold_stick(3, 1700)
     board.set_silent(3, True)
-    board.wait(lambda: not seen(board).channels[2].has_signal)
-    board.wait(lambda: seen(board).channels[2].raw is None)
+    board.wait(lambda: not snapshot_of(board).channels[2].has_signal)
+    board.wait(lambda: snapshot_of(board).channels[2].raw is None)
     board.set_silent(3, False)
-    board.wait(lambda: seen(board).channels[2].raw == InputSource.RC.counts(1700))
+    board.wait(lambda: snapshot_of(board).channels[2].raw == InputSource.RC.counts(1700))
     board.set_silent(1, True)
-    board.wait(lambda: not seen(board).channels[0].has_signal)
+    board.wait(lambda: not snapshot_of(board).channels[0].has_signal)
     board.set_automatic(False)
     board.center_sticks()
     board.set_automatic(True)
     board.set_mix(True)
-    board.wait(lambda: seen(board).jumpers.mix)
-    assert not seen(board).channels[0].has_signal, "it stays silent when sticks move"
+    board.wait(lambda: snapshot_of(board).jumpers.mix)
+    assert not snapshot_of(board).channels[0].has_signal, "moving sticks do not restore it"
     board.set_silent(1, False)
-    board.wait(lambda: seen(board).channels[0].raw is not None)
+    board.wait(lambda: snapshot_of(board).channels[0].raw is not None)
     assert 1 in board.automatic
 
 
@@ -220,20 +212,22 @@ def test_automatic_sticks_can_be_stopped_and_restarted(board: RecordingDemoBoard
     assert len(board.simulator.orders()) == 5
     board.set_automatic(True)
     assert board.automatic == frozenset(CHANNELS)
-    first = seen(board).channels[0].raw
-    board.wait(lambda: seen(board).channels[0].raw != first)
+    first = snapshot_of(board).channels[0].raw
+    board.wait(lambda: snapshot_of(board).channels[0].raw != first)
 
 
 def test_centering_the_sticks_ends_safe_start(board: RecordingDemoBoard) -> None:
     board.hold_stick(1, 2000)
     board.set_mode_jumper("rc")
     board.power_cycle()
-    board.wait(lambda: seen(board).mode is Mode.RC and seen(board).safe_start)
+    board.wait(lambda: snapshot_of(board).mode is Mode.RC and snapshot_of(board).safe_start)
     board.center_sticks()
-    board.wait(lambda: not seen(board).safe_start)
+    board.wait(lambda: not snapshot_of(board).safe_start)
 
 
-def test_sticks_are_centred_while_no_panel_watches(board: RecordingDemoBoard, qtbot: QtBot) -> None:
+def test_sticks_can_be_centered_while_no_panel_is_visible(
+    board: RecordingDemoBoard, qtbot: QtBot
+) -> None:
     board.watch(False)
     board.simulator.stop()
     board.wait(lambda: board.snapshot is None)
@@ -249,18 +243,20 @@ def test_held_sticks_keep_their_position_in_analog_mode(board: RecordingDemoBoar
     board.hold_stick(2, 1500)
     board.set_mode_jumper("analog")
     board.power_cycle()
-    board.wait(lambda: seen(board).channels[0].raw == 1023)
-    board.wait(lambda: seen(board).channels[1].raw == InputSource.ANALOG.counts(2.5))
+    board.wait(lambda: snapshot_of(board).channels[0].raw == 1023)
+    board.wait(lambda: snapshot_of(board).channels[1].raw == InputSource.ANALOG.counts(2.5))
 
 
-def test_replugged_cable_gets_a_working_url(board: RecordingDemoBoard, qtbot: QtBot) -> None:
+def test_replugged_cable_is_reachable_at_the_reported_url(
+    board: RecordingDemoBoard, qtbot: QtBot
+) -> None:
     board.set_plugged(False)
-    board.wait(lambda: not board.simulator.plugged and not seen(board).line.plugged)
+    board.wait(lambda: not board.simulator.plugged and not snapshot_of(board).line.plugged)
     board.set_plugged(True)
-    board.wait(lambda: board.simulator.plugged and seen(board).line.plugged)
-    with qtbot.waitSignal(board.simulator.ready) as again:
+    board.wait(lambda: board.simulator.plugged and snapshot_of(board).line.plugged)
+    with qtbot.waitSignal(board.simulator.ready) as ready:
         board.simulator.start()
-    assert again.args == [board.simulator.url]
+    assert ready.args == [board.simulator.url]
 
 
 def test_factory_reset_restores_board_and_sticks(board: RecordingDemoBoard) -> None:
@@ -270,25 +266,28 @@ def test_factory_reset_restores_board_and_sticks(board: RecordingDemoBoard) -> N
     board.set_silent(4, True)
     board.set_noise(0.02)
     board.set_mute(True)
-    board.wait(lambda: not seen(board).channels[3].has_signal and seen(board).line.mute)
+    board.wait(
+        lambda: not snapshot_of(board).channels[3].has_signal and snapshot_of(board).line.mute
+    )
     board.restore_factory()
-    board.wait(lambda: seen(board).power and seen(board).mode is Mode.SERIAL_RC)
-    assert not seen(board).line.mute
-    assert seen(board).line.noise == 0
-    assert seen(board).jumpers.mode == "serial"
+    board.wait(lambda: snapshot_of(board).power and snapshot_of(board).mode is Mode.SERIAL_RC)
+    snapshot = snapshot_of(board)
+    assert not snapshot.line.mute
+    assert snapshot.line.noise == 0
+    assert snapshot.jumpers.mode == "serial"
     assert board.automatic == frozenset(CHANNELS)
-    first = seen(board).channels[0].raw
-    board.wait(lambda: seen(board).channels[0].raw != first)
+    first = snapshot_of(board).channels[0].raw
+    board.wait(lambda: snapshot_of(board).channels[0].raw != first)
 
 
-def test_refused_command_emits_a_sentence(board: RecordingDemoBoard, qtbot: QtBot) -> None:
-    with qtbot.waitSignal(board.changed), qtbot.waitSignal(board.rejected) as refused:
+def test_rejected_command_emits_a_sentence(board: RecordingDemoBoard, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(board.changed), qtbot.waitSignal(board.rejected) as rejection:
         board.set_mode_jumper("boat")
-    assert refused.args[0].startswith("Usage: jumper mode serial|rc|analog")
-    assert refused.args[0].endswith(".")
+    assert rejection.args[0].startswith("Usage: jumper mode serial|rc|analog")
+    assert rejection.args[0].endswith(".")
 
 
-def test_boot_steps_are_those_that_the_simulator_reports() -> None:
+def test_each_boot_step_of_the_simulator_has_a_text() -> None:
     reported = {step.value for step in boot_modes._Step}
     reported |= {"boot loader: requested", "boot loader: ready"}
     assert BOOT_TEXTS.keys() == reported | {"learning: ready"}

@@ -16,7 +16,7 @@ outputs = st.integers(-127, 127)
 
 
 @given(turn=outputs, forward=outputs, mix=st.booleans(), skew=st.integers(-10, 10))
-def test_detected_mix_jumper_is_never_wrong(turn: int, forward: int, mix: bool, skew: int) -> None:
+def test_inferred_mix_jumper_is_never_wrong(turn: int, forward: int, mix: bool, skew: int) -> None:
     first, second = motor_values([turn, forward], mix=mix, flip=False, joint=False)
     assert is_mixed((turn, forward), (first + skew, second)) in {mix, None}
 
@@ -24,18 +24,18 @@ def test_detected_mix_jumper_is_never_wrong(turn: int, forward: int, mix: bool, 
 @pytest.mark.parametrize("pushed", [(80, 0), (-80, 0), (0, 80), (60, 60), (127, 127)])
 @pytest.mark.parametrize("mix", [True, False])
 def test_pushed_stick_reveals_the_mix_jumper(pushed: tuple[int, int], mix: bool) -> None:
-    answered = motor_values(pushed, mix=mix, flip=False, joint=False)
-    assert is_mixed(pushed, answered) is mix
+    speeds = motor_values(pushed, mix=mix, flip=False, joint=False)
+    assert is_mixed(pushed, speeds) is mix
 
 
-def test_neutral_or_inconsistent_values_give_no_result() -> None:
+def test_neutral_or_inconsistent_outputs_give_no_result() -> None:
     assert is_mixed((0, 0), (0, 0)) is None
     assert is_mixed((80, 0), (-40, 90)) is None
 
 
-def test_mix_result_needs_several_values_and_survives_neutral(qtbot: QtBot) -> None:
-    jumper, seen = MixJumper(SettingsDraft(), Telemetry(Motors().drive, Newest())), []
-    for times, outputs, answered in (
+def test_mix_jumper_needs_several_samples_and_ignores_neutral(qtbot: QtBot) -> None:
+    jumper, states = MixJumper(SettingsDraft(), Telemetry(Motors().drive, Newest())), []
+    for times, outputs, speeds in (
         (1, (80, 0), (80, -80)),
         (3, (80, 0), (80, -80)),
         (1, (80, 0), (80, 0)),
@@ -43,8 +43,8 @@ def test_mix_result_needs_several_values_and_survives_neutral(qtbot: QtBot) -> N
         (3, (80, 0), (80, 0)),
     ):
         for _ in range(times):
-            jumper.feed(outputs, answered)
-        seen.append(jumper.is_on)
+            jumper.feed(outputs, speeds)
+        states.append(jumper.is_on)
     with qtbot.waitSignal(jumper.changed):
         jumper.clear()
-    assert [*seen, jumper.is_on] == [None, True, True, True, False, None]
+    assert [*states, jumper.is_on] == [None, True, True, True, False, None]

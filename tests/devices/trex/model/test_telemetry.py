@@ -1,4 +1,4 @@
-"""Newest values, and currents of the last hour."""
+"""Newest samples, and the history of the last hour."""
 
 import math
 
@@ -40,7 +40,7 @@ def feed(telemetry: Telemetry, *samples: Sample) -> None:
     telemetry.finish()
 
 
-def test_newest_sample_of_each_kind_is_kept(telemetry: Telemetry) -> None:
+def test_newest_sample_of_each_kind_is_retained(telemetry: Telemetry) -> None:
     feed(
         telemetry,
         Raw(1.0, (1, 2, 3, 4, 5)),
@@ -65,7 +65,7 @@ def test_newest_sample_of_each_kind_is_kept(telemetry: Telemetry) -> None:
     assert telemetry.latest == 3.0
 
 
-def test_currents_are_kept_in_amperes_with_times(telemetry: Telemetry) -> None:
+def test_currents_are_stored_in_amperes_with_times(telemetry: Telemetry) -> None:
     feed(telemetry, Currents(1.0, (0, 10)), Currents(1.0125, (20, 255)))
     assert telemetry.motor_currents == pytest.approx((3.0, 38.25))
     assert list(telemetry.currents.times) == [1.0, 1.0125]
@@ -77,23 +77,23 @@ def test_currents_are_kept_in_amperes_with_times(telemetry: Telemetry) -> None:
     assert telemetry.motor_currents == pytest.approx((4.0, 0.0))
 
 
-def test_batch_emits_one_update(telemetry: Telemetry, qtbot: QtBot) -> None:
-    announced: list[None] = []
-    telemetry.updated.connect(lambda: announced.append(None))
+def test_batch_emits_one_update(telemetry: Telemetry) -> None:
+    updates: list[None] = []
+    telemetry.updated.connect(lambda: updates.append(None))
     feed(telemetry, *(Raw(float(time), (1, 2, 3, 4, 5)) for time in range(20)))
-    assert len(announced) == 1
+    assert len(updates) == 1
 
 
-def test_text_is_due_less_often_than_a_frame(telemetry: Telemetry) -> None:
-    due: list[float] = []
-    telemetry.text_due.connect(lambda: due.append(telemetry.latest))
+def test_text_is_updated_less_often_than_a_frame(telemetry: Telemetry) -> None:
+    times: list[float] = []
+    telemetry.text_due.connect(lambda: times.append(telemetry.latest))
     for frame in range(100):
         feed(telemetry, Raw(frame / 64, (1, 2, 3, 4, 5)))
-    every = math.ceil(64 * TEXT_INTERVAL)
-    assert due == [frame / 64 for frame in range(0, 100, every)]
+    frames = range(0, 100, math.ceil(64 * TEXT_INTERVAL))
+    assert times == [frame / 64 for frame in frames]
 
 
-def test_text_is_due_after_values_are_cleared(telemetry: Telemetry, qtbot: QtBot) -> None:
+def test_text_is_updated_at_once_around_cleared_values(telemetry: Telemetry, qtbot: QtBot) -> None:
     feed(telemetry, Raw(1.0, (1, 2, 3, 4, 5)))
     with qtbot.waitSignal(telemetry.text_due):
         telemetry.report_cleared()
@@ -101,7 +101,7 @@ def test_text_is_due_after_values_are_cleared(telemetry: Telemetry, qtbot: QtBot
         feed(telemetry, Raw(1.01, (1, 2, 3, 4, 5)))
 
 
-def test_views_are_renewed_only_while_a_window_is_seen(telemetry: Telemetry) -> None:
+def test_views_are_updated_only_while_a_window_is_visible(telemetry: Telemetry) -> None:
     emitted: list[str] = []
     telemetry.updated.connect(lambda: emitted.append("updated"))
     telemetry.frame_due.connect(lambda: emitted.append("frame"))
@@ -126,7 +126,7 @@ def test_clear_retains_the_history(telemetry: Telemetry, qtbot: QtBot) -> None:
     assert len(telemetry.currents) == 1
 
 
-def test_setpoints_and_channels_are_kept_with_the_currents(
+def test_setpoints_and_channels_are_stored_with_the_currents(
     telemetry: Telemetry, motors: Motors
 ) -> None:
     feed(telemetry, Currents(1.0, (0, 0)))
@@ -146,7 +146,7 @@ def test_setpoints_and_channels_are_kept_with_the_currents(
     assert telemetry.currents.values(Series.SETPOINT1)[2] == 0
 
 
-def test_inputs_are_kept_with_times_and_gaps(telemetry: Telemetry) -> None:
+def test_inputs_are_stored_with_times_and_gaps(telemetry: Telemetry) -> None:
     feed(telemetry, Raw(1.0, (1, None, 3, 4, 5)), Raw(1.02, (7, 8, 3, 4, 5)))
     assert list(telemetry.inputs.times) == [1.0, 1.02]
     assert list(telemetry.inputs.values(0)) == [1, 7]
