@@ -1,4 +1,4 @@
-"""Device without a window, and a board whose channels drive its motors."""
+"""Devices without a window, and a simulated board in RC mode."""
 
 from collections.abc import Iterator
 

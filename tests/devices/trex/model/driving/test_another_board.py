@@ -1,4 +1,4 @@
-"""Another board at the port while motors of the first may turn."""
+"""Another board at the port while motors of the first board may turn."""
 
 from collections.abc import Callable
 
@@ -17,7 +17,7 @@ Start = Callable[..., VirtualSimulator]
 
 
 class DrivenBoard:
-    """Device with a board whose motor 1 runs, and its messages."""
+    """Device that drives motor 1 of a board, and its messages."""
 
     def __init__(
         self,
@@ -33,8 +33,8 @@ class DrivenBoard:
         self.board = board
         self.qtbot = qtbot
         self.errors: list[str] = []
-        for said in (device.notifier.error, device.notifier.danger):
-            said.connect(self.errors.append)
+        device.notifier.error.connect(self.errors.append)
+        device.notifier.danger.connect(self.errors.append)
         self.connect(board.url)
         self.drive(board)
 
@@ -57,22 +57,33 @@ class DrivenBoard:
     def unplug(self, board: VirtualSimulator) -> None:
         """Remove the board from the open port. It stays powered."""
         board.move_cable_to(self.unpowered)
-        self.wait(lambda: self.device.link is ConnectionState.NOT_RESPONDING)
+        self.wait_for(ConnectionState.NOT_RESPONDING)
 
     def plug(self, board: VirtualSimulator) -> None:
         self.unpowered.move_cable_to(board)
         self.wait(self.is_ready)
         self.wait(lambda: not self.device.may_move)
 
-    def exchange(self, other: VirtualSimulator) -> None:
+    def replace_board(self, other: VirtualSimulator) -> None:
         """Plug another board into the open port."""
         self.unplug(self.board)
         self.plug(other)
 
+    def wait_for(self, link: ConnectionState) -> None:
+        self.wait(lambda: self.device.link is link)
+
+    def disconnect(self) -> None:
+        self.device.disconnect_line()
+        self.wait_for(ConnectionState.DISCONNECTED)
+
+    def lose(self, board: VirtualSimulator) -> None:
+        """Unplug the cable of the connected board from the computer."""
+        board.do("line unplug")
+        self.wait_for(ConnectionState.DISCONNECTED)
+
     def closing_text(self) -> str:
         """Disconnect, and return the warning of a closing window."""
-        self.device.disconnect_line()
-        self.wait(lambda: self.device.link is ConnectionState.DISCONNECTED)
+        self.disconnect()
         return self.controller.unconfirmed_stop
 
     def wait(self, condition: Callable[[], bool]) -> None:
@@ -96,7 +107,7 @@ def start(start_simulator: StartSimulator) -> Start:
     return start_unpaced
 
 
-def runs_on(driven: DrivenBoard) -> str:
+def warning_of(driven: DrivenBoard) -> str:
     return (
         f"The stop may not have reached the TReX 1.2 that was driven at {driven.board.url}: "
         "another board responded. If its motor still turns, cut its power."
@@ -104,61 +115,64 @@ def runs_on(driven: DrivenBoard) -> str:
 
 
 def test_another_model_does_not_confirm_the_stop(driven: DrivenBoard, start: Start) -> None:
-    driven.exchange(start("--model", "trexjr"))
-    text = f"Another board responds now: TReX Jr 1.2, at {driven.board.url}. {runs_on(driven)}"
+    driven.replace_board(start("--model", "trexjr"))
+    text = f"Another board responds now: TReX Jr 1.2, at {driven.board.url}. {warning_of(driven)}"
     assert driven.errors[-1] == text
-    assert driven.closing_text() == runs_on(driven)
+    assert driven.closing_text() == warning_of(driven)
 
 
-def test_other_stored_settings_suggest_another_board(driven: DrivenBoard, start: Start) -> None:
+def test_different_stored_settings_suggest_another_board(driven: DrivenBoard, start: Start) -> None:
     other = start()
     other.do("eeprom serial_timeout 7")
-    driven.exchange(other)
+    driven.replace_board(other)
     assert driven.errors[-1].startswith("This may be another board: TReX 1.2, at ")
-    assert driven.closing_text() == runs_on(driven)
+    assert driven.closing_text() == warning_of(driven)
 
 
-def test_board_with_equal_settings_counts_as_the_same(driven: DrivenBoard, start: Start) -> None:
-    driven.exchange(start())
+def test_board_with_equal_settings_counts_as_the_same_board(
+    driven: DrivenBoard, start: Start
+) -> None:
+    driven.replace_board(start())
     assert driven.closing_text() == ""
 
 
-def test_power_cycle_with_a_moved_jumper_is_the_same_board(driven: DrivenBoard) -> None:
+def test_restart_with_a_moved_jumper_means_no_other_board(driven: DrivenBoard) -> None:
     driven.board.do("power off")
-    driven.wait(lambda: driven.device.link is ConnectionState.NOT_RESPONDING)
+    driven.wait_for(ConnectionState.NOT_RESPONDING)
     driven.board.do("jumper mode analog")
     driven.board.do("power on")
-    driven.wait(lambda: driven.device.link is ConnectionState.CONNECTED)
+    driven.wait_for(ConnectionState.CONNECTED)
     assert driven.closing_text() == ""
 
 
-def test_driven_board_that_is_back_is_stopped(driven: DrivenBoard, start: Start) -> None:
+def test_driven_board_is_stopped_when_it_is_plugged_in_again(
+    driven: DrivenBoard, start: Start
+) -> None:
     other = start("--model", "trexjr")
-    driven.exchange(other)
+    driven.replace_board(other)
     assert driven.runs(driven.board)
     driven.unplug(other)
     may_move: list[bool] = []
     device = driven.device
     device.motors.stop_requested.connect(lambda: may_move.append(device.may_move))
     driven.plug(driven.board)
-    assert True in may_move, "it may turn until its stop is confirmed"
+    assert True in may_move, "the motor may turn until its stop is confirmed"
     assert is_stopped(driven.board)
     assert driven.closing_text() == ""
 
 
 def test_driven_board_at_another_port_is_stopped(driven: DrivenBoard, start: Start) -> None:
-    driven.exchange(start("--model", "trexjr"))
-    driven.device.disconnect_line()
-    driven.wait(lambda: driven.device.link is ConnectionState.DISCONNECTED)
+    driven.replace_board(start("--model", "trexjr"))
+    driven.disconnect()
     driven.controller.press_stop()
-    # The known serial timeout belongs to the other board.
-    assert driven.errors[-1] == runs_on(driven)
+    # The serial timeout that was read belongs to the other board.
+    assert driven.errors[-1] == warning_of(driven)
     driven.connect(driven.board.url)
     assert is_stopped(driven.board)
     assert driven.closing_text() == ""
 
 
-def test_stop_of_a_board_that_was_not_read_does_not_count(
+def test_stop_of_a_board_before_it_is_read_does_not_count(
     driven: DrivenBoard, start: Start
 ) -> None:
     driven.unplug(driven.board)
@@ -166,60 +180,53 @@ def test_stop_of_a_board_that_was_not_read_does_not_count(
     assert "not confirmed" in driven.closing_text()
 
 
-def test_another_board_behind_a_line_that_was_lost_is_noticed(
-    driven: DrivenBoard, start: Start
-) -> None:
+def test_another_board_after_a_lost_line_is_reported(driven: DrivenBoard, start: Start) -> None:
     other = start("--model", "trexjr")
-    driven.board.do("line unplug")
-    driven.wait(lambda: driven.device.link is ConnectionState.DISCONNECTED)
+    driven.lose(driven.board)
     assert driven.device.may_move
     driven.connect(other.url)
-    assert driven.errors[-1].endswith(runs_on(driven))
-    assert driven.closing_text() == runs_on(driven)
+    assert driven.errors[-1].endswith(warning_of(driven))
+    assert driven.closing_text() == warning_of(driven)
 
 
-def test_every_lost_board_has_to_be_stopped(driven: DrivenBoard, start: Start) -> None:
+def test_warning_stays_until_every_lost_board_is_stopped(driven: DrivenBoard, start: Start) -> None:
     second, third = start("--model", "trexjr"), start("--firmware", "1.0")
-    driven.exchange(second)
+    driven.replace_board(second)
     driven.drive(second)
-    second.do("line unplug")
-    driven.wait(lambda: driven.device.link is ConnectionState.DISCONNECTED)
+    driven.lose(second)
     driven.connect(third.url)
     driven.connect(second.do("line plug").split()[-1])
-    assert driven.closing_text() == runs_on(driven)
+    assert driven.closing_text() == warning_of(driven)
     driven.connect(driven.board.url)
     assert driven.closing_text() == ""
 
 
-def test_failed_connection_adds_no_board_to_those_lost(driven: DrivenBoard, start: Start) -> None:
+def test_failed_connection_adds_no_lost_board(driven: DrivenBoard, start: Start) -> None:
     silent, third = start(), start("--firmware", "1.0")
     silent.do("line mute on")
-    driven.exchange(start("--model", "trexjr"))
-    driven.device.disconnect_line()
-    driven.wait(lambda: driven.device.link is ConnectionState.DISCONNECTED)
+    driven.replace_board(start("--model", "trexjr"))
+    driven.disconnect()
     driven.device.connect_to(ConnectionSettings(silent.url))
-    driven.wait(lambda: driven.device.link is ConnectionState.DISCONNECTED)
+    driven.wait_for(ConnectionState.DISCONNECTED)
     assert not driven.device.may_move
     driven.connect(third.url)
     driven.connect(driven.board.url)
     assert driven.closing_text() == ""
 
 
-def test_interrupted_apply_does_not_make_it_another_board(driven: DrivenBoard) -> None:
+def test_interrupted_apply_does_not_mean_another_board(driven: DrivenBoard) -> None:
     device = driven.device
     device.parameters.edit("serial_timeout", 15)
     device.parameters.edit("motor1_acceleration", 3)
     device.writer.apply()
     driven.board.do("power off")
-    driven.wait(lambda: device.link is ConnectionState.NOT_RESPONDING)
+    driven.wait_for(ConnectionState.NOT_RESPONDING)
     driven.board.do("power on")
-    driven.wait(lambda: device.link is ConnectionState.CONNECTED)
+    driven.wait_for(ConnectionState.CONNECTED)
     assert driven.closing_text() == ""
 
 
-def test_write_of_another_program_stops_motors(
-    driven: DrivenBoard,
-) -> None:
+def test_setting_written_by_another_program_stops_motors(driven: DrivenBoard) -> None:
     driven.board.do("eeprom serial_timeout 20")
     driven.wait(lambda: not driven.device.motors.armed)
     assert driven.device.motors.stop_reason == (

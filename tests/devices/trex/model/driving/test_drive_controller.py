@@ -1,4 +1,4 @@
-"""Setpoints and stops between the window and a board in another process."""
+"""Setpoints and stops between the window and a simulated board."""
 
 import threading
 import time
@@ -26,11 +26,11 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.notifier import Notifier, Remedy
 from trex_gui.ui.runtime import now, runtime
 
-STOOD_STILL = "The program did not respond for more than half a second."
+NO_RESPONSE = "The program did not respond for more than half a second."
 
 
 class DrivenDevice(Device):
-    """Device whose motor 1 runs."""
+    """Device that drives motor 1."""
 
     def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
         super().__init__()
@@ -59,7 +59,7 @@ def test_stop_from_another_thread_drops_later_setpoints(driven: DrivenDevice) ->
     thread = threading.Thread(target=driven.connection.stop_now)
     thread.start()
     thread.join()
-    # The window does not know it yet, and continues to send setpoints.
+    # The window has not received the stop yet and still sends setpoints.
     driven.motors.set_speed(1, 70)
     driven.wait(lambda: is_braked(driven.simulator))
     driven.motors.set_speed(1, 80)
@@ -72,16 +72,15 @@ def test_stop_from_another_thread_drops_later_setpoints(driven: DrivenDevice) ->
 
 
 def test_stop_without_outcome_fails_when_the_line_closes(driven: DrivenDevice) -> None:
-    answers: list[StudioError | None] = []
-    driven.driving.stop(answers.append)
+    outcomes: list[StudioError | None] = []
+    driven.driving.stop(outcomes.append)
     assert driven.shut_down()
-    assert [str(answer) for answer in answers] == [
-        "The connection was closed before this was complete."
-    ]
+    (error,) = outcomes
+    assert str(error) == "The connection was closed before this was complete."
 
 
 def test_restarted_board_disarms_the_motors(driven: DrivenDevice) -> None:
-    """Only the changed input source reveals the short restart."""
+    """The changed input source is the only sign of the short restart."""
     driven.simulator.do("eeprom channel_input_source 1")
     driven.simulator.do("power cycle")
     driven.wait(lambda: not driven.motors.armed)
@@ -100,84 +99,84 @@ def test_line_error_disarms_and_clears_setpoints(driven: DrivenDevice) -> None:
     assert any("motor commands are repeated" in event.text for event in driven.events.all)
 
 
-def test_frozen_window_reports_the_confirmed_stop(driven: DrivenDevice) -> None:
-    said: list[str] = []
-    driven.notifier.error.connect(said.append)
+def test_hanging_window_reports_the_confirmed_stop(driven: DrivenDevice) -> None:
+    errors: list[str] = []
+    driven.notifier.error.connect(errors.append)
     deadline = now() + 15
-    while not is_braked(driven.simulator):  # without events of the window
+    while not is_braked(driven.simulator):  # without running the window's events
         assert now() < deadline, "the motor was not stopped"
         runtime().sleep(0.05)
     driven.wait(lambda: not driven.may_move)
-    assert said == [f"{STOOD_STILL} The motors were stopped. Arm the motors again to continue."]
-    assert driven.motors.stop_reason == STOOD_STILL
+    assert errors == [f"{NO_RESPONSE} The motors were stopped. Arm the motors again to continue."]
+    assert driven.motors.stop_reason == NO_RESPONSE
     cleared: list[bool] = []
     driven.notifier.cleared.connect(lambda: cleared.append(driven.motors.armed))
     driven.wait(lambda: driven.motors.can_arm)
     driven.motors.arm()
-    assert cleared == [True], "the message is over"
+    assert cleared == [True]
 
 
 def hang(driven: DrivenDevice, seconds: float) -> None:
     """Block the session in its next write, and wait until it is blocked."""
     simulator = driven.simulator
     assert isinstance(simulator, VirtualSimulator)
-    hanging: list[bytes] = []
+    blocked: list[bytes] = []
 
     def block(data: bytes) -> None:
-        if not hanging:
-            hanging.append(data)
+        if not blocked:
+            blocked.append(data)
             runtime().sleep(seconds)
 
     simulator.on_write = block
-    driven.wait(lambda: bool(hanging))
+    driven.wait(lambda: bool(blocked))
 
 
 @pytest.mark.parametrize(
     ("is_guarded", "remedy"),
     [(True, "The guardian process sends it now."), (False, "Cut the power.")],
 )
-def test_stop_of_a_hanging_session_is_reported(
+def test_stop_of_a_hanging_session_is_reported_once(
     is_guarded: bool, remedy: str, driven: DrivenDevice, virtual_time: VirtualRuntime
 ) -> None:
-    said: list[str] = []
-    driven.notifier.danger.connect(said.append)
+    warnings: list[str] = []
+    driven.notifier.danger.connect(warnings.append)
     hang(driven, 2.0)
     driven.connection.is_guarded = is_guarded
-    for _ in range(3):  # pressed again and again
+    for _ in range(3):
         driven.motors.press_stop()
         virtual_time.advance(0.24)
-    assert len(said) == 1
-    assert "The connection is not responding, so the stop could not be sent." in said[0]
-    assert remedy in said[0]
+    (warning,) = warnings
+    assert "The connection is not responding, so the stop could not be sent." in warning
+    assert remedy in warning
     driven.wait(lambda: not driven.may_move)
     assert is_braked(driven.simulator)
 
 
 @pytest.mark.parametrize(
-    ("result", "news"),
+    ("result", "expected"),
     [
         ("confirmed", ["The guardian process stopped the motors, and the board confirmed it."]),
         ("unconfirmed", []),
     ],
 )
-def test_session_that_hangs_is_noticed_within_a_second(
-    result: str, news: list[str], driven: DrivenDevice
+def test_hanging_session_is_reported_within_a_second(
+    result: str, expected: list[str], driven: DrivenDevice
 ) -> None:
-    said: list[str] = []
-    told: list[str] = []
-    driven.notifier.danger.connect(said.append)
-    driven.notifier.info.connect(told.append)
+    warnings: list[str] = []
+    infos: list[str] = []
+    driven.notifier.danger.connect(warnings.append)
+    driven.notifier.info.connect(infos.append)
     hang(driven, 2.0)
-    began = now()
+    start = now()
     log_file().parent.mkdir(parents=True, exist_ok=True)
     line = f"{time.strftime('%Y-%m-%d %H:%M:%S')} {result}: in time\n"
     log_file().write_text(line, encoding="utf-8")
-    driven.wait(lambda: bool(said))
-    assert now() - began < 1.0
-    assert said[0].startswith("Motor 1 may still be turning. Cut the power.")
+    driven.wait(lambda: bool(warnings))
+    assert now() - start < 1.0
+    assert warnings[0].startswith("Motor 1 may still be turning. Cut the power.")
     assert driven.motors.stop_reason == "The connection is not responding."
     driven.wait(lambda: not driven.may_move)
-    assert told == news
+    assert infos == expected
 
 
 def test_arming_on_a_noisy_line_recommends_crc(driven: DrivenDevice, qtbot: QtBot) -> None:
@@ -187,54 +186,52 @@ def test_arming_on_a_noisy_line_recommends_crc(driven: DrivenDevice, qtbot: QtBo
     assert offered.args == [(Remedy.SET_UP_CRC,)]
 
 
-def test_session_that_did_not_respond_disarms_the_motors(driven: DrivenDevice) -> None:
-    said: list[str] = []
-    driven.notifier.error.connect(said.append)
+def test_short_hang_of_the_session_disarms_the_motors(driven: DrivenDevice) -> None:
+    errors: list[str] = []
+    driven.notifier.error.connect(errors.append)
     hang(driven, 0.55)
     driven.motors.set_speed(1, 90)
     driven.wait(lambda: not driven.motors.armed)
     driven.wait(lambda: not driven.may_move)
-    assert driven.motors.stop_reason == STOOD_STILL
-    assert len(said) == 1
+    assert driven.motors.stop_reason == NO_RESPONSE
+    assert len(errors) == 1
     assert is_braked(driven.simulator)
 
 
 def test_unconfirmed_stop_is_reported_as_unconfirmed(qtbot: QtBot) -> None:
-    connection, motors = Connection(), Motors()
-    notifier = Notifier()
+    connection, motors, notifier = Connection(), Motors(), Notifier()
     driving = DriveController(motors, Device().board, connection, notifier)
-    with qtbot.waitSignal(notifier.error) as said:
+    with qtbot.waitSignal(notifier.error) as error:
         connection.motors_stopped.emit(MotorsStopped(ErrorCode.NO_HEARTBEAT, confirmed=False))
-    assert said.args == [f"{STOOD_STILL} A stop was sent but is not confirmed yet."]
-    assert motors.stop_reason == STOOD_STILL
+    assert error.args == [f"{NO_RESPONSE} A stop was sent but is not confirmed yet."]
+    assert motors.stop_reason == NO_RESPONSE
     assert not driving.may_move
 
 
 def test_armed_motors_send_heartbeats_at_a_steady_rate(
     virtual_time: VirtualRuntime, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    moments: list[float | None] = []
+    times: list[float | None] = []
 
     def submit(_connection: Connection, request: object) -> bool:
         if isinstance(request, Heartbeat):
-            moments.append(request.sent)
+            times.append(request.sent)
         return True
 
     monkeypatch.setattr(Connection, "submit", submit)
-    connection, motors = Connection(), Motors()
-    notifier = Notifier()
+    connection, motors, notifier = Connection(), Motors(), Notifier()
     driving = DriveController(motors, Device().board, connection, notifier)
     assert not driving.may_move
     motors.set_available(True)
     motors.arm()
     virtual_time.advance(10.0)
-    sent = [moment for moment in moments if moment is not None]
+    sent = [sent for sent in times if sent is not None]
     gaps = [later - earlier for earlier, later in pairwise(sent)]
-    assert max(gaps) < Timeouts().heartbeat / 2, "one may be late or lost"
-    assert min(gaps) > 0.05, "they are no load for the line"
+    assert max(gaps) < Timeouts().heartbeat / 2, "one heartbeat may be late or lost"
+    assert min(gaps) > 0.05, "heartbeats hardly load the line"
     motors.stop()
     virtual_time.advance(1.0)
-    assert moments == sent
+    assert times == sent
 
 
 def test_confirmed_stop_is_reported_once_and_without_a_warning(
@@ -245,8 +242,8 @@ def test_confirmed_stop_is_reported_once_and_without_a_warning(
 ) -> None:
     outcomes: list[StudioError | None] = []
     failures: list[str] = []
-    for failed in (device.notifier.error, device.notifier.danger):
-        failed.connect(failures.append)
+    device.notifier.error.connect(failures.append)
+    device.notifier.danger.connect(failures.append)
     device.connect_to(ConnectionSettings(quick_simulator.url))
     qtbot.waitUntil(lambda: device.motors.is_available)
     device.driving.stop(outcomes.append)
@@ -257,7 +254,7 @@ def test_confirmed_stop_is_reported_once_and_without_a_warning(
     assert failures == []
 
 
-def test_stop_warns_that_channel_driven_motors_may_go_on(rc_device: Device, qtbot: QtBot) -> None:
-    with qtbot.waitSignal(rc_device.notifier.error) as said:
+def test_stop_warns_that_the_channels_may_go_on_driving(rc_device: Device, qtbot: QtBot) -> None:
+    with qtbot.waitSignal(rc_device.notifier.error) as error:
         rc_device.motors.stop()
-    assert said.args == [STOP_WITHOUT_EFFECT]
+    assert error.args == [STOP_WITHOUT_EFFECT]

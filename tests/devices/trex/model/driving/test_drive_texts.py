@@ -1,4 +1,4 @@
-"""Texts of the Motors page: motors, channels, blockers, serial timeout."""
+"""Texts of the Motors page."""
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -11,11 +11,7 @@ from trex_gui.devices.trex.driving.board_reasons import BoardInputs
 from trex_gui.devices.trex.driving.timeout_stop import TimeoutStop
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.drive_status import drive_inputs
-from trex_gui.devices.trex.model.drive_texts import (
-    report_text,
-    setpoint_text,
-    timeout_warning_on,
-)
+from trex_gui.devices.trex.model.drive_texts import report_text, setpoint_text, timeout_warning_on
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
@@ -34,7 +30,7 @@ def test_setpoint_text_names_the_commanded_drive(drive: Drive | None, text: str)
     assert setpoint_text(drive) == text
 
 
-def test_errors_are_shown_where_they_are(
+def test_fault_is_shown_only_for_its_motor(
     rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
 ) -> None:
     rc_board.do("fault 2 on")
@@ -42,7 +38,7 @@ def test_errors_are_shown_where_they_are(
     assert not any(report_text(rc_device, motor) for motor in (1, 3))
 
 
-def test_report_shows_the_speed_waiting_behind_channel_5(
+def test_report_shows_speeds_that_channel_5_overrides(
     rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
 ) -> None:
     rc_board.do("channel 1 1900us")
@@ -56,40 +52,40 @@ def test_report_shows_the_speed_waiting_behind_channel_5(
 # --- Blockers ---------------------------------------------------------------------------
 
 
-def reported(device: Device) -> BoardInputs:
+def board_inputs(device: Device) -> BoardInputs:
     board = drive_inputs(device).board
     assert board is not None
     return board
 
 
-def test_situation_follows_the_override_switch(
+def test_blocker_follows_the_override_switch(
     rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
 ) -> None:
-    assert not reported(rc_device).by_serial
+    assert not board_inputs(rc_device).by_serial
     assert drive_statuses(drive_inputs(rc_device))[0].blocker is DriveBlocker.RC_CHANNELS
     rc_board.do("channel 5 1000us")
-    qtbot.waitUntil(lambda: reported(rc_device).by_serial)
+    qtbot.waitUntil(lambda: board_inputs(rc_device).by_serial)
     assert drive_statuses(drive_inputs(rc_device))[0].blocker is DriveBlocker.NOT_ARMED
 
 
-def test_safe_start_reasons_need_read_channels(
+def test_safe_start_reasons_need_channel_readings(
     rc_device: Device, rc_board: SimulatedDevice, qtbot: QtBot
 ) -> None:
     assert rc_device.telemetry.raw is None
-    assert reported(rc_device).safe_start == ()
-    for channel in (1, 2):  # the board requires the first of them
+    assert board_inputs(rc_device).safe_start == ()
+    for channel in (1, 2):  # the board requires channel 1
         rc_board.do(f"channel {channel} silent")
     rc_board.do("channel 3 1680us")
 
-    def said() -> list[str]:
+    def texts() -> list[str]:
         return [status.text for status in drive_statuses(drive_inputs(rc_device))]
 
-    qtbot.waitUntil(lambda: "Channel 1 is required but has no signal." in said())
-    qtbot.waitUntil(lambda: "Channel 3 is 180 µs above neutral." in said())
-    assert len(said()) == 3
+    qtbot.waitUntil(lambda: "Channel 1 is required but has no signal." in texts())
+    qtbot.waitUntil(lambda: "Channel 3 is 180 µs above neutral." in texts())
+    assert len(texts()) == 3
 
 
-# --- The serial timeout -----------------------------------------------------------------
+# --- Serial timeout ---------------------------------------------------------------------
 
 
 def effect(timeout: float) -> TimeoutStop:
@@ -98,7 +94,7 @@ def effect(timeout: float) -> TimeoutStop:
 
 
 @pytest.mark.parametrize(
-    ("url", "baud", "timeout", "said", "offered"),
+    ("url", "baud", "timeout", "words", "offered"),
     [
         ("/dev/ttyUSB0", 19200, 0.1, "", 0.0),
         ("/dev/ttyUSB0", 2400, 0.2, "", 0.0),
@@ -109,18 +105,18 @@ def effect(timeout: float) -> TimeoutStop:
         ("socket://robot:23", 19200, 1.0, "", 0.0),
     ],
 )
-def test_warning_about_the_timeout_fits_the_line(
-    url: str, baud: int, timeout: float, said: str, offered: float
+def test_timeout_warning_depends_on_port_and_baud_rate(
+    url: str, baud: int, timeout: float, words: str, offered: float
 ) -> None:
     settings = ConnectionSettings(url, LineSettings(baud))
     warning = timeout_warning_on(settings, timeout, effect(timeout), is_guarded=True)
-    assert (warning is None) == (not said)
+    assert (warning is None) == (not words)
     if warning is not None:
-        assert said in warning.text
+        assert words in warning.text
         assert warning.seconds == offered
 
 
-def test_slow_line_gets_the_longest_offered_timeout() -> None:
+def test_slow_line_gets_a_warning_with_the_longest_timeout() -> None:
     settings = ConnectionSettings("socket://robot:23", timeouts=Timeouts(extra=10.0))
     warning = timeout_warning_on(settings, 1.0, effect(1.0), is_guarded=True)
     assert warning is not None
@@ -128,18 +124,18 @@ def test_slow_line_gets_the_longest_offered_timeout() -> None:
 
 
 @pytest.mark.parametrize(
-    ("is_guarded", "fails"), [(True, "cable or this computer"), (False, "or this program")]
+    ("is_guarded", "cause"), [(True, "cable or this computer"), (False, "or this program")]
 )
-def test_warning_names_program_without_guardian(is_guarded: bool, fails: str) -> None:
+def test_warning_names_the_program_if_there_is_no_guardian(is_guarded: bool, cause: str) -> None:
     warning = timeout_warning_on(
         ConnectionSettings("/dev/ttyUSB0"), 0, effect(0), is_guarded=is_guarded
     )
     assert warning is not None
-    assert fails in warning.text
+    assert cause in warning.text
     assert ("guardian" in warning.text) == (not is_guarded)
 
 
-def test_missing_guardian_is_reported_with_serial_timeout() -> None:
+def test_missing_guardian_is_reported_with_the_timeout() -> None:
     warning = timeout_warning_on(
         ConnectionSettings("/dev/ttyUSB0"), 12.5, effect(12.5), is_guarded=False
     )

@@ -22,8 +22,8 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
 
 
-class Pad:
-    """Control on armed motors that records its speeds and their times."""
+class RecordedPad:
+    """Drive pad with armed motors. Records its setpoints and their times."""
 
     def __init__(self, ceiling: int) -> None:
         self.motors = Motors()
@@ -35,10 +35,8 @@ class Pad:
         self.motors.arm()
 
     def _on_requested(self, request: SetpointRequest) -> None:
-        drives = {
-            one.motor: one.drive for one in setpoints_in(request) if isinstance(one, SetMotor)
-        }
-        self.sent.append((now(), drives))
+        setpoints = [each for each in setpoints_in(request) if isinstance(each, SetMotor)]
+        self.sent.append((now(), {each.motor: each.drive for each in setpoints}))
 
     @property
     def speeds(self) -> tuple[int, int]:
@@ -49,11 +47,11 @@ class Pad:
 
 
 @pytest.fixture
-def pad(qtbot: QtBot) -> Pad:
-    return Pad(FULL_SCALE)
+def pad(qtbot: QtBot) -> RecordedPad:
+    return RecordedPad(FULL_SCALE)
 
 
-# --- The ceiling ------------------------------------------------------------------------
+# --- Ceiling ----------------------------------------------------------------------------
 
 
 def connect(device: Device, settings: ConnectionSettings, qtbot: QtBot) -> None:
@@ -64,15 +62,14 @@ def connect(device: Device, settings: ConnectionSettings, qtbot: QtBot) -> None:
 def test_ceiling_is_low_at_first_and_saved_for_each_board(
     device: Device, start_simulator: StartSimulator, qtbot: QtBot
 ) -> None:
-    boards = [
-        ConnectionSettings(start_simulator("--unpaced", *options).url)
-        for options in (["--device", "9"], ["--device", "9", "--firmware", "1.1"])
-    ]
-    one, other = boards
-    simulated = ConnectionSettings(one.url, name="Demo")
+    new, old = (
+        ConnectionSettings(start_simulator("--unpaced", "--device", "9", *options).url)
+        for options in ([], ["--firmware", "1.1"])
+    )
+    simulated = ConnectionSettings(new.url, name="Demo")
     motors = device.motors
-    for each in (one, other, simulated):
-        connect(device, each, qtbot)
+    for board in (new, old, simulated):
+        connect(device, board, qtbot)
         assert motors.ceiling == motors.ceiling_in_force == FIRST_CEILING == 38
         assert motors.is_first_drive
         motors.arm()
@@ -81,34 +78,34 @@ def test_ceiling_is_low_at_first_and_saved_for_each_board(
         motors.set_ceiling(90)
         assert not motors.is_first_drive
 
-    connect(device, other, qtbot)
+    connect(device, old, qtbot)
     motors.set_ceiling(60)
     qtbot.waitUntil(device.shut_down)
     restarted = Device()
-    for each, chosen in ((one, 90), (other, 60), (simulated, 90)):
-        connect(restarted, each, qtbot)
-        assert restarted.motors.ceiling == chosen
+    for board, ceiling in ((new, 90), (old, 60), (simulated, 90)):
+        connect(restarted, board, qtbot)
+        assert restarted.motors.ceiling == ceiling
         assert not restarted.motors.is_first_drive
     qtbot.waitUntil(restarted.shut_down)
 
 
-def test_ceiling_falls_back_when_another_board_takes_over(qtbot: QtBot) -> None:
+def test_ceiling_of_another_board_is_low_at_first(qtbot: QtBot) -> None:
     motors = Motors()
-    motors.set_board("one")
+    motors.set_board("first")
     motors.set_ceiling(FULL_SCALE)
-    motors.set_board("another")
+    motors.set_board("second")
     assert motors.ceiling_in_force == FIRST_CEILING
     motors.set_available(True)
     motors.arm()
     motors.set_speed(1, FIRST_CEILING)
     motors.set_ceiling(FULL_SCALE)
-    assert motors.drive(1) == Drive.at(FIRST_CEILING), "a raised ceiling speeds up no motor"
-    motors.set_board("one")
-    motors.set_board("another")
+    assert motors.drive(1) == Drive.at(FIRST_CEILING), "a higher ceiling speeds up no motor"
+    motors.set_board("first")
+    motors.set_board("second")
     assert motors.ceiling == FULL_SCALE
 
 
-def test_inputs_that_drive_are_switched_off_for_another_board(qtbot: QtBot) -> None:
+def test_keys_gamepad_and_link_are_switched_off_for_another_board(qtbot: QtBot) -> None:
     device = Device()
     motors, gamepad = device.motors, Gamepad(device, HeldPads(PAD))
     page = QWidget()
@@ -129,58 +126,58 @@ def test_inputs_that_drive_are_switched_off_for_another_board(qtbot: QtBot) -> N
     assert states() == (False, False, False)
 
 
-def test_equal_boards_on_two_adapters_have_own_ceilings(qtbot: QtBot) -> None:
+def test_equal_boards_on_two_adapters_have_separate_ceilings(qtbot: QtBot) -> None:
     motors = Motors()
-    for adapter, expected in (("one", FIRST_CEILING), ("two", FIRST_CEILING), ("one", 90)):
+    for adapter, expected in (("A", FIRST_CEILING), ("B", FIRST_CEILING), ("A", 90)):
         motors.adapter = adapter
         motors.set_board("trex-1.2-7")
         assert motors.ceiling == expected
         motors.set_ceiling(90)
 
 
-@pytest.mark.parametrize("chosen", [FIRST_CEILING, 60])
-def test_new_device_number_changes_no_ceiling(
-    device: Device, start_simulator: StartSimulator, qtbot: QtBot, chosen: int
+@pytest.mark.parametrize("ceiling", [FIRST_CEILING, 60])
+def test_new_device_number_does_not_change_the_ceiling(
+    device: Device, start_simulator: StartSimulator, qtbot: QtBot, ceiling: int
 ) -> None:
-    """A ceiling may be saved for the new number."""
-    fast, slow = (
+    """Another ceiling is saved for the new number."""
+    other, board = (
         ConnectionSettings(start_simulator("--unpaced", "--device", number).url)
         for number in ("9", "8")
     )
-    connect(device, fast, qtbot)
+    connect(device, other, qtbot)
     motors = device.motors
     motors.set_ceiling(FULL_SCALE)
-    connect(device, slow, qtbot)
-    if chosen != FIRST_CEILING:
-        motors.set_ceiling(chosen)
+    connect(device, board, qtbot)
+    if ceiling != FIRST_CEILING:
+        motors.set_ceiling(ceiling)
     device.parameters.edit("device_number", 9)
     device.writer.apply()
     qtbot.waitUntil(lambda: not device.draft.pending and not device.writer.running)
-    assert motors.ceiling_in_force == chosen
+    assert motors.ceiling_in_force == ceiling
     device.reload()
-    connect(device, slow, qtbot)
-    assert motors.ceiling == motors.ceiling_in_force == chosen
-    assert motors.is_first_drive is (chosen == FIRST_CEILING)
+    connect(device, board, qtbot)
+    assert motors.ceiling == motors.ceiling_in_force == ceiling
+    assert motors.is_first_drive is (ceiling == FIRST_CEILING)
 
 
-# --- Growing ----------------------------------------------------------------------------
+# --- Ramp -------------------------------------------------------------------------------
 
 
-def test_speeds_grow_along_a_ramp(pad: Pad, virtual_time: VirtualRuntime) -> None:
-    began = now()
+def test_speeds_grow_along_a_ramp(pad: RecordedPad, virtual_time: VirtualRuntime) -> None:
+    start = now()
     pad.drive.steer(1.0, 0.0)
     virtual_time.advance(2.0)
     assert pad.speeds == (FULL_SCALE, FULL_SCALE)
-    for moment, drives in pad.sent:
-        assert drives[1] == drives[2], "straight on"
-        assert drives[1].signed == pytest.approx(GROWTH * (moment - began), abs=6)
+    for time, drives in pad.sent:
+        assert drives[1] == drives[2]
+        assert drives[1].signed == pytest.approx(GROWTH * (time - start), abs=6)
     steps = [after[1].signed - before[1].signed for (_, before), (_, after) in pairwise(pad.sent)]
     assert min(steps) > 0
     assert max(steps) <= 5
-    assert pad.sent[-1][0] - began == pytest.approx(1.0, abs=0.05)
+    assert pad.sent[-1][0] - start == pytest.approx(1.0, abs=0.05)
 
 
-def test_ramp_keeps_the_curve(pad: Pad, virtual_time: VirtualRuntime) -> None:
+def test_ramp_retains_the_curve_radius(pad: RecordedPad, virtual_time: VirtualRuntime) -> None:
     pad.drive.steer(1.0, 0.5)
     for _ in range(5):
         virtual_time.advance(0.1)
@@ -188,14 +185,18 @@ def test_ramp_keeps_the_curve(pad: Pad, virtual_time: VirtualRuntime) -> None:
         assert right == pytest.approx(left * 42 / 127, abs=1)
 
 
-def test_hand_that_moves_fast_speeds_up_no_faster(pad: Pad, virtual_time: VirtualRuntime) -> None:
-    for step in range(1, 101):  # steps of a mouse
+def test_many_mouse_moves_do_not_shorten_the_ramp(
+    pad: RecordedPad, virtual_time: VirtualRuntime
+) -> None:
+    for step in range(1, 101):
         pad.drive.steer(step / 100, 0.0)
         virtual_time.advance(0.001)
     assert max(pad.speeds) <= GROWTH * 0.1 + 5
 
 
-def test_late_timer_makes_no_jump(pad: Pad, virtual_time: VirtualRuntime) -> None:
+def test_late_timer_does_not_make_the_speed_jump(
+    pad: RecordedPad, virtual_time: VirtualRuntime
+) -> None:
     pad.drive.steer(1.0, 0.0)
     virtual_time.sleep(0.5)  # the window hangs
     pad.drive.steer(1.0, 0.1)
@@ -204,7 +205,7 @@ def test_late_timer_makes_no_jump(pad: Pad, virtual_time: VirtualRuntime) -> Non
 
 @pytest.mark.parametrize("seconds", [0.0, 0.3, 2.0])
 def test_release_and_stop_do_not_wait_for_the_ramp(
-    pad: Pad, virtual_time: VirtualRuntime, seconds: float
+    pad: RecordedPad, virtual_time: VirtualRuntime, seconds: float
 ) -> None:
     pad.drive.steer(1.0, 0.0)
     virtual_time.advance(seconds)
@@ -218,25 +219,29 @@ def test_release_and_stop_do_not_wait_for_the_ramp(
     pad.motors.stop()
     assert stops == [now()]
     virtual_time.advance(1.0)
-    assert len(pad.sent) == sent, "nothing grows after a stop"
+    assert len(pad.sent) == sent
     pad.motors.arm()
     virtual_time.advance(1.0)
-    assert len(pad.sent) == sent, "nor after arming again"
+    assert len(pad.sent) == sent
     pad.drive.steer(1.0, 0.0)
-    assert 0 <= pad.speeds[0] <= 5, "a new press begins at rest"
+    assert 0 <= pad.speeds[0] <= 5, "a new press starts at rest"
 
 
-def test_ceiling_that_changes_while_speeds_grow(qtbot: QtBot, virtual_time: VirtualRuntime) -> None:
-    pad = Pad(FIRST_CEILING)
+def test_ceiling_can_be_changed_while_speeds_grow(
+    qtbot: QtBot, virtual_time: VirtualRuntime
+) -> None:
+    pad = RecordedPad(FIRST_CEILING)
     pad.drive.steer(1.0, 0.0)
     virtual_time.advance(0.1)
     pad.motors.set_ceiling(FULL_SCALE)
     virtual_time.advance(2.0)
-    assert pad.speeds == (FIRST_CEILING, FIRST_CEILING), "raised: it counts from the next press"
+    assert pad.speeds == (FIRST_CEILING, FIRST_CEILING), (
+        "a higher ceiling applies from the next press"
+    )
     pad.drive.release()
     pad.drive.steer(1.0, 0.0)
     virtual_time.advance(0.5)
     pad.motors.set_ceiling(20)
-    assert pad.speeds == (20, 20), "lowered: at once"
+    assert pad.speeds == (20, 20), "a lower ceiling applies at once"
     virtual_time.advance(2.0)
     assert pad.speeds == (20, 20)

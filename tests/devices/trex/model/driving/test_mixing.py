@@ -1,4 +1,4 @@
-"""Mixing of forward and turn to two speeds."""
+"""Mixing of forward and turn into two speeds."""
 
 import pytest
 from hypothesis import given
@@ -13,7 +13,7 @@ from trex_gui.devices.trex.model.momentary_drive import (
 )
 from trex_gui.devices.trex.simulator.channel_control import motor_values
 
-SHARE = st.floats(-1, 1, allow_nan=False)
+FRACTION = st.floats(-1, 1, allow_nan=False)
 SPEEDS = st.tuples(st.integers(-127, 127), st.integers(-127, 127))
 
 
@@ -34,42 +34,41 @@ def test_forward_and_turn_are_mixed_into_two_speeds(
     assert mix(forward, turn) == speeds
 
 
-@given(forward=SHARE, turn=SHARE, ceiling=st.integers(1, 127))
+@given(forward=FRACTION, turn=FRACTION, ceiling=st.integers(1, 127))
 def test_mixed_speeds_stay_within_the_ceiling(forward: float, turn: float, ceiling: int) -> None:
     assert all(abs(speed) <= ceiling for speed in mix(forward, turn, ceiling))
 
 
-@given(forward=SHARE, turn=SHARE)
-def test_mixed_speeds_match_the_board_direction(forward: float, turn: float) -> None:
-    by_pad = mix(forward, turn)
+@given(forward=FRACTION, turn=FRACTION)
+def test_mixed_speeds_have_the_directions_of_the_board(forward: float, turn: float) -> None:
     channels = (round(turn * 127), round(forward * 127), 0, 0, 0)
-    by_stick = motor_values(channels, mix=True, flip=False, joint=False)
-    for pad, stick in zip(by_pad, by_stick, strict=True):
-        assert abs(pad) <= abs(stick) + 1
-        assert pad * stick >= 0 or abs(pad) <= 1
+    expected = motor_values(channels, mix=True, flip=False, joint=False)
+    for program, board in zip(mix(forward, turn), expected, strict=True):
+        assert abs(program) <= abs(board) + 1
+        assert program * board >= 0 or abs(program) <= 1
 
 
-@given(forward=SHARE, turn=SHARE)
-def test_mixing_keeps_the_speed_ratio_when_limited(forward: float, turn: float) -> None:
+@given(forward=FRACTION, turn=FRACTION)
+def test_mixing_retains_the_speed_ratio_when_limited(forward: float, turn: float) -> None:
     left, right = mix(forward, turn)
-    # The speeds have the ratio of the sums, except for rounding.
+    # Rounding changes the ratio of the speeds by little.
     assert abs(left * (forward - turn) - right * (forward + turn)) <= 2
 
 
-@given(speeds=SPEEDS, goal=SPEEDS, most=st.integers(1, 127))
-def test_speeds_grow_by_steps_and_fall_at_once(
-    speeds: tuple[int, int], goal: tuple[int, int], most: int
+@given(speeds=SPEEDS, target=SPEEDS, step=st.integers(1, 127))
+def test_speeds_grow_in_steps_and_fall_at_once(
+    speeds: tuple[int, int], target: tuple[int, int], step: int
 ) -> None:
-    for speed, aim, then in zip(speeds, goal, grown(speeds, goal, most), strict=True):
-        same_way = speed * aim > 0
-        assert abs(then) <= abs(aim) + 1e-9, "no speed beyond the goal"
-        assert then * aim >= 0, "nor the other way"
-        assert abs(then) <= (abs(speed) if same_way else 0) + most + 1e-9
-        if same_way and abs(aim) <= abs(speed):
-            assert then == pytest.approx(aim)
+    for speed, end, new in zip(speeds, target, grown(speeds, target, step), strict=True):
+        same_direction = speed * end > 0
+        assert abs(new) <= abs(end) + 1e-9
+        assert new * end >= 0
+        assert abs(new) <= (abs(speed) if same_direction else 0) + step + 1e-9
+        if same_direction and abs(end) <= abs(speed):
+            assert new == pytest.approx(end)
     for _ in range(127):
-        speeds = grown(speeds, goal, most)  # type: ignore[assignment]
-    assert speeds == goal
+        speeds = grown(speeds, target, step)  # type: ignore[assignment]
+    assert speeds == target
 
 
 # --- Held keys --------------------------------------------------------------------------
