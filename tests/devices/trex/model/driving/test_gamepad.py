@@ -1,6 +1,6 @@
 """Setpoints and stops of a gamepad."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 import pytest
@@ -12,6 +12,7 @@ from tests.support.virtual_time import VirtualRuntime
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.gamepad import HOLDER, Gamepad, axis_text, button_text
 from trex_gui.devices.trex.protocol.calibration import FULL_SCALE
+from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.gamepad.profile import Axis, DriveCondition
 
 HOLD, STOP = 4, 1
@@ -20,7 +21,7 @@ OTHER = replace(PAD, ident=2, guid="b" * 32, name="Other pad")
 
 
 class GamepadSetup:
-    """Gamepad that drives the motors of a device, and its stops."""
+    """Gamepad that drives the motors of a device, and the reasons of its stops."""
 
     def __init__(self, qtbot: QtBot) -> None:
         self.qtbot = qtbot
@@ -68,12 +69,6 @@ def setup(qtbot: QtBot) -> Iterator[GamepadSetup]:
     setup.gamepad.switch_off()
 
 
-def brakes(setup: GamepadSetup) -> bool:
-    return all(
-        (drive := setup.motors.drive(motor)) is not None and drive.is_brake for motor in (1, 2)
-    )
-
-
 def test_held_button_and_moved_stick_drive_the_motors(setup: GamepadSetup) -> None:
     setup.drive_forward()
     assert setup.motors.holder == HOLDER
@@ -83,7 +78,8 @@ def test_held_button_and_moved_stick_drive_the_motors(setup: GamepadSetup) -> No
 def test_releasing_the_button_brakes_and_keeps_motors_armed(setup: GamepadSetup) -> None:
     setup.drive_forward()
     setup.pads.release(HOLD)
-    setup.qtbot.waitUntil(lambda: brakes(setup))
+    braking = [Drive.brake(), Drive.brake()]
+    setup.qtbot.waitUntil(lambda: [setup.motors.drive(1), setup.motors.drive(2)] == braking)
     assert setup.motors.armed
     assert not setup.motors.holder
 
@@ -120,7 +116,7 @@ def test_unreadable_gamepad_stops_the_motors_once(
     changes: list[str] = []
     setup.gamepad.changed.connect(lambda: changes.append(setup.gamepad.text))
     virtual_time.advance(0.1)
-    assert changes == [], "it is not tried again and again"
+    assert changes == [], "the gamepad is not read again"
 
 
 def test_second_gamepad_does_not_take_over_driving(setup: GamepadSetup) -> None:
@@ -138,11 +134,9 @@ def test_replugged_gamepad_needs_arming_and_a_new_press(setup: GamepadSetup) -> 
     setup.drive_forward()
     setup.pads.unplug(PAD)
     setup.wait_for("was disconnected")
-    assert setup.stops == ["The gamepad “Test pad” was disconnected."]
-    assert not setup.motors.armed
-    again = replace(PAD, ident=7)
-    setup.pads.plug_in(again)
-    setup.pads.press(HOLD, again)
+    replugged = replace(PAD, ident=7)
+    setup.pads.plug_in(replugged)
+    setup.pads.press(HOLD, replugged)
     setup.wait_for("Arm the motors")
     setup.motors.arm()
     setup.wait_for("Release")
@@ -150,7 +144,9 @@ def test_replugged_gamepad_needs_arming_and_a_new_press(setup: GamepadSetup) -> 
 
 
 @pytest.mark.parametrize("blocker", ["", "Another page is open."])
-def test_stop_button_stops_another_control(setup: GamepadSetup, blocker: str) -> None:
+def test_stop_button_stops_motors_that_another_control_drives(
+    setup: GamepadSetup, blocker: str
+) -> None:
     setup.gamepad.set_unattended(blocker)
     setup.motors.acquire("pad")
     setup.motors.set_speed(1, 50, "pad")
@@ -159,15 +155,28 @@ def test_stop_button_stops_another_control(setup: GamepadSetup, blocker: str) ->
     assert setup.stops == [""]
 
 
-def test_blocking_while_driving_stops_with_the_reason(setup: GamepadSetup) -> None:
+@pytest.mark.parametrize(
+    ("act", "reason"),
+    [
+        (lambda pad: pad.set_unattended("Another page is open."), "Another page is open."),
+        (lambda pad: pad.switch_off(), "Driving with a gamepad was switched off."),
+        (
+            lambda pad: pad.set_profile(replace(pad.profile, expo=1.0)),
+            "The gamepad settings were changed.",
+        ),
+    ],
+)
+def test_change_while_driving_stops_with_the_reason(
+    setup: GamepadSetup, act: Callable[[Gamepad], None], reason: str
+) -> None:
     setup.drive_forward()
-    setup.gamepad.set_unattended("The window is not in front.")
-    assert setup.stops == ["The window is not in front."]
-    assert setup.gamepad.text == "The window is not in front."
+    act(setup.gamepad)
+    assert setup.stops == [reason]
 
 
 def test_blocked_gamepad_does_not_drive(setup: GamepadSetup) -> None:
     setup.gamepad.set_unattended("Another page is open.")
+    assert setup.gamepad.text == "Another page is open."
     setup.pads.press(HOLD)
     setup.qtbot.waitUntil(lambda: setup.gamepad.request.waits_for is DriveCondition.RELEASE)
     setup.pads.release(HOLD)
@@ -181,7 +190,7 @@ def test_blocked_gamepad_does_not_drive(setup: GamepadSetup) -> None:
     assert setup.speeds() == (None, None)
 
 
-def test_control_held_elsewhere_blocks_the_gamepad(setup: GamepadSetup) -> None:
+def test_another_held_control_blocks_the_gamepad(setup: GamepadSetup) -> None:
     setup.motors.acquire("pad")
     setup.motors.set_speed(1, 30, "pad")
     setup.pads.press(HOLD)
@@ -194,31 +203,29 @@ def test_control_held_elsewhere_blocks_the_gamepad(setup: GamepadSetup) -> None:
     assert not setup.motors.holder
 
 
-def test_switching_off_while_driving_stops_the_motors(setup: GamepadSetup) -> None:
-    setup.drive_forward()
+def test_switched_off_gamepad_is_closed(setup: GamepadSetup) -> None:
     setup.gamepad.switch_off()
-    assert setup.stops == ["Driving with a gamepad was switched off."]
     assert not setup.pads.is_open
     assert setup.gamepad.text == ""
 
 
-def test_profile_is_saved_per_gamepad_model(setup: GamepadSetup) -> None:
+def test_profile_is_saved_for_each_gamepad_model(setup: GamepadSetup) -> None:
     profile = replace(setup.gamepad.profile, second=Axis(3), hold=5, dead_zone=0.2)
     setup.gamepad.set_profile(profile)
     setup.gamepad.switch_off()
-    later = Gamepad(setup.device, HeldPads(PAD, OTHER))
-    later.switch_on()
-    assert later.profile == profile
-    later.set_profile(replace(profile, first=Axis(9)))  # this gamepad has no axis 9
-    later.switch_off()
-    later.switch_on()
-    assert later.profile.first == Axis(Y, inverted=True)
-    later.select(OTHER)
-    assert later.profile != profile
-    later.switch_off()
+    gamepad = Gamepad(setup.device, HeldPads(PAD, OTHER))
+    gamepad.switch_on()
+    assert gamepad.profile == profile
+    gamepad.set_profile(replace(profile, first=Axis(9)))  # this gamepad has no axis 9
+    gamepad.switch_off()
+    gamepad.switch_on()
+    assert gamepad.profile.first == Axis(Y, inverted=True)
+    gamepad.select(OTHER)
+    assert gamepad.profile != profile
+    gamepad.switch_off()
 
 
-def test_last_chosen_gamepad_model_is_reselected(setup: GamepadSetup) -> None:
+def test_last_selected_gamepad_model_is_selected_again(setup: GamepadSetup) -> None:
     setup.pads.plug_in(OTHER)
     setup.qtbot.waitUntil(lambda: OTHER in setup.gamepad.pads)
     setup.gamepad.select(OTHER)
@@ -227,13 +234,7 @@ def test_last_chosen_gamepad_model_is_reselected(setup: GamepadSetup) -> None:
     assert setup.gamepad.pad == OTHER
 
 
-def test_profile_change_while_driving_stops_the_motors(setup: GamepadSetup) -> None:
-    setup.drive_forward()
-    setup.gamepad.set_profile(replace(setup.gamepad.profile, expo=1.0))
-    assert setup.stops == ["The gamepad settings were changed."]
-
-
-def test_missing_gamepad_support_shows_a_remedy(qtbot: QtBot) -> None:
+def test_missing_gamepad_support_is_shown_with_a_remedy(qtbot: QtBot) -> None:
     gamepad = Gamepad(Device(), HeldPads(failure="Install it with …"))
     gamepad.switch_on()
     assert not gamepad.on
@@ -250,7 +251,7 @@ def test_first_plugged_in_gamepad_is_selected(qtbot: QtBot) -> None:
     gamepad.switch_off()
 
 
-def test_deleted_gamepad_model_closes_the_pads(qtbot: QtBot) -> None:
+def test_deleted_gamepad_is_closed(qtbot: QtBot) -> None:
     pads = HeldPads(PAD)
     gamepad = Gamepad(Device(), pads)
     gamepad.switch_on()
@@ -260,18 +261,16 @@ def test_deleted_gamepad_model_closes_the_pads(qtbot: QtBot) -> None:
     assert not pads.is_open
 
 
-# --- Names of the parts -----------------------------------------------------------------
+# --- Names of axes and buttons ----------------------------------------------------------
 
 
-UNKNOWN = replace(PAD, parts={})
+def test_unnamed_axes_and_buttons_are_numbered_from_1() -> None:
+    unnamed = replace(PAD, parts={})
+    assert axis_text(unnamed, 0) == "axis 1"
+    assert button_text(unnamed, 4) == "button 5"
 
 
-def test_parts_are_numbered_from_one() -> None:
-    assert axis_text(UNKNOWN, 0) == "axis 1"
-    assert button_text(UNKNOWN, 4) == "button 5"
-
-
-def test_parts_known_to_sdl_show_their_names() -> None:
+def test_axes_and_buttons_known_to_sdl_show_their_names() -> None:
     assert axis_text(PAD, 0) == "axis 1 (left stick, sideways)"
     assert button_text(PAD, 4) == "button 5 (left shoulder)"
     assert button_text(PAD, None) == "none"

@@ -19,9 +19,10 @@ OUTAGE_S = 4.0
 
 
 class LostBoard:
-    """Board that is lost for some seconds while motor 1 is driven.
+    """Board whose connection is lost for some seconds while motor 1 is driven.
 
-    `goes_on`: its serial timeout needs UART-Error Shutdown, which is off.
+    With `goes_on` the motor goes on turning: the serial timeout needs UART-Error Shutdown,
+    which is off.
     """
 
     def __init__(
@@ -29,19 +30,19 @@ class LostBoard:
     ) -> None:
         self.controller, self.board, self.qtbot, self.goes_on = controller, board, qtbot, goes_on
         self.device = device = controller.device
-        self.news: list[str] = []
+        self.infos: list[str] = []
         self.answers: dict[str, Answer] = {}
-        device.notifier.info.connect(self.news.append)
+        device.notifier.info.connect(self.infos.append)
         device.notifier.remedies_offered.connect(self._on_offered)
 
     def turns(self) -> bool:
         return bool(self.board.show()["motors"][0]["direction"] == "forward")
 
     def _on_offered(self, remedies: Remedies) -> None:
-        self.answers = {each.name: each for each in remedies if isinstance(each, Answer)}
+        self.answers = {answer.name: answer for answer in remedies if isinstance(answer, Answer)}
 
-    def lose(
-        self, *, name: str = "", seconds: float = OUTAGE_S, power: str = "", back_at: str = ""
+    def lose_and_reconnect(
+        self, *, name: str = "", seconds: float = OUTAGE_S, power: str = "", new_port: str = ""
     ) -> None:
         motors, qtbot = self.device.motors, self.qtbot
         assert isinstance(qtbot, VirtualQtBot)
@@ -58,10 +59,10 @@ class LostBoard:
         qtbot.runtime.advance(seconds)
         assert power or self.turns() is self.goes_on
         self.board.do("line plug")
-        if back_at:
-            qtbot.runtime.ports[back_at] = self.board
-        self.device.connect_to(replace(settings, url=back_at or settings.url))
-        qtbot.waitUntil(lambda: bool(self.news))
+        if new_port:
+            qtbot.runtime.ports[new_port] = self.board
+        self.device.connect_to(replace(settings, url=new_port or settings.url))
+        qtbot.waitUntil(lambda: bool(self.infos))
         qtbot.runtime.advance(1.0)
 
 
@@ -74,8 +75,8 @@ def goes_on() -> bool:
 def lost(
     controller: TrexController, start_simulator: StartSimulator, qtbot: QtBot, *, goes_on: bool
 ) -> LostBoard:
-    hypothesis = ("--timeout-needs-shutdown=on", "--error-shutdown=off") if goes_on else ()
-    board = start_simulator("--unpaced", *hypothesis)
+    options = ("--timeout-needs-shutdown=on", "--error-shutdown=off") if goes_on else ()
+    board = start_simulator("--unpaced", *options)
     assert isinstance(board, VirtualSimulator)
     board.do("eeprom serial_timeout 5")
     board.do("power cycle")
@@ -84,33 +85,33 @@ def lost(
 
 @pytest.mark.parametrize("goes_on", [False, True])
 @pytest.mark.parametrize(
-    ("answer", "known"),
+    ("answer", "expected"),
     [("timeoutWorked", TimeoutStop.TRIED), ("timeoutFailed", TimeoutStop.FAILED)],
 )
 def test_answer_about_the_timeout_is_saved_for_the_board(
-    lost: LostBoard, answer: str, known: TimeoutStop
+    lost: LostBoard, answer: str, expected: TimeoutStop
 ) -> None:
-    lost.lose()
+    lost.lose_and_reconnect()
     assert (drive_inputs(lost.device).silence_remedy == "Cut the power.") is lost.goes_on
-    assert lost.news[-1].startswith("The board is back. It has confirmed the stop. For 4 s")
+    assert lost.infos[-1].startswith("The board is back. It has confirmed the stop. For 4 s")
     lost.answers[answer].then()
-    if known is TimeoutStop.FAILED and lost.goes_on:
-        known = TimeoutStop.REFUTED  # with UART-Error Shutdown it may stop them
-    assert lost.device.board.timeout_stop is known
+    if expected is TimeoutStop.FAILED and lost.goes_on:
+        expected = TimeoutStop.REFUTED  # with UART-Error Shutdown the timeout may stop motors
+    assert lost.device.board.timeout_stop is expected
 
-    lost.lose()
+    lost.lose_and_reconnect()
     lost.answers["timeoutWorked"].then()
     newest = lost.device.board.timeout_stop
     assert newest is TimeoutStop.TRIED
 
 
 @pytest.mark.parametrize("adapter", ["0403:6001-A500001", ""])
-def test_adapter_that_gets_another_port_is_the_same(lost: LostBoard, adapter: str) -> None:
+def test_adapter_is_recognized_at_another_port(lost: LostBoard, adapter: str) -> None:
     errors: list[str] = []
     lost.device.notifier.error.connect(errors.append)
-    lost.device.notifier.error.connect(lost.news.append)
+    lost.device.notifier.error.connect(lost.infos.append)
     lost.device.motors.adapter = adapter
-    lost.lose(back_at="/virtual/another")
+    lost.lose_and_reconnect(new_port="/virtual/another")
     assert ("timeoutFailed" in lost.answers) is bool(adapter)
     doubts = [text for text in errors if "if it is another board, cut the power" in text]
     assert bool(doubts) is not bool(adapter)
@@ -123,8 +124,8 @@ def test_adapter_that_gets_another_port_is_the_same(lost: LostBoard, adapter: st
     [("Demo", OUTAGE_S, ""), ("", 1.0, ""), ("", OUTAGE_S, "power cycle")],
     ids=["simulated", "too short", "power was cut"],
 )
-def test_short_outage_prompts_nothing(
+def test_short_or_explained_outage_asks_no_question(
     lost: LostBoard, name: str, seconds: float, power: str
 ) -> None:
-    lost.lose(name=name, seconds=seconds, power=power)
-    assert lost.news == ["The board is back. It has confirmed the stop."]
+    lost.lose_and_reconnect(name=name, seconds=seconds, power=power)
+    assert lost.infos == ["The board is back. It has confirmed the stop."]

@@ -22,7 +22,7 @@ from trex_gui.devices.trex.protocol.driving import Drive
 
 
 class RequestRecorder:
-    """Motors with their requests, stops and changes."""
+    """Motors that record their requests, stops and changes."""
 
     def __init__(self) -> None:
         self.motors = Motors()
@@ -52,7 +52,7 @@ def armed(recorder: RequestRecorder) -> RequestRecorder:
     return recorder
 
 
-def drive_everything(motors: Motors) -> None:
+def drive_all_motors(motors: Motors) -> None:
     motors.set_speed(1, 50)
     motors.set_speed(2, -50)
     motors.set_brake(1, 10)
@@ -64,11 +64,11 @@ def drive_everything(motors: Motors) -> None:
 
 def test_unarmed_motors_send_nothing(recorder: RequestRecorder) -> None:
     recorder.motors.arm()
-    assert not recorder.motors.armed, "there is no board"
+    assert not recorder.motors.armed, "no board is connected"
     assert not recorder.motors.is_available
-    drive_everything(recorder.motors)
+    drive_all_motors(recorder.motors)
     recorder.motors.set_available(True)
-    drive_everything(recorder.motors)
+    drive_all_motors(recorder.motors)
     assert recorder.requests == []
     assert recorder.motors.drive(1) is None
     assert recorder.motors.auxiliary == 0
@@ -120,7 +120,7 @@ def test_rearmed_motors_have_no_setpoint(armed: RequestRecorder) -> None:
 
 
 def test_stop_disarms_and_clears_setpoints(armed: RequestRecorder) -> None:
-    drive_everything(armed.motors)
+    drive_all_motors(armed.motors)
     armed.motors.stop()
     assert armed.stops == 1
     assert not armed.motors.armed
@@ -128,13 +128,13 @@ def test_stop_disarms_and_clears_setpoints(armed: RequestRecorder) -> None:
     assert armed.motors.drive(2) is None
     assert armed.motors.auxiliary == 0
     armed.requests.clear()
-    drive_everything(armed.motors)
+    drive_all_motors(armed.motors)
     assert armed.requests == []
 
 
-@pytest.mark.parametrize("allowed", [False, True])
-def test_stop_is_always_accepted(recorder: RequestRecorder, *, allowed: bool) -> None:
-    recorder.motors.set_available(allowed)
+@pytest.mark.parametrize("available", [False, True])
+def test_stop_is_always_accepted(recorder: RequestRecorder, *, available: bool) -> None:
+    recorder.motors.set_available(available)
     for _ in range(3):
         recorder.motors.stop()
     assert recorder.stops == 3
@@ -158,15 +158,13 @@ def test_returning_board_does_not_arm_the_motors(armed: RequestRecorder) -> None
     assert not armed.motors.armed
 
 
-def test_each_change_is_announced_by_its_signal(recorder: RequestRecorder) -> None:
-    recorder.motors.set_available(True)
-    recorder.motors.arm()
-    recorder.motors.set_speed(1, 5)
-    recorder.motors.set_auxiliary(5)
-    recorder.motors.set_ceiling(100)
-    recorder.motors.acquire("pad")
-    recorder.motors.stop()
-    assert recorder.changes == [
+def test_each_change_emits_its_signal(armed: RequestRecorder) -> None:
+    armed.motors.set_speed(1, 5)
+    armed.motors.set_auxiliary(5)
+    armed.motors.set_ceiling(100)
+    armed.motors.acquire("pad")
+    armed.motors.stop()
+    assert armed.changes == [
         *("arming", "arming", "setpoints", "setpoints", "options", "holder"),
         *("arming", "setpoints", "holder"),
     ]
@@ -182,21 +180,19 @@ def test_setpoint_text_names_each_motor(armed: RequestRecorder) -> None:
     assert armed.motors.text == ""
 
 
-def test_first_setpoint_is_sent_even_if_it_is_a_brake(armed: RequestRecorder) -> None:
+def test_first_setpoint_is_sent_even_if_it_brakes(armed: RequestRecorder) -> None:
     armed.motors.set_brake(1, 127)
     assert armed.requests == [SetMotor(1, Drive.brake(), accelerate=True)]
 
 
-# --- The lock after a stop --------------------------------------------------------------
+# --- Lockout after a stop ---------------------------------------------------------------
 
 
 def test_pressed_stop_prevents_arming_during_the_lockout(
-    qtbot: QtBot, virtual_time: VirtualRuntime
+    armed: RequestRecorder, qtbot: QtBot, virtual_time: VirtualRuntime
 ) -> None:
-    motors = Motors()
-    motors.set_available(True)
+    motors = armed.motors
     motors.lockout = 3.0
-    motors.arm()
     motors.press_stop()
     assert motors.locked_for == pytest.approx(3.0)
     virtual_time.advance(2.9)
@@ -209,9 +205,7 @@ def test_pressed_stop_prevents_arming_during_the_lockout(
     assert motors.armed
 
 
-def test_second_stop_extends_but_never_shortens_the_lockout(
-    qtbot: QtBot, virtual_time: VirtualRuntime
-) -> None:
+def test_second_stop_never_shortens_the_lockout(qtbot: QtBot, virtual_time: VirtualRuntime) -> None:
     motors = Motors()
     motors.press_stop()
     virtual_time.advance(1.0)
@@ -231,10 +225,12 @@ def test_automatic_stop_has_no_lockout_and_gives_a_reason(armed: RequestRecorder
     assert armed.motors.stop_reason == ""
 
 
-@pytest.mark.parametrize(("chosen", "kept"), [(60.0, 10.0), (4.5, 4.5), (0.0, 0.0), (-1.0, 0.0)])
-def test_lockout_is_saved_within_its_limits(qapp: QApplication, chosen: float, kept: float) -> None:
-    Motors().set_lockout(chosen)
-    assert Motors().lockout == kept
+@pytest.mark.parametrize(("seconds", "saved"), [(60.0, 10.0), (4.5, 4.5), (0.0, 0.0), (-1.0, 0.0)])
+def test_lockout_is_saved_within_its_limits(
+    qapp: QApplication, seconds: float, saved: float
+) -> None:
+    Motors().set_lockout(seconds)
+    assert Motors().lockout == saved
 
 
 # --- Ceiling and link -------------------------------------------------------------------
@@ -245,10 +241,11 @@ def test_setpoints_are_limited_by_the_ceiling(armed: RequestRecorder) -> None:
     armed.motors.set_speed(1, 100)
     armed.motors.set_speed(2, -100)
     armed.motors.set_auxiliary(100)
-    assert [
-        request.drive.signed for request in armed.requests if isinstance(request, SetMotor)
-    ] == [40, -40]
-    assert armed.motors.auxiliary == 40
+    assert armed.requests == [
+        SetMotor(1, Drive.at(40), True),
+        SetMotor(2, Drive.at(-40), True),
+        SetAuxiliary(40, True),
+    ]
 
 
 def test_lower_ceiling_slows_faster_motors(armed: RequestRecorder) -> None:
@@ -262,8 +259,8 @@ def test_lower_ceiling_slows_faster_motors(armed: RequestRecorder) -> None:
     armed.motors.set_auxiliary(0)
     armed.requests.clear()
     armed.motors.set_ceiling(20)
-    both = SetMotor(1, Drive.at(20), True), SetMotor(2, Drive.at(-20), True)
-    assert armed.requests == [SetMotors(both)]
+    setpoints = SetMotor(1, Drive.at(20), True), SetMotor(2, Drive.at(-20), True)
+    assert armed.requests == [SetMotors(setpoints)]
 
 
 def test_higher_ceiling_takes_effect_after_release(armed: RequestRecorder) -> None:
@@ -271,7 +268,7 @@ def test_higher_ceiling_takes_effect_after_release(armed: RequestRecorder) -> No
     armed.motors.acquire("stick")
     armed.motors.set_speed(1, 127, "stick")
     armed.motors.set_ceiling(100)
-    armed.motors.set_speed(1, 127, "stick")  # as from a stick that does not move
+    armed.motors.set_speed(1, 127, "stick")  # the stick does not move
     armed.motors.set_auxiliary(127, "stick")
     assert armed.motors.drive(1) == Drive.at(30)
     assert (armed.motors.ceiling, armed.motors.auxiliary) == (100, 30)
@@ -290,7 +287,7 @@ def test_ceiling_out_of_range_is_rejected(recorder: RequestRecorder, speed: int)
         recorder.motors.set_ceiling(speed)
 
 
-def test_linked_motors_get_the_same_setpoint(armed: RequestRecorder) -> None:
+def test_linked_motors_get_equal_setpoints(armed: RequestRecorder) -> None:
     armed.motors.set_linked(True)
     armed.motors.set_speed(2, 30)
     armed.motors.set_brake(1, 60)
@@ -313,12 +310,12 @@ def test_motors_with_different_speeds_cannot_be_linked(
 
 
 def test_linking_idle_or_equal_motors_sends_nothing(armed: RequestRecorder) -> None:
-    alike: list[Callable[[Motors], None]] = [
+    drives: list[Callable[[Motors], None]] = [
         lambda motors: motors.set_brake(1, 60),
         lambda motors: motors.set_speeds(0, 0),
         lambda motors: motors.set_speeds(40, 40),
     ]
-    for drive in alike:
+    for drive in drives:
         drive(armed.motors)
         armed.requests.clear()
         armed.motors.set_linked(True)
@@ -328,7 +325,7 @@ def test_linking_idle_or_equal_motors_sends_nothing(armed: RequestRecorder) -> N
         armed.motors.set_linked(False)
 
 
-# --- Controls that must be held ---------------------------------------------------------
+# --- Held controls ----------------------------------------------------------------------
 
 
 def test_releasing_a_held_control_brakes_its_motors(armed: RequestRecorder) -> None:
@@ -375,7 +372,7 @@ def test_only_one_control_can_hold_the_motors(armed: RequestRecorder) -> None:
     assert armed.motors.drive(1) == Drive.brake(127)
 
 
-def test_losing_the_holding_control_stops_and_disarms(armed: RequestRecorder) -> None:
+def test_abort_by_the_holding_control_stops_and_disarms(armed: RequestRecorder) -> None:
     armed.motors.acquire("gamepad")
     armed.motors.set_speed(1, 20, "gamepad")
     armed.motors.abort("keys", "not held")
