@@ -15,14 +15,8 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
 
-STEP = 0.02
-"""Seconds between two steps of a profile."""
-
-UPDATE = 0.01
-"""Seconds between two updates of the board's outputs (CMD10 0xC4)."""
-
-LATE = STEP + UPDATE
-"""Seconds by which a simulated motor follows its profile at most; the bytes take no time."""
+STEP = 0.02  # seconds between two setpoints of a profile
+MAX_DELAY = STEP + 0.01  # the board updates its outputs every 0.01 s (CMD10 0xC4)
 
 
 class BenchSetup:
@@ -53,8 +47,14 @@ class BenchSetup:
         self.device.motors.arm()
         assert self.device.motors.armed
 
+    def store(self, key: str, wire: int) -> None:
+        """Write a parameter, and wait for the end."""
+        self.device.parameters.edit(key, wire)
+        self.device.writer.apply()
+        self.until(lambda: not self.device.writer.running and self.device.draft.pending == 0)
+
     def run(self) -> Run:
-        """Hold the button until the test is over."""
+        """Run a bench test to its end."""
         assert self.bench.start(), self.bench.blocker
         return self.result()
 
@@ -64,13 +64,13 @@ class BenchSetup:
 
     def speed(self, motor: int = 1) -> int:
         """Return the signed speed of the simulated output. 0 while braking."""
-        shown = self.simulator.show()["motors"][motor - 1]
-        sign = {"forward": 1, "reverse": -1, "brake": 0}[shown["direction"]]
-        return int(sign * shown["speed"])
+        output = self.simulator.show()["motors"][motor - 1]
+        sign = {"forward": 1, "reverse": -1, "brake": 0}[output["direction"]]
+        return int(sign * output["speed"])
 
     def brakes(self, motor: int = 1) -> bool:
-        shown = self.simulator.show()["motors"][motor - 1]
-        return bool(shown["direction"] == "brake" and shown["speed"] == 127)
+        output = self.simulator.show()["motors"][motor - 1]
+        return bool(output["direction"] == "brake" and output["speed"] == 127)
 
 
 @pytest.fixture
@@ -78,7 +78,7 @@ def connected(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[BenchS
     setup = BenchSetup(qtbot, quick_simulator)
     setup.connect()
     yield setup
-    qtbot.waitUntil(setup.device.shut_down)  # no thread remains
+    qtbot.waitUntil(setup.device.shut_down)  # no thread may outlive the test
 
 
 @pytest.fixture
@@ -103,11 +103,11 @@ def test_abort_current_follows_the_model(
 ) -> None:
     setup = BenchSetup(qtbot, start_simulator("--unpaced", "--model", model))
     setup.connect()
-    opened_later = Bench(setup.device)
-    assert setup.bench.plan.abort_current == opened_later.plan.abort_current == default
-    opened_later.set_plan(replace(opened_later.plan, abort_current=2.0))
+    second = Bench(setup.device)
+    assert setup.bench.plan.abort_current == second.plan.abort_current == default
+    second.set_plan(replace(second.plan, abort_current=2.0))
     setup.device.state_changed.emit()
-    assert opened_later.plan.abort_current == 2.0, "typed values stay"
+    assert second.plan.abort_current == 2.0, "a typed value is retained"
     qtbot.waitUntil(setup.device.shut_down)
 
 
@@ -118,11 +118,7 @@ def test_running_motors_block_the_test(armed: BenchSetup) -> None:
 
 
 def test_joint_mode_blocks_the_test(connected: BenchSetup) -> None:
-    connected.device.parameters.edit("motor_mode", 1)
-    connected.device.writer.apply()
-    connected.until(
-        lambda: not connected.device.writer.running and connected.device.draft.pending == 0
-    )
+    connected.store("motor_mode", 1)
     connected.device.record_power_cycled()
     connected.arm()
     assert "joint mode" in connected.bench.blocker
@@ -138,21 +134,21 @@ def test_joint_mode_blocks_the_test(connected: BenchSetup) -> None:
 def test_simulated_motor_follows_the_profile(armed: BenchSetup, shape: Shape, motor: int) -> None:
     armed.plan(shape, speed=-100, duration=1.0, period=1.0, motor=motor, abort_current=40.0)
     profile = armed.bench.plan.profile
-    seen: list[tuple[float, int]] = []
-    begun = now()
+    speeds: list[tuple[float, int]] = []
+    start = now()
     assert armed.bench.start()
 
-    def look() -> bool:
-        seen.append((now() - begun, armed.speed(motor)))
+    def has_ended() -> bool:
+        speeds.append((now() - start, armed.speed(motor)))
         return armed.bench.phase is not Phase.DRIVING
 
-    armed.until(look)
+    armed.until(has_ended)
     armed.until(lambda: armed.brakes(motor))
     assert armed.speed(3 - motor) == 0
     armed.result()
-    inside = [(time, speed) for time, speed in seen if LATE < time < profile.duration]
+    inside = [(time, speed) for time, speed in speeds if MAX_DELAY < time < profile.duration]
     for time, speed in inside:
-        expected = [profile.speed_at(time - LATE * part / 200) for part in range(201)]
+        expected = [profile.speed_at(time - MAX_DELAY * part / 200) for part in range(201)]
         assert min(expected) <= speed <= max(expected), f"{time:.3f} s"
     assert max(abs(speed) for _, speed in inside) >= 90
 
@@ -167,9 +163,7 @@ def test_completed_test_leaves_the_motor_braked_and_armed(armed: BenchSetup) -> 
     assert armed.device.motors.holder == ""
 
 
-def test_profile_is_limited_to_ceiling_and_setpoint_rate(
-    armed: BenchSetup,
-) -> None:
+def test_profile_is_limited_to_ceiling_and_setpoint_rate(armed: BenchSetup) -> None:
     armed.device.motors.set_ceiling(30)
     armed.plan(Shape.SINE, speed=100, duration=1.0, period=0.6, abort_current=40.0)
     run = armed.run()
@@ -178,14 +172,14 @@ def test_profile_is_limited_to_ceiling_and_setpoint_rate(
     assert run.profile.speed == 30
 
 
-def test_options_of_other_controls_are_unchanged(armed: BenchSetup) -> None:
+def test_bench_test_does_not_change_the_motor_options(armed: BenchSetup) -> None:
     motors = armed.device.motors
     motors.accelerate = True
     motors.set_linked(True)
     armed.plan(duration=30.0, accelerate=False, abort_current=40.0)
     assert armed.bench.start()
     armed.until(lambda: armed.speed(1) == 60)
-    assert armed.speed(2) == 0  # the test is of one motor
+    assert armed.speed(2) == 0  # a bench test drives one motor
     armed.bench.release()
     armed.result()
     assert motors.accelerate
@@ -199,9 +193,7 @@ def test_board_ramp_lowers_the_measured_inrush_current(armed: BenchSetup) -> Non
     armed.simulator.do("load 1 3")
     armed.plan(speed=120, duration=1.2, accelerate=True, abort_current=38.0)
     hard = figures(armed.run())
-    armed.device.parameters.edit("motor1_acceleration", 20)
-    armed.device.writer.apply()
-    armed.until(lambda: not armed.device.writer.running and armed.device.draft.pending == 0)
+    armed.store("motor1_acceleration", 20)
     soft_run = armed.run()
     soft = figures(soft_run)
     assert hard.peak is not None
@@ -216,7 +208,7 @@ def test_board_ramp_lowers_the_measured_inrush_current(armed: BenchSetup) -> Non
 
 @pytest.fixture
 def driving(armed: BenchSetup) -> BenchSetup:
-    """Start a long test."""
+    """Bench during a long bench test."""
     armed.plan(speed=60, duration=30.0, abort_current=20.0)
     assert armed.bench.start()
     armed.until(lambda: armed.speed() == 60)
@@ -232,7 +224,7 @@ def test_releasing_the_button_brakes_the_motor(driving: BenchSetup) -> None:
     assert driving.device.motors.armed
 
 
-def test_next_test_can_begin_right_after_release(driving: BenchSetup) -> None:
+def test_next_test_can_start_right_after_release(driving: BenchSetup) -> None:
     driving.bench.release()
     assert driving.bench.start()
     driving.until(lambda: driving.speed() == 60)
@@ -242,7 +234,7 @@ def test_next_test_can_begin_right_after_release(driving: BenchSetup) -> None:
 
 
 def aborted(setup: BenchSetup) -> Run:
-    """Wait for the end, with the motor at rest and nothing armed."""
+    """Wait until the test is aborted, the motor stopped and the motors disarmed."""
     run = setup.result()
     setup.until(lambda: setup.speed() == 0)
     assert run.end is End.ABORTED
@@ -262,13 +254,13 @@ def test_current_above_abort_limit_aborts_and_disarms(driving: BenchSetup) -> No
 
 
 def test_stalled_motor_is_stopped_within_one_second(armed: BenchSetup) -> None:
-    armed.simulator.do("load 1 25")  # more than it can turn at this speed
+    armed.simulator.do("load 1 25")  # the load stalls the motor at this speed
     armed.plan(speed=100, duration=30.0, abort_current=15.0, accelerate=False)
     assert armed.bench.start()
     assert aborted(armed).ended < 1.0
 
 
-def test_current_of_other_motor_does_not_abort_the_test(driving: BenchSetup) -> None:
+def test_current_of_the_other_motor_does_not_abort_the_test(driving: BenchSetup) -> None:
     driving.simulator.do("current 2 25")
     driving.until(lambda: (driving.device.telemetry.motor_currents or (0, 0))[1] > 24)
     assert driving.bench.phase is Phase.DRIVING
@@ -279,13 +271,13 @@ def test_current_of_other_motor_does_not_abort_the_test(driving: BenchSetup) -> 
 @pytest.mark.parametrize(
     ("act", "reason"),
     [
-        (lambda run: run.simulator.do("fault 1 on"), "reported a fault"),
-        (lambda run: run.simulator.do("line mute on"), "The board does not respond."),
-        (lambda run: run.device.motors.press_stop(), "Stop was pressed."),
-        (lambda run: run.device.disconnect_line(), "The connection was closed."),
+        (lambda setup: setup.simulator.do("fault 1 on"), "reported a fault"),
+        (lambda setup: setup.simulator.do("line mute on"), "The board does not respond."),
+        (lambda setup: setup.device.motors.press_stop(), "Stop was pressed."),
+        (lambda setup: setup.device.disconnect_line(), "The connection was closed."),
     ],
 )
-def test_what_ends_driving_aborts_the_test_and_disarms(
+def test_end_of_driving_aborts_the_test_and_disarms(
     driving: BenchSetup, act: Callable[[BenchSetup], object], reason: str
 ) -> None:
     act(driving)
@@ -293,17 +285,15 @@ def test_what_ends_driving_aborts_the_test_and_disarms(
     assert not driving.bench.start()
 
 
-@pytest.mark.parametrize("wanted", [False, True])
-def test_board_current_limit_aborts_only_when_enabled(armed: BenchSetup, *, wanted: bool) -> None:
-    armed.device.parameters.edit("motor1_current_limit", 20)  # 6 A
-    armed.device.writer.apply()
-    armed.until(lambda: not armed.device.writer.running and armed.device.draft.pending == 0)
+@pytest.mark.parametrize("enabled", [False, True])
+def test_board_current_limit_aborts_only_when_enabled(armed: BenchSetup, *, enabled: bool) -> None:
+    armed.store("motor1_current_limit", 20)  # 6 A
     armed.simulator.do("current 1 7")
-    duration = 15.0 if wanted else 1.0
-    armed.plan(speed=60, duration=duration, abort_current=20.0, abort_at_limit=wanted)
+    duration = 15.0 if enabled else 1.0
+    armed.plan(speed=60, duration=duration, abort_current=20.0, abort_at_limit=enabled)
     run = armed.run()
-    assert (run.end is End.ABORTED) is wanted
-    assert ("current limit" in run.reason) is wanted
+    assert (run.end is End.ABORTED) is enabled
+    assert ("current limit" in run.reason) is enabled
 
 
 def test_channel_takeover_aborts_the_test(qtbot: QtBot, start_simulator: StartSimulator) -> None:

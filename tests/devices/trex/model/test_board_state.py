@@ -1,4 +1,4 @@
-"""State of a board from its replies and later writes."""
+"""State of a board after its replies and later writes."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -68,9 +68,9 @@ def test_unverified_result_does_not_change_the_state(result: WriteResult) -> Non
     assert after_writing(STATE, [result]) == STATE
 
 
-@pytest.mark.parametrize(("what", "channel"), [("rc_channel_3", 3), ("channel_input_source", None)])
-def test_write_result_gives_its_channel(what: str, channel: int | None) -> None:
-    assert WriteResult(what).channel == channel
+@pytest.mark.parametrize(("key", "channel"), [("rc_channel_3", 3), ("channel_input_source", None)])
+def test_write_result_gives_its_channel(key: str, channel: int | None) -> None:
+    assert WriteResult(key).channel == channel
 
 
 def test_active_values_come_from_the_line_settings() -> None:
@@ -86,25 +86,24 @@ def test_active_values_come_from_the_line_settings() -> None:
 
 
 @pytest.mark.usefixtures("qapp")
-def test_current_unit_is_that_of_another_model_at_the_same_line() -> None:
+def test_current_unit_follows_another_model_on_the_same_line() -> None:
     device, link = Device(), ConnectionSettings("virtual", name="virtual")
     device.connection.device_read.emit(Connected(STATE, False, ReadReason.OPENED, link))
     assert device.telemetry.ampere == pytest.approx(0.15)
     jr = replace(STATE, signature=Signature(device_table().model("trexjr"), "1.2"))
     device.connection.device_read.emit(Connected(jr, False, ReadReason.RESTARTED, link))
     assert device.telemetry.ampere == pytest.approx(0.04)
-    runtime().sleep(1.0)  # its files are read
+    runtime().sleep(1.0)  # the files of the board are read
 
 
-# --- A pending reset --------------------------------------------------------------------
+# --- Pending factory reset --------------------------------------------------------------
 
 DraftAfter = Callable[[WriteResult], SettingsDraft]
 
 
 @pytest.fixture
 def written(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> DraftAfter:
-    """Update the draft of a board after this result of a write."""
-
+    """Return a function that writes with this result and returns the draft."""
     devices = []
 
     def write(result: WriteResult) -> SettingsDraft:
@@ -121,7 +120,7 @@ def written(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> DraftAfter:
     return write
 
 
-def test_reset_is_pending_from_its_acceptance_to_the_next_start(written: DraftAfter) -> None:
+def test_accepted_reset_is_pending_until_the_next_start(written: DraftAfter) -> None:
     assert not written(WriteResult("factory_reset", error=NoReply("x"))).reset_pending
     assert not written(WriteResult("motor_mode", 1)).reset_pending
     changed = replace(STATE, parameters={**STATE.parameters, "motor_mode": 1})

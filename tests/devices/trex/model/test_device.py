@@ -1,4 +1,4 @@
-"""Device with a real thread, a real line and a simulated board."""
+"""Device with a simulated board."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -18,9 +18,10 @@ LEARNED = Calibration(2400, 3700, 5100, 80)
 
 
 class DeviceRecorder:
-    """Device with its states, failures and results."""
+    """Device that records its link states, failures and results, and a simulated board."""
 
-    def __init__(self, qtbot: QtBot) -> None:
+    def __init__(self, qtbot: QtBot, simulator: SimulatedDevice) -> None:
+        self.simulator = simulator
         self.device = Device()
         self.links: list[ConnectionState] = []
         self.failures: list[str] = []
@@ -35,8 +36,8 @@ class DeviceRecorder:
     def _on_link_changed(self) -> None:
         self.links.append(self.device.link)
 
-    def _on_progressed(self, done: int, total: int, what: str) -> None:
-        self.steps.append((done, total, what))
+    def _on_progressed(self, done: int, total: int, text: str) -> None:
+        self.steps.append((done, total, text))
 
     def until(self, condition: Callable[[], bool]) -> None:
         self.qtbot.waitUntil(condition)
@@ -44,9 +45,9 @@ class DeviceRecorder:
     def until_link(self, link: ConnectionState) -> None:
         self.until(lambda: self.device.link is link)
 
-    def connect(self, url: str, *, again: bool = False) -> None:
+    def connect(self, url: str, *, reconnect: bool = False) -> None:
         self.device.connect_to(ConnectionSettings(url))
-        if again:
+        if reconnect:
             self.until(lambda: self.device.link is not ConnectionState.CONNECTED)
         failed = len(self.failures)
         self.until(
@@ -59,29 +60,21 @@ class DeviceRecorder:
 
     def apply(self) -> tuple[WriteResult, ...]:
         """Apply every edit, and return the results."""
-        before = len(self.results)
+        count = len(self.results)
         self.device.writer.apply()
-        self.until(lambda: len(self.results) > before)
+        self.until(lambda: len(self.results) > count)
         return self.results[-1]
 
 
-class RecorderOfBoard(DeviceRecorder):
-    """Device beside a simulated board."""
-
-    def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
-        super().__init__(qtbot)
-        self.simulator = simulator
-
-
 @pytest.fixture
-def recorder(quick_simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[RecorderOfBoard]:
-    recorder = RecorderOfBoard(quick_simulator, qtbot)
+def recorder(quick_simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[DeviceRecorder]:
+    recorder = DeviceRecorder(qtbot, quick_simulator)
     yield recorder
-    qtbot.waitUntil(recorder.device.shut_down)  # no thread remains
+    qtbot.waitUntil(recorder.device.shut_down)  # no thread may outlive the test
 
 
 @pytest.fixture
-def connected(recorder: RecorderOfBoard) -> RecorderOfBoard:
+def connected(recorder: DeviceRecorder) -> DeviceRecorder:
     recorder.connect(recorder.simulator.url)
     return recorder
 
@@ -89,7 +82,7 @@ def connected(recorder: RecorderOfBoard) -> RecorderOfBoard:
 # --- Connecting -------------------------------------------------------------------------
 
 
-def test_connecting_reads_state_and_enables_arming(connected: RecorderOfBoard) -> None:
+def test_connecting_reads_state_and_enables_arming(connected: DeviceRecorder) -> None:
     device = connected.device
     assert connected.links == [ConnectionState.CONNECTING, ConnectionState.CONNECTED]
     assert "Connected to TReX 1.2" in device.status
@@ -104,7 +97,7 @@ def test_connecting_reads_state_and_enables_arming(connected: RecorderOfBoard) -
     assert connected.failures == []
 
 
-def test_missing_port_is_reported(recorder: RecorderOfBoard) -> None:
+def test_missing_port_is_reported(recorder: DeviceRecorder) -> None:
     recorder.device.connect_to(ConnectionSettings("/dev/ttyNothing9"))
     recorder.until_link(ConnectionState.DISCONNECTED)
     assert recorder.links == [ConnectionState.CONNECTING, ConnectionState.DISCONNECTED]
@@ -116,7 +109,7 @@ def test_missing_port_is_reported(recorder: RecorderOfBoard) -> None:
 # --- Editing ----------------------------------------------------------------------------
 
 
-def test_edits_are_applied_and_verified(connected: RecorderOfBoard) -> None:
+def test_edits_are_applied_and_verified(connected: DeviceRecorder) -> None:
     connected.edit("serial_timeout", 15)
     connected.device.calibrations.edit(2, LEARNED)
     assert connected.device.draft.pending == 2
@@ -130,11 +123,10 @@ def test_edits_are_applied_and_verified(connected: RecorderOfBoard) -> None:
     assert connected.device.calibrations.stored(2) == LEARNED
 
 
-def test_apply_without_a_snapshot_writes_nothing(
-    connected: RecorderOfBoard, tmp_path: Path
-) -> None:
-    (tmp_path / "taken").write_text("a file where the folder should be", encoding="utf-8")
-    connected.device.writer.history.folder = tmp_path / "taken"
+def test_apply_without_a_snapshot_writes_nothing(connected: DeviceRecorder, tmp_path: Path) -> None:
+    file = tmp_path / "file"
+    file.write_text("", encoding="utf-8")
+    connected.device.writer.history.folder = file
     connected.edit("serial_timeout", 15)
     connected.device.writer.apply()
     connected.until(lambda: not connected.device.writer.running)
@@ -143,7 +135,7 @@ def test_apply_without_a_snapshot_writes_nothing(
     assert connected.simulator.show()["parameters"]["serial_timeout"] == 0
 
 
-def test_apply_without_edits_writes_nothing(connected: RecorderOfBoard) -> None:
+def test_apply_without_edits_writes_nothing(connected: DeviceRecorder) -> None:
     connected.device.writer.apply()
     connected.device.reload()
     steps = len(connected.steps)
@@ -153,7 +145,7 @@ def test_apply_without_edits_writes_nothing(connected: RecorderOfBoard) -> None:
     assert connected.results == []
 
 
-def test_apply_without_a_board_does_not_lock_apply(connected: RecorderOfBoard) -> None:
+def test_apply_without_a_board_does_not_block_the_next_apply(connected: DeviceRecorder) -> None:
     connected.edit("serial_timeout", 9)
     connected.device.disconnect_line()
     connected.until_link(ConnectionState.DISCONNECTED)
@@ -166,23 +158,24 @@ def test_apply_without_a_board_does_not_lock_apply(connected: RecorderOfBoard) -
 # --- Power ------------------------------------------------------------------------------
 
 
-def test_power_cycle_activates_waiting_parameter(connected: RecorderOfBoard) -> None:
+def test_power_cycle_activates_a_waiting_parameter(connected: DeviceRecorder) -> None:
     connected.edit("motor_mode", 1)
     connected.apply()
-    assert connected.device.parameters.values.waiting_for_power == ("Motor Mode",)
-    assert connected.device.parameters.values.active_of("motor_mode") == 0
+    values = connected.device.parameters.values
+    assert values.waiting_for_power == ("Motor Mode",)
+    assert values.active_of("motor_mode") == 0
     connected.simulator.do("power off")
     connected.until_link(ConnectionState.NOT_RESPONDING)
-    waiting = [connected.device.parameters.values.waiting_for_power]
+    waiting = [values.waiting_for_power]
     connected.simulator.do("power on")
     connected.until_link(ConnectionState.CONNECTED)
-    waiting.append(connected.device.parameters.values.waiting_for_power)
+    waiting.append(values.waiting_for_power)
     assert waiting == [("Motor Mode",), ()]
-    assert connected.device.parameters.values.active_of("motor_mode") == 1
+    assert values.active_of("motor_mode") == 1
     assert connected.failures == []
 
 
-def test_unpowered_board_cannot_be_driven(connected: RecorderOfBoard) -> None:
+def test_unpowered_board_cannot_be_driven(connected: DeviceRecorder) -> None:
     connected.device.motors.arm()
     connected.simulator.do("power off")
     connected.until_link(ConnectionState.NOT_RESPONDING)
@@ -193,10 +186,10 @@ def test_unpowered_board_cannot_be_driven(connected: RecorderOfBoard) -> None:
 
 
 @pytest.mark.parametrize("maximum", [0x3F, 0x40])
-def test_edits_that_another_board_may_get_are_mentioned(
-    connected: RecorderOfBoard, maximum: int
+def test_pending_edits_are_reported_if_the_board_may_be_another(
+    connected: DeviceRecorder, maximum: int
 ) -> None:
-    """The board may be another of the same model."""
+    """Another value of a stored parameter suggests another board of the same model."""
     device, texts = connected.device, list[str]()
     device.notifier.delayed_info.connect(texts.append)
     connected.edit("motor1_acceleration", 5)
@@ -207,32 +200,31 @@ def test_edits_that_another_board_may_get_are_mentioned(
     connected.simulator.do("line mute off")
     connected.until_link(ConnectionState.CONNECTED)
     assert device.draft.pending == 1
-    may_be_other = maximum != 0x3F
     assert [text for text in texts if "still pending" in text] == texts
-    assert bool(texts) is may_be_other
+    assert bool(texts) is (maximum != 0x3F)
 
 
-def test_doubt_about_the_record_is_said(recorder: RecorderOfBoard) -> None:
-    device, said = recorder.device, list[str]()
-    device.records.doubted.connect(said.append)
+def test_doubt_about_the_board_record_is_reported(recorder: DeviceRecorder) -> None:
+    device, texts = recorder.device, list[str]()
+    device.records.doubted.connect(texts.append)
     for adapter in ("0403:6001-A500001", "0403:6001-B700002"):
         device.motors.adapter = adapter
-        recorder.connect(recorder.simulator.url, again=device.is_connected)
+        recorder.connect(recorder.simulator.url, reconnect=device.is_connected)
         recorder.until(lambda: device.records.files.is_idle)
-    assert "settings saved for this TReX date from 20" in "".join(said)
+    assert "settings saved for this TReX date from 20" in "".join(texts)
 
 
 # --- Motors -----------------------------------------------------------------------------
 
 
-def test_unanswered_stop_is_reported(connected: RecorderOfBoard) -> None:
+def test_stop_without_a_reply_is_reported(connected: DeviceRecorder) -> None:
     connected.simulator.do("power off")
     connected.device.motors.stop()
     connected.until(lambda: bool(connected.failures))
     assert "cut its power" in connected.failures[0]
 
 
-def test_stop_without_a_connection_is_harmless(recorder: RecorderOfBoard) -> None:
+def test_stop_without_a_connection_is_harmless(recorder: DeviceRecorder) -> None:
     recorder.device.motors.stop()
     assert recorder.failures == []
     recorder.device.reload()
@@ -240,7 +232,7 @@ def test_stop_without_a_connection_is_harmless(recorder: RecorderOfBoard) -> Non
 
 
 def test_channel_driven_motors_cannot_be_armed(
-    recorder: RecorderOfBoard, start_simulator: StartSimulator
+    recorder: DeviceRecorder, start_simulator: StartSimulator
 ) -> None:
     recorder.connect(start_simulator("--mode", "rc").url)
     assert not recorder.device.motors.is_available
@@ -249,10 +241,10 @@ def test_channel_driven_motors_cannot_be_armed(
     assert "The RC channels control the motors" in recorder.device.board.control_text
 
 
-# --- The end of a line ------------------------------------------------------------------
+# --- End of a connection ----------------------------------------------------------------
 
 
-def test_disconnecting_reports_no_failure(connected: RecorderOfBoard) -> None:
+def test_disconnecting_reports_no_failure(connected: DeviceRecorder) -> None:
     connected.device.disconnect_line()
     connected.device.disconnect_line()
     assert connected.device.link is ConnectionState.DISCONNECTING
@@ -265,13 +257,13 @@ def test_disconnecting_reports_no_failure(connected: RecorderOfBoard) -> None:
     assert connected.device.parameters.rowCount() > 0  # still displayed
 
 
-def test_closing_connection_is_never_reported_connected(
+def test_closing_connection_never_becomes_connected(
     simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
-    recorder = RecorderOfBoard(simulator, qtbot)
+    recorder = DeviceRecorder(qtbot, simulator)
     recorder.device.connect_to(ConnectionSettings(simulator.url))
     while simulator.show()["counters"]["packets"] < 45:
-        runtime().sleep(0.001)  # the window hangs, so `Connected` is queued
+        runtime().sleep(0.001)  # the window hangs, so `Connected` stays queued
     recorder.device.disconnect_line()
     recorder.until_link(ConnectionState.DISCONNECTED)
     assert recorder.links == [
@@ -282,23 +274,23 @@ def test_closing_connection_is_never_reported_connected(
     qtbot.waitUntil(recorder.device.shut_down)
 
 
-def test_unplugged_cable_is_reported_within_half_a_second(connected: RecorderOfBoard) -> None:
+def test_unplugged_cable_is_reported_within_half_a_second(connected: DeviceRecorder) -> None:
     connected.device.motors.arm()
     connected.simulator.do("line unplug")
-    begun = now()
+    start = now()
     connected.until_link(ConnectionState.DISCONNECTED)
-    assert now() - begun < 0.5
+    assert now() - start < 0.5
     assert len(connected.failures) == 1
     assert "Plug the adapter in, then connect again" in connected.failures[0]
     assert not connected.device.motors.is_available
 
 
 def test_line_is_closed_before_another_is_opened(
-    connected: RecorderOfBoard, start_simulator: StartSimulator
+    connected: DeviceRecorder, start_simulator: StartSimulator
 ) -> None:
     connected.edit("serial_timeout", 15)
     other = start_simulator("--model", "trexjr")
-    connected.connect(other.url, again=True)
+    connected.connect(other.url, reconnect=True)
     assert connected.links == [
         ConnectionState.CONNECTING,
         ConnectionState.CONNECTED,
@@ -310,22 +302,22 @@ def test_line_is_closed_before_another_is_opened(
     assert connected.device.state.signature.model.key == "trexjr"
     assert connected.device.parameters.values.pending == ()
     assert connected.failures == []
-    fresh = DeviceRecorder(connected.qtbot)
-    fresh.connect(connected.simulator.url)  # the line is free
-    fresh.until(fresh.device.shut_down)
+    second = DeviceRecorder(connected.qtbot, connected.simulator)
+    second.connect(connected.simulator.url)  # the line is closed
+    second.until(second.device.shut_down)
 
 
-def test_last_of_several_chosen_ports_is_connected(
-    connected: RecorderOfBoard, start_simulator: StartSimulator
+def test_last_of_several_selected_ports_is_connected(
+    connected: DeviceRecorder, start_simulator: StartSimulator
 ) -> None:
     other = start_simulator("--model", "trexjr")
     connected.device.connect_to(ConnectionSettings("/dev/ttyNothing9"))
-    connected.connect(other.url, again=True)
+    connected.connect(other.url, reconnect=True)
     assert connected.device.settings == ConnectionSettings(other.url)
     assert connected.failures == []
 
 
-def test_device_does_not_change_after_shutdown(connected: RecorderOfBoard, qtbot: QtBot) -> None:
+def test_device_does_not_change_after_shutdown(connected: DeviceRecorder, qtbot: QtBot) -> None:
     connected.until(connected.device.shut_down)
     links = list(connected.links)
     states: list[None] = []

@@ -1,4 +1,4 @@
-"""Power cut, unplugged cable and closed line at every step of an Apply."""
+"""Power cut, unplugged cable and closed connection at every step of Apply."""
 
 from collections.abc import Callable, Iterator
 
@@ -22,9 +22,9 @@ LEARNED = Calibration(2400, 3700, 5100, 80)
 CHANNEL = 2
 
 OLD = {"motor1_acceleration": 3, "motor2_acceleration": 4, "serial_timeout": 50}
-"""What the board stores that is neither the factory's nor what is wanted."""
+"""Stored values. They differ from the factory defaults and from the edits."""
 
-WANTED = {
+EDITS = {
     "motor1_acceleration": 9,
     "motor2_acceleration": 8,
     "serial_timeout": 20,
@@ -33,37 +33,37 @@ WANTED = {
     "crc7_polynomial": 0x15,
     "uart_settings": LineSettings(57600, stop_bits=2).to_wire(),
 }
-STEPS = range(len(WANTED) + 2)
-"""Before the calibration, before each parameter, and when all are written."""
+STEPS = range(len(EDITS) + 2)
+"""Before the calibration, before each parameter, and after the last write."""
 
 every_step = pytest.mark.parametrize("step", sampled(STEPS, every=4))
 
 
 class InterruptedApply:
-    """Board with pending edits, and reports of an interrupted Apply."""
+    """Board with pending edits, and checks of an interrupted Apply."""
 
-    def __init__(self, recorder: DeviceRecorder, simulator: SimulatedDevice) -> None:
+    def __init__(self, recorder: DeviceRecorder) -> None:
+        self.recorder = recorder
+        self.device = recorder.device
+        self.simulator = simulator = recorder.simulator
         for key, wire in OLD.items():
             simulator.do(f"eeprom {key} {wire}")
         simulator.do("power cycle")
-        self.recorder = recorder
-        self.device = recorder.device
-        self.simulator = simulator
         recorder.connect(simulator.url)
-        for key, wire in WANTED.items():
+        for key, wire in EDITS.items():
             recorder.edit(key, wire)
         self.device.calibrations.edit(CHANNEL, LEARNED)
         assert self.device.state is not None
         self.before = settings_of(self.device.state)
-        self.after = dict(self.before.parameters) | WANTED
+        self.after = dict(self.before.parameters) | EDITS
 
     def disturb(self, step: int, act: Callable[[], object]) -> None:
-        """Apply, and act when a step is reached."""
+        """Apply, and disturb it when a step is reached."""
         done: list[int] = []
 
-        def on_progressed(now: int, _total: int, _what: str) -> None:
-            if now == step and not done:
-                done.append(now)
+        def on_progressed(current: int, _total: int, _text: str) -> None:
+            if current == step and not done:
+                done.append(current)
                 act()
 
         self.device.connection.progressed.connect(on_progressed)
@@ -73,7 +73,7 @@ class InterruptedApply:
 
     @property
     def results(self) -> tuple[WriteResult, ...]:
-        """Results of the writes, as far as reported."""
+        """Results of the writes that were reported."""
         return self.recorder.results[-1] if self.recorder.results else ()
 
     @property
@@ -81,30 +81,30 @@ class InterruptedApply:
         parameters: dict[str, int] = self.simulator.show()["parameters"]
         return parameters
 
-    def require_kept(self) -> None:
+    def require_snapshot(self) -> None:
         """Check that the snapshot has all former values."""
         (snapshot,) = self.device.writer.history.snapshots()
         assert self.device.writer.history.load(snapshot) == self.before
-        assert snapshot.reason == f"Apply of {len(WANTED) + 1} settings"
+        assert snapshot.reason == f"Apply of {len(EDITS) + 1} settings"
         assert snapshot.adapter
 
-    def require_named(self) -> None:
-        """Check that the report names every setting that is not stored."""
-        reports = {result.key: result for result in self.results}
-        assert set(reports) == {*WANTED, f"rc_channel_{CHANNEL}"}
-        for key, wire in WANTED.items():
-            if reports[key].error is None:
+    def require_results(self) -> None:
+        """Check that every setting has a result, and an error if it is not stored."""
+        errors = {result.key: result.error for result in self.results}
+        assert set(errors) == {*EDITS, f"rc_channel_{CHANNEL}"}
+        for key, wire in EDITS.items():
+            if errors[key] is None:
                 assert self.stored[key] == wire
             else:
-                assert str(reports[key].error)
+                assert str(errors[key])
 
-    def require_waiting(self) -> None:
+    def require_pending(self) -> None:
         """Check that only failed edits are pending."""
-        waiting = dict(self.device.parameters.values.pending)
+        pending = dict(self.device.parameters.values.pending)
         stored = self.stored
-        assert waiting == {key: wire for key, wire in WANTED.items() if stored[key] != wire}
-        waits = CHANNEL in {key.channel for key, _ in self.device.calibrations.pending}
-        assert waits == (self.device.calibrations.stored(CHANNEL) != LEARNED)
+        assert pending == {key: wire for key, wire in EDITS.items() if stored[key] != wire}
+        channels = {key.channel for key, _ in self.device.calibrations.pending}
+        assert (CHANNEL in channels) == (self.device.calibrations.stored(CHANNEL) != LEARNED)
 
     def finish(self) -> None:
         """Apply again. Check that only the edits have changed."""
@@ -118,14 +118,14 @@ class InterruptedApply:
 
 @pytest.fixture
 def applied(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[InterruptedApply]:
-    recorder = DeviceRecorder(qtbot)
-    yield InterruptedApply(recorder, quick_simulator)
-    qtbot.waitUntil(recorder.device.shut_down)  # no thread lives on
+    recorder = DeviceRecorder(qtbot, quick_simulator)
+    yield InterruptedApply(recorder)
+    qtbot.waitUntil(recorder.device.shut_down)  # no thread may outlive the test
 
 
 def require_old_or_new(stored: dict[str, int], before: Settings, *, lost: int) -> None:
     unexpected = {
-        key for key in stored if stored[key] not in {before.parameters[key], WANTED.get(key)}
+        key for key in stored if stored[key] not in {before.parameters[key], EDITS.get(key)}
     }
     assert len(unexpected) <= lost
     assert all(stored[key] == SPECS[key].default for key in unexpected)
@@ -136,13 +136,13 @@ def test_apply_resumes_after_a_power_cut(step: int, applied: InterruptedApply) -
     applied.disturb(step, lambda: applied.simulator.do("power off"))
     applied.recorder.until_link(ConnectionState.NOT_RESPONDING)
     applied.simulator.do("power on")
-    applied.require_kept()
-    applied.require_named()
+    applied.require_snapshot()
+    applied.require_results()
     require_old_or_new(applied.stored, applied.before, lost=1)
 
-    # The board returns at the stored line settings, which Apply has announced.
+    # The board responds at the stored line settings. The session expects them since Apply.
     applied.recorder.until_link(ConnectionState.CONNECTED)
-    applied.require_waiting()
+    applied.require_pending()
     applied.finish()
 
 
@@ -150,36 +150,28 @@ def test_apply_resumes_after_a_power_cut(step: int, applied: InterruptedApply) -
 def test_apply_resumes_after_an_unplugged_cable(step: int, applied: InterruptedApply) -> None:
     applied.disturb(step, lambda: applied.simulator.do("line unplug"))
     applied.recorder.until_link(ConnectionState.DISCONNECTED)
-    applied.require_kept()
-    applied.require_named()
+    applied.require_snapshot()
+    applied.require_results()
     require_old_or_new(applied.stored, applied.before, lost=0)
 
     applied.recorder.connect(applied.simulator.do("line plug").split()[-1])
-    applied.require_waiting()
+    applied.require_pending()
     applied.finish()
 
 
-# --- Closed line ------------------------------------------------------------------------
-
-
-def connect_after_power_cycle(applied: InterruptedApply) -> None:
-    """Cycle the power, and connect at the stored line settings."""
-    applied.simulator.do("power cycle")
-    line = LineSettings.from_wire(applied.stored["uart_settings"])
-    applied.device.connect_to(ConnectionSettings(applied.simulator.url, line))
-    applied.recorder.until_link(ConnectionState.CONNECTED)
+# --- Closed connection ------------------------------------------------------------------
 
 
 def require_report(applied: InterruptedApply) -> None:
-    """Check that each setting is stored or was not tried, without a failure."""
-    applied.require_kept()
-    applied.require_named()
-    applied.require_waiting()
+    """Check that each setting is either stored or skipped, and that no failure is reported."""
+    applied.require_snapshot()
+    applied.require_results()
+    applied.require_pending()
     require_old_or_new(applied.stored, applied.before, lost=0)
     failures = [result.error for result in applied.results if result.error is not None]
     assert all(isinstance(error, Skipped) for error in failures)
     assert applied.recorder.failures == []
-    pair = [applied.stored[key] == WANTED[key] for key in ("crc7_polynomial", "uart_settings")]
+    pair = [applied.stored[key] == EDITS[key] for key in ("crc7_polynomial", "uart_settings")]
     assert len(set(pair)) == 1
 
 
@@ -190,52 +182,48 @@ def test_apply_resumes_after_disconnecting(step: int, applied: InterruptedApply)
     require_report(applied)
 
     applied.recorder.connect(applied.simulator.url)
-    applied.require_waiting()
+    applied.require_pending()
     applied.finish()
 
 
 @every_step
-def test_shutdown_reports_the_results_of_an_apply(step: int, applied: InterruptedApply) -> None:
-    ended: list[bool] = []
-    reports: list[int] = []
+def test_shutdown_reports_the_results_of_apply(step: int, applied: InterruptedApply) -> None:
+    outcomes: list[tuple[bool, int]] = []
 
-    def end() -> None:
-        ended.append(applied.device.shut_down())
-        reports.append(len(applied.recorder.results))
+    def shut_down() -> None:
+        is_closed = applied.device.shut_down()
+        outcomes.append((is_closed, len(applied.recorder.results)))
 
-    applied.disturb(step, end)
-    assert (ended, reports) == ([True], [1])
+    applied.disturb(step, shut_down)
+    assert outcomes == [(True, 1)]
     assert applied.device.link is ConnectionState.DISCONNECTED
     require_report(applied)
 
-    connect_after_power_cycle(applied)
-    applied.require_waiting()
+    applied.simulator.do("power cycle")
+    line = LineSettings.from_wire(applied.stored["uart_settings"])
+    applied.device.connect_to(ConnectionSettings(applied.simulator.url, line))
+    applied.recorder.until_link(ConnectionState.CONNECTED)
+    applied.require_pending()
     applied.finish()
 
 
-# --- A board that is addressed by number ------------------------------------------------
-
-
-@pytest.fixture
-def addressed(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[DeviceRecorder]:
-    """Device that addresses its board by number 7."""
-    recorder = DeviceRecorder(qtbot)
-    recorder.device.connect_to(ConnectionSettings(quick_simulator.url, device_number=7))
-    recorder.until_link(ConnectionState.CONNECTED)
-    yield recorder
-    qtbot.waitUntil(recorder.device.shut_down)  # no thread lives on
+# --- Board that is addressed by its number ----------------------------------------------
 
 
 def test_renumbered_board_reconnects_after_power_cycle(
-    addressed: DeviceRecorder, quick_simulator: SimulatedDevice
+    qtbot: QtBot, quick_simulator: SimulatedDevice
 ) -> None:
-    addressed.edit("device_number", 9)
-    addressed.edit("uart_settings", WANTED["uart_settings"])
-    addressed.apply()
+    recorder = DeviceRecorder(qtbot, quick_simulator)
+    recorder.device.connect_to(ConnectionSettings(quick_simulator.url, device_number=7))
+    recorder.until_link(ConnectionState.CONNECTED)
+    recorder.edit("device_number", 9)
+    recorder.edit("uart_settings", EDITS["uart_settings"])
+    recorder.apply()
     quick_simulator.do("power off")
-    addressed.until_link(ConnectionState.NOT_RESPONDING)
+    recorder.until_link(ConnectionState.NOT_RESPONDING)
     quick_simulator.do("power on")
-    addressed.until_link(ConnectionState.CONNECTED)
-    assert addressed.device.settings is not None
-    assert addressed.device.settings.device_number == 9
-    assert addressed.device.parameters.values.stored.get("device_number") == 9
+    recorder.until_link(ConnectionState.CONNECTED)
+    assert recorder.device.settings is not None
+    assert recorder.device.settings.device_number == 9
+    assert recorder.device.parameters.values.stored.get("device_number") == 9
+    recorder.until(recorder.device.shut_down)
