@@ -22,7 +22,7 @@ from trex_gui.ui.devices.simulator import Simulator, simulator_command
 
 
 class ConnectorSetup:
-    """Device that is not connected, a list of ports, and a controller."""
+    """Controller of a device that is not connected, and a list of ports."""
 
     def __init__(self, qtbot: QtBot) -> None:
         self.ports = new_ports()
@@ -71,7 +71,7 @@ def scanner_is_idle(scanner: DeviceScanner) -> bool:
     return not scanner.running
 
 
-def test_search_keeps_to_a_line_that_other_devices_share(
+def test_scan_sends_only_to_one_number_on_a_shared_line(
     setup: ConnectorSetup, quick_simulator: SimulatedDevice
 ) -> None:
     assert isinstance(quick_simulator, VirtualSimulator)
@@ -95,13 +95,13 @@ def test_search_keeps_to_a_line_that_other_devices_share(
         sent.clear()
 
 
-def test_numbers_of_other_devices_outlast_the_choice_of_a_port(setup: ConnectorSetup) -> None:
+def test_reserved_numbers_survive_the_selection_of_a_port(setup: ConnectorSetup) -> None:
     reserved = frozenset({0, 7})
     shared = ConnectionSettings("", LineSettings(57600), 9, reserved=reserved)
     setup.connector.set_settings(shared)
     for name, number, expected in (
-        ("/dev/ttyA", None, shared),  # a compact packet would reach the others
-        ("/dev/ttyB", 7, shared),  # this number would, too
+        ("/dev/ttyA", None, shared),  # a compact packet would reach the other devices
+        ("/dev/ttyB", 7, shared),  # a packet with this number would reach another device
         ("/dev/ttyC", 8, ConnectionSettings("", device_number=8, reserved=reserved)),
     ):
         port = setup.ports.add_typed(name)
@@ -110,7 +110,7 @@ def test_numbers_of_other_devices_outlast_the_choice_of_a_port(setup: ConnectorS
         assert setup.connector.settings == expected
 
 
-def test_stored_number_of_another_device_opens_no_port(
+def test_saved_number_of_another_device_opens_no_port(
     setup: ConnectorSetup, quick_simulator: SimulatedDevice
 ) -> None:
     assert isinstance(quick_simulator, VirtualSimulator)
@@ -130,7 +130,7 @@ def test_stored_number_of_another_device_opens_no_port(
 
 
 @pytest.mark.parametrize(
-    ("key", "value", "left"),
+    ("key", "value", "baud"),
     [
         ("line/settings", "nonsense", 19200),
         ("line/settings", 15, 19200),
@@ -141,17 +141,17 @@ def test_stored_number_of_another_device_opens_no_port(
     ],
 )
 def test_invalid_saved_line_settings_fall_back_to_factory(
-    setup: ConnectorSetup, key: str, value: object, left: int
+    setup: ConnectorSetup, key: str, value: object, baud: int
 ) -> None:
     setup.connector.set_settings(ConnectionSettings("", LineSettings(57600)))
     QSettings().setValue(key, value)
-    assert new_controller(setup.ports).settings == ConnectionSettings("", LineSettings(left))
+    assert new_controller(setup.ports).settings == ConnectionSettings("", LineSettings(baud))
 
 
 # --- Connecting -------------------------------------------------------------------------
 
 
-def test_port_is_opened_with_the_chosen_settings(
+def test_port_is_opened_with_the_selected_settings(
     setup: ConnectorSetup, start_simulator: StartSimulator
 ) -> None:
     url = start_simulator().url
@@ -162,14 +162,14 @@ def test_port_is_opened_with_the_chosen_settings(
     assert new_ports().preferred == setup.ports.find(url)
 
 
-def test_failed_open_clears_the_port(setup: ConnectorSetup) -> None:
+def test_failed_connection_clears_the_port(setup: ConnectorSetup) -> None:
     setup.connector.connect_to(Port(PortKind.TYPED, "/dev/ttyNothing9", "x", "trex"))
     assert setup.connector.port is not None
     setup.until_link(ConnectionState.DISCONNECTED)
     assert setup.connector.port is None
 
 
-def test_choosing_the_demo_port_starts_the_simulator(setup: ConnectorSetup) -> None:
+def test_selecting_the_demo_port_starts_the_simulator(setup: ConnectorSetup) -> None:
     setup.connector.set_settings(ConnectionSettings("", LineSettings(115200, Detection.CRC7)))
     setup.connector.connect_to(setup.ports.demo_of("trex"))
     starting: list[bool] = [setup.connector.starting]
@@ -190,7 +190,7 @@ def test_simulator_keeps_running_after_disconnect(setup: ConnectorSetup) -> None
     assert setup.connector.simulator.url == url
 
 
-def test_later_port_choice_wins_while_the_simulator_starts(
+def test_port_selected_while_the_simulator_starts_is_opened(
     setup: ConnectorSetup, quick_simulator: SimulatedDevice
 ) -> None:
     setup.connector.connect_to(setup.ports.demo_of("trex"))
@@ -212,14 +212,14 @@ def test_disconnecting_while_the_simulator_starts_cancels(setup: ConnectorSetup)
     assert setup.device.link is ConnectionState.DISCONNECTED
 
 
-def test_shutdown_ends_line_and_simulator(setup: ConnectorSetup) -> None:
+def test_shutdown_ends_connection_and_simulator(setup: ConnectorSetup) -> None:
     setup.connect(setup.ports.demo_of("trex"))
     setup.connector.shut_down()
     assert setup.connector.simulator.url == ""
     assert setup.device.state is None
 
 
-# --- The simulator ----------------------------------------------------------------------
+# --- Simulator --------------------------------------------------------------------------
 
 
 @pytest.fixture
@@ -258,11 +258,11 @@ def test_simulator_that_exits_at_start_reports_the_reason(
 ) -> None:
     monkeypatch.setattr(
         "trex_gui.ui.devices.simulator.simulator_command",
-        lambda: (sys.executable, ["-c", "raise SystemExit('no room')"]),
+        lambda: (sys.executable, ["-c", "raise SystemExit('no memory')"]),
     )
     with qtbot.waitSignal(demo.failed) as failed:
         demo.start()
-    assert failed.args == ["The simulator exited immediately. no room"]
+    assert failed.args == ["The simulator ended at once. no memory"]
 
 
 def test_missing_simulator_program_is_reported(
@@ -282,11 +282,10 @@ def test_frozen_program_runs_itself_as_simulator(monkeypatch: pytest.MonkeyPatch
     assert simulator_command() == (sys.executable, ["--simulator"])
 
 
-# --- A board that returns with other line settings --------------------------------------
+# --- Board with changed line settings ---------------------------------------------------
 
 
 NEW = LineSettings(57600, Detection.CRC7)
-UART, POLYNOMIAL = "uart_settings", "crc7_polynomial"
 
 
 def store(setup: ConnectorSetup, **wires: int) -> None:
@@ -299,10 +298,19 @@ def store(setup: ConnectorSetup, **wires: int) -> None:
 
 
 def restart(setup: ConnectorSetup, act: Callable[[], None]) -> None:
-    """Cut the power of a board for a moment, and wait until it is back."""
+    """Wait until a board that is restarted by `act` responds again."""
     act()
     setup.until_link(ConnectionState.NOT_RESPONDING)
     setup.until_link(ConnectionState.CONNECTED)
+
+
+def start_demo_with_new_settings(setup: ConnectorSetup) -> None:
+    """Connect to a simulated board, change its line settings, and restart it."""
+    setup.connect(setup.ports.demo_of("trex"))
+    store(setup, uart_settings=NEW.to_wire())
+    setup.device.connection.expect((ConnectionSettings("", NEW),))
+    restart(setup, setup.connector.demo_board.power_cycle)
+    assert line_of(setup) == NEW
 
 
 def line_of(setup: ConnectorSetup) -> LineSettings:
@@ -314,29 +322,29 @@ def test_reconnect_at_new_line_settings_is_saved(
     setup: ConnectorSetup, quick_simulator: SimulatedDevice
 ) -> None:
     setup.connect(setup.ports.add_typed(quick_simulator.url))
-    store(setup, **{UART: NEW.to_wire(), POLYNOMIAL: 0x11})
+    store(setup, uart_settings=NEW.to_wire(), crc7_polynomial=0x11)
     setup.device.connection.expect((ConnectionSettings("", NEW, polynomial=0x91),))
     quick_simulator.do("power off")
     setup.until_link(ConnectionState.NOT_RESPONDING)
     assert setup.connector.settings == ConnectionSettings("")
     quick_simulator.do("power on")
     setup.until_link(ConnectionState.CONNECTED)
-    there = ConnectionSettings(quick_simulator.url, NEW, polynomial=0x91)
-    assert setup.device.settings == there
+    expected = ConnectionSettings(quick_simulator.url, NEW, polynomial=0x91)
+    assert setup.device.settings == expected
     assert setup.connector.settings == ConnectionSettings("", NEW, polynomial=0x91)
     assert new_controller(setup.ports).settings == setup.connector.settings
-    assert setup.device.parameters.values.active_of(UART) == NEW.to_wire()
+    assert setup.device.parameters.values.active_of("uart_settings") == NEW.to_wire()
     setup.disconnect()
     setup.connect(setup.ports.add_typed(quick_simulator.url))
-    assert setup.device.settings == there
+    assert setup.device.settings == expected
 
 
-def test_failed_write_of_line_settings_keeps_candidates(
+def test_failed_write_of_line_settings_retains_candidates(
     setup: ConnectorSetup, quick_simulator: SimulatedDevice
 ) -> None:
     setup.connect(setup.ports.add_typed(quick_simulator.url))
     setup.device.connection.expect((ConnectionSettings("", NEW),))
-    PowerCycle(setup.device).start(failed=[UART])
+    PowerCycle(setup.device).start(failed=["uart_settings"])
     quick_simulator.do("power off")
     setup.until_link(ConnectionState.NOT_RESPONDING)
     quick_simulator.do(f"eeprom uart_settings {NEW.to_wire()}")
@@ -346,22 +354,15 @@ def test_failed_write_of_line_settings_keeps_candidates(
 
 
 def test_simulated_board_reconnects_at_its_last_settings(setup: ConnectorSetup) -> None:
-    setup.connect(setup.ports.demo_of("trex"))
-    store(setup, **{UART: NEW.to_wire()})
-    setup.device.connection.expect((ConnectionSettings("", NEW),))
-    restart(setup, setup.connector.demo_board.power_cycle)
-    assert line_of(setup) == NEW
-    assert setup.connector.settings == ConnectionSettings("")  # of real boards
+    start_demo_with_new_settings(setup)
+    assert setup.connector.settings == ConnectionSettings("")  # only for real boards
     setup.disconnect()
     setup.connect(setup.ports.demo_of("trex"))
     assert line_of(setup) == NEW
 
 
 def test_new_simulated_board_uses_factory_line_settings(setup: ConnectorSetup) -> None:
-    setup.connect(setup.ports.demo_of("trex"))
-    store(setup, **{UART: NEW.to_wire()})
-    setup.device.connection.expect((ConnectionSettings("", NEW),))
-    restart(setup, setup.connector.demo_board.power_cycle)
+    start_demo_with_new_settings(setup)
     restart(setup, setup.connector.demo_board.restore_factory)
     assert line_of(setup) == LineSettings()
     setup.connector.simulator.stop()

@@ -1,7 +1,7 @@
 """Playback of a recording without a device."""
 
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from copy import deepcopy
 from itertools import pairwise
 from pathlib import Path
@@ -37,8 +37,7 @@ from trex_gui.ui.workers.file_worker import FileWorker
 
 T0 = HEADER.clock
 
-TRIES = 4
-"""Attempts where a busy computer may spoil one."""
+ATTEMPTS = 4  # an attempt may fail on a busy computer
 
 
 @pytest.fixture(scope="module")
@@ -50,7 +49,7 @@ def minute_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def long_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Four minutes of recording, slow to read and to export."""
+    """Recording of four minutes, which takes some time to read and export."""
     path = tmp_path_factory.mktemp("long") / "long.trexrec"
     write_an_hour(path, 4)
     return path
@@ -65,14 +64,23 @@ def minute(minute_file: Path, qtbot: QtBot) -> Iterator[Playback]:
 
 def loaded(path: Path, qtbot: QtBot) -> Playback:
     playback = loading(Playback(open_recording(path)))
-    with qtbot.waitSignal(playback.loaded):
-        pass
+    qtbot.waitUntil(lambda: playback.is_loaded)
     return playback
 
 
-def playback_of(path: Path, qtbot: QtBot, *what: Record) -> Playback:
-    write(path, list(what))
-    return loaded(path, qtbot)
+@pytest.fixture
+def play(tmp_path: Path, qtbot: QtBot) -> Iterator[Callable[..., Playback]]:
+    """Return a function that records its arguments and loads the recording."""
+    playbacks: list[Playback] = []
+
+    def play(*records: Record) -> Playback:
+        write(tmp_path / "a.trexrec", list(records))
+        playbacks.append(loaded(tmp_path / "a.trexrec", qtbot))
+        return playbacks[-1]
+
+    yield play
+    for playback in playbacks:
+        playback.close()
 
 
 def test_progress_of_reading_is_reported(long_file: Path, qtbot: QtBot) -> None:
@@ -90,31 +98,30 @@ def test_progress_of_reading_is_reported(long_file: Path, qtbot: QtBot) -> None:
 
 def test_seeking_gives_the_same_state_as_sequential_reading(minute: Playback) -> None:
     random = Random(3)
-    places = [random.uniform(0, 60) for _ in range(30)]
-    straight = BoardSnapshot.at_start(HEADER)
+    seconds = [random.uniform(0, 60) for _ in range(30)]
+    state = BoardSnapshot.at_start(HEADER)
     records = deque(an_hour(60))
     expected: dict[float, BoardSnapshot] = {}
-    for place in sorted(places):
-        minute.set_position(T0 + place)
+    for second in sorted(seconds):
+        minute.set_position(T0 + second)
         while records and records[0].time <= minute.position:
-            straight.update(records.popleft())
-        expected[place] = deepcopy(straight)
-    for place in [*sorted(places, reverse=True), *places]:
-        minute.set_position(T0 + place)
-        assert minute.state() == expected[place]
+            state.update(records.popleft())
+        expected[second] = deepcopy(state)
+    for second in [*sorted(seconds, reverse=True), *seconds]:
+        minute.set_position(T0 + second)
+        assert minute.state() == expected[second]
 
 
-def test_late_marker_does_not_disturb_seeking(tmp_path: Path, qtbot: QtBot) -> None:
-    """An event may be added late, also at the start of a chunk."""
+def test_late_marker_does_not_disturb_seeking(play: Callable[..., Playback]) -> None:
+    """A marker may be recorded after its time, even at the start of a chunk."""
     control: list[Record] = [Control(T0 + n, by_serial=n % 2 == 0) for n in range(2 * CHUNK)]
-    control[CHUNK] = Marker(T0 + 5, "fault", "noted late")
-    playback = playback_of(tmp_path / "a.trexrec", qtbot, *control)
+    control[CHUNK] = Marker(T0 + 5, "fault", "recorded late")
+    playback = play(*control)
     for second in (3, CHUNK - 3, CHUNK - 2, CHUNK + 3):
         assert playback.state_at(T0 + second)[Control].by_serial == (second % 2 == 0)
-    playback.close()
 
 
-def test_traces_hold_every_pair_of_currents(minute: Playback) -> None:
+def test_traces_have_every_pair_of_currents(minute: Playback) -> None:
     currents = [record for record in an_hour(60) if isinstance(record, Currents)]
     times, columns = minute.traces.samples(minute.start, minute.end)
     assert times.tolist() == [record.time for record in currents]
@@ -123,10 +130,8 @@ def test_traces_hold_every_pair_of_currents(minute: Playback) -> None:
     assert minute.traces.value_at("motor2_current", minute.end) == currents[-1].counts[1] * unit
 
 
-def test_traces_hold_channels_and_setpoints(tmp_path: Path, qtbot: QtBot) -> None:
-    playback = playback_of(
-        tmp_path / "a.trexrec",
-        qtbot,
+def test_traces_have_channels_and_setpoints(play: Callable[..., Playback]) -> None:
+    playback = play(
         Currents(T0, (0, 0)),
         Remapped(T0 + 0.01, (1, 2, 3, 4, -5)),
         SetpointRecord(T0 + 0.02, 2, Drive.at(-70)),
@@ -144,17 +149,14 @@ def test_traces_hold_channels_and_setpoints(tmp_path: Path, qtbot: QtBot) -> Non
     assert playback.state()[Raw].counts == (3750, None, 1, 2, 3)
     playback.set_position(T0 + 0.25)
     assert playback.state().setpoints == {}
-    playback.close()
 
 
-def test_settings_follow_the_position_and_events_are_sorted(tmp_path: Path, qtbot: QtBot) -> None:
+def test_settings_follow_the_position_and_events_are_sorted(play: Callable[..., Playback]) -> None:
     later = "product: TReX\nmotor1_current_limit: 20\n"
-    playback = playback_of(
-        tmp_path / "a.trexrec",
-        qtbot,
+    playback = play(
         Marker(T0 + 1, "apply", "Apply: Motor 1 Current Limit"),
         SettingsSnapshot(T0 + 1.1, later),
-        Marker(T0 + 2, "word of a later program", "something"),
+        Marker(T0 + 2, "kind of a later version", "something"),
         Marker(T0 + 0.5, "fault", "Motor 1 fault"),
         Currents(T0 + 3, (0, 0)),
     )
@@ -168,9 +170,8 @@ def test_settings_follow_the_position_and_events_are_sorted(tmp_path: Path, qtbo
     assert playback.state().settings == later
     assert playback.state()[ModeSample].mode is Mode.SERIAL_RC
     assert playback.traces.events_between(T0, T0 + 0.7) == playback.events[:1]
-    for second, settings in ((0.5, HEADER.settings), (2, later)):  # at the start of a span
+    for second, settings in ((0.5, HEADER.settings), (2, later)):  # start of the exported span
         assert playback.export_header(T0 + second)["settings"] == settings
-    playback.close()
 
 
 def test_current_limits_come_from_the_settings() -> None:
@@ -215,20 +216,18 @@ def test_span_is_exported_as_csv_or_fails_with_a_reason(
         minute.export(tmp_path / "span.csv", T0 + 20, T0 + 35.5)
     assert (tmp_path / "span.csv").exists()
     with qtbot.waitSignal(minute.failed) as failed:
-        minute.export(tmp_path / "none" / "span.csv", T0, T0 + 1)
+        minute.export(tmp_path / "missing" / "span.csv", T0, T0 + 1)
     assert "cannot be written: No such file" in failed.args[0]
     assert not minute.is_busy
 
 
-def test_empty_recording_opens(tmp_path: Path, qtbot: QtBot) -> None:
-    playback = playback_of(tmp_path / "a.trexrec", qtbot)
-    assert playback.is_loaded
+def test_empty_recording_can_be_opened(play: Callable[..., Playback]) -> None:
+    playback = play()
     assert playback.position == playback.end == T0
     assert playback.state() == BoardSnapshot.at_start(HEADER)
-    playback.close()
 
 
-# --- Reading thread -------------------------------------------------------------------------
+# --- Reading thread ---------------------------------------------------------------------
 
 
 @pytest.fixture(scope="module")
@@ -240,7 +239,7 @@ def hour(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
 
 
 class BlockingDetector(QObject):
-    """Timer in the window's thread that reveals blocking."""
+    """Timer in the GUI thread. A pause between its ticks shows that the thread was blocked."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -254,43 +253,42 @@ class BlockingDetector(QObject):
     def _on_timeout(self) -> None:
         self.times.append(now())
 
-    def within(self, begin: float, end: float) -> int:
-        """Return the number of ticks in a time span."""
-        return sum(begin <= at <= end for at in self.times)
+    def ticks(self, start: float, end: float) -> list[float]:
+        return [time for time in self.times if start <= time <= end]
 
-    def longest_pause(self, begin: float, end: float) -> float:
+    def longest_pause(self, start: float, end: float) -> float:
         """Return the longest time without a tick (s)."""
-        known = [begin, *(at for at in self.times if begin <= at <= end), end]
-        return max(later - earlier for earlier, later in pairwise(known))
+        times = [start, *self.ticks(start, end), end]
+        return max(later - earlier for earlier, later in pairwise(times))
 
 
 @pytest.mark.slow
 @pytest.mark.realtime
 @pytest.mark.timeout(300)  # for a busy computer
 def test_window_responds_while_an_hour_is_read(hour: Path, qtbot: QtBot) -> None:
-    assert any(responds_while_reading(hour, qtbot) for _ in range(TRIES))
+    assert any(responds_while_reading(hour, qtbot) for _ in range(ATTEMPTS))
 
 
 def responds_while_reading(hour: Path, qtbot: QtBot) -> bool:
-    """Open a recording. Return whether the window stayed responsive."""
-    ticks = BlockingDetector()
-    begin = now()
+    """Load a recording of an hour. Return true if the GUI thread was never blocked for long."""
+    detector = BlockingDetector()
+    start = now()
     playback = loading(Playback(open_recording(hour)))
     opened = now()
-    qtbot.waitUntil(lambda: playback.progress > 0.2, timeout=120_000)
-    looked_through = now()
+    qtbot.waitUntil(lambda: playback.share > 0.2, timeout=120_000)
+    scanned = now()
     with qtbot.waitSignal(playback.loaded, timeout=240_000):
         pass
     end = now()
     assert playback.drawn[0] == playback.drawn[1] > 280_000
     assert playback.end - playback.start == pytest.approx(3600, abs=0.1)
     playback.close()
-    # The first call returns at once, and no later step blocks.
+    # Opening returns at once, and no later step blocks.
     return (
-        opened - begin < (end - begin) / 20
-        and ticks.within(begin, looked_through) >= 5
-        and ticks.within(begin, end) >= 40
-        and ticks.longest_pause(begin, end) < (end - begin) / 5
+        opened - start < (end - start) / 20
+        and len(detector.ticks(start, scanned)) >= 5
+        and len(detector.ticks(start, end)) >= 40
+        and detector.longest_pause(start, end) < (end - start) / 5
     )
 
 
@@ -309,7 +307,7 @@ def started_workers(monkeypatch: pytest.MonkeyPatch) -> list[FileWorker]:
 
 
 @pytest.mark.realtime
-def test_close_while_reading_ends_the_thread(
+def test_closing_while_reading_ends_the_thread(
     long_file: Path, qtbot: QtBot, started_workers: list[FileWorker]
 ) -> None:
     playback = loading(Playback(open_recording(long_file)))
@@ -337,42 +335,37 @@ def test_read_error_is_reported(tmp_path: Path, qtbot: QtBot) -> None:
     playback.close()
 
 
-def test_last_samples_of_a_long_recording_are_drawn(
-    tmp_path: Path, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
+def test_only_the_last_samples_of_a_long_recording_are_drawn(
+    play: Callable[..., Playback], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("trex_gui.devices.trex.model.playback.MAX_ROWS", 1000)
-    path = tmp_path / "a.trexrec"
-    write(path, list(an_hour(30)))
-    playback = Playback(open_recording(path))
-    with qtbot.waitSignal(playback.loaded):
-        playback.start_loading()
+    playback = play(*an_hour(30))
     currents = [record for record in an_hour(30) if isinstance(record, Currents)]
     assert playback.drawn == (1000, len(currents))
     times, _ = playback.traces.samples(playback.start, playback.end)
     assert times.tolist() == [record.time for record in currents[-1000:]]
-    playback.close()
 
 
 @pytest.mark.realtime
-@pytest.mark.parametrize("how", ["close", "cancel"])
+@pytest.mark.parametrize("method", ["close", "cancel"])
 def test_cancelled_export_keeps_the_existing_file(
-    long_file: Path, tmp_path: Path, qtbot: QtBot, how: str
+    long_file: Path, tmp_path: Path, qtbot: QtBot, method: str
 ) -> None:
     path = tmp_path / "span.csv"
-    assert any(is_cancelled(path, loaded(long_file, qtbot), qtbot, how) for _ in range(TRIES))
-    assert path.read_text() == "what was there"
+    assert any(is_cancelled(path, loaded(long_file, qtbot), qtbot, method) for _ in range(ATTEMPTS))
+    assert path.read_text() == "earlier export"
 
 
-def is_cancelled(path: Path, playback: Playback, qtbot: QtBot, how: str) -> bool:
-    """Cancel an export. Return whether it was still running."""
-    path.write_text("what was there")
+def is_cancelled(path: Path, playback: Playback, qtbot: QtBot, method: str) -> bool:
+    """Cancel an export. Return true if it was still running and was cancelled."""
+    path.write_text("earlier export")
     done: list[Path] = []
     playback.exported.connect(done.append)
     with qtbot.waitSignal(playback.progressed):
         playback.export(path, T0, T0 + 240)
-    had_begun = bool(list(path.parent.glob(".span.csv.*")))
-    getattr(playback, how)()
+    had_started = bool(list(path.parent.glob(".span.csv.*")))
+    getattr(playback, method)()
     qtbot.waitUntil(lambda: not list(path.parent.glob(".span.csv.*")))
     qtbot.waitUntil(lambda: not playback.is_busy)
     playback.close()
-    return had_begun and done == []
+    return had_started and done == []

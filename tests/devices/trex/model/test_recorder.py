@@ -1,4 +1,4 @@
-"""Recording of a running session."""
+"""Recordings of a running session."""
 
 import csv
 import math
@@ -32,7 +32,7 @@ from trex_gui.ui.runtime import now
 
 
 class RecorderSetup:
-    """Device on a simulated board, its recorder, and its reports."""
+    """Device with a simulated board, and its recorder. Collects the recorded samples."""
 
     def __init__(self, simulator: SimulatedDevice, qtbot: QtBot) -> None:
         self.simulator = simulator
@@ -54,50 +54,51 @@ class RecorderSetup:
     def wait(self, condition: Callable[[], bool]) -> None:
         self.qtbot.waitUntil(condition)
 
+    def start_recording(self, path: Path, samples: int = 50) -> None:
+        """Start a recording, and wait for more than this number of samples."""
+        assert self.recorder.start(path)
+        self.wait(lambda: len(self.samples) > samples)
+
     def end_recording(self) -> None:
         with self.qtbot.waitSignal(self.recorder.ended):
             self.recorder.stop()
-
-    def end(self) -> None:
-        self.recorder.shut_down()
-        self.device.shut_down()
 
 
 @pytest.fixture
 def session(quick_simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[RecorderSetup]:
     session = RecorderSetup(quick_simulator, qtbot)
     yield session
-    session.end()
+    session.recorder.shut_down()
+    session.device.shut_down()
 
 
-def test_recording_has_every_sample_while_no_window_is_seen(
+def test_recording_has_every_sample_while_no_window_is_visible(
     session: RecorderSetup, tmp_path: Path
 ) -> None:
     session.device.set_visible(False)
-    session.recorder.start(tmp_path / "unseen.trexrec")
-    begun = now()
-    session.wait(lambda: now() > begun + 3)
+    session.recorder.start(tmp_path / "hidden.trexrec")
+    start = now()
+    session.wait(lambda: now() > start + 3)
     session.end_recording()
-    assert sum(isinstance(one, Currents) for one in session.samples) > 3 * 70
+    assert sum(isinstance(sample, Currents) for sample in session.samples) > 3 * 70
 
     session.samples.clear()
-    begun, before = now(), session.device.telemetry.samples
-    session.wait(lambda: now() > begun + 3)
-    assert session.device.telemetry.samples - before < 3 * 60
+    start, count = now(), session.device.telemetry.samples
+    session.wait(lambda: now() > start + 3)
+    assert session.device.telemetry.samples - count < 3 * 60
 
 
-def everything(path: Path) -> list[Record]:
+def records_of(path: Path) -> list[Record]:
     _, records, problems = read_file(path)
     assert problems == []
     return records
 
 
-def test_every_sample_is_recorded_below_its_header(session: RecorderSetup, tmp_path: Path) -> None:
+def test_header_and_every_sample_are_recorded(session: RecorderSetup, tmp_path: Path) -> None:
     path = tmp_path / "session.trexrec"
-    assert session.recorder.start(path)
-    session.wait(lambda: len(session.samples) > 400)
+    session.start_recording(path, samples=400)
     session.end_recording()
-    samples = [record for record in everything(path) if isinstance(record, Sample)]
+    samples = [record for record in records_of(path) if isinstance(record, Sample)]
     assert samples == session.samples
     assert session.recorder.size == path.stat().st_size
     assert {Currents, Raw, Remapped, Control} <= {type(sample) for sample in samples}
@@ -127,51 +128,49 @@ def test_setpoints_events_and_settings_are_recorded_in_order(
     with session.qtbot.waitSignal(device.applied):
         device.writer.apply()
     session.end_recording()
-    records = everything(path)
+    records = records_of(path)
     setpoints = [record for record in records if isinstance(record, SetpointRecord)]
-    assert [(one.motor, one.drive) for one in setpoints] == [(1, Drive.at(40))]
+    assert [(record.motor, record.drive) for record in setpoints] == [(1, Drive.at(40))]
     kinds = [record.kind for record in records if isinstance(record, Marker)]
     assert {EventKind.STOP.value, EventKind.APPLY.value} <= set(kinds)
-    (seen,) = [record for record in records if isinstance(record, SettingsSnapshot)]
-    assert "serial_timeout: 9 " in seen.text
+    (settings,) = [record for record in records if isinstance(record, SettingsSnapshot)]
+    assert "serial_timeout: 9 " in settings.text
     times = [record.time for record in records]
     assert max(times) - min(times) < 60
-    assert min(times) <= setpoints[0].time < seen.time <= max(times)
+    assert min(times) <= setpoints[0].time < settings.time <= max(times)
 
 
-def test_closed_line_or_new_input_source_ends_recording(
+def test_closed_line_or_new_input_source_ends_the_recording(
     session: RecorderSetup, tmp_path: Path
 ) -> None:
-    session.recorder.start(tmp_path / "a.trexrec")
-    session.wait(lambda: len(session.samples) > 50)
+    session.start_recording(tmp_path / "a.trexrec")
     with session.qtbot.waitSignals([session.recorder.ended_early, session.recorder.ended]):
         session.device.disconnect_line()
     assert not session.recorder.recording
-    assert everything(tmp_path / "a.trexrec")
+    assert records_of(tmp_path / "a.trexrec")
 
     session.connect()
     session.recorder.start(tmp_path / "b.trexrec")
     session.simulator.do("jumper mode analog")
     with session.qtbot.waitSignal(session.recorder.ended):
         session.simulator.do("power cycle")
-    assert everything(tmp_path / "b.trexrec")
+    assert records_of(tmp_path / "b.trexrec")
 
 
 def test_recording_continues_while_the_board_is_unresponsive(
     session: RecorderSetup, tmp_path: Path
 ) -> None:
-    session.recorder.start(tmp_path / "a.trexrec")
-    session.wait(lambda: len(session.samples) > 50)
+    session.start_recording(tmp_path / "a.trexrec")
     session.simulator.do("power off")
     session.wait(lambda: session.device.link is ConnectionState.NOT_RESPONDING)
     assert session.recorder.recording
     session.simulator.do("power on")
     session.wait(lambda: session.device.link is ConnectionState.CONNECTED)
-    before = len(session.samples)
-    session.wait(lambda: len(session.samples) > before + 50)
+    count = len(session.samples)
+    session.wait(lambda: len(session.samples) > count + 50)
     assert session.recorder.recording
     session.end_recording()
-    assert len(everything(tmp_path / "a.trexrec")) >= before + 50
+    assert len(records_of(tmp_path / "a.trexrec")) >= count + 50
 
 
 def test_full_disk_fails_the_recording_but_not_the_connection(
@@ -187,22 +186,21 @@ def test_full_disk_fails_the_recording_but_not_the_connection(
 
 def test_recording_is_committed_every_second(session: RecorderSetup, tmp_path: Path) -> None:
     path = tmp_path / "a.trexrec"
-    session.recorder.start(path)
-    session.wait(lambda: len(session.samples) > 50)
-    begin = now()
-    session.wait(lambda: now() > begin + 1)
+    session.start_recording(path)
+    start = now()
+    session.wait(lambda: now() > start + 1)
     copies = [tmp_path / f"copy{suffix}" for suffix in (".trexrec", ".trexrec-wal")]
-    for suffix, copied in zip(("", "-wal"), copies, strict=True):
-        shutil.copy(f"{path}{suffix}", copied)  # as after a power failure
+    for suffix, copy in zip(("", "-wal"), copies, strict=True):
+        shutil.copy(f"{path}{suffix}", copy)  # as after a power failure
     recording = open_recording(copies[0])
     last = recording.read(recording.count - 20, recording.count)[-1]
     recording.close()
-    assert last.time > begin
+    assert last.time > start
     session.end_recording()
 
 
 class AutomaticRecordings:
-    """Recordings of faults and stops, with their events."""
+    """Automatic recordings of faults and stops."""
 
     def __init__(self, session: RecorderSetup) -> None:
         self._session = session
@@ -222,41 +220,43 @@ class AutomaticRecordings:
     def newest(self, count: int) -> tuple[Path, list[Record]]:
         """Wait for this number of recordings, and return the newest."""
         self._session.wait(lambda: len(self.files) == count)
-        return self.files[-1], everything(self.files[-1])
+        return self.files[-1], records_of(self.files[-1])
 
 
 @pytest.fixture
-def kept(session: RecorderSetup, monkeypatch: pytest.MonkeyPatch) -> Iterator[AutomaticRecordings]:
-    """Shorten the time before and after an event to 2 seconds."""
+def automatic(
+    session: RecorderSetup, monkeypatch: pytest.MonkeyPatch
+) -> Iterator[AutomaticRecordings]:
+    """Automatic recordings with 2 seconds before and after an event."""
     assert (recorder._BEFORE, recorder._AFTER) == (20.0, 10.0)
     monkeypatch.setattr(recorder, "_BEFORE", 2.0)
     monkeypatch.setattr(recorder, "_AFTER", 2.0)
-    kept = AutomaticRecordings(session)
+    automatic = AutomaticRecordings(session)
     session.device.link_changed.emit()
-    session.device.state_changed.emit()  # the board was read before
-    yield kept
-    kept.recorder.shut_down()
+    session.device.state_changed.emit()  # the board is read already
+    yield automatic
+    automatic.recorder.shut_down()
 
 
 def test_seconds_around_a_stop_are_recorded(
-    session: RecorderSetup, kept: AutomaticRecordings
+    session: RecorderSetup, automatic: AutomaticRecordings
 ) -> None:
     motors = session.device.motors
-    motors.press_stop()  # at rest, nothing is recorded
+    motors.press_stop()  # the motors are at rest, so nothing is recorded
     session.wait(lambda: not motors.locked_for)
-    kept.drive()
-    kept.wait(3)
+    automatic.drive()
+    automatic.wait(3)
     stopped = now()
     motors.press_stop()
-    kept.wait(1)
+    automatic.wait(1)
     session.simulator.do("fault 1 on")  # within the same seconds
 
-    path, records = kept.newest(1)
+    path, records = automatic.newest(1)
     assert re.fullmatch(r"[-_.0-9]{24}stop.trexrec", path.name)
     assert 1.5 < stopped - records[0].time < 2.5
     assert 2.5 < records[-1].time - stopped < 3.5
     first = records[0]
-    assert isinstance(first, SetpointRecord)  # from before the recorded seconds
+    assert isinstance(first, SetpointRecord)  # the setpoint is older than 2 seconds
     assert first.drive == Drive.at(40)
     kinds = [record.kind for record in records if isinstance(record, Marker)]
     assert kinds == [EventKind.STOP.value, EventKind.FAULT.value]
@@ -266,39 +266,39 @@ def test_seconds_around_a_stop_are_recorded(
     file.close()
 
 
-def test_stop_gets_no_file_during_a_recording_or_if_off(
-    session: RecorderSetup, kept: AutomaticRecordings, tmp_path: Path
+def test_no_automatic_recording_during_another_or_if_off(
+    session: RecorderSetup, automatic: AutomaticRecordings, tmp_path: Path
 ) -> None:
     session.recorder.start(tmp_path / "user.trexrec")
-    kept.drive()
+    automatic.drive()
     session.device.motors.press_stop()
-    kept.wait(1)
-    assert not kept.recorder.recording
+    automatic.wait(1)
+    assert not automatic.recorder.recording
     session.end_recording()
 
-    kept.recorder.set_on(False)
+    automatic.recorder.set_on(False)
     session.wait(lambda: not session.device.motors.locked_for)
-    kept.drive()
+    automatic.drive()
     session.device.motors.press_stop()
-    kept.wait(1)
-    assert not kept.recorder.recording
+    automatic.wait(1)
+    assert not automatic.recorder.recording
     assert not EventRecorder(session.device, session.recorder).is_on
 
 
 def test_fault_is_recorded_if_the_line_closes_at_once(
-    session: RecorderSetup, kept: AutomaticRecordings
+    session: RecorderSetup, automatic: AutomaticRecordings
 ) -> None:
-    kept.wait(2)
+    automatic.wait(2)
     session.simulator.do("fault 2 on")
     session.wait(lambda: bool(session.device.board.errors.recent(2, now())))
     session.device.disconnect_line()
-    path, records = kept.newest(1)
+    path, records = automatic.newest(1)
     assert path.stem.endswith("_fault")
-    assert any(isinstance(one, Currents) for one in records)
+    assert any(isinstance(record, Currents) for record in records)
 
 
-def test_bits_before_the_connection_are_not_recorded(
-    session: RecorderSetup, kept: AutomaticRecordings
+def test_errors_from_before_the_connection_start_no_recording(
+    session: RecorderSetup, automatic: AutomaticRecordings
 ) -> None:
     session.device.disconnect_line()
     session.wait(lambda: session.device.link is ConnectionState.DISCONNECTED)
@@ -307,11 +307,11 @@ def test_bits_before_the_connection_are_not_recorded(
     session.connect()
     session.wait(lambda: any(entry.is_earlier for entry in session.device.board.errors.entries))
     assert not session.device.board.errors.recent(2, now())
-    kept.wait(1)
-    assert not kept.recorder.recording
+    automatic.wait(1)
+    assert not automatic.recorder.recording
 
 
-def test_oldest_recordings_are_removed_except_renamed() -> None:
+def test_oldest_recordings_are_removed_unless_renamed() -> None:
     folder = create_automatic_folder()
     names = [automatic_path(datetime(2026, 1, day, tzinfo=UTC), "stop").name for day in range(1, 5)]
     for name in (*names, "my crash.trexrec"):
@@ -365,16 +365,16 @@ def test_recording_distinguishes_two_boards(
     device.shut_down()
     recording = open_recording(path)
     records = recording.read(1, recording.count)
-    others = [one for one in records if isinstance(one, OfBoardRecord)]
-    assert {one.board for one in others} == {9}
-    assert any(isinstance(one.record, SetpointRecord) for one in others)
-    assert any(isinstance(one, Currents) for one in records)
+    of_second = [record for record in records if isinstance(record, OfBoardRecord)]
+    assert {record.board for record in of_second} == {9}
+    assert any(isinstance(record.record, SetpointRecord) for record in of_second)
+    assert any(isinstance(record, Currents) for record in records)
     export = tmp_path / "both.csv"
     export_span(recording, export, (0, math.inf), {})
     recording.close()
     with export.open(encoding="utf-8", newline="") as file:
         rows = [row for row in csv.DictReader(file) if row["sample"] == "currents"]
     for row in rows:
-        counts = {"7": 0.15, "9": 0.04}[row["board"]] * int(row["motor_1_current_counts"])
-        assert float(row["motor_1_current_A"]) == pytest.approx(counts)
+        amperes = {"7": 0.15, "9": 0.04}[row["board"]] * int(row["motor_1_current_counts"])
+        assert float(row["motor_1_current_A"]) == pytest.approx(amperes)
     assert {row["board"] for row in rows} == {"7", "9"}
