@@ -32,7 +32,7 @@ from trex_gui.ui.preferences import Preferences
 
 
 class LineHarness:
-    """Device on a line with boards, and its messages."""
+    """Device on a line with several boards, and its messages."""
 
     def __init__(self, device: Device, simulator: VirtualSimulator, qtbot: QtBot) -> None:
         self.device = device
@@ -55,7 +55,7 @@ class LineHarness:
         self.wait(lambda: self.device.is_connected and self.device.motors.is_available)
 
     def connect_known(self, number: int, *others: int) -> None:
-        """Connect to a board that an earlier scan of this port has found."""
+        """Connect to a board. An earlier scan has found it and the other boards."""
         key = f"boards/{quote(self.simulator.url, safe='')}"
         Preferences().set(key, ",".join(map(str, (number, *others))))
         self.connect(number)
@@ -76,6 +76,10 @@ class LineHarness:
         self.boards.select(number, done.append)
         self.wait(lambda: done)
 
+    def stored(self, key: str) -> list[int]:
+        """Return a stored value of each board."""
+        return [board.eeprom[key] for board in self.line.boards]
+
     def show(self, number: int) -> dict[str, Any]:
         return self.simulator.show(f"@{number}" if len(self.line.boards) > 1 else "")
 
@@ -84,14 +88,14 @@ class LineHarness:
 
     @property
     def presences(self) -> dict[int, Presence]:
-        return {one.number: one.presence for one in self.boards.boards}
+        return {board.number: board.presence for board in self.boards.boards}
 
 
 @pytest.fixture
 def new_line(
     start_simulator: StartSimulator, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> Iterator[Callable[..., LineHarness]]:
-    """Create a line of boards with these numbers, below 16."""
+    """Return a function that creates a line of boards with these numbers, below 16."""
     devices: list[Device] = []
 
     def new_line(*boards: str) -> LineHarness:
@@ -108,13 +112,13 @@ def new_line(
         device.edit_backup.files.shut_down()
 
 
-NewStand = Callable[..., LineHarness]
+NewLine = Callable[..., LineHarness]
 
 
-# --- Finding ----------------------------------------------------------------------------
+# --- Scan -------------------------------------------------------------------------------
 
 
-def test_scan_finds_each_board_by_number(new_line: NewStand) -> None:
+def test_scan_finds_each_board_by_number(new_line: NewLine) -> None:
     harness = new_line("3", "7", "12:trexjr")
     harness.connect(7)
     assert not harness.boards.has_several
@@ -124,7 +128,7 @@ def test_scan_finds_each_board_by_number(new_line: NewStand) -> None:
         7: Presence.SELECTED,
         12: Presence.RESPONDING,
     }
-    assert [str(one.signature) for one in harness.boards.boards] == [
+    assert [str(board.signature) for board in harness.boards.boards] == [
         "TReX 1.2",
         "TReX 1.2",
         "TReX Jr 1.2",
@@ -133,7 +137,7 @@ def test_scan_finds_each_board_by_number(new_line: NewStand) -> None:
     assert not harness.device.board.quality.is_noisy
 
 
-def test_board_that_is_switched_off_and_on_is_noticed(new_line: NewStand) -> None:
+def test_presence_follows_a_board_that_is_switched_off_and_on(new_line: NewLine) -> None:
     harness = new_line("3", "7")
     harness.connect_known(7, 3)
     harness.simulator.do("@3 power off")
@@ -145,7 +149,7 @@ def test_board_that_is_switched_off_and_on_is_noticed(new_line: NewStand) -> Non
     assert set(harness.presences.values()) == {Presence.UNKNOWN}
 
 
-def test_boards_of_a_scan_are_known_at_the_next_start(new_line: NewStand) -> None:
+def test_boards_of_a_scan_are_listed_at_the_next_start(new_line: NewLine) -> None:
     harness = new_line("3", "7")
     harness.connect(7)
     harness.scan()
@@ -155,7 +159,7 @@ def test_boards_of_a_scan_are_known_at_the_next_start(new_line: NewStand) -> Non
     harness.wait(lambda: harness.presences[7] is Presence.RESPONDING)
 
 
-def test_connection_without_a_number_expects_a_single_board(new_line: NewStand) -> None:
+def test_connection_without_a_number_expects_a_single_board(new_line: NewLine) -> None:
     harness = new_line("3", "7")
     harness.connect_known(7, 3)
     harness.simulator.do("@3 power off")
@@ -164,7 +168,7 @@ def test_connection_without_a_number_expects_a_single_board(new_line: NewStand) 
     assert harness.device.motors.can_arm
 
 
-def test_scan_of_single_board_explains_missing_boards(new_line: NewStand) -> None:
+def test_scan_of_a_single_board_explains_missing_boards(new_line: NewLine) -> None:
     harness = new_line("7")
     harness.connect(None)
     harness.scan()
@@ -174,7 +178,7 @@ def test_scan_of_single_board_explains_missing_boards(new_line: NewStand) -> Non
     assert harness.device.settings.device_number is None
 
 
-def test_commands_carry_a_number_once_several_boards_are_known(new_line: NewStand) -> None:
+def test_commands_have_a_number_after_a_scan_finds_two_boards(new_line: NewLine) -> None:
     harness = new_line("7", "9")
     harness.simulator.do("@9 power off")
     harness.connect(None)
@@ -189,7 +193,7 @@ def test_commands_carry_a_number_once_several_boards_are_known(new_line: NewStan
     assert not harness.show(9)["motors"][0]["target_speed"]
 
 
-def test_nothing_reaches_several_boards_that_a_scan_has_found(new_line: NewStand) -> None:
+def test_nothing_is_sent_to_several_boards_at_once(new_line: NewLine) -> None:
     harness = new_line("3", "7", "9")
     device = harness.device
     harness.simulator.do("@3 power off")
@@ -210,17 +214,16 @@ def test_nothing_reaches_several_boards_that_a_scan_has_found(new_line: NewStand
     device.writer.reset_to_factory()
     assert not device.writer.running
     harness.wait(lambda: len(harness.errors) == 3)
-    assert all("it would reach several boards" in one for one in harness.errors)
-    # Each board gets the same file, but retains its number.
-    work = ApplyHarness(harness)
-    work.reviewed(wanted(serial_timeout=5), 7)
+    assert all("it would reach several boards" in error for error in harness.errors)
+    # A review selects a board by its number.
+    ApplyHarness(harness).review_and_wait(settings_of(serial_timeout=5), 7)
     assert device.settings is not None
     assert device.settings.device_number == 7
     harness.wait(lambda: device.motors.can_arm)
     assert device.writer.can_apply
 
 
-def test_scan_probes_every_number(new_line: NewStand) -> None:
+def test_scan_probes_every_number(new_line: NewLine) -> None:
     harness = new_line("0", "7", "9")
     harness.connect(7)
     harness.boards.scan()
@@ -229,14 +232,14 @@ def test_scan_probes_every_number(new_line: NewStand) -> None:
     harness.boards.boards = ()
     harness.scan()
     assert set(harness.presences) == {0, 7, 9}
-    # The same during a presence query.
+    # The scan is complete even if it starts while the presence of a board is probed.
     harness.simulator.do("@9 power off")
     harness.wait(lambda: harness.boards.is_probing)
     harness.scan()
     assert set(harness.presences) == {0, 7}
 
 
-def test_arming_ends_scan_and_forbids_another(new_line: NewStand) -> None:
+def test_arming_ends_a_scan_and_prevents_another(new_line: NewLine) -> None:
     harness = new_line("7", "9")
     harness.connect(7)
     harness.boards.scan()
@@ -248,11 +251,11 @@ def test_arming_ends_scan_and_forbids_another(new_line: NewStand) -> None:
     assert harness.device.motors.armed
 
 
-# --- Selecting --------------------------------------------------------------------------
+# --- Selection --------------------------------------------------------------------------
 
 
-def test_selection_ends_held_controls(new_line: NewStand) -> None:
-    """Bench, pulses and gamepad are held throughout the switch."""
+def test_selecting_another_board_ends_held_controls(new_line: NewLine) -> None:
+    """Bench, setup and gamepad are held while another board is selected."""
     harness = new_line("7", "9")
     harness.connect(7)
     device, motors, pads = harness.device, harness.device.motors, HeldPads(PAD)
@@ -267,7 +270,7 @@ def test_selection_ends_held_controls(new_line: NewStand) -> None:
         return any(motor["direction"] != "brake" for motor in harness.show(number)["motors"])
 
     def hold_gamepad() -> None:
-        gamepad.switch_on()  # again for each board
+        gamepad.switch_on()  # a selection switches it off
         harness.wait(lambda: gamepad.text.startswith("Hold"))
         pads.press(4)
         harness.wait(lambda: gamepad.request.drives)
@@ -294,12 +297,12 @@ def test_selection_ends_held_controls(new_line: NewStand) -> None:
         harness.pass_time(2)
         assert not runs(second), holder
         assert not motors.holder
-        assert not pulses.wheels_are_free, "of another robot"
-        assert not setup.movements, "of another robot"
+        assert not pulses.wheels_are_free
+        assert not setup.movements
         motors.stop()
     assert bench.runs[-1].reason == "Another board was selected."
     gamepad.switch_off()
-    # Measurements of the former board's sticks are cleared as well.
+    # Measurements of the former board's sticks are cleared, too.
     for _ in range(3):
         device.mix_jumper.feed((60, 0), (60, -60))
     harness.wait(lambda: device.mix_jumper.is_on)
@@ -312,34 +315,34 @@ def test_selection_ends_held_controls(new_line: NewStand) -> None:
     assert not harness.errors
 
 
-def test_board_that_is_off_is_not_selected(new_line: NewStand) -> None:
+def test_unpowered_board_is_not_selected(new_line: NewLine) -> None:
     harness = new_line("7", "9")
     harness.connect_known(7, 9)
     harness.simulator.do("@9 power off")
     harness.select(9)
     assert harness.presences == {7: Presence.SELECTED, 9: Presence.SILENT}
     assert harness.device.is_connected
-    harness.wait(lambda: any("does not respond" in one for one in harness.errors))
+    harness.wait(lambda: any("does not respond" in error for error in harness.errors))
     harness.wait(lambda: harness.device.motors.can_arm)
 
 
-def test_edits_and_counts_of_each_board_return(new_line: NewStand) -> None:
+def test_edits_and_error_counts_return_with_their_board(new_line: NewLine) -> None:
     harness = new_line("7", "9")
     device = harness.device
     harness.connect_known(7, 9)
     device.parameters.edit("serial_timeout", 5)
     device.parameters.edit("crc7_polynomial", 0x11)
     harness.line.boards[0].serial.report(UartError.FORMAT, shut_down=False)
-    harness.wait(lambda: any(one.count for one in device.board.errors.entries))
+    harness.wait(lambda: any(entry.count for entry in device.board.errors.entries))
     harness.select(9)
     assert device.draft.pending == 0
     assert not device.draft.undo.canUndo()
-    assert not any(one.count for one in device.board.errors.entries)
+    assert not any(entry.count for entry in device.board.errors.entries)
     device.parameters.edit("serial_timeout", 9)
     harness.select(7)
     assert dict(device.parameters.values.pending) == {"serial_timeout": 5, "crc7_polynomial": 0x11}
-    assert any(one.count for one in device.board.errors.entries)
-    # Values still wait for the next start.
+    assert any(entry.count for entry in device.board.errors.entries)
+    # Written values that need a power cycle stay known as waiting.
     device.writer.apply()
     harness.wait(lambda: device.draft.pending == 0 and not device.writer.running)
     waiting = device.parameters.values.waiting_for_power
@@ -350,183 +353,167 @@ def test_edits_and_counts_of_each_board_return(new_line: NewStand) -> None:
     harness.select(7)
     assert device.parameters.values.waiting_for_power == waiting
     assert device.edit_backup.offer is None
-    assert any("returns" in one or "return when" in one for one in harness.infos)
+    assert any("returns" in info or "return when" in info for info in harness.infos)
 
 
-# --- Numbers ----------------------------------------------------------------------------
+# --- Device numbers ---------------------------------------------------------------------
 
 
-def test_board_gets_a_free_number(new_line: NewStand) -> None:
+def test_board_gets_only_a_free_number(new_line: NewLine) -> None:
     harness = new_line("7", "9")
     harness.connect(7)
     harness.scan()
     harness.device.writer.set_device_number(9)
-    harness.wait(lambda: any("has the device number 9" in one for one in harness.errors))
+    harness.wait(lambda: any("has the device number 9" in error for error in harness.errors))
     assert not harness.device.writer.running
     assert harness.show(7)["parameters"]["device_number"] == 7
     harness.device.writer.set_device_number(12)
     harness.wait(lambda: harness.boards.selected == 12 and not harness.device.writer.running)
-    assert harness.line.boards[0].eeprom["device_number"] == 12
+    assert harness.stored("device_number") == [12, 9]
     assert harness.presences == {9: Presence.RESPONDING, 12: Presence.SELECTED}
     harness.select(9)
     harness.select(12)
     assert harness.device.is_connected
 
 
-# --- One file for several boards --------------------------------------------------------
+# --- Settings for several boards --------------------------------------------------------
 
 
-def wanted(**parameters: int) -> Settings:
+def settings_of(**parameters: int) -> Settings:
     return Settings(device_table().models[0], "1.2", parameters)
 
 
 class ApplyHarness(ApplyToBoards):
-    """Settings that are written to boards of a stand."""
+    """Settings that are written to boards of a line."""
 
     def __init__(self, harness: LineHarness) -> None:
         super().__init__(harness.boards, harness.device, harness.device)
-        self._stand = harness
+        self._harness = harness
 
-    def reviewed(self, settings: Settings, *numbers: int) -> None:
+    def review_and_wait(self, settings: Settings, *numbers: int) -> None:
         self.review(settings, numbers)
-        self._stand.wait(lambda: not self.is_running)
+        self._harness.wait(lambda: not self.is_running)
 
-    def written(self, *numbers: int) -> None:
+    def write_and_wait(self, *numbers: int) -> None:
         self.write(numbers)
-        self._stand.wait(lambda: not self.is_running)
+        self._harness.wait(lambda: not self.is_running)
 
     @property
     def steps(self) -> dict[int, BoardStep]:
         return {plan.number: plan.step for plan in self.plans}
 
 
-def test_settings_are_written_to_several_boards(new_line: NewStand) -> None:
+def test_settings_are_written_to_several_boards(new_line: NewLine) -> None:
     harness = new_line("3", "7", "9:trexjr", "12")
     harness.connect_known(7, 3, 9, 12)
     harness.simulator.do("@12 power off")
     harness.device.parameters.edit("motor1_acceleration", 9)
-    work = ApplyHarness(harness)
-    settings = wanted(device_number=55, uart_settings=10, serial_timeout=5, ignored_channels=2)
-    work.reviewed(settings, 3, 7, 9, 12)
+    apply = ApplyHarness(harness)
+    settings = settings_of(device_number=55, uart_settings=10, serial_timeout=5, ignored_channels=2)
+    apply.review_and_wait(settings, 3, 7, 9, 12)
     assert harness.boards.selected == 7
-    assert work.steps == {
+    assert apply.steps == {
         3: BoardStep.REVIEWED,
         7: BoardStep.REVIEWED,
         9: BoardStep.FAILED,
         12: BoardStep.FAILED,
     }
-    assert [plan.to_write for plan in work.plans] == [2, 2, 0, 0]
-    assert "are for a TReX" in work.plans[2].problem
-    assert "does not respond" in work.plans[3].problem
-    assert not any(board.eeprom["serial_timeout"] for board in harness.line.boards)
+    assert [plan.to_write for plan in apply.plans] == [2, 2, 0, 0]
+    assert "are for a TReX" in apply.plans[2].problem
+    assert "does not respond" in apply.plans[3].problem
+    assert harness.stored("serial_timeout") == [0] * 4
 
-    work.written(3, 7)
-    assert [work.steps[number] for number in (3, 7)] == [BoardStep.WRITTEN] * 2
+    apply.write_and_wait(3, 7)
+    assert [apply.steps[number] for number in (3, 7)] == [BoardStep.WRITTEN] * 2
     assert harness.boards.selected == 7
-    stored = [
-        (board.eeprom["device_number"], board.eeprom["serial_timeout"])
-        for board in harness.line.boards
-    ]
-    assert stored == [(3, 5), (7, 5), (9, 0), (12, 0)]
-    assert {board.eeprom["uart_settings"] for board in harness.line.boards} == {5}
+    assert harness.stored("device_number") == [3, 7, 9, 12]
+    assert harness.stored("serial_timeout") == [5, 5, 0, 0]
+    assert harness.stored("uart_settings") == [5] * 4
     assert dict(harness.device.parameters.values.pending) == {"motor1_acceleration": 9}
     history = harness.device.writer.history
-    kept = [history.load(snapshot) for snapshot in history.snapshots()]
-    numbers = {settings.parameters["device_number"] for settings in kept}
-    assert numbers == {3, 7}
+    saved = [history.load(snapshot) for snapshot in history.snapshots()]
+    assert {settings.parameters["device_number"] for settings in saved} == {3, 7}
 
 
-def test_plan_names_doubts_and_findings_of_each_board(new_line: NewStand) -> None:
+def test_plan_has_the_doubts_and_findings_of_each_board(new_line: NewLine) -> None:
     harness = new_line("3", "7")
     harness.connect_known(7, 3)
     harness.line.boards[0].eeprom.write("ignored_channels", 63)
     harness.simulator.do("@3 power cycle")
-    work = ApplyHarness(harness)
-    work.reviewed(wanted(ignored_channels=63, serial_timeout=5), 3, 7)
-    assert [plan.doubts for plan in work.plans] == [(), ("Ignored Channels 63",)]
+    apply = ApplyHarness(harness)
+    apply.review_and_wait(settings_of(ignored_channels=63, serial_timeout=5), 3, 7)
+    assert [plan.doubts for plan in apply.plans] == [(), ("Ignored Channels 63",)]
     harness.line.boards[0].eeprom.write("ignored_channels", 2)
-    work.reviewed(wanted(required_channels=3), 3, 7)
-    assert [[one.keys for one in plan.findings] for plan in work.plans] == [
+    apply.review_and_wait(settings_of(required_channels=3), 3, 7)
+    assert [[finding.keys for finding in plan.findings] for plan in apply.plans] == [
         [("required_channels", "ignored_channels")],
         [],
     ]
 
 
-def test_first_error_while_writing_ends_the_work(new_line: NewStand) -> None:
+def test_first_error_while_writing_ends_the_apply(new_line: NewLine) -> None:
     harness = new_line("3", "7", "9")
     harness.connect_known(9, 3, 7)
-    work = ApplyHarness(harness)
-    work.reviewed(wanted(serial_timeout=5), 3, 7, 9)
+    apply = ApplyHarness(harness)
+    apply.review_and_wait(settings_of(serial_timeout=5), 3, 7, 9)
     harness.line.boards[0].eeprom.write("serial_timeout", 8)  # by another program
     harness.simulator.do("@3 power cycle")
 
-    def fail() -> None:
-        if work.steps[7] is BoardStep.WRITING:
+    def cut_power() -> None:
+        if apply.steps[7] is BoardStep.WRITING:
             harness.simulator.do("@7 power off")
 
-    work.changed.connect(fail)
-    work.written(3, 7, 9)
-    assert work.steps == {
-        3: BoardStep.FAILED,
-        7: BoardStep.FAILED,
-        9: BoardStep.SKIPPED,
-    }
-    assert "have changed since the review" in work.plans[0].problem
-    assert harness.line.boards[0].eeprom["serial_timeout"] == 8
-    assert harness.line.boards[2].eeprom["serial_timeout"] == 0
+    apply.changed.connect(cut_power)
+    apply.write_and_wait(3, 7, 9)
+    assert apply.steps == {3: BoardStep.FAILED, 7: BoardStep.FAILED, 9: BoardStep.SKIPPED}
+    assert "have changed since the review" in apply.plans[0].problem
+    timeouts = harness.stored("serial_timeout")
+    assert (timeouts[0], timeouts[2]) == (8, 0)
     assert harness.boards.selected == 9
 
 
-def test_work_is_cancelled_between_boards(new_line: NewStand) -> None:
+def test_apply_is_cancelled_between_boards(new_line: NewLine) -> None:
     harness = new_line("3", "7", "9")
     harness.connect_known(7, 3, 9)
-    work = ApplyHarness(harness)
-    work.review(wanted(serial_timeout=5), (3, 7, 9))
-    harness.wait(lambda: work.steps[3] is BoardStep.READING)
+    apply = ApplyHarness(harness)
+    apply.review(settings_of(serial_timeout=5), (3, 7, 9))
+    harness.wait(lambda: apply.steps[3] is BoardStep.READING)
     harness.connect(7)  # the line is closed and opened again
-    assert not work.is_running
-    assert work.steps == {
-        3: BoardStep.FAILED,
-        7: BoardStep.SKIPPED,
-        9: BoardStep.SKIPPED,
-    }
-    work.reviewed(wanted(serial_timeout=5), 3, 7, 9)
+    assert not apply.is_running
+    assert apply.steps == {3: BoardStep.FAILED, 7: BoardStep.SKIPPED, 9: BoardStep.SKIPPED}
+    apply.review_and_wait(settings_of(serial_timeout=5), 3, 7, 9)
 
     def cancel() -> None:
-        if work.steps[3] is BoardStep.WRITING and not harness.device.writer.is_saving_snapshot:
-            work.cancel()
+        if apply.steps[3] is BoardStep.WRITING and not harness.device.writer.is_saving_snapshot:
+            apply.cancel()
 
     harness.device.link_changed.connect(cancel)
-    work.written(3, 7, 9)
-    assert work.steps == {
-        3: BoardStep.WRITTEN,
-        7: BoardStep.SKIPPED,
-        9: BoardStep.SKIPPED,
-    }
-    assert [board.eeprom["serial_timeout"] for board in harness.line.boards] == [5, 0, 0]
+    apply.write_and_wait(3, 7, 9)
+    assert apply.steps == {3: BoardStep.WRITTEN, 7: BoardStep.SKIPPED, 9: BoardStep.SKIPPED}
+    assert harness.stored("serial_timeout") == [5, 0, 0]
     assert harness.boards.selected == 7
 
 
-def test_stop_ends_the_work_and_leaves_no_board_half_written(new_line: NewStand) -> None:
+def test_stop_ends_the_apply_after_the_current_board(new_line: NewLine) -> None:
     harness = new_line("3", "7", "9")
     harness.connect_known(7, 3, 9)
-    work, third = ApplyHarness(harness), harness.line.boards[0]
-    settings = wanted(serial_timeout=5, motor1_acceleration=9, motor2_acceleration=9)
+    apply = ApplyHarness(harness)
+    settings = settings_of(serial_timeout=5, motor1_acceleration=9, motor2_acceleration=9)
 
-    def write_and_stop(is_due: Callable[[], object]) -> None:
-        work.reviewed(settings, 3, 7, 9)
-        work.write((3, 7, 9))
-        harness.wait(is_due)
+    def write_and_stop(condition: Callable[[], object]) -> None:
+        apply.review_and_wait(settings, 3, 7, 9)
+        apply.write((3, 7, 9))
+        harness.wait(condition)
         harness.device.motors.press_stop()
-        harness.wait(lambda: not work.is_running and not harness.device.writer.running)
+        harness.wait(lambda: not apply.is_running and not harness.device.writer.running)
 
-    write_and_stop(lambda: harness.boards.is_selecting and work.steps[3] is BoardStep.READING)
-    assert set(work.steps.values()) == {BoardStep.SKIPPED}
-    assert not any(board.eeprom["serial_timeout"] for board in harness.line.boards)
-    write_and_stop(lambda: third.eeprom["motor1_acceleration"] == 9)
+    write_and_stop(lambda: harness.boards.is_selecting and apply.steps[3] is BoardStep.READING)
+    assert set(apply.steps.values()) == {BoardStep.SKIPPED}
+    assert harness.stored("serial_timeout") == [0] * 3
+    write_and_stop(lambda: harness.stored("motor1_acceleration")[0] == 9)
     assert harness.is_stopped(3)
-    assert work.steps == {3: BoardStep.WRITTEN, 7: BoardStep.SKIPPED, 9: BoardStep.SKIPPED}
-    assert work.was_stopped
-    assert third.eeprom["serial_timeout"] == 5
-    assert harness.line.boards[1].eeprom["motor1_acceleration"] != 9
+    assert apply.steps == {3: BoardStep.WRITTEN, 7: BoardStep.SKIPPED, 9: BoardStep.SKIPPED}
+    assert apply.was_stopped
+    assert harness.stored("serial_timeout")[0] == 5
+    assert harness.stored("motor1_acceleration")[1] != 9
     assert harness.boards.selected == 7
