@@ -66,14 +66,14 @@ def test_edit_survives_reload_until_it_is_stored(model: Calibrations) -> None:
     assert model.pending == ()
 
 
-def test_edit_is_kept_while_the_other_source_is_active(model: Calibrations) -> None:
+def test_edit_is_retained_while_the_other_source_is_active(model: Calibrations) -> None:
     model.edit(CalibrationKey.RC_CHANNEL_1, LEARNED)
     model.load("trex", InputSource.ANALOG, stored(InputSource.ANALOG))
-    seen = [(model.pending, model.out_of_reach)]
+    states = [(model.pending, model.out_of_reach)]
     assert model.all_shown == model.all_stored
     model.load("trex", InputSource.RC, stored(InputSource.RC))
-    seen.append((model.pending, model.out_of_reach))
-    assert seen == [
+    states.append((model.pending, model.out_of_reach))
+    assert states == [
         ((), [CalibrationKey.RC_CHANNEL_1]),
         (((CalibrationKey.RC_CHANNEL_1, LEARNED),), []),
     ]
@@ -89,8 +89,8 @@ def test_edit_is_dropped_for_another_model(model: Calibrations) -> None:
 def file(qtbot: QtBot) -> Calibrations:
     """Calibrations of a file with one calibration of each source."""
     model = Calibrations()
-    given = {CalibrationKey.RC_CHANNEL_2: LEARNED, CalibrationKey.ANALOG_CHANNEL_3: OTHER}
-    model.load("trex", InputSource.RC, given, open_ended=True)
+    content = {CalibrationKey.RC_CHANNEL_2: LEARNED, CalibrationKey.ANALOG_CHANNEL_3: OTHER}
+    model.load("trex", InputSource.RC, content, open_ended=True)
     return model
 
 
@@ -103,7 +103,7 @@ def test_file_accepts_calibrations_of_both_sources(file: Calibrations) -> None:
     assert not file.removed
 
 
-def test_calibration_is_left_out_of_a_file_and_restored(file: Calibrations) -> None:
+def test_calibration_is_removed_from_a_file_and_restored(file: Calibrations) -> None:
     file.remove(2)
     assert file.shown(2) is None
     assert file.removed == {CalibrationKey.RC_CHANNEL_2}
@@ -117,13 +117,13 @@ def test_calibration_is_left_out_of_a_file_and_restored(file: Calibrations) -> N
     assert file.all_shown == file.all_stored
 
 
-def test_calibration_of_a_board_cannot_be_left_out(model: Calibrations) -> None:
+def test_calibration_of_a_board_cannot_be_removed(model: Calibrations) -> None:
     model.remove(2)
     assert model.shown(2) is not None
     assert not model.removed
 
 
-def test_other_source_cannot_be_edited(model: Calibrations) -> None:
+def test_calibration_of_the_other_source_cannot_be_edited(model: Calibrations) -> None:
     model.load("trex", InputSource.ANALOG, dict.fromkeys(CHANNELS, OTHER))
     assert model.stored(CalibrationKey.RC_CHANNEL_2) is None
     assert not model.can_edit(CalibrationKey.RC_CHANNEL_2)
@@ -142,5 +142,5 @@ def test_restoring_one_channel_can_be_undone(qtbot: QtBot) -> None:
         CalibrationKey.RC_CHANNEL_1: LEARNED,
         CalibrationKey.RC_CHANNEL_2: OTHER,
     }
-    model.restore(3)  # not edited: no step
+    model.restore(3)  # adds no undo step, because it was not edited
     assert undo.canRedo()

@@ -1,4 +1,4 @@
-"""Comparison of settings as a Qt model, and ticked changes."""
+"""Comparison of settings as a Qt model, and checked changes."""
 
 from dataclasses import replace
 from typing import Any
@@ -18,18 +18,13 @@ from trex_gui.devices.trex.model.settings.comparison_table import (
 )
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
-from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.ui.theme.icons import icon
 
 BEFORE = factory()
 
 
-def changed(**values: int) -> Settings:
-    return replace(BEFORE, parameters={**BEFORE.parameters, **values})
-
-
 def comparison(**values: int) -> Comparison:
-    return compare(BEFORE, changed(**values))
+    return compare(BEFORE, replace(BEFORE, parameters={**BEFORE.parameters, **values}))
 
 
 @pytest.fixture
@@ -47,12 +42,12 @@ def index(table: ComparisonTable, key: str, column: int = ComparisonColumn.SETTI
     return table.index(keys(table).index(key), column)
 
 
-def ticked(table: ComparisonTable) -> set[str]:
+def checked_keys(table: ComparisonTable) -> set[str]:
     return {row.key for row in table.ticked}
 
 
-def tick(table: ComparisonTable, key: str, wanted: bool) -> bool:
-    state = Qt.CheckState.Checked if wanted else Qt.CheckState.Unchecked
+def set_checked(table: ComparisonTable, key: str, checked: bool) -> bool:
+    state = Qt.CheckState.Checked if checked else Qt.CheckState.Unchecked
     return table.setData(index(table, key), state, Qt.ItemDataRole.CheckStateRole)
 
 
@@ -70,33 +65,32 @@ def test_table_passes_qt_model_tester_through_changes(
 
 def test_differing_rows_are_shown_and_checked(table: ComparisonTable) -> None:
     assert set(keys(table)) == {"serial_timeout", "motor1_acceleration"}
-    assert ticked(table) == set(keys(table))
-    heads = [
-        table.headerData(column, Qt.Orientation.Horizontal) for column in range(table.columnCount())
-    ]
-    assert heads == ["Setting", "Now", "File", "Wire"]
+    assert checked_keys(table) == set(keys(table))
+    columns = range(table.columnCount())
+    headings = [table.headerData(column, Qt.Orientation.Horizontal) for column in columns]
+    assert headings == ["Setting", "Now", "File", "Wire"]
     assert index(table, "serial_timeout", ComparisonColumn.AFTER).data() == "0.5 s"
     assert index(table, "serial_timeout", ComparisonColumn.WIRE).data() == "0 → 5"
 
 
 def test_equal_rows_are_shown_on_request_without_check_box(table: ComparisonTable) -> None:
-    place = QPersistentModelIndex(index(table, "serial_timeout"))
+    row = QPersistentModelIndex(index(table, "serial_timeout"))
     table.set_with_equal(True)
     assert table.rowCount() == len(table.comparison.rows)
     assert index(table, "motor_mode").data(Qt.ItemDataRole.CheckStateRole) is None
-    assert not tick(table, "motor_mode", True)
+    assert not set_checked(table, "motor_mode", True)
     table.set_with_equal(False)
     assert table.rowCount() == 2
-    assert place.isValid()
-    assert place.data(Qt.ItemDataRole.UserRole) == "serial_timeout"
+    assert row.isValid()
+    assert row.data(Qt.ItemDataRole.UserRole) == "serial_timeout"
 
 
 def test_row_can_be_unchecked_and_checked(table: ComparisonTable, qtbot: QtBot) -> None:
     with qtbot.waitSignal(table.ticked_changed):
-        assert tick(table, "serial_timeout", False)
-    assert ticked(table) == {"motor1_acceleration"}
+        assert set_checked(table, "serial_timeout", False)
+    assert checked_keys(table) == {"motor1_acceleration"}
     table.toggle(index(table, "serial_timeout").row())
-    assert ticked(table) == {"motor1_acceleration", "serial_timeout"}
+    assert checked_keys(table) == {"motor1_acceleration", "serial_timeout"}
     table.tick_all(False)
     assert not table.ticked
     table.tick_all(True)
@@ -109,46 +103,44 @@ def test_rows_cannot_be_checked_without_check_boxes(table: ComparisonTable) -> N
     table.tick_all(True)
     table.toggle(0)
     assert not table.ticked
-    assert not tick(table, "serial_timeout", True)
+    assert not set_checked(table, "serial_timeout", True)
 
 
 def test_unchecked_row_stays_unchecked_when_values_change(table: ComparisonTable) -> None:
-    tick(table, "serial_timeout", False)
+    set_checked(table, "serial_timeout", False)
     table.renew(comparison(serial_timeout=6, motor1_acceleration=9, motor_mode=1))
-    assert ticked(table) == {"motor1_acceleration", "motor_mode"}
+    assert checked_keys(table) == {"motor1_acceleration", "motor_mode"}
     table.renew(comparison(motor1_acceleration=9))
     table.renew(comparison(serial_timeout=6, motor1_acceleration=9))
-    assert ticked(table) == {"motor1_acceleration"}
+    assert checked_keys(table) == {"motor1_acceleration"}
     table.renew(comparison(serial_timeout=6, motor1_acceleration=9, motor_mode=1), tick_new=False)
-    assert ticked(table) == {"motor1_acceleration"}
+    assert checked_keys(table) == {"motor1_acceleration"}
 
 
 def test_outcomes_add_a_column(table: ComparisonTable) -> None:
-    outcomes = {"serial_timeout": "", "motor1_acceleration": "the board refused it"}
+    outcomes = {"serial_timeout": "", "motor1_acceleration": "the board rejected it"}
     table.show_comparison(table.comparison, "Now", "File", outcomes=outcomes)
     assert table.columnCount() == 5
-    sign = Qt.ItemDataRole.DecorationRole
+    decoration = Qt.ItemDataRole.DecorationRole
     outcome = index(table, "serial_timeout", ComparisonColumn.OUTCOME)
     assert outcome.data().startswith("stored")
-    assert outcome.data(sign).cacheKey() == icon("ok").cacheKey()
-    refused = index(table, "motor1_acceleration", ComparisonColumn.OUTCOME)
-    assert refused.data() == "the board refused it"
-    assert refused.data(sign).cacheKey() == icon("warning").cacheKey()
+    assert outcome.data(decoration).cacheKey() == icon("ok").cacheKey()
+    rejected = index(table, "motor1_acceleration", ComparisonColumn.OUTCOME)
+    assert rejected.data() == "the board rejected it"
+    assert rejected.data(decoration).cacheKey() == icon("warning").cacheKey()
 
 
 def test_calibration_row_shows_only_differing_fields(table: ComparisonTable) -> None:
-    place = CalibrationKey.RC_CHANNEL_2
-    old = BEFORE.calibrations[place]
+    key = CalibrationKey.RC_CHANNEL_2
+    old = BEFORE.calibrations[key]
     new = Calibration(old.minimum, old.neutral, old.maximum, old.deadband + 10)
-    after = replace(BEFORE, calibrations={**BEFORE.calibrations, place: new})
+    after = replace(BEFORE, calibrations={**BEFORE.calibrations, key: new})
     table.show_comparison(compare(BEFORE, after), "Now", "File")
-    text = index(table, "rc_channel_2", ComparisonColumn.AFTER).data()
-    assert text.startswith("deadband ")
-    wires = index(table, "rc_channel_2", ComparisonColumn.WIRE).data()
-    assert wires == f"{old.deadband} → {new.deadband}"
+    assert index(table, key, ComparisonColumn.AFTER).data().startswith("deadband ")
+    assert index(table, key, ComparisonColumn.WIRE).data() == f"{old.deadband} → {new.deadband}"
 
 
-def test_equal_calibration_with_a_note_is_shown_whole(table: ComparisonTable) -> None:
+def test_equal_calibration_with_a_note_is_shown_in_full(table: ComparisonTable) -> None:
     key = CalibrationKey.RC_CHANNEL_2
     table.show_comparison(compare(BEFORE, replace(BEFORE, notes={key: "by hand"})), "Now", "File")
     texts = [index(table, key, column).data() for column in (1, 2)]
@@ -156,13 +148,13 @@ def test_equal_calibration_with_a_note_is_shown_whole(table: ComparisonTable) ->
 
 
 def test_missing_value_is_shown_as_not_given(table: ComparisonTable) -> None:
-    little = replace(BEFORE, parameters={"serial_timeout": 5}, calibrations={})
-    table.show_comparison(compare(BEFORE, little), "Now", "File")
+    after = replace(BEFORE, parameters={"serial_timeout": 5}, calibrations={})
+    table.show_comparison(compare(BEFORE, after), "Now", "File")
     assert index(table, "motor_mode", ComparisonColumn.AFTER).data() == "not given"
-    assert ticked(table) == {"serial_timeout"}
+    assert checked_keys(table) == {"serial_timeout"}
 
 
-def test_markup_is_shown_as_it_is_written(table: ComparisonTable) -> None:
+def test_markup_is_shown_as_plain_text(table: ComparisonTable) -> None:
     outcomes = {"serial_timeout": "no <b>reply</b>"}
     table.show_comparison(table.comparison, "Now", "File", outcomes=outcomes)
     cell = index(table, "serial_timeout", ComparisonColumn.OUTCOME)
@@ -173,13 +165,15 @@ def test_markup_is_shown_as_it_is_written(table: ComparisonTable) -> None:
 # --- Renewed rows -----------------------------------------------------------------------
 
 
-Cell = tuple[int, str]
+Row = tuple[int, str]
 
 
 class Table(QAbstractTableModel):
+    """Table with two columns whose rows are replaced."""
+
     def __init__(self) -> None:
         super().__init__()
-        self.rows: list[Cell] = []
+        self.rows: list[Row] = []
 
     def rowCount(self, parent: QModelIndex | QPersistentModelIndex | None = None) -> int:
         return 0 if parent is not None and parent.isValid() else len(self.rows)
@@ -194,7 +188,7 @@ class Table(QAbstractTableModel):
     ) -> Any:
         return self.rows[index.row()][index.column()]
 
-    def become(self, rows: list[Cell]) -> None:
+    def set_rows(self, rows: list[Row]) -> None:
         renew_rows(self, self.rows, rows, lambda row: row[0])
 
 
@@ -202,35 +196,35 @@ _rows = st.dictionaries(st.integers(0, 9), st.sampled_from("ab"))
 
 
 @given(first=_rows, second=_rows)
-def test_renewed_rows_equal_the_new_list_and_keep_indexes(
+def test_renewed_rows_equal_the_new_rows_and_retain_indexes(
     first: dict[int, str], second: dict[int, str]
 ) -> None:
     table = Table()
-    table.become(sorted(first.items()))
-    places = {
+    table.set_rows(sorted(first.items()))
+    indexes = {
         key: QPersistentModelIndex(table.index(row, 0)) for row, key in enumerate(sorted(first))
     }
-    table.become(sorted(second.items()))
+    table.set_rows(sorted(second.items()))
     assert table.rows == sorted(second.items())
-    for key, place in places.items():
-        assert place.isValid() == (key in second)
-        assert not place.isValid() or place.data() == key
+    for key, cell in indexes.items():
+        assert cell.isValid() == (key in second)
+        assert not cell.isValid() or cell.data() == key
 
 
 @given(first=st.permutations(range(5)), second=st.permutations(range(5)))
 def test_reordered_rows_are_renewed_correctly(first: list[int], second: list[int]) -> None:
     table = Table()
-    table.become([(number, "") for number in first])
-    table.become([(number, "") for number in second])
+    table.set_rows([(number, "") for number in first])
+    table.set_rows([(number, "") for number in second])
     assert table.rows == [(number, "") for number in second]
 
 
 def test_unchanged_rows_emit_no_signal(qtbot: QtBot) -> None:
     table = Table()
-    table.become([(1, "a"), (2, "a")])
+    table.set_rows([(1, "a"), (2, "a")])
     with qtbot.assertNotEmitted(table.dataChanged), qtbot.assertNotEmitted(table.modelReset):
-        table.become([(1, "a"), (2, "a")])
-    with qtbot.waitSignal(table.dataChanged) as announced:
-        table.become([(1, "a"), (2, "b")])
-    assert announced.args is not None
-    assert announced.args[0].row() == announced.args[1].row() == 1
+        table.set_rows([(1, "a"), (2, "a")])
+    with qtbot.waitSignal(table.dataChanged) as changed:
+        table.set_rows([(1, "a"), (2, "b")])
+    assert changed.args is not None
+    assert changed.args[0].row() == changed.args[1].row() == 1

@@ -30,47 +30,53 @@ ROVER = (
 )
 
 
+def document_of(path: Path, content: str | bytes) -> SettingsDocument:
+    """Write a file, and open it in a document."""
+    path.write_bytes(content.encode() if isinstance(content, str) else content)
+    return SettingsDocument.of_file(path, load(path))
+
+
 @pytest.fixture
 def rover(tmp_path: Path) -> Path:
-    path = tmp_path / "rover.txt"
-    path.write_bytes(ROVER.encode())
-    return path
+    return tmp_path / "rover.txt"
 
 
-def test_opening_and_saving_changes_no_byte(rover: Path) -> None:
-    document = SettingsDocument.of_file(rover, load(rover))
+@pytest.fixture
+def document(rover: Path) -> SettingsDocument:
+    """Settings document of the file `rover`."""
+    return document_of(rover, ROVER)
+
+
+def test_opening_and_saving_changes_no_byte(document: SettingsDocument, rover: Path) -> None:
     assert not document.modified
     save_now(document, document.content)
     assert rover.read_bytes() == ROVER.encode()
 
 
-def test_edit_changes_only_its_value_and_comment(rover: Path) -> None:
-    document = SettingsDocument.of_file(rover, load(rover))
+def test_edit_changes_only_its_value_and_comment(document: SettingsDocument, rover: Path) -> None:
     document.draft.parameters.edit("serial_timeout", 15)
-    before = document.modified, document.draft.pending
+    assert (document.modified, document.draft.pending) == (True, 1)
     save_now(document, document.content)
-    assert before == (True, 1)
     assert (document.modified, document.draft.pending) == (False, 0)
-    after = rover.read_bytes().decode()
-    assert after == ROVER.replace("  5  # 0.5 s", "  15  # 1.5 s")
+    assert rover.read_bytes().decode() == ROVER.replace("  5  # 0.5 s", "  15  # 1.5 s")
 
 
-def test_value_beyond_inferred_limit_is_written(rover: Path) -> None:
-    document = SettingsDocument.of_file(rover, load(rover))
+def test_value_beyond_an_inferred_limit_is_written(document: SettingsDocument, rover: Path) -> None:
     with pytest.raises(BadRequest):
         document.draft.parameters.edit("ignored_channels", 63)
     document.draft.parameters.edit("ignored_channels", 63, forced=True)
     save_now(document, document.content)
     assert "ignored_channels: 63" in rover.read_bytes().decode()
-    (warning,) = [found for found in document.findings if found.key == "ignored_channels"]
+    (warning,) = [finding for finding in document.findings if finding.key == "ignored_channels"]
     assert "the board decides" in warning.message
-    again = SettingsDocument.of_file(rover, load(rover)).settings
-    assert again is not None
-    assert again.parameters["ignored_channels"] == 63
+    settings = SettingsDocument.of_file(rover, load(rover)).settings
+    assert settings is not None
+    assert settings.parameters["ignored_channels"] == 63
 
 
-def test_undoing_all_edits_after_a_save_restores_all_bytes(rover: Path) -> None:
-    document = SettingsDocument.of_file(rover, load(rover))
+def test_undoing_all_edits_after_a_save_restores_all_bytes(
+    document: SettingsDocument, rover: Path
+) -> None:
     document.draft.parameters.edit("motor_mode", 1)
     document.draft.parameters.edit("aux_acceleration", 7)
     document.draft.parameters.remove("serial_timeout")
@@ -86,30 +92,29 @@ def test_undoing_all_edits_after_a_save_restores_all_bytes(rover: Path) -> None:
     assert rover.read_bytes() == ROVER.encode()
 
 
-def test_several_edits_emit_changed_once(rover: Path, qtbot: QtBot) -> None:
-    document = SettingsDocument.of_file(rover, load(rover))
-    heard = []
-    document.changed.connect(lambda: heard.append(document.text))
+def test_several_edits_emit_changed_once(document: SettingsDocument, qtbot: QtBot) -> None:
+    texts = []
+    document.changed.connect(lambda: texts.append(document.text))
     with qtbot.waitSignal(document.changed):
         document.draft.parameters.edit("motor_mode", 1)
         document.draft.parameters.edit("serial_timeout", 9)
-    assert len(heard) == 1
-    assert "serial_timeout:   9" in heard[0]
+    assert len(texts) == 1
+    assert "serial_timeout:   9" in texts[0]
 
 
 @pytest.mark.parametrize("bad", BAD_FILES, ids=lambda bad: bad.name)
 def test_file_with_errors_opens_as_text_with_findings(bad: BadFile, tmp_path: Path) -> None:
     path = tmp_path / "bad.txt"
-    path.write_bytes(bad.data)
     if not bad.is_text:
         with pytest.raises(SettingsError, match=bad.words):
-            SettingsDocument.of_file(path, load(path))
+            document_of(path, bad.data)
         return
-    document = SettingsDocument.of_file(path, load(path))
+    document = document_of(path, bad.data)
     assert not document.readable
     assert document.settings is None
     assert not document.modified
-    assert any(bad.words in found.message and found.line == bad.line for found in document.findings)
+    findings = [finding for finding in document.findings if finding.line == bad.line]
+    assert any(bad.words in finding.message for finding in findings)
 
 
 def is_modified(document: SettingsDocument) -> bool:
@@ -118,8 +123,7 @@ def is_modified(document: SettingsDocument) -> bool:
 
 def test_text_with_errors_is_saved_and_corrected(tmp_path: Path) -> None:
     path = tmp_path / "rover.txt"
-    path.write_text("product: TReX\n# mine\nmotor_mode: 9\n", encoding="utf-8")
-    document = SettingsDocument.of_file(path, load(path))
+    document = document_of(path, "product: TReX\n# mine\nmotor_mode: 9\n")
     document.set_text(document.text.replace("9", "8"))
     save_now(document, document.content)
     assert path.read_text(encoding="utf-8") == "product: TReX\n# mine\nmotor_mode: 8\n"
@@ -136,8 +140,7 @@ def test_text_with_errors_is_saved_and_corrected(tmp_path: Path) -> None:
 
 def test_cp1252_text_needs_a_check_and_is_saved_as_utf8(tmp_path: Path) -> None:
     path = tmp_path / "rover.txt"
-    path.write_bytes("product: TReX\n# für 5 µs\nmotor_mode: 0\n".encode("cp1252"))
-    document = SettingsDocument.of_file(path, load(path))
+    document = document_of(path, "product: TReX\n# für 5 µs\nmotor_mode: 0\n".encode("cp1252"))
     assert not document.readable
     assert "für 5 µs" in document.text
     assert document.check()
@@ -145,8 +148,7 @@ def test_cp1252_text_needs_a_check_and_is_saved_as_utf8(tmp_path: Path) -> None:
     assert path.read_bytes() == "product: TReX\n# für 5 µs\nmotor_mode: 0\n".encode()
 
 
-def test_edits_made_while_it_is_saved_stay_unsaved(rover: Path) -> None:
-    document = SettingsDocument.of_file(rover, load(rover))
+def test_edits_made_while_saving_stay_unsaved(document: SettingsDocument, rover: Path) -> None:
     edit = document.draft.parameters.edit
     edit("motor_mode", 1)
     content = document.content()
@@ -161,15 +163,14 @@ def test_edits_made_while_it_is_saved_stay_unsaved(rover: Path) -> None:
     content = document.content()
     document.draft.undo.undo()
     content.record_saved(rover)
-    assert is_modified(document), "it was undone meanwhile"
+    assert is_modified(document), "the saved edit was undone while saving"
     assert "motor_mode: 1" in document.text
 
 
 def test_file_not_editable_in_place_is_rewritten_on_request(tmp_path: Path) -> None:
-    path = tmp_path / "odd.txt"
-    # The block ends where the file ends. A line after it would add a line break.
-    path.write_text("product: TReX\nfirmware: |\n  1.2", encoding="utf-8")
-    document = SettingsDocument.of_file(path, load(path))
+    path = tmp_path / "block.txt"
+    # The YAML block ends with the file. A line after the block would add a line break to it.
+    document = document_of(path, "product: TReX\nfirmware: |\n  1.2")
     assert not document.problem
     document.draft.parameters.edit("motor_mode", 1)
     assert "cannot be changed in place" in document.problem
@@ -181,19 +182,20 @@ def test_file_not_editable_in_place_is_rewritten_on_request(tmp_path: Path) -> N
 
 
 def test_new_file_gets_a_path_when_it_is_saved(tmp_path: Path) -> None:
-    document = SettingsDocument.of_settings(factory(), "new.txt", title="As from the factory.")
+    document = SettingsDocument.of_settings(factory(), "new.txt", title="Factory settings")
     assert document.settings == factory()
     assert not document.modified
     assert document.path is None
     save_now(document, document.content, tmp_path / "mine.txt")
     assert document.name == "mine.txt"
-    assert "As from the factory." in (tmp_path / "mine.txt").read_text(encoding="utf-8")
+    assert "Factory settings" in (tmp_path / "mine.txt").read_text(encoding="utf-8")
 
 
-def test_missing_folder_is_reported_and_keeps_the_path(rover: Path, tmp_path: Path) -> None:
-    document = SettingsDocument.of_file(rover, load(rover))
+def test_missing_folder_is_reported_and_the_path_is_unchanged(
+    document: SettingsDocument, rover: Path
+) -> None:
     with pytest.raises(SettingsError, match="no folder"):
-        save_now(document, document.content, tmp_path / "gone" / "rover.txt")
+        save_now(document, document.content, rover.parent / "missing" / "rover.txt")
     assert document.path == rover
 
 
@@ -209,5 +211,4 @@ def test_edited_document_text_parses_to_its_settings(
     for key, calibration in after.calibrations.items():
         document.draft.calibrations.edit(key, calibration)
     assert not document.problem
-    again = SettingsDocument(document.text, "again.txt")
-    assert again.settings == document.settings
+    assert SettingsDocument(document.text, "copy.txt").settings == document.settings

@@ -14,7 +14,7 @@ def test_notes_are_cleaned_limited_and_undone(qtbot: QtBot) -> None:
     assert not notes.all
     notes.load({"motor_mode": "two motors"}, owner=7)
     notes.edit("motor_mode", "two motors \n")
-    assert undo.count() == 0, "nothing changed"
+    assert undo.count() == 0
     notes.edit("motor_mode", " one\t\n\n\x07motor ")
     assert notes.of("motor_mode") == "one\n?motor"
     notes.edit("serial_timeout", "x" * 2 * LONGEST_NOTE)

@@ -18,11 +18,10 @@ from trex_gui.ui.files import background
 from trex_gui.ui.runtime import runtime
 
 MINUTE = timedelta(minutes=1)
-DAY = timedelta(days=1)
 
 
-class ListedHistory(SnapshotTable):
-    """Table of a history to which tests add snapshots."""
+class HistoryTable(SnapshotTable):
+    """Snapshot table with access to its history."""
 
     def __init__(self, history: SettingsHistory) -> None:
         super().__init__(history)
@@ -30,8 +29,8 @@ class ListedHistory(SnapshotTable):
 
 
 @pytest.fixture
-def table(qtbot: QtBot, tmp_path: Path) -> ListedHistory:
-    return ListedHistory(SettingsHistory(tmp_path / "snapshots"))
+def table(qtbot: QtBot, tmp_path: Path) -> HistoryTable:
+    return HistoryTable(SettingsHistory(tmp_path / "snapshots"))
 
 
 def refresh(table: SnapshotTable) -> None:
@@ -48,7 +47,7 @@ def finish() -> None:
 
 
 def content_of(table: SnapshotTable, snapshot: Snapshot) -> Settings | str | None:
-    """Return the content of a snapshot once it was read."""
+    """Read a snapshot if necessary, and return its content."""
     if table.content_of(snapshot) is None:
         finish()
     return table.content_of(snapshot)
@@ -58,10 +57,10 @@ def text(table: SnapshotTable, row: int, column: SnapshotColumn) -> str:
     return str(table.index(row, column).data())
 
 
-def test_table_passes_qt_model_tester(table: ListedHistory, qtmodeltester: ModelTester) -> None:
+def test_table_passes_qt_model_tester(table: HistoryTable, qtmodeltester: ModelTester) -> None:
     qtmodeltester.check(table)  # type: ignore[no-untyped-call] # of pytest-qt
     refresh(table)
-    first, *_ = [create_snapshot(table.history, ago * MINUTE) for ago in (3, 9, 5)]
+    first, *_ = [create_snapshot(table.history, age * MINUTE) for age in (3, 9, 5)]
     refresh(table)
     create_snapshot(table.history)
     table.history.remove(first)
@@ -69,7 +68,7 @@ def test_table_passes_qt_model_tester(table: ListedHistory, qtmodeltester: Model
     assert table.rowCount() == 3
 
 
-def test_newest_snapshot_comes_first_with_all_columns(table: ListedHistory) -> None:
+def test_newest_snapshot_comes_first_with_all_columns(table: HistoryTable) -> None:
     create_snapshot(table.history, 5 * MINUTE, reason="trexcmd restore-defaults")
     create_snapshot(table.history, device_number=9)
     refresh(table)
@@ -78,25 +77,27 @@ def test_newest_snapshot_comes_first_with_all_columns(table: ListedHistory) -> N
     assert text(table, 0, SnapshotColumn.NUMBER) == "9"
     assert text(table, 0, SnapshotColumn.ADAPTER) == ADAPTER
     assert text(table, 1, SnapshotColumn.REASON) == "trexcmd restore-defaults"
-    heads = [table.headerData(column, Qt.Orientation.Horizontal) for column in SnapshotColumn]
-    assert heads == ["Time", "Name", "Note", "Before", "Board", "No.", "Adapter"]
+    headings = [table.headerData(column, Qt.Orientation.Horizontal) for column in SnapshotColumn]
+    assert headings == ["Time", "Name", "Note", "Before", "Board", "No.", "Adapter"]
 
 
-def test_times_are_local_and_recent_days_are_named(table: ListedHistory) -> None:
-    noon = datetime.now().astimezone().replace(hour=12, minute=3, second=0, microsecond=0)
+def test_times_are_local_and_recent_days_are_named(table: HistoryTable) -> None:
     now = datetime.now().astimezone()
-    taken = [create_snapshot(table.history, now - noon + days * DAY) for days in (0, 1, 400)]
+    noon = now.replace(hour=12, minute=3, second=0, microsecond=0)
+    today, yesterday, old = (
+        create_snapshot(table.history, now - noon + timedelta(days)) for days in (0, 1, 400)
+    )
     refresh(table)
-    assert table.time_text(taken[0]) == "today 12:03"
-    assert table.time_text(taken[1]) == f"yesterday {taken[1].taken.astimezone():%H:%M}"
-    long_ago = taken[2].taken.astimezone()
-    assert table.time_text(taken[2]) == f"{long_ago.day} {long_ago:%b %Y} {long_ago:%H:%M}"
+    assert table.time_text(today) == "today 12:03"
+    assert table.time_text(yesterday) == f"yesterday {yesterday.taken.astimezone():%H:%M}"
+    time = old.taken.astimezone()
+    assert table.time_text(old) == f"{time.day} {time:%b %Y} {time:%H:%M}"
 
 
-def test_damage_is_shown_until_repair(table: ListedHistory) -> None:
+def test_damage_is_shown_until_the_file_is_repaired(table: HistoryTable) -> None:
     path = create_snapshot(table.history).path
-    sound = path.read_text(encoding="utf-8")
-    path.write_text(f"{sound}nonsense: 3\n" * 9, encoding="utf-8")
+    intact = path.read_text(encoding="utf-8")
+    path.write_text(f"{intact}nonsense: 3\n" * 9, encoding="utf-8")
     refresh(table)
     assert not table.problem_of(table.snapshots[0])
     assert "more errors are not listed" in str(content_of(table, table.snapshots[0]))
@@ -104,7 +105,7 @@ def test_damage_is_shown_until_repair(table: ListedHistory) -> None:
     assert text(table, 0, SnapshotColumn.BOARD) == "damaged"
     refresh(table)
     assert table.problem_of(table.snapshots[0])
-    path.write_text(sound, encoding="utf-8")
+    path.write_text(intact, encoding="utf-8")
     refresh(table)
     assert not table.problem_of(table.snapshots[0])
     assert isinstance(content_of(table, table.snapshots[0]), Settings)
@@ -116,7 +117,7 @@ def test_damage_is_shown_until_repair(table: ListedHistory) -> None:
     assert "cannot be restored" in table.index(0, 0).data(Qt.ItemDataRole.ToolTipRole)
 
 
-def test_snapshot_is_reloaded_only_after_a_file_change(table: ListedHistory) -> None:
+def test_snapshot_is_reloaded_only_after_a_file_change(table: HistoryTable) -> None:
     path = create_snapshot(table.history).path
     refresh(table)
     first = content_of(table, table.snapshots[0])
@@ -130,31 +131,31 @@ def test_snapshot_is_reloaded_only_after_a_file_change(table: ListedHistory) -> 
     assert settings.parameters["motor_mode"] == 1
 
 
-def test_window_reads_no_snapshot_itself(
-    table: ListedHistory, monkeypatch: pytest.MonkeyPatch
+def test_snapshots_are_read_only_in_background_threads(
+    table: HistoryTable, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """In virtual time, no thread starts before the test waits."""
+    """In virtual time, threads run only while the test waits."""
     create_snapshot(table.history)
     refresh(table)
-    read: list[str] = []
+    calls: list[str] = []
     for name in ("files", "read_header", "load"):
         original = getattr(SettingsHistory, name)
 
-        def noting(*arguments: Any, name: str = name, original: Any = original) -> Any:
-            read.append(name)
+        def record_call(*arguments: Any, name: str = name, original: Any = original) -> Any:
+            calls.append(name)
             return original(*arguments)
 
-        monkeypatch.setattr(SettingsHistory, name, noting)
+        monkeypatch.setattr(SettingsHistory, name, record_call)
     table.refresh()
     assert table.rowCount() == 1
     assert table.content_of(table.snapshots[0]) is None
-    assert read == []
+    assert calls == []
     finish()
-    assert set(read) == {"files", "read_header", "load"}
+    assert set(calls) == {"files", "read_header", "load"}
     assert isinstance(table.content_of(table.snapshots[0]), Settings)
 
 
-def test_neighbour_is_next_newer_or_older_of_same_product(table: ListedHistory) -> None:
+def test_neighbour_is_the_next_snapshot_of_the_same_product(table: HistoryTable) -> None:
     oldest, junior, middle, damaged, newest = (
         create_snapshot(table.history, 9 * MINUTE),
         create_snapshot(table.history, 8 * MINUTE, model="trexjr"),
@@ -180,7 +181,7 @@ def test_neighbour_is_next_newer_or_older_of_same_product(table: ListedHistory) 
         *(("cp2102 9", 1), ("cp2102 apply", 0)),
     ],
 )
-def test_words_match_in_every_column(table: ListedHistory, words: str, count: int) -> None:
+def test_search_words_match_in_every_column(table: HistoryTable, words: str, count: int) -> None:
     now = datetime.now().astimezone()
     noon = now - now.replace(hour=12)
     create_snapshot(table.history, noon)
@@ -192,14 +193,16 @@ def test_words_match_in_every_column(table: ListedHistory, words: str, count: in
     assert table.rowCount() == count
 
 
-def test_name_and_note_are_edited_in_the_table(table: ListedHistory) -> None:
+def test_name_and_note_are_edited_in_the_table(table: HistoryTable) -> None:
     create_snapshot(table.history)
     refresh(table)
-    for column, given in ((SnapshotColumn.NAME, "contest"), (SnapshotColumn.NOTE, "as it won")):
+    for column, value in ((SnapshotColumn.NAME, "contest"), (SnapshotColumn.NOTE, "it won")):
         index = table.index(0, column)
         assert table.flags(index) & Qt.ItemFlag.ItemIsEditable
-        assert table.setData(index, given)
+        assert table.setData(index, value)
         finish()
-        assert text(table, 0, column) == given
+        assert text(table, 0, column) == value
     assert not table.flags(table.index(0, SnapshotColumn.BOARD)) & Qt.ItemFlag.ItemIsEditable
-    assert not table.setData(table.index(0, SnapshotColumn.NAME), "contest"), "it has that name"
+    assert not table.setData(table.index(0, SnapshotColumn.NAME), "contest"), (
+        "the name is unchanged"
+    )
