@@ -1,4 +1,4 @@
-"""Headings, edits of both motors, files, and texts of rows."""
+"""Headings, edits of both motors, files, and texts of parameters."""
 
 from itertools import pairwise
 
@@ -42,26 +42,26 @@ def model(undo: QUndoStack) -> ParameterModel:
 
 @pytest.fixture
 def file(undo: QUndoStack) -> ParameterModel:
-    """Parameters of a file that gives two values."""
+    """Parameters of a file with two parameters."""
     model = ParameterModel(undo=undo)
-    given = {"serial_timeout": 5, "motor1_current_limit": 10}
-    model.load(SPECS, given, {}, power_cycled=True, open_ended=True)
+    content = {"serial_timeout": 5, "motor1_current_limit": 10}
+    model.load(SPECS, content, {}, power_cycled=True, open_ended=True)
     return model
 
 
-def said(model: ParameterModel, key: str, role: int = Qt.ItemDataRole.DisplayRole) -> str:
+def text(model: ParameterModel, key: str, role: int = Qt.ItemDataRole.DisplayRole) -> str:
     return str(model.index_of(key).data(role))
 
 
-def heading(model: ParameterModel, task: str) -> QModelIndex:
+def heading(model: ParameterModel, group: str) -> QModelIndex:
     rows = (model.index(row, 0) for row in range(model.rowCount()))
-    return next(row for row in rows if row.data(ParameterRole.GROUP) == task)
+    return next(row for row in rows if row.data(ParameterRole.GROUP) == group)
 
 
 # --- Headings ---------------------------------------------------------------------------
 
 
-def test_tasks_are_listed_in_order(model: ParameterModel) -> None:
+def test_headings_are_listed_in_order(model: ParameterModel) -> None:
     rows = (model.index(row, 0) for row in range(model.rowCount()))
     titles = [row.data() for row in rows if row.data(ParameterRole.GROUP) is not None]
     assert titles == ["Motors and speed ramp", "Braking", "Current", "PWM", "Inputs", "Serial"]
@@ -69,17 +69,17 @@ def test_tasks_are_listed_in_order(model: ParameterModel) -> None:
 
 def test_heading_counts_modified_parameters(model: ParameterModel, qtbot: QtBot) -> None:
     current = heading(model, "current")
-    reports: list[QModelIndex] = []
-    model.dataChanged.connect(lambda first, _last: reports.append(first))
+    changes: list[QModelIndex] = []
+    model.dataChanged.connect(lambda first, _last: changes.append(first))
     model.edit("motor1_current_limit", 9)
     model.edit("motor2_current_limit", 1)
     assert current.data() == "Current (2 modified)"
-    assert current in reports
+    assert current in changes
     model.discard_edits()
     assert current.data() == "Current"
 
 
-def test_heading_has_no_parameter_data_and_is_passed_by(model: ParameterModel) -> None:
+def test_heading_has_no_parameter_data_and_is_not_editable(model: ParameterModel) -> None:
     serial = heading(model, "serial")
     for role in ParameterRole:
         if role is not ParameterRole.GROUP:
@@ -93,26 +93,26 @@ def test_heading_has_no_parameter_data_and_is_passed_by(model: ParameterModel) -
 def test_grouped_model_passes_qt_model_tester(
     model: ParameterModel, file: ParameterModel, qtmodeltester: ModelTester
 ) -> None:
-    for each in (model, file):
-        qtmodeltester.check(each, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
-        each.edit("motor_mode", 1)
-        each.both_motors = True
-        each.reset("motor1_current_limit")
-        each.remove("serial_timeout")
-        each.load(SPECS, FACTORY, {}, power_cycled=True)
+    for tested in (model, file):
+        qtmodeltester.check(tested, force_py=True)  # type: ignore[no-untyped-call] # of pytest-qt
+        tested.edit("motor_mode", 1)
+        tested.both_motors = True
+        tested.reset("motor1_current_limit")
+        tested.remove("serial_timeout")
+        tested.load(SPECS, FACTORY, {}, power_cycled=True)
 
 
 # --- Reset and restore ------------------------------------------------------------------
 
 
 def test_reset_to_default_is_an_edit(model: ParameterModel, undo: QUndoStack) -> None:
-    model.remove("serial_timeout")  # of a board
+    model.remove("serial_timeout")  # only possible in a file
     model.reset("nonsense")
     model.restore("nonsense")
     assert model.values.value_of("serial_timeout") == FACTORY["serial_timeout"]
     assert not undo.canUndo()
     model.load(SPECS, FACTORY | {"serial_timeout": 15}, {}, power_cycled=True)
-    assert said(model, "serial_timeout", ParameterRole.RESET) == "Reset to default: 0 (off)"
+    assert text(model, "serial_timeout", ParameterRole.RESET) == "Reset to default: 0 (off)"
     model.reset("serial_timeout")
     assert dict(model.values.pending) == {"serial_timeout": 0}
     assert model.index_of("serial_timeout").data(ParameterRole.RESET) is None
@@ -156,14 +156,14 @@ def test_reset_and_restore_apply_to_both_motors(model: ParameterModel, undo: QUn
     assert undo.count() == 2
 
 
-def test_other_motor_is_left_alone_where_it_cannot_follow(model: ParameterModel) -> None:
+def test_second_motor_is_unchanged_if_it_cannot_be_edited(model: ParameterModel) -> None:
     stored = {key: wire for key, wire in FACTORY.items() if key != "motor2_acceleration"}
-    model.load(SPECS, stored, {"motor2_acceleration": "No answer."}, power_cycled=True)
+    model.load(SPECS, stored, {"motor2_acceleration": "No reply."}, power_cycled=True)
     model.edit("motor1_current_limit", 4)
     model.both_motors = True
     model.edit("motor1_current_limit", 4)  # unchanged
     model.edit("motor1_acceleration", 4)  # motor 2 was not read
-    model.edit("aux_acceleration", 4)  # there is only one auxiliary motor
+    model.edit("aux_acceleration", 4)  # the auxiliary motor has no counterpart
     expected = {"motor1_current_limit": 4, "motor1_acceleration": 4, "aux_acceleration": 4}
     assert dict(model.values.pending) == expected
     with pytest.raises(BadRequest):
@@ -172,12 +172,12 @@ def test_other_motor_is_left_alone_where_it_cannot_follow(model: ParameterModel)
 
 
 def test_differing_motor_value_is_shown(model: ParameterModel) -> None:
-    assert "differs" not in said(model, "motor1_current_limit", SPOKEN)
+    assert "differs" not in text(model, "motor1_current_limit", SPOKEN)
     model.edit("motor2_current_limit", 25)
-    assert "Motor 2 differs: 2 A." in said(model, "motor1_current_limit", SPOKEN)
+    assert "Motor 2 differs: 2 A." in text(model, "motor1_current_limit", SPOKEN)
 
 
-def test_staged_settings_keep_motors_separate_in_both_mode(qtbot: QtBot) -> None:
+def test_staged_settings_of_each_motor_stay_different(qtbot: QtBot) -> None:
     draft = SettingsDraft()
     before = Settings(SPECS.model, "1.2", FACTORY)
     draft.parameters.load(SPECS, FACTORY, {}, power_cycled=True)
@@ -196,10 +196,10 @@ def test_accepted_finding_changes_both_motors_in_one_step(qtbot: QtBot) -> None:
     draft.load_settings(Settings(SPECS.model, "1.2", stored))
     draft.parameters.both_motors = True
     linter = SettingsLinter(draft)
-    hint = next(a for a in linter.findings if "motor1_current_limit_p" in a.change)
+    finding = next(each for each in linter.findings if "motor1_current_limit_p" in each.change)
     draft.parameters.edit("motor2_current_limit_p", 9, alone=True)
     steps = draft.undo.count()
-    linter.accept(hint)
+    linter.accept(finding)
     assert draft.parameters.values.value_of("motor1_current_limit_p") == 4
     assert draft.parameters.values.value_of("motor2_current_limit_p") == 4
     assert draft.undo.count() == steps + 1
@@ -207,22 +207,22 @@ def test_accepted_finding_changes_both_motors_in_one_step(qtbot: QtBot) -> None:
     assert draft.parameters.values.value_of("motor2_current_limit_p") == 9
 
 
-# --- A file -----------------------------------------------------------------------------
+# --- Files ------------------------------------------------------------------------------
 
 
 def test_adding_a_parameter_to_a_file_can_be_undone(file: ParameterModel, undo: QUndoStack) -> None:
-    assert said(file, "motor_mode") == "not given"
+    assert text(file, "motor_mode") == "not given"
     assert file.index_of("motor_mode").data(ParameterRole.RESET) is None
     file.edit("motor_mode", 0)
     assert dict(file.values.pending) == {"motor_mode": 0}
     assert file.values.all_shown["motor_mode"] == 0
     undo.undo()
-    assert said(file, "motor_mode") == "not given"
+    assert text(file, "motor_mode") == "not given"
     assert not file.values.modified
     assert "motor_mode" not in file.values.all_shown
 
 
-def test_leaving_out_a_parameter_of_a_file_can_be_undone(
+def test_removing_a_parameter_from_a_file_can_be_undone(
     file: ParameterModel, undo: QUndoStack, qtbot: QtBot
 ) -> None:
     with qtbot.waitSignal(file.pending_changed):
@@ -241,7 +241,7 @@ def test_leaving_out_a_parameter_of_a_file_can_be_undone(
     assert not file.values.modified
 
 
-def test_leaving_out_applies_to_both_motors(file: ParameterModel, undo: QUndoStack) -> None:
+def test_removing_applies_to_both_motors(file: ParameterModel, undo: QUndoStack) -> None:
     file.both_motors = True
     file.edit("motor1_current_limit", 12)
     assert file.values.value_of("motor2_current_limit") == 12
@@ -251,7 +251,7 @@ def test_leaving_out_applies_to_both_motors(file: ParameterModel, undo: QUndoSta
     assert file.values.value_of("motor1_current_limit") == 12
 
 
-def test_left_out_parameter_counts_as_pending(qtbot: QtBot) -> None:
+def test_removed_parameter_counts_as_pending(qtbot: QtBot) -> None:
     draft = SettingsDraft()
     draft.load_settings(Settings(SPECS.model, "1.2", {"serial_timeout": 5}))
     assert draft.can_edit("motor_mode")
@@ -264,12 +264,12 @@ def test_left_out_parameter_counts_as_pending(qtbot: QtBot) -> None:
     assert draft.pending == 0
 
 
-# --- In words ---------------------------------------------------------------------------
+# --- Texts ------------------------------------------------------------------------------
 
 
 def test_side_panel_explains_wire_value_default_and_source(model: ParameterModel) -> None:
     about = model.text.about
-    for key, reports in (
+    for key, words in (
         ("device_number", "Range: 0 to 127 (inferred). Default: 7. "),
         ("device_number", "(inferred): no document confirms it."),
         ("serial_timeout", "(twin): documented for Pololu's qik 2s12v10"),
@@ -277,9 +277,10 @@ def test_side_panel_explains_wire_value_default_and_source(model: ParameterModel
         ("uart_settings", "Wire value: 5 (19200 baud, "),
         ("motor1_acceleration", "0.1 to 12.7 s to full speed, or no ramp (wire value 0 to 127)"),
     ):
-        assert reports in " ".join(about(key)), key
-    for key, is_late in (("motor_mode", True), ("serial_timeout", False)):
-        assert ("when the board is switched off and on" in model.text.description(key)) is is_late
+        assert words in " ".join(about(key)), key
+    for key, is_delayed in (("motor_mode", True), ("serial_timeout", False)):
+        delayed = "when the board is switched off and on" in model.text.description(key)
+        assert delayed is is_delayed
     for key, limits, summary in (
         ("device_number", "0 to 127 · default: 7", "wire 7 · 0x00 · inferred"),
         ("motor1_current_limit", "off to 10.16 A · default: off", "wire 0 · 0x13 · twin"),
@@ -289,7 +290,7 @@ def test_side_panel_explains_wire_value_default_and_source(model: ParameterModel
 
 def test_side_panel_shows_the_grade_of_each_range_and_default(model: ParameterModel) -> None:
     for key in FACTORY:
-        specs = [model.values.specs[each] for each in model.text.keys_of(key)]
+        specs = [model.values.specs[member] for member in model.text.keys_of(key)]
         for word, fields in ("Range: ", ("min", "max")), ("Default: ", ("default",)):
             (sentence,) = (text for text in model.text.about(key) if text.startswith(word))
             assert sentence.endswith(f"{max(spec.grade(*fields) for spec in specs).mark}."), key
@@ -299,7 +300,7 @@ def test_side_panel_shows_the_grade_of_each_range_and_default(model: ParameterMo
 # --- PWM frequency ----------------------------------------------------------------------
 
 
-def test_prescaler_and_maximum_are_one_value(
+def test_prescaler_and_maximum_are_edited_as_one_frequency(
     model: ParameterModel, undo: QUndoStack, qtbot: QtBot
 ) -> None:
     cell = model.index_of("motor1_pwm_prescaler")
@@ -313,7 +314,7 @@ def test_prescaler_and_maximum_are_one_value(
     with qtbot.waitSignal(model.rejected):
         assert not model.setData(cell, frequency_code(9, 63))
     assert model.setData(model.index_of("motor2_pwm_maximum"), frequency_code(0, 127))
-    assert said(model, "motor2_pwm_maximum") == "9766 Hz"
+    assert text(model, "motor2_pwm_maximum") == "9766 Hz"
     model.both_motors = True
     model.reset("motor2_pwm_prescaler")
     assert not model.values.pending
@@ -323,15 +324,15 @@ def test_prescaler_and_maximum_are_one_value(
     model.restore("motor1_pwm_maximum")
     assert dict(model.values.pending) == {}
 
-    reports: list[int] = []
-    model.dataChanged.connect(lambda first, _last: reports.append(first.row()))
-    model.edit("motor1_pwm_prescaler", 0, alone=True)  # as a file or a finding edits it
+    rows: list[int] = []
+    model.dataChanged.connect(lambda first, _last: rows.append(first.row()))
+    model.edit("motor1_pwm_prescaler", 0, alone=True)  # like an edit by a file or a finding
     assert cell.data() == "19531 Hz"
-    assert cell.row() in reports
+    assert cell.row() in rows
     assert cell.data(ParameterRole.DIRTY) is True
 
 
-def test_frequency_that_no_choice_gives_is_shown_as_it_is(model: ParameterModel) -> None:
+def test_frequency_outside_the_choices_is_shown_unchanged(model: ParameterModel) -> None:
     for prescaler, maximum, shown in (
         (9, 63, "prescaler 9, maximum 63"),
         (0, 0, "1250000 Hz"),
@@ -349,7 +350,7 @@ def test_frequency_that_no_choice_gives_is_shown_as_it_is(model: ParameterModel)
     assert not cell.flags() & Qt.ItemFlag.ItemIsEditable
 
 
-def test_choices_are_the_frequencies_that_suit_the_driver() -> None:
+def test_choices_are_frequencies_that_suit_the_driver() -> None:
     junior, large = (
         [device_table().pwm.frequency(*frequency_wires(code)) for code in frequency_codes(model)]
         for model in device_table().models[::-1]

@@ -10,9 +10,7 @@ from pytestqt.qtbot import QtBot
 from trex_gui.core.errors import NoReply
 from trex_gui.devices.trex.board import WriteResult
 from trex_gui.devices.trex.model.parameters.parameters import ParameterModel, ParameterRole
-from trex_gui.devices.trex.model.parameters.text import (
-    ParameterColumn,
-)
+from trex_gui.devices.trex.model.parameters.text import ParameterColumn
 from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.devices.trex.protocol.parameters import ParameterSet, parameters_of
 
@@ -51,9 +49,9 @@ def edit(model: ParameterModel, key: str, wire: object) -> bool:
     return model.setData(model.index_of(key), wire)
 
 
-def of(model: ParameterModel, key: str, role: ParameterRole) -> object:
-    found: object = model.index_of(key).data(role)
-    return found
+def data(model: ParameterModel, key: str, role: int) -> object:
+    value: object = model.index_of(key).data(role)
+    return value
 
 
 # --- Qt model ---------------------------------------------------------------------------
@@ -74,7 +72,7 @@ def test_model_passes_qt_model_tester_through_changes(
 
 def test_each_parameter_has_a_cell_and_each_column_a_name(model: ParameterModel) -> None:
     cells = {model.index_of(spec.key) for spec in SPECS.readable}
-    assert len(cells) == len(SPECS.readable) - 2, "prescaler and maximum of a motor are one"
+    assert len(cells) == len(SPECS.readable) - 2, "prescaler and maximum of a motor share a cell"
     rows = {(cell.row(), cell.column()) for cell in cells}
     assert {column for _, column in rows} == {ParameterColumn.MOTOR1, ParameterColumn.MOTOR2}
     assert len({row for row, _ in rows}) == model.count
@@ -110,10 +108,9 @@ def test_unread_parameter_shows_the_reason(model: ParameterModel) -> None:
     del stored["serial_timeout"]
     load(model, stored, unread={"serial_timeout": "No reply to 9F 07."})
     assert text(model, "serial_timeout") == "not read"
-    assert of(model, "serial_timeout", ParameterRole.PROBLEM) == "No reply to 9F 07."
-    assert "No reply to 9F 07." in str(
-        model.index_of("serial_timeout").data(Qt.ItemDataRole.AccessibleTextRole)
-    )
+    assert data(model, "serial_timeout", ParameterRole.PROBLEM) == "No reply to 9F 07."
+    spoken = data(model, "serial_timeout", Qt.ItemDataRole.AccessibleTextRole)
+    assert "No reply to 9F 07." in str(spoken)
     assert not edit(model, "serial_timeout", 9)
 
 
@@ -125,12 +122,12 @@ def test_edit_is_shown_and_pending(model: ParameterModel, qtbot: QtBot) -> None:
         assert edit(model, "serial_timeout", 15)
     assert model.values.pending == (("serial_timeout", 15),)
     assert text(model, "serial_timeout") == "1.5 s"
-    assert of(model, "serial_timeout", ParameterRole.DIRTY) is True
+    assert data(model, "serial_timeout", ParameterRole.DIRTY) is True
     assert model.values.value_of("serial_timeout") == 15
     assert model.values.stored.get("serial_timeout") == SPECS["serial_timeout"].default
 
 
-def test_edit_announces_only_its_row(model: ParameterModel, qtbot: QtBot) -> None:
+def test_edit_emits_a_change_of_its_row_only(model: ParameterModel, qtbot: QtBot) -> None:
     with qtbot.waitSignal(model.dataChanged) as changed, qtbot.assertNotEmitted(model.modelReset):
         edit(model, "serial_timeout", 15)
     row = model.index_of("serial_timeout").row()
@@ -138,14 +135,14 @@ def test_edit_announces_only_its_row(model: ParameterModel, qtbot: QtBot) -> Non
 
 
 def test_invalid_value_is_rejected_with_a_reason(model: ParameterModel, qtbot: QtBot) -> None:
-    nonsense: list[object] = ["abc", "", None, []]
+    not_numbers: list[object] = ["abc", "", None, []]
     for key, value in (
         *(("motor_mode", 2), ("serial_timeout", -1), ("uart_settings", 0x0B)),
-        *(("serial_timeout", each) for each in nonsense),
+        *(("serial_timeout", value) for value in not_numbers),
     ):
-        with qtbot.waitSignal(model.rejected) as refused:
+        with qtbot.waitSignal(model.rejected) as rejection:
             assert not edit(model, key, value)
-        assert refused.args[0].startswith(SPECS[key].name)
+        assert rejection.args[0].startswith(SPECS[key].name)
     assert model.values.pending == ()
 
 
@@ -169,13 +166,13 @@ def test_failed_write_stays_pending_with_a_reason(model: ParameterModel, qtbot: 
         model.record_stored({"serial_timeout": 9})
     assert model.values.stored.get("serial_timeout") == 9
     model.record_results(
-        [WriteResult("serial_timeout", 9), WriteResult("motor_mode", error=NoReply("No answer."))]
+        [WriteResult("serial_timeout", 9), WriteResult("motor_mode", error=NoReply("No reply."))]
     )
     assert model.values.pending == (("motor_mode", 1),)
-    assert of(model, "motor_mode", ParameterRole.PROBLEM) == "No answer."
-    assert of(model, "serial_timeout", ParameterRole.PROBLEM) is None
+    assert data(model, "motor_mode", ParameterRole.PROBLEM) == "No reply."
+    assert data(model, "serial_timeout", ParameterRole.PROBLEM) is None
     model.record_results([WriteResult("motor_mode", 1)])
-    assert of(model, "motor_mode", ParameterRole.PROBLEM) is None
+    assert data(model, "motor_mode", ParameterRole.PROBLEM) is None
 
 
 def test_results_of_other_keys_are_ignored(model: ParameterModel) -> None:
@@ -192,14 +189,14 @@ def test_parameters_waiting_for_a_power_cycle_are_named(model: ParameterModel) -
     assert not model.values.waiting_for_power
     model.record_stored({"motor_mode": 1, "serial_timeout": 9})
     assert model.values.waiting_for_power == ("Motor Mode",)
-    assert of(model, "motor_mode", ParameterRole.WAITING) is not None
-    assert of(model, "serial_timeout", ParameterRole.WAITING) is None
+    assert data(model, "motor_mode", ParameterRole.WAITING) is not None
+    assert data(model, "serial_timeout", ParameterRole.WAITING) is None
 
 
 # --- Another board ----------------------------------------------------------------------
 
 
-def test_edit_is_dropped_for_another_model(model: ParameterModel, qtbot: QtBot) -> None:
+def test_edit_is_discarded_for_another_model(model: ParameterModel, qtbot: QtBot) -> None:
     edit(model, "serial_timeout", 9)
     with qtbot.waitSignal(model.pending_changed):
         load(model, factory(JUNIOR), JUNIOR)

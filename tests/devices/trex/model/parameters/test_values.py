@@ -1,5 +1,7 @@
 """Stored, edited and active values."""
 
+from contextlib import suppress
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -11,156 +13,151 @@ from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_
 
 modest = examples(40)
 
-
 SPECS = parameters_of("trex", "1.2")
 TIMEOUT = SPECS["serial_timeout"]
 MODE = SPECS["motor_mode"]
 FACTORY = {spec.key: spec.default for spec in SPECS.readable}
 
 
-def loaded() -> ParameterValues:
-    draft = ParameterValues()
-    draft.load(FACTORY)
-    return draft
+def values_of_board() -> ParameterValues:
+    values = ParameterValues()
+    values.load(FACTORY)
+    return values
 
 
-def test_invalid_edit_keeps_the_previous_edit() -> None:
-    draft = loaded()
-    draft.edit(MODE, 1)
+def test_invalid_edit_does_not_change_the_previous_edit() -> None:
+    values = values_of_board()
+    values.edit(MODE, 1)
     with pytest.raises(BadRequest, match="Motor Mode"):
-        draft.edit(MODE, 7)
-    assert draft.pending == (("motor_mode", 1),)
+        values.edit(MODE, 7)
+    assert values.pending == (("motor_mode", 1),)
 
 
-def test_edit_made_during_the_write_stays_pending() -> None:
-    draft = loaded()
-    draft.edit(TIMEOUT, 9)
-    draft.edit(TIMEOUT, 10)
-    draft.record_stored(TIMEOUT, 9)
-    assert draft.pending == (("serial_timeout", 10),)
+def test_edit_made_while_writing_stays_pending() -> None:
+    values = values_of_board()
+    values.edit(TIMEOUT, 9)
+    values.edit(TIMEOUT, 10)
+    values.record_stored(TIMEOUT, 9)
+    assert values.pending == (("serial_timeout", 10),)
 
 
 def test_load_retains_edits_on_request() -> None:
     for stored in (FACTORY | {"serial_timeout": 9}, {"motor_mode": 0}):
-        draft = loaded()
-        draft.edit(TIMEOUT, 9)
-        draft.load(FACTORY, keep_edits=True)
-        assert dict(draft.pending) == {"serial_timeout": 9}
-        draft.load(stored, keep_edits=True)
-        assert draft.pending == ()
-        draft.edit(MODE, 1)
-        draft.load(FACTORY)
-        assert draft.pending == ()
+        values = values_of_board()
+        values.edit(TIMEOUT, 9)
+        values.load(FACTORY, keep_edits=True)
+        assert dict(values.pending) == {"serial_timeout": 9}
+        values.load(stored, keep_edits=True)
+        assert values.pending == ()
+        values.edit(MODE, 1)
+        values.load(FACTORY)
+        assert values.pending == ()
 
 
 # --- Stored and active ------------------------------------------------------------------
 
 
 def test_active_value_stays_until_a_power_cycle() -> None:
-    draft = loaded()
-    draft.record_stored(MODE, 1)
+    values = values_of_board()
+    values.record_stored(MODE, 1)
     uart = SPECS["uart_settings"]
-    draft.record_stored(uart, 3)
-    draft.record_stored(uart, 4)
+    values.record_stored(uart, 3)
+    values.record_stored(uart, 4)
     stored = FACTORY | {"motor_mode": 1, "uart_settings": 4}
-    assert draft.stored == stored
+    assert values.stored == stored
     active = {"motor_mode": 0, "uart_settings": uart.default}
-    assert draft.active == active
-    draft.load(stored, power_cycled=False)
-    assert draft.active == active
-    draft.record_stored(MODE, 0)
-    assert draft.active == {"uart_settings": uart.default}
-    draft.load(stored, power_cycled=True)
-    assert draft.active == {}
+    assert values.active == active
+    values.load(stored, power_cycled=False)
+    assert values.active == active
+    values.record_stored(MODE, 0)
+    assert values.active == {"uart_settings": uart.default}
+    values.load(stored, power_cycled=True)
+    assert values.active == {}
     unknown = ParameterValues()
     unknown.record_stored(MODE, 1)
     assert unknown.active == {}
 
 
-# --- Files with few values ------------------------------------------------------------------
+# --- Files with some parameters ---------------------------------------------------------
 
 
-def of_a_file() -> ParameterValues:
-    draft = ParameterValues()
-    draft.load({"motor_mode": 0}, optional=FACTORY)
-    return draft
+def values_of_file() -> ParameterValues:
+    values = ParameterValues()
+    values.load({"motor_mode": 0}, optional=FACTORY)
+    return values
 
 
-def test_parameters_of_a_file_are_added_left_out_and_restored() -> None:
-    draft = of_a_file()
-    assert draft.can_edit("serial_timeout")
-    draft.edit(TIMEOUT, 9)
-    assert dict(draft.pending) == {"serial_timeout": 9}
-    draft.remove("serial_timeout")
-    assert draft.value_of("serial_timeout") is None
-    assert not draft.is_modified("serial_timeout")
-    draft.remove("motor_mode")
-    assert draft.value_of("motor_mode") is None
-    assert draft.is_modified("motor_mode")
-    assert dict(draft.pending) == {}
-    draft.edit(MODE, 0)
-    assert not draft.is_modified("motor_mode")
+def test_parameters_of_a_file_are_added_removed_and_restored() -> None:
+    values = values_of_file()
+    assert values.can_edit("serial_timeout")
+    values.edit(TIMEOUT, 9)
+    assert dict(values.pending) == {"serial_timeout": 9}
+    values.remove("serial_timeout")
+    assert values.value_of("serial_timeout") is None
+    assert not values.is_modified("serial_timeout")
+    values.remove("motor_mode")
+    assert values.value_of("motor_mode") is None
+    assert values.is_modified("motor_mode")
+    assert dict(values.pending) == {}
+    values.edit(MODE, 0)
+    assert not values.is_modified("motor_mode")
 
 
-def test_left_out_parameter_survives_reload_of_the_same_file() -> None:
-    draft = of_a_file()
-    draft.remove("motor_mode")
-    draft.edit(TIMEOUT, 9)
-    draft.load({"motor_mode": 0}, keep_edits=True, optional=FACTORY)
-    assert draft.removed == {"motor_mode"}
-    assert draft.pending == (("serial_timeout", 9),)
-    draft.load({"serial_timeout": 9}, keep_edits=True, optional=FACTORY)
-    assert not draft.removed
-    assert not draft.pending
+def test_removed_parameter_survives_a_reload_of_the_same_file() -> None:
+    values = values_of_file()
+    values.remove("motor_mode")
+    values.edit(TIMEOUT, 9)
+    values.load({"motor_mode": 0}, keep_edits=True, optional=FACTORY)
+    assert values.removed == {"motor_mode"}
+    assert values.pending == (("serial_timeout", 9),)
+    values.load({"serial_timeout": 9}, keep_edits=True, optional=FACTORY)
+    assert not values.removed
+    assert not values.pending
 
 
-def test_parameter_of_a_board_cannot_be_left_out() -> None:
-    draft = loaded()
-    draft.remove("motor_mode")
-    assert draft.value_of("motor_mode") == MODE.default
-    assert not draft.is_modified("motor_mode")
+def test_parameter_of_a_board_cannot_be_removed() -> None:
+    values = values_of_board()
+    values.remove("motor_mode")
+    assert values.value_of("motor_mode") == MODE.default
+    assert not values.is_modified("motor_mode")
 
 
-# --- Always -----------------------------------------------------------------------------
+# --- Random edits -----------------------------------------------------------------------
+
+Edits = list[tuple[ParameterSpec, int | None]]
 
 edits = st.lists(
     st.tuples(st.sampled_from(SPECS.readable), st.none() | st.integers(0, 127)), max_size=25
 )
 
 
-@modest
-@given(edits)
-def test_pending_equals_the_difference_after_any_edits(
-    steps: list[tuple[ParameterSpec, int | None]],
-) -> None:
-    draft = loaded()
-    wanted = dict(FACTORY)
-    for spec, wire in steps:
-        try:
-            draft.edit(spec, wire)
-        except BadRequest:
-            continue
-        wanted[spec.key] = FACTORY[spec.key] if wire is None else wire
-    changed = {key: wire for key, wire in wanted.items() if wire != FACTORY[key]}
-    assert dict(draft.pending) == changed
-    assert {key: draft.value_of(key) for key in wanted} == wanted
-    assert draft.stored == FACTORY
+def edited(edits: Edits) -> tuple[ParameterValues, dict[str, int]]:
+    """Make all valid edits. Return the values and the expected wire values."""
+    values, expected = values_of_board(), dict(FACTORY)
+    for spec, wire in edits:
+        with suppress(BadRequest):
+            values.edit(spec, wire)
+            expected[spec.key] = spec.default if wire is None else wire
+    return values, expected
 
 
 @modest
 @given(edits)
-def test_writing_all_pending_edits_leaves_none(
-    steps: list[tuple[ParameterSpec, int | None]],
-) -> None:
-    draft = loaded()
-    for spec, wire in steps:
-        try:
-            draft.edit(spec, wire)
-        except BadRequest:
-            continue
-    written = dict(draft.pending)
+def test_pending_equals_the_difference_after_any_edits(edits: Edits) -> None:
+    values, expected = edited(edits)
+    changed = {key: wire for key, wire in expected.items() if wire != FACTORY[key]}
+    assert dict(values.pending) == changed
+    assert {key: values.value_of(key) for key in expected} == expected
+    assert values.stored == FACTORY
+
+
+@modest
+@given(edits)
+def test_no_edit_is_pending_after_all_are_written(edits: Edits) -> None:
+    values, _ = edited(edits)
+    written = dict(values.pending)
     for key, wire in written.items():
-        draft.record_stored(SPECS[key], wire)
-    assert draft.pending == ()
-    assert draft.stored == FACTORY | written
-    assert set(draft.active) == {key for key in written if SPECS[key].needs_power_cycle}
+        values.record_stored(SPECS[key], wire)
+    assert values.pending == ()
+    assert values.stored == FACTORY | written
+    assert set(values.active) == {key for key in written if SPECS[key].needs_power_cycle}

@@ -79,7 +79,7 @@ def test_edit_is_retained_while_the_other_source_is_active(model: Calibrations) 
     ]
 
 
-def test_edit_is_dropped_for_another_model(model: Calibrations) -> None:
+def test_edit_is_discarded_for_another_model(model: Calibrations) -> None:
     model.edit(CalibrationKey.RC_CHANNEL_1, LEARNED)
     model.load("trexjr", InputSource.RC, stored(InputSource.RC))
     assert model.edited == {}

@@ -1,4 +1,4 @@
-"""Edits that outlive the program until they are applied."""
+"""Backup of edits that are not applied yet, across crashes."""
 
 import itertools
 from collections.abc import Callable, Iterator
@@ -11,6 +11,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.matrix import sampled
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
+from tests.support.virtual_time import VirtualRuntime
 from trex_gui.core.files import SettingsError, data_folder
 from trex_gui.devices.trex.model.device import Device
 from trex_gui.devices.trex.model.settings.edit_backup import EditBackup
@@ -21,7 +22,6 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.settings.document import factory_settings
 from trex_gui.devices.trex.settings.edit_files import BoardIdentity, EditFiles
 from trex_gui.ui.devices.connection import ConnectionState
-from trex_gui.ui.runtime import now
 
 STICK = Calibration(2400, 3700, 5100, 80)
 RC_2 = CalibrationKey.of(InputSource.RC, 2)
@@ -29,7 +29,7 @@ TREX = BoardIdentity(device_table().model("trex"), "1.2", 7)
 
 
 class Run:
-    """Run of the program that ends with a crash."""
+    """Run of the program, which ends with a crash."""
 
     def __init__(self, qtbot: QtBot, url: str) -> None:
         self.qtbot = qtbot
@@ -54,12 +54,17 @@ class Run:
             self.device.parameters.edit(key, wire)
         self.settle()
 
+    def edit_calibration(self) -> None:
+        self.device.calibrations.edit(2, STICK)
+        self.settle()
+
     def settle(self) -> None:
-        """Wait until everything is read and saved."""
+        """Wait until all files are read and saved."""
         backup = self.backup
         self.wait(lambda: backup.files.is_idle and backup._is_read)
 
-    def die(self) -> None:
+    def crash(self) -> None:
+        """End without discarding the backup."""
         self.draft.pending_changed.disconnect(self.backup._on_changed)
         self.wait(self.device.shut_down)
 
@@ -70,8 +75,8 @@ class Run:
 
     @property
     def edits(self) -> dict[str, object]:
-        found: dict[str, object] = dict(self.device.parameters.values.pending)
-        return found | dict(self.device.calibrations.edited)
+        parameters: dict[str, object] = dict(self.device.parameters.values.pending)
+        return parameters | dict(self.device.calibrations.edited)
 
     def wait(self, condition: Callable[[], bool]) -> None:
         self.qtbot.waitUntil(condition)
@@ -79,17 +84,17 @@ class Run:
 
 @pytest.fixture
 def run(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Callable[..., Run]]:
-    """Start the program again after a crash of the last run."""
+    """Return a function that crashes the last run and starts the program again."""
     runs: list[Run] = []
 
     def start(url: str = quick_simulator.url) -> Run:
         if runs:
-            runs.pop().die()
+            runs.pop().crash()
         runs.append(Run(qtbot, url))
         return runs[-1]
 
     yield start
-    runs.pop().die()
+    runs.pop().crash()
 
 
 Start = Callable[..., Run]
@@ -104,20 +109,19 @@ def test_edits_are_offered_after_a_crash(run: Start) -> None:
     first = run()
     assert first.backup.offer is None
     first.edit(serial_timeout=15, motor1_acceleration=3)
-    first.device.calibrations.edit(2, STICK)
-    first.settle()
+    first.edit_calibration()
 
     second = run()
-    wanted = {"serial_timeout": 15, "motor1_acceleration": 3, RC_2: STICK}
-    assert second.offered == wanted
-    assert second.draft.pending == 0, "nothing is restored unasked"
+    edits = {"serial_timeout": 15, "motor1_acceleration": 3, RC_2: STICK}
+    assert second.offered == edits
+    assert second.draft.pending == 0, "edits are restored only on request"
     second.backup.restore()
-    assert second.edits == wanted
+    assert second.edits == edits
     second.settle()
-    assert run().offered == wanted, "they are pending still"
+    assert run().offered == edits, "restored edits are pending"
 
 
-def test_edits_that_are_stored_by_now_are_not_offered(
+def test_edits_that_are_already_stored_are_not_offered(
     run: Start, quick_simulator: SimulatedDevice
 ) -> None:
     run().edit(serial_timeout=15, motor1_acceleration=3)
@@ -138,7 +142,7 @@ def test_discarded_edits_are_not_offered_again(run: Start) -> None:
     assert run().offered == {}
 
 
-def test_edits_that_are_done_with_leave_no_file(run: Start) -> None:
+def test_applied_discarded_or_undone_edits_leave_no_file(run: Start) -> None:
     first = run()
     ends: tuple[Callable[[], None], ...] = (
         first.device.writer.apply,
@@ -154,37 +158,37 @@ def test_edits_that_are_done_with_leave_no_file(run: Start) -> None:
         assert files() == []
 
 
-def test_undecided_edits_stay_saved_beside_new_ones(run: Start) -> None:
+def test_undecided_edits_stay_saved_with_new_edits(run: Start) -> None:
     run().edit(serial_timeout=15, motor1_acceleration=3)
     run().edit(motor1_acceleration=4, motor2_acceleration=5)
     third = run()
-    wanted = {"serial_timeout": 15, "motor1_acceleration": 4, "motor2_acceleration": 5}
-    assert third.offered == wanted
+    edits = {"serial_timeout": 15, "motor1_acceleration": 4, "motor2_acceleration": 5}
+    assert third.offered == edits
     third.edit(serial_timeout=20)
     third.backup.restore()
-    assert third.edits == {**wanted, "serial_timeout": 20}, "the newer edit counts"
+    assert third.edits == {**edits, "serial_timeout": 20}, "the newer edit wins"
 
 
-def test_edits_of_a_replaced_board_are_offered_when_it_is_back(
+def test_edits_of_a_board_are_offered_when_it_is_connected_again(
     run: Start, quick_simulator: SimulatedDevice, start_simulator: StartSimulator
 ) -> None:
     other = start_simulator("--unpaced", "--model", "trexjr")
-    one = run()
-    one.edit(serial_timeout=15)
-    one.connect(other.url)
-    assert one.draft.pending == 0
-    assert one.backup.offer is None
-    one.edit(serial_timeout=9)
-    one.connect(quick_simulator.url)
-    assert one.offered == {"serial_timeout": 15}
-    one.backup.restore()
-    one.settle()
-    one.connect(other.url)
-    assert one.offered == {"serial_timeout": 9}
+    first = run()
+    first.edit(serial_timeout=15)
+    first.connect(other.url)
+    assert first.draft.pending == 0
+    assert first.backup.offer is None
+    first.edit(serial_timeout=9)
+    first.connect(quick_simulator.url)
+    assert first.offered == {"serial_timeout": 15}
+    first.backup.restore()
+    first.settle()
+    first.connect(other.url)
+    assert first.offered == {"serial_timeout": 9}
 
 
 @pytest.mark.parametrize("packets", sampled([*range(0, 36, 6), *range(36, 52)], every=4))
-def test_no_edit_is_lost_if_another_model_answers_during_apply(
+def test_no_edit_is_lost_if_another_model_replies_during_apply(
     run: Start,
     quick_simulator: VirtualSimulator,
     start_simulator: StartSimulator,
@@ -192,41 +196,41 @@ def test_no_edit_is_lost_if_another_model_answers_during_apply(
 ) -> None:
     other = start_simulator("--unpaced", "--model", "trexjr")
     assert isinstance(other, VirtualSimulator)
-    one = run()
-    wanted = {"serial_timeout": 15, "motor1_acceleration": 3, "motor2_acceleration": 4}
-    one.edit(**wanted)
+    first = run()
+    edits = {"serial_timeout": 15, "motor1_acceleration": 3, "motor2_acceleration": 4}
+    first.edit(**edits)
     sent = itertools.count()
 
-    def exchange(_data: bytes) -> None:
+    def exchange_boards(_data: bytes) -> None:
         if next(sent) == packets:
             quick_simulator.on_write = lambda _data: None
             quick_simulator.move_cable_to(other)
 
-    one.device.writer.apply()
-    quick_simulator.on_write = exchange
-    one.wait(lambda: not one.device.writer.running)
-    one.settle()
+    first.device.writer.apply()
+    quick_simulator.on_write = exchange_boards
+    first.wait(lambda: not first.device.writer.running)
+    first.settle()
     stored = quick_simulator.show()["parameters"]
-    one.connect(quick_simulator.url)
-    missing = {key: wire for key, wire in wanted.items() if stored[key] != wire}
-    assert one.offered == missing
+    first.connect(quick_simulator.url)
+    missing = {key: wire for key, wire in edits.items() if stored[key] != wire}
+    assert first.offered == missing
 
 
-def test_reset_that_is_not_written_discards_no_edit(
+def test_failed_factory_reset_discards_no_edit(
     run: Start, quick_simulator: VirtualSimulator
 ) -> None:
-    one = run()
-    one.edit(serial_timeout=15)
-    quick_simulator.do("eeprom motor1_acceleration 9")  # another board
-    one.device.writer.reset_to_factory()
-    one.wait(lambda: not one.device.writer.running)
-    assert dict(one.device.draft.parameters.values.pending) == {"serial_timeout": 15}
-    one.device.writer.reset_to_factory()
-    one.wait(lambda: not one.device.writer.running)
-    assert not one.device.draft.pending
+    first = run()
+    first.edit(serial_timeout=15)
+    quick_simulator.do("eeprom motor1_acceleration 9")  # as in another board
+    first.device.writer.reset_to_factory()
+    first.wait(lambda: not first.device.writer.running)
+    assert dict(first.device.draft.parameters.values.pending) == {"serial_timeout": 15}
+    first.device.writer.reset_to_factory()
+    first.wait(lambda: not first.device.writer.running)
+    assert not first.device.draft.pending
 
 
-def test_board_with_another_number_gets_no_offer(
+def test_edits_are_not_offered_to_a_board_with_another_number(
     run: Start, start_simulator: StartSimulator
 ) -> None:
     run().edit(serial_timeout=15)
@@ -235,24 +239,23 @@ def test_board_with_another_number_gets_no_offer(
     assert run().offered == {"serial_timeout": 15}
 
 
-def test_edits_follow_a_board_that_gets_another_number(run: Start) -> None:
+def test_edits_follow_the_new_number_of_a_board(run: Start) -> None:
     first = run()
     first.edit(device_number=9, serial_timeout=15)
-    first.settle()
     (path,) = files()
     path.with_name("trex-1.2-9.txt").write_text("edits of another board", encoding="utf-8")
     record = data_folder() / "boards" / "trex-1.2-9.txt"
-    record.write_text("its notes", encoding="utf-8")
+    record.write_text("notes of another board", encoding="utf-8")
     messages = list[str]()
     first.device.notifier.info.connect(messages.append)
     first.device.writer.apply({"device_number"})
     first.wait(lambda: len(messages) == 2)
     first.settle()
-    moved, aside = sorted(files(), key=lambda each: len(each.name))
+    moved, replaced = sorted(files(), key=lambda file: len(file.name))
     assert moved.name == "trex-1.2-9.txt"
-    assert aside.read_text(encoding="utf-8") == "edits of another board"
-    renamed = record.with_name("trex-1.2-9.replaced-1.txt")
-    assert all(str(each) in messages[-1] for each in (aside, renamed))
+    assert replaced.read_text(encoding="utf-8") == "edits of another board"
+    replaced_record = record.with_name("trex-1.2-9.replaced-1.txt")
+    assert all(str(file) in messages[-1] for file in (replaced, replaced_record))
     assert run().offered == {"serial_timeout": 15}
 
 
@@ -260,8 +263,7 @@ def test_calibrations_of_the_other_source_stay_saved(
     run: Start, quick_simulator: SimulatedDevice
 ) -> None:
     first = run()
-    first.device.calibrations.edit(2, STICK)
-    first.settle()
+    first.edit_calibration()
     quick_simulator.do("eeprom channel_input_source 1")
     quick_simulator.do("power cycle")
     second = run()
@@ -277,13 +279,15 @@ def test_edit_of_an_unread_setting_is_offered_later(run: Start) -> None:
     first.edit(serial_timeout=15, motor1_acceleration=3)
     state = first.device.state
     assert state is not None
-    parameters = {key: w for key, w in state.parameters.items() if key != "serial_timeout"}
-    for read in (replace(state, parameters=parameters), state):
+    parameters = {
+        key: state.parameters[key] for key in state.parameters.keys() - {"serial_timeout"}
+    }
+    for reading in (replace(state, parameters=parameters), state):
         first.backup.close_board()
-        first.draft.set_state(read, first.device.settings, power_cycled=False)
+        first.draft.set_state(reading, first.device.settings, power_cycled=False)
         first.backup.set_board(opened=False)
         first.settle()
-        if read is not state:
+        if reading is not state:
             assert first.edits == {"motor1_acceleration": 3}
             assert first.offered == {}
     assert first.offered == {"serial_timeout": 15}
@@ -291,12 +295,11 @@ def test_edit_of_an_unread_setting_is_offered_later(run: Start) -> None:
     assert first.edits == {"serial_timeout": 15, "motor1_acceleration": 3}
 
 
-def test_discarded_calibration_of_other_source_is_dropped(
+def test_discarded_calibration_of_the_other_source_is_deleted(
     run: Start, quick_simulator: SimulatedDevice
 ) -> None:
     first = run()
-    first.device.calibrations.edit(2, STICK)
-    first.settle()
+    first.edit_calibration()
     quick_simulator.do("eeprom channel_input_source 1")
     quick_simulator.do("power cycle")
     first.connect(quick_simulator.url)
@@ -306,7 +309,7 @@ def test_discarded_calibration_of_other_source_is_dropped(
     assert files() == []
 
 
-def test_damaged_file_is_left_out(run: Start) -> None:
+def test_damaged_file_is_ignored(run: Start) -> None:
     run().edit(serial_timeout=15)
     (path,) = files()
     path.write_bytes(b"\0\0")
@@ -322,7 +325,7 @@ def test_failing_disk_is_reported_once(run: Start, monkeypatch: pytest.MonkeyPat
     errors: list[str] = []
     first.device.notifier.error.connect(errors.append)
     folder = EditFiles().folder
-    folder.write_text("in the way")
+    folder.write_text("")
     first.edit(serial_timeout=15)
     first.edit(serial_timeout=16)
     (error,) = errors
@@ -334,10 +337,10 @@ def test_failing_disk_is_reported_once(run: Start, monkeypatch: pytest.MonkeyPat
         EditFiles(files()[0]).save(TREX, None)
 
 
-def test_edits_that_could_not_be_saved_are_saved_at_the_end(run: Start) -> None:
+def test_edits_are_saved_at_shutdown_if_saving_failed_before(run: Start) -> None:
     first = run()
     folder = EditFiles().folder
-    folder.write_text("in the way")
+    folder.write_text("")
     first.edit(serial_timeout=15)
     folder.unlink()
     assert first.backup.files.shut_down()
@@ -352,19 +355,16 @@ def test_edits_of_a_simulated_board_are_saved_separately() -> None:
     assert EditFiles().path(real) != EditFiles().path(simulated)
 
 
-def test_edits_are_saved_within_a_second_while_they_go_on(run: Start) -> None:
+def test_edits_are_saved_every_second_while_more_are_made(
+    run: Start, virtual_time: VirtualRuntime
+) -> None:
     first = run()
     for wire in range(1, 40):
         first.device.parameters.edit("serial_timeout", wire)
-        first.wait(_later(0.05))
+        virtual_time.advance(0.05)
     saved = EditFiles().load(TREX)
     assert saved is not None
     assert saved.settings.parameters["serial_timeout"] >= 20
-
-
-def _later(seconds: float) -> Callable[[], bool]:
-    end = now() + seconds
-    return lambda: now() >= end
 
 
 def test_backup_needs_no_board(qtbot: QtBot) -> None:
