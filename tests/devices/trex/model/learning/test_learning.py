@@ -1,4 +1,4 @@
-"""Learning on a simulated board: steps, interruptions and results."""
+"""Learning of channels with a simulated board."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -21,7 +21,6 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
 
-UNCONFIRMED = "could not be confirmed as stopped"
 LEARNED = Calibration(2400, 3700, 5100, 80)
 
 
@@ -54,14 +53,20 @@ class LearningSetup:
     def until_step(self, step: LearningStep) -> None:
         """Wait for a step. Repeat while a stop is not confirmed."""
 
-        def is_there() -> bool:
+        def is_reached() -> bool:
             learning = self.learning
-            unconfirmed = learning.step is LearningStep.FAILED and UNCONFIRMED in learning.problem
-            if unconfirmed and step is not LearningStep.FAILED:
+            has_failed = learning.step is LearningStep.FAILED and learning.step is not step
+            if has_failed and "could not be confirmed as stopped" in learning.problem:
                 learning.repeat()
             return learning.step is step
 
-        self.until(is_there)
+        self.until(is_reached)
+
+    def run_motor(self, speed: int) -> None:
+        """Arm the motors, and drive motor 1."""
+        self.device.motors.arm()
+        self.device.motors.set_speed(1, speed)
+        self.until(lambda: self.simulator.show()["motors"][0]["speed"] == speed)
 
     def restart_in_mode(self, mode: str) -> None:
         """Set the mode jumper and cycle the power."""
@@ -84,20 +89,20 @@ class LearningSetup:
         self.transmitter.let_go()
         self.hold()
 
-    def to_review(self, *channels: int) -> None:
+    def go_to_review(self, *channels: int) -> None:
         self.go_to_travel(*channels)
         self.push_all()
         self.learning.next()
 
     def review(self, *channels: int, calibration: Calibration = LEARNED) -> None:
-        """Start the review of channels whose sticks gave these values."""
+        """Review channels with this learned calibration."""
         learned = [LearnedChannel(self.device, number, InputSource.RC) for number in channels]
         for channel in learned:
             channel.choice = Choice(calibration, reversed_=False)
         self.learning.channels = tuple(learned)
         self.learning.step = LearningStep.REVIEW
 
-    def use(self, *channels: int, calibration: Calibration = LEARNED) -> None:
+    def use_values(self, *channels: int, calibration: Calibration = LEARNED) -> None:
         """Edit the settings as after learning these channels."""
         self.review(*channels, calibration=calibration)
         self.learning.use_values()
@@ -107,12 +112,12 @@ class LearningSetup:
         self.until(lambda: not self.device.writer.running)
 
     def hold(self) -> None:
-        """Wait for as many measurements as make an end."""
+        """Wait for as many samples as an end needs."""
         inputs = self.device.telemetry.inputs
         start = inputs.times[-1]
         self.until(lambda: float(inputs.times[-1]) > start + 0.4)
-        before = self.device.telemetry.samples
-        self.until(lambda: self.device.telemetry.samples > before + 60)
+        count = self.device.telemetry.samples
+        self.until(lambda: self.device.telemetry.samples > count + 60)
 
 
 @pytest.fixture
@@ -124,14 +129,14 @@ def setup(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[LearningSe
 
 
 def test_learning_two_channels_is_one_undo_step(setup: LearningSetup) -> None:
-    taken: list[bool] = []
-    setup.learning.edited.connect(lambda: taken.append(True))
-    setup.to_review(1, 2)
+    edits: list[bool] = []
+    setup.learning.edited.connect(lambda: edits.append(True))
+    setup.go_to_review(1, 2)
     assert setup.learning.step is LearningStep.REVIEW
     assert setup.learning.can_use_values
     assert setup.device.draft.pending == 0
     setup.learning.use_values()
-    assert taken == [True]
+    assert edits == [True]
     second = setup.device.calibrations.shown(2)
     assert second is not None
     assert abs(second.neutral - 3800) <= 2
@@ -142,10 +147,8 @@ def test_learning_two_channels_is_one_undo_step(setup: LearningSetup) -> None:
     assert setup.device.draft.pending == 0
 
 
-def test_running_motors_are_stopped_first(setup: LearningSetup) -> None:
-    setup.device.motors.arm()
-    setup.device.motors.set_speed(1, 60)
-    setup.until(lambda: setup.simulator.show()["motors"][0]["speed"] == 60)
+def test_running_motors_are_stopped_before_learning(setup: LearningSetup) -> None:
+    setup.run_motor(60)
     setup.learning.start((1,))
     assert setup.learning.step is LearningStep.STOPPING
     setup.until_step(LearningStep.NEUTRAL)
@@ -164,7 +167,7 @@ def test_unconfirmed_stop_fails_learning(setup: LearningSetup) -> None:
 @pytest.mark.parametrize(
     ("mode", "remedy"), [("rc", "remove the mode jumper"), ("analog", "in analog mode")]
 )
-def test_mode_in_which_sticks_drive_is_refused(
+def test_learning_fails_in_a_mode_in_which_sticks_drive(
     setup: LearningSetup, mode: str, remedy: str
 ) -> None:
     setup.restart_in_mode(mode)
@@ -174,22 +177,22 @@ def test_mode_in_which_sticks_drive_is_refused(
     assert remedy in setup.learning.problem
 
 
-def test_channels_in_control_fail_learning_for_good(setup: LearningSetup) -> None:
-    """After a short power break the mode may be outdated."""
+def test_learning_fails_permanently_while_channels_control(setup: LearningSetup) -> None:
+    """The known mode may be outdated after a short power cut."""
     setup.device.telemetry.newest.update(Control(now(), by_serial=False))
     steps: list[LearningStep] = []
     setup.learning.changed.connect(lambda: steps.append(setup.learning.step))
     setup.learning.start((1,))
     assert setup.learning.step is LearningStep.FAILED
     assert "the channels are in control" in setup.learning.problem
-    until = now() + 2
-    setup.until(lambda: now() > until)
+    end = now() + 2
+    setup.until(lambda: now() > end)
     assert set(steps) <= {LearningStep.STOPPING, LearningStep.FAILED}
     setup.learning.repeat()
     setup.until_step(LearningStep.NEUTRAL)
 
 
-def test_rc_mode_is_refused_despite_override(setup: LearningSetup) -> None:
+def test_stick_test_fails_in_rc_mode_despite_the_override(setup: LearningSetup) -> None:
     setup.restart_in_mode("rc")
     setup.until(lambda: setup.device.board.serial_controls is False)
     setup.simulator.do("channel 5 1000us")
@@ -208,9 +211,7 @@ def test_joint_mode_motor_stays_stopped_while_sticks_move(setup: LearningSetup) 
         lambda: setup.device.link is ConnectionState.CONNECTED and setup.device.board.is_joint
     )
     setup.until(lambda: setup.device.motors.is_available)
-    setup.device.motors.arm()
-    setup.device.motors.set_speed(1, 60)
-    setup.until(lambda: setup.simulator.show()["motors"][0]["speed"] == 60)
+    setup.run_motor(60)
     setup.go_to_travel()
     assert setup.simulator.show()["motors"][0]["target_direction"] == "brake"
     setup.push_all()
@@ -218,7 +219,7 @@ def test_joint_mode_motor_stays_stopped_while_sticks_move(setup: LearningSetup) 
     assert setup.learning.step is LearningStep.TRAVEL
 
 
-def test_current_after_the_stop_requires_a_user_check(setup: LearningSetup) -> None:
+def test_current_after_the_stop_needs_a_check_by_the_user(setup: LearningSetup) -> None:
     setup.simulator.do("current 2 3.0")
     setup.learning.start((1,))
     setup.until_step(LearningStep.DOUBT)
@@ -232,7 +233,7 @@ def test_current_after_the_stop_requires_a_user_check(setup: LearningSetup) -> N
     setup.until_step(LearningStep.NEUTRAL)
 
 
-def test_current_ending_after_the_stop_does_not_block_the_test(setup: LearningSetup) -> None:
+def test_stick_test_starts_once_the_current_has_ended(setup: LearningSetup) -> None:
     setup.simulator.do("current 1 2.0")
     setup.learning.start_test((1,))
     setup.until(lambda: not setup.device.may_move)
@@ -242,7 +243,7 @@ def test_current_ending_after_the_stop_does_not_block_the_test(setup: LearningSe
 
 
 def test_arming_is_allowed_in_review_but_not_in_travel(setup: LearningSetup) -> None:
-    setup.to_review(1, 2)
+    setup.go_to_review(1, 2)
     setup.device.motors.arm()
     setup.until_step(LearningStep.REVIEW)
     setup.learning.back()
@@ -251,8 +252,8 @@ def test_arming_is_allowed_in_review_but_not_in_travel(setup: LearningSetup) -> 
     setup.device.motors.stop()
 
 
-def test_review_curves_follow_stick_and_chosen_values(setup: LearningSetup) -> None:
-    setup.to_review(1, 2)
+def test_review_curves_follow_stick_and_selected_values(setup: LearningSetup) -> None:
+    setup.go_to_review(1, 2)
     first, second = setup.learning.channels
     before, after = second.curve_before, second.curve_after
     assert before is not None
@@ -262,8 +263,8 @@ def test_review_curves_follow_stick_and_chosen_values(setup: LearningSetup) -> N
     setup.transmitter.put(1, 1.0)
     setup.until(lambda: first.raw == 5000)
     assert second.choice is not None
-    bad = type(second.choice.calibration)(4000, 3750, 5000, 10)
-    setup.learning.set_choice(2, calibration=bad, reversed_=False)
+    invalid = Calibration(4000, 3750, 5000, 10)
+    setup.learning.set_choice(2, calibration=invalid, reversed_=False)
     assert second.curve_after is None
     assert second.curve_before == before
 
@@ -281,7 +282,9 @@ def test_channel_without_signal_is_skipped(setup: LearningSetup) -> None:
     setup.learning.start((1, 2))
     setup.until_step(LearningStep.NEUTRAL)
     first, second = setup.learning.channels
-    setup.until(lambda: [p.kind for p in second.rest_problems] == [ProblemKind.NO_SIGNAL])
+    setup.until(
+        lambda: [problem.kind for problem in second.rest_problems] == [ProblemKind.NO_SIGNAL]
+    )
     setup.learning.next()
     setup.until(lambda: setup.learning.has_sampled)
     setup.until_step(LearningStep.NEUTRAL)
@@ -291,23 +294,26 @@ def test_channel_without_signal_is_skipped(setup: LearningSetup) -> None:
     assert second.travel is None
 
 
-def test_going_back_from_review_keeps_the_travel(setup: LearningSetup) -> None:
-    setup.to_review(1, 2)
+def test_going_back_from_review_retains_the_travel(setup: LearningSetup) -> None:
+    setup.go_to_review(1, 2)
     setup.learning.back()
     setup.until_step(LearningStep.TRAVEL)
-    assert all(c.travel is not None and c.travel.is_enough for c in setup.learning.channels)
+    travels = [channel.travel for channel in setup.learning.channels]
+    assert all(travel is not None and travel.is_enough for travel in travels)
     setup.learning.repeat()
-    assert not any(c.travel is not None and c.travel.is_enough for c in setup.learning.channels)
+    travels = [channel.travel for channel in setup.learning.channels]
+    assert not any(travel is not None and travel.is_enough for travel in travels)
     setup.learning.back()
     setup.until_step(LearningStep.NEUTRAL)
 
 
 def test_invalid_values_cannot_be_accepted(setup: LearningSetup) -> None:
-    setup.to_review(1, 2)
+    setup.go_to_review(1, 2)
     (first, _) = setup.learning.channels
     assert first.choice is not None
-    good = first.choice.calibration
-    setup.learning.set_choice(1, calibration=replace(good, minimum=good.maximum + 1, deadband=10))
+    valid = first.choice.calibration
+    invalid = replace(valid, minimum=valid.maximum + 1, deadband=10)
+    setup.learning.set_choice(1, calibration=invalid)
     assert not setup.learning.can_use_values
     assert [problem.kind for problem in first.result_problems] == [ProblemKind.REFUSED]
     setup.learning.set_choice(1, included=False)
@@ -317,7 +323,7 @@ def test_invalid_values_cannot_be_accepted(setup: LearningSetup) -> None:
 
 
 def test_written_values_request_a_test(setup: LearningSetup) -> None:
-    setup.to_review(1, 2)
+    setup.go_to_review(1, 2)
     setup.learning.use_values()
     setup.write()
     assert setup.requested_tests == [(1, 2)]
@@ -344,22 +350,22 @@ def test_gap_in_telemetry_stalls_the_neutral_step(setup: LearningSetup) -> None:
     setup.until_step(LearningStep.TRAVEL)
 
 
-# --- Learned values until they are stored ----------------------------------------------
+# --- Test of learned values -------------------------------------------------------------
 
 
-@pytest.mark.parametrize("how", ["undo", "discard"])
-def test_dropped_values_do_not_request_a_test(setup: LearningSetup, how: str) -> None:
-    setup.use(1)
+@pytest.mark.parametrize("method", ["undo", "discard"])
+def test_discarded_values_do_not_request_a_test(setup: LearningSetup, method: str) -> None:
+    setup.use_values(1)
     draft = setup.device.draft
-    (draft.undo.undo if how == "undo" else draft.discard_edits)()
-    setup.device.calibrations.edit(1, LEARNED)  # by hand
+    (draft.undo.undo if method == "undo" else draft.discard_edits)()
+    setup.device.calibrations.edit(1, LEARNED)  # not by learning
     setup.write()
     assert setup.device.calibrations.stored(1) == LEARNED
     assert setup.requested_tests == []
 
 
-def test_reconnecting_forgets_the_pending_test(setup: LearningSetup) -> None:
-    setup.use(1)
+def test_reconnecting_clears_the_pending_test(setup: LearningSetup) -> None:
+    setup.use_values(1)
     setup.device.disconnect_line()
     setup.until(lambda: setup.device.link is ConnectionState.DISCONNECTED)
     setup.device.connect_to(ConnectionSettings(setup.simulator.url))
@@ -371,10 +377,8 @@ def test_reconnecting_forgets_the_pending_test(setup: LearningSetup) -> None:
 
 
 def test_requesting_a_test_does_not_stop_running_motors(setup: LearningSetup) -> None:
-    setup.use(1)
-    setup.device.motors.arm()
-    setup.device.motors.set_speed(1, 40)
-    setup.until(lambda: setup.simulator.show()["motors"][0]["speed"] == 40)
+    setup.use_values(1)
+    setup.run_motor(40)
     setup.write()
     assert setup.requested_tests == [(1,)]
     assert setup.learning.motors_armed  # the user confirms before the test begins
@@ -384,7 +388,7 @@ def test_requesting_a_test_does_not_stop_running_motors(setup: LearningSetup) ->
 
 
 def test_each_written_channel_requests_its_own_test(setup: LearningSetup) -> None:
-    setup.use(1, 2)
+    setup.use_values(1, 2)
     setup.device.writer.apply({"rc_channel_2"})
     setup.until(lambda: not setup.device.writer.running)
     assert setup.requested_tests == [(2,)]
@@ -396,7 +400,7 @@ def test_each_written_channel_requests_its_own_test(setup: LearningSetup) -> Non
 def test_only_written_channels_request_a_test(
     setup: LearningSetup, failed: tuple[int, ...], expected: tuple[int, ...] | None
 ) -> None:
-    setup.use(1, 2)
+    setup.use_values(1, 2)
     results = tuple(
         WriteResult(CalibrationKey.of(InputSource.RC, number), error=NoReply("no answer"))
         if number in failed
@@ -409,12 +413,12 @@ def test_only_written_channels_request_a_test(
 
 
 def test_already_stored_values_request_the_test_at_once(setup: LearningSetup) -> None:
-    taken: list[bool] = []
-    setup.learning.edited.connect(lambda: taken.append(True))
+    edits: list[bool] = []
+    setup.learning.edited.connect(lambda: edits.append(True))
     stored = setup.device.calibrations.stored(1)
     assert stored is not None
-    setup.use(1, calibration=stored)
-    assert taken == []
+    setup.use_values(1, calibration=stored)
+    assert edits == []
     assert setup.requested_tests == [(1,)]
     setup.learning.start_test(setup.learning.numbers)
     setup.until_step(LearningStep.TEST)
@@ -424,7 +428,7 @@ def test_already_stored_values_request_the_test_at_once(setup: LearningSetup) ->
     assert setup.learning.news == ""
 
 
-def test_old_values_come_from_the_board_despite_edits(setup: LearningSetup) -> None:
+def test_old_values_in_review_come_from_the_board(setup: LearningSetup) -> None:
     stored = setup.device.calibrations.stored(1)
     assert stored is not None
     setup.device.calibrations.edit(1, replace(stored, neutral=3800))
@@ -438,18 +442,20 @@ def test_old_values_come_from_the_board_despite_edits(setup: LearningSetup) -> N
     assert not channel.curve_before.reversed_
     assert setup.learning.pending.has_edit(1)
     assert setup.learning.other_edits == 1
-    setup.device.parameters.edit("reversed_channels", 0b101)  # that of channel 3 stays
+    setup.device.parameters.edit("reversed_channels", 0b101)  # channel 3 is not learned
     assert setup.learning.other_edits == 2
 
 
-@pytest.mark.parametrize("how", ["mode", "motors"])
-def test_failed_test_does_not_deny_the_written_values(setup: LearningSetup, how: str) -> None:
-    setup.use(1)
+@pytest.mark.parametrize("cause", ["mode", "motors"])
+def test_failed_test_reports_the_written_values_as_unchanged(
+    setup: LearningSetup, cause: str
+) -> None:
+    setup.use_values(1)
     setup.write()
     assert setup.requested_tests
     setup.learning.start_test(setup.learning.numbers)
     setup.until_step(LearningStep.TEST)
-    if how == "motors":
+    if cause == "motors":
         setup.device.motors.arm()
     else:
         setup.simulator.do("jumper mode rc")
@@ -470,7 +476,7 @@ def test_restart_after_power_loss_stops_the_motors_again(
     if is_test:
         setup.learning.start_test((1,))
     elif step is LearningStep.REVIEW:
-        setup.to_review(1)
+        setup.go_to_review(1)
     elif step is LearningStep.TRAVEL:
         setup.go_to_travel(1)
     else:

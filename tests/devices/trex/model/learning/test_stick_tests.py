@@ -1,4 +1,4 @@
-"""Test of sticks with the stored calibrations."""
+"""Tests of sticks with the stored calibrations."""
 
 from collections.abc import Callable, Iterator
 
@@ -14,36 +14,36 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.ui.devices.connection import ConnectionState
 
 THROTTLE = Calibration(minimum=2600, neutral=2750, maximum=4730, deadband=75)
-"""Learned from a stick that rests at 1100 µs; below that is trim only."""
+"""Calibration of a stick that rests at 1100 µs. Only its trim goes below."""
 
-CENTRE = 3750
-EXACT = ChannelCurve(Calibration(CENTRE - FULL_SCALE, CENTRE, CENTRE + FULL_SCALE, 0))
-"""A count more is one more at the output."""
+CENTER = 3750
+LINEAR = ChannelCurve(Calibration(CENTER - FULL_SCALE, CENTER, CENTER + FULL_SCALE, 0))
+"""Curve whose output is the difference from the centre in counts."""
 
 REST = {1: 1500.0, 2: 1500.0, 3: 1500.0, 4: 1500.0, 5: 1900.0}
 
 
 class Sticks:
-    """Inputs in µs. `None` is no signal."""
+    """Inputs of a stick test, in µs. `None` means no signal."""
 
     def __init__(self, device: Device, *numbers: int) -> None:
         self.tests = StickTests(device, numbers)
         self._seconds = 0.0
-        self._held: dict[int, float | None] = dict(REST)
+        self._widths: dict[int, float | None] = dict(REST)
 
-    def hold(self, channel: int | None = None, where: float | None = 1500.0) -> None:
-        """Hold a channel at a position for 0.6 s, or only wait."""
+    def hold(self, channel: int | None = None, width: float | None = 1500.0) -> None:
+        """Hold a channel at a pulse width for 0.6 s, or only wait."""
         if channel is not None:
-            self._held[channel] = where
-        counts = [None if us is None else round(us * 2.5) for us in self._held.values()]
+            self._widths[channel] = width
+        counts = [None if width is None else round(width * 2.5) for width in self._widths.values()]
         for _ in range(30):
             self._seconds += 0.02
             self.tests.feed(self._seconds, counts)
 
     def push(self, channel: int) -> None:
         """Push a stick to both ends, then release it."""
-        for where in (2000.0, 1000.0, REST[channel]):
-            self.hold(channel, where)
+        for width in (2000.0, 1000.0, REST[channel]):
+            self.hold(channel, width)
 
     def passed(self) -> bool:
         return self.tests.passed
@@ -54,6 +54,7 @@ class Sticks:
 
 @pytest.fixture
 def connect(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[Callable[..., Device]]:
+    """Return a function that runs control lines and then connects the device."""
     device = Device()
 
     def connect(*lines: str) -> Device:
@@ -74,44 +75,52 @@ def sticks(connect: Callable[..., Device]) -> Callable[..., Sticks]:
     return lambda *numbers: Sticks(connect(), *numbers)
 
 
-# --- A throttle -------------------------------------------------------------------------
+def stick_test(channel: int, curve: ChannelCurve, *phases: tuple[int, int]) -> StickTest:
+    """Return a test of phases (count, number of samples), at 50 samples a second."""
+    test = StickTest(channel)
+    counts = [count for count, samples in phases for _ in range(samples)]
+    for index, count in enumerate(counts):
+        test.feed(index / 50, count, curve)
+    return test
+
+
+# --- Throttles --------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("calibration", "side"),
+    [(Calibration(2500, 2750, 4700, 75), -1), (Calibration(2800, 4750, 5000, 75), 1)],
+)
+def test_throttle_is_idle_on_its_shorter_side(calibration: Calibration, side: int) -> None:
+    assert idle_side(ChannelCurve(calibration)) == side
+    assert idle_side(ChannelCurve(calibration, reversed_=True)) == -side
 
 
 def test_throttle_passes_with_full_output_on_its_travel_side() -> None:
-    test = StickTest(3)
-    for step, microseconds in enumerate([1040] * 30 + [1100] * 40):
-        test.feed(step / 50, round(2.5 * microseconds), ChannelCurve(THROTTLE))
+    trimmed = (2600, 30), (2750, 40)
+    test = stick_test(3, ChannelCurve(THROTTLE), *trimmed)
     assert not test.reverse
     assert not test.passed
-    assert test.text == "Full output not reached yet. Push the stick all the way."
-    for step, microseconds in enumerate([1895] * 30 + [1100] * 40):
-        test.feed(2 + step / 50, round(2.5 * microseconds), ChannelCurve(THROTTLE))
+    assert test.text == "Full output not reached yet. Push it all the way."
+    test = stick_test(3, ChannelCurve(THROTTLE), *trimmed, (4738, 30), (2750, 40))
     assert test.forward
     assert test.passed
 
 
 def test_centered_throttle_passes_on_either_side() -> None:
-    even = ChannelCurve(Calibration(2500, 3750, 5000, 75))
-    assert idle_side(even) == 0
-    test = StickTest(3)
-    for step, count in enumerate([2500] * 5 + [3750] * 40):
-        test.feed(step / 50, count, even)
-    assert test.passed
+    symmetric = ChannelCurve(Calibration(2500, 3750, 5000, 75))
+    assert idle_side(symmetric) == 0
+    assert stick_test(3, symmetric, (2500, 5), (3750, 40)).passed
 
 
-def test_uneven_stick_passes_with_both_ends() -> None:
-    test = StickTest(1)
-    for step, count in enumerate([2600] * 5 + [4730] * 5 + [2750] * 40):
-        test.feed(step / 50, count, ChannelCurve(THROTTLE))
-    assert test.passed
+def test_asymmetric_stick_passes_with_both_ends() -> None:
+    assert stick_test(1, ChannelCurve(THROTTLE), (2600, 5), (4730, 5), (2750, 40)).passed
 
 
-# --- Present state ----------------------------------------------------------------------
+# --- Current state ----------------------------------------------------------------------
 
 
-def test_passed_channel_held_off_neutral_fails_until_released(
-    sticks: Callable[..., Sticks],
-) -> None:
+def test_passed_channel_fails_while_held_off_neutral(sticks: Callable[..., Sticks]) -> None:
     inputs = sticks(1)
     inputs.push(1)
     assert inputs.text(1) == "Good."
@@ -137,9 +146,7 @@ def test_passed_channel_fails_when_its_signal_is_lost(
     assert not inputs.passed()
 
 
-def test_safe_start_of_another_channel_blocks_passing(
-    sticks: Callable[..., Sticks],
-) -> None:
+def test_safe_start_of_another_channel_prevents_passing(sticks: Callable[..., Sticks]) -> None:
     inputs = sticks(1)
     inputs.hold(2, 1600)
     inputs.push(1)
@@ -154,7 +161,7 @@ def test_safe_start_of_another_channel_blocks_passing(
 # --- Ignored channels -------------------------------------------------------------------
 
 
-def test_ignored_channel_is_named_and_not_counted(connect: Callable[..., Device]) -> None:
+def test_ignored_channel_is_named_and_need_not_pass(connect: Callable[..., Device]) -> None:
     inputs = Sticks(connect("eeprom ignored_channels 2"), 1, 2)
     inputs.hold()
     assert inputs.text(2).startswith("Ignored: the board holds this channel at neutral.")
@@ -171,54 +178,25 @@ def test_stick_test_of_only_ignored_channels_never_passes(connect: Callable[...,
     assert not inputs.passed()
 
 
-def test_single_wild_pulses_are_no_position_of_the_switch() -> None:
-    test = StickTest(5)
-    for number in range(60):
-        test.feed(number * 0.02, CENTRE - (FULL_SCALE if number % 10 == 9 else 0), EXACT)
-    assert (test.off, test.on) == (True, False)
-    for number in range(60, 63):
-        test.feed(number * 0.02, CENTRE - FULL_SCALE, EXACT)
-    assert test.on
-    assert test.passed
-
-
-# --- One channel ------------------------------------------------------------------------
-
-
-def stick_held_at(*phases: tuple[int, int]) -> StickTest:
-    """Feed outputs of channel 1 in phases, at 50 samples a second."""
-    test = StickTest(1)
-    step = 0
-    for output, samples in phases:
-        for _ in range(samples):
-            test.feed(step / 50, CENTRE + output, EXACT)
-            step += 1
-    return test
-
-
-def switch_held_at(*phases: tuple[bool, int]) -> StickTest:
-    """Feed positions of a switch in phases, at 50 samples a second."""
+def test_test_without_samples_reports_no_signal() -> None:
     test = StickTest(4)
-    for active, samples in phases:
-        for _ in range(samples):
-            test.feed(0.0, CENTRE + (-FULL_SCALE if active else FULL_SCALE), EXACT)
-    return test
-
-
-def test_result_before_first_sample_reports_no_signal() -> None:
-    before = StickTest(4)
-    assert not any((before.on, before.off, before.is_at_rest, before.forward, before.reverse))
-    assert before.text == "No signal."
+    assert not any((test.on, test.off, test.is_at_rest, test.forward, test.reverse))
+    assert test.text == "No signal."
 
 
 # --- Sticks -----------------------------------------------------------------------------
 
 
+def stick_held_at(*phases: tuple[int, int]) -> StickTest:
+    """Return a test of phases (output of channel 1, number of samples)."""
+    return stick_test(1, LINEAR, *((CENTER + output, samples) for output, samples in phases))
+
+
 @pytest.mark.parametrize(("output", "end"), [(127, "forward"), (-127, "reverse")])
 def test_end_is_reached_when_three_samples_agree(output: int, end: str) -> None:
-    passed_by = stick_held_at((output, 2), (0, 1), (output, 2))
-    assert not passed_by.forward
-    assert not passed_by.reverse
+    moved = stick_held_at((output, 2), (0, 1), (output, 2))
+    assert not moved.forward
+    assert not moved.reverse
     held = stick_held_at((output, 3))
     assert (held.forward, held.reverse) == (end == "forward", end == "reverse")
 
@@ -239,26 +217,29 @@ def test_stick_passes_after_both_ends_and_rest() -> None:
     assert at_rest.text == "Good."
 
 
-# --- Throttles --------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    ("calibration", "side"),
-    [(Calibration(2500, 2750, 4700, 75), -1), (Calibration(2800, 4750, 5000, 75), 1)],
-)
-def test_throttle_is_idle_on_its_shorter_side(calibration: Calibration, side: int) -> None:
-    assert idle_side(ChannelCurve(calibration)) == side
-    assert idle_side(ChannelCurve(calibration, reversed_=True)) == -side
-
-
 # --- Switches ---------------------------------------------------------------------------
+
+
+def switch_held_at(*phases: tuple[bool, int]) -> StickTest:
+    """Return a test of phases (channel 4 is active, number of samples)."""
+    counts = {True: CENTER - FULL_SCALE, False: CENTER + FULL_SCALE}
+    return stick_test(4, LINEAR, *((counts[active], samples) for active, samples in phases))
+
+
+def test_single_wild_pulses_do_not_switch() -> None:
+    pulses = ((CENTER, 9), (CENTER - FULL_SCALE, 1)) * 6
+    test = stick_test(5, LINEAR, *pulses)
+    assert (test.off, test.on) == (True, False)
+    test = stick_test(5, LINEAR, *pulses, (CENTER - FULL_SCALE, 3))
+    assert test.on
+    assert test.passed
 
 
 def test_switch_passes_after_both_positions_were_held() -> None:
     assert switch_held_at((True, 2)).text == "Move the switch to all its positions."
     for active in (False, True):
-        seen = switch_held_at((active, 3))
-        assert (seen.on, seen.off) == (active, not active)
-        assert seen.text.startswith(f"Only {'on' if active else 'off'} was detected.")
+        test = switch_held_at((active, 3))
+        assert (test.on, test.off) == (active, not active)
+        assert test.text.startswith(f"Only {'on' if active else 'off'} was detected.")
     assert switch_held_at((False, 3), (True, 3)).passed
     assert not switch_held_at((False, 3), (True, 2)).passed

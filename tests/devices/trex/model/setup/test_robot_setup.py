@@ -1,6 +1,7 @@
-"""Robot assistant on a simulated robot: wiring and corrections."""
+"""Setup assistant with a simulated robot."""
 
 from collections.abc import Callable, Iterator
+from itertools import groupby
 
 import pytest
 from pytestqt.qtbot import QtBot
@@ -29,8 +30,20 @@ def robot(quick_simulator: SimulatedDevice, qtbot: QtBot) -> Iterator[Robot]:
     qtbot.waitUntil(robot.device.shut_down)
 
 
-FORWARD = {Side.LEFT: 1, Side.RIGHT: 1}
-RIGHT = {Side.LEFT: 1, Side.RIGHT: -1}
+def record_movements(robot: Robot, first: Movement, second: Movement) -> None:
+    """Answer which wheel each motor turns, and in which direction."""
+    robot.setup.record_movement(1, first)
+    robot.setup.record_movement(2, second)
+
+
+def lose_replies(robot: Robot, command: str = "") -> None:
+    """Mute the board until it counts as lost. Run a command, then let the board reply again."""
+    robot.simulator.do("line mute on")
+    robot.wait(lambda: not robot.device.is_connected)
+    if command:
+        robot.simulator.do(command)
+    robot.simulator.do("line mute off")
+    robot.wait(lambda: robot.device.is_connected)
 
 
 # --- Wiring -----------------------------------------------------------------------------
@@ -40,7 +53,7 @@ RIGHT = {Side.LEFT: 1, Side.RIGHT: -1}
     ("swapped", "reversed_", "pushed"),
     [(False, False, 2000), (False, True, 1000), (True, False, 1000), (True, True, 2000)],
 )
-def test_one_stick_is_corrected_by_reversed_channels(
+def test_directions_of_one_stick_are_corrected_by_reversing(
     robot: Robot, swapped: bool, reversed_: bool, pushed: int
 ) -> None:
     """Both motors are connected in the same direction."""
@@ -61,15 +74,15 @@ def test_one_stick_is_corrected_by_reversed_channels(
     setup.next()
     assert robot.device.parameters.values.value_of(ParameterKey.REVERSED_CHANNELS) == expected
 
-    assert not robot.device.motors.armed  # the step was left
+    assert not robot.device.motors.armed  # another step was opened
     robot.apply()
     robot.start_in_rc_mode()
-    assert robot.turns_when_pushed(2) == FORWARD
-    assert robot.turns_when_pushed(1) == RIGHT
+    assert robot.turns_when_pushed(2) == {Side.LEFT: 1, Side.RIGHT: 1}
+    assert robot.turns_when_pushed(1) == {Side.LEFT: 1, Side.RIGHT: -1}
 
 
 @pytest.mark.parametrize(("swapped", "reversed_"), [(False, True), (True, False), (True, True)])
-def test_two_sticks_are_corrected_once_each_drives_its_side(
+def test_two_sticks_are_corrected_after_motors_are_exchanged(
     robot: Robot, swapped: bool, reversed_: bool
 ) -> None:
     if swapped:
@@ -84,7 +97,7 @@ def test_two_sticks_are_corrected_once_each_drives_its_side(
     assert setup.wiring is not None
     assert setup.wiring.rewiring(setup.driver).exchange_motors is swapped
     if swapped:
-        assert setup.edits == {}  # they would be wrong after the exchange
+        assert setup.edits == {}  # edits made now would be wrong after the exchange
         robot.exchange_motors()
         setup.clear_movements()
         robot.find_motors()
@@ -98,7 +111,7 @@ def test_two_sticks_are_corrected_once_each_drives_its_side(
     assert robot.turns_when_pushed(2) == {Side.LEFT: 0, Side.RIGHT: 1}
 
 
-def test_computer_needs_the_wires_exchanged(robot: Robot) -> None:
+def test_driving_by_computer_needs_the_wires_exchanged(robot: Robot) -> None:
     robot.exchange_motors()
     robot.exchange_wires(Side.LEFT)
     setup = robot.setup
@@ -123,12 +136,11 @@ def test_single_reversed_motor_of_one_stick_is_rewired() -> None:
     assert wiring.turned_channels(Driver.ONE_STICK) == {1}
 
 
-def test_directions_wait_for_the_sticks_and_answers_that_agree(robot: Robot) -> None:
+def test_reversing_needs_known_sticks_and_consistent_movements(robot: Robot) -> None:
     setup = robot.setup
-    assert setup.record_pushed((1, 2)) == (1, 2)  # both are at neutral
+    assert setup.record_pushed((1, 2)) == (1, 2)  # both sticks are at neutral
     robot.go_to(SetupStep.MOTORS)
-    setup.record_movement(1, Movement.LEFT_BACKWARD)
-    setup.record_movement(2, Movement.RIGHT_BACKWARD)
+    record_movements(robot, Movement.LEFT_BACKWARD, Movement.RIGHT_BACKWARD)
     assert setup.edits == {}
     setup.rises.update({1: True, 2: True})
     assert setup.edits == {ParameterKey.REVERSED_CHANNELS: 3}
@@ -139,9 +151,9 @@ def test_directions_wait_for_the_sticks_and_answers_that_agree(robot: Robot) -> 
         assert setup.edits == {}
 
 
-def test_learned_directions_are_taken_over(robot: Robot) -> None:
+def test_learned_stick_directions_are_used(robot: Robot) -> None:
     learning = Learning(robot.device)
-    setup = RobotSetup(robot.device, learning)
+    robot.setup = setup = RobotSetup(robot.device, learning)
     learning.channels = tuple(
         LearnedChannel(robot.device, number, InputSource.RC) for number in (1, 2)
     )
@@ -151,20 +163,18 @@ def test_learned_directions_are_taken_over(robot: Robot) -> None:
     assert setup.rises == {}
     learning.use_values()
     assert setup.rises == {1: False, 2: True}
-    setup.record_movement(1, Movement.LEFT_FORWARD)
-    setup.record_movement(2, Movement.RIGHT_FORWARD)
+    record_movements(robot, Movement.LEFT_FORWARD, Movement.RIGHT_FORWARD)
     while setup.step is not SetupStep.MOTORS:
         setup.skip()
     assert setup.edits == {}  # learning has corrected the directions
-    setup.record_movement(1, Movement.LEFT_BACKWARD)
-    setup.record_movement(2, Movement.RIGHT_BACKWARD)
+    record_movements(robot, Movement.LEFT_BACKWARD, Movement.RIGHT_BACKWARD)
     assert setup.edits == {ParameterKey.REVERSED_CHANNELS: 0b10}
 
 
 # --- Open steps -------------------------------------------------------------------------
 
 
-def test_skipped_steps_stay_open_until_they_have_their_result(robot: Robot) -> None:
+def test_skipped_steps_stay_open_until_they_have_a_result(robot: Robot) -> None:
     setup, parameters = robot.setup, robot.device.parameters
     setup.select_driver(Driver.ONE_STICK)
     robot.go_to(SetupStep.REVIEW)
@@ -173,16 +183,15 @@ def test_skipped_steps_stay_open_until_they_have_their_result(robot: Robot) -> N
 
     setup.go_to(SetupStep.JUMPERS)
     setup.next()
-    setup.next()  # nothing is known of the sticks
-    setup.record_movement(1, Movement.RIGHT_FORWARD)
-    setup.record_movement(2, Movement.LEFT_FORWARD)
+    setup.next()  # the directions of the sticks are still unknown
+    record_movements(robot, Movement.RIGHT_FORWARD, Movement.LEFT_FORWARD)
     setup.next()
     setup.select_preset(Preset.TANK)
     setup.next()
     assert setup.step is SetupStep.REVIEW
     assert setup.open_steps == [SetupStep.STICKS, SetupStep.MOTORS]
     setup.rises.update({1: True, 2: True})
-    assert setup.open_steps == [SetupStep.MOTORS]  # its edit waited for the sticks
+    assert setup.open_steps == [SetupStep.MOTORS]  # the edit of this step needed the sticks
     setup.go_to(SetupStep.MOTORS)
     setup.next()
     setup.next()
@@ -190,14 +199,14 @@ def test_skipped_steps_stay_open_until_they_have_their_result(robot: Robot) -> N
     assert setup.open_steps == []
     robot.device.draft.undo.undo()
     assert setup.open_steps == [SetupStep.MOTORS]
-    setup.select_driver(Driver.TWO_STICKS)  # needs other wires and another jumper
+    setup.select_driver(Driver.TWO_STICKS)  # two sticks need other wires and another jumper
     assert setup.open_steps == all_open[:3]
     robot.device.disconnect_line()
     robot.wait(lambda: setup.open_steps == all_open)
 
 
 @pytest.mark.parametrize("mix", ["on", "off"])
-def test_jumper_seen_to_be_wrong_leaves_its_step_open(robot: Robot, mix: str) -> None:
+def test_wrong_mix_jumper_leaves_its_step_open(robot: Robot, mix: str) -> None:
     robot.simulator.do(f"jumper mix {mix}")
     robot.push(2)
     robot.wait(lambda: robot.device.mix_jumper.is_on is not None)
@@ -209,7 +218,7 @@ def test_jumper_seen_to_be_wrong_leaves_its_step_open(robot: Robot, mix: str) ->
         assert is_open is ((driver, mix) in {(Driver.ONE_STICK, "off"), (Driver.TWO_STICKS, "on")})
 
 
-def test_stop_has_a_reason(robot: Robot) -> None:
+def test_stop_by_the_assistant_has_a_reason(robot: Robot) -> None:
     reasons: list[str] = []
     motors = robot.device.motors
     motors.stop_requested.connect(lambda: reasons.append(motors.stop_reason))
@@ -238,12 +247,12 @@ def test_pulses_drive_only_one_motor(robot: Robot) -> None:
     pulses, motors = robot.setup.pulses, robot.device.motors
     motors.set_linked(True)
     assert pulses.start(2)
-    begun, on = now(), []
-    while now() - begun < 3 * (PULSE + PAUSE):
-        on.append(robot.speeds())
+    start, speeds = now(), []
+    while now() - start < 3 * (PULSE + PAUSE):
+        speeds.append(robot.speeds())
         robot.pass_time(0.02)
-    assert set(on) == {(0, 0), (0, WEAK)}
-    lengths = [len(part) for part in "".join("01"[b > 0] for _, b in on).split("0") if part]
+    assert set(speeds) == {(0, 0), (0, WEAK)}
+    lengths = [len(list(group)) for (_, speed), group in groupby(speeds) if speed]
     assert len(lengths) == 3
     assert max(lengths) * 0.02 <= 0.5
     pulses.release()
@@ -254,7 +263,7 @@ def test_pulses_drive_only_one_motor(robot: Robot) -> None:
 
 
 def test_stronger_pulse_jumps_to_its_speed_below_the_ceiling(robot: Robot) -> None:
-    """A slow ramp would move nothing in a pulse."""
+    """With a slow ramp, a pulse would end before the motor turns."""
     robot.device.parameters.edit("motor1_acceleration", 1)
     robot.apply()
     robot.arm()
@@ -279,7 +288,7 @@ BLOCKERS: dict[str, tuple[Callable[[Robot], object], str]] = {
 
 
 @pytest.mark.parametrize("case", BLOCKERS)
-def test_pulse_is_refused(robot: Robot, case: str) -> None:
+def test_pulse_is_blocked(robot: Robot, case: str) -> None:
     robot.arm()
     act, words = BLOCKERS[case]
     act(robot)
@@ -290,15 +299,12 @@ def test_pulse_is_refused(robot: Robot, case: str) -> None:
     assert robot.speeds()[0] == 0
 
 
-def test_board_that_went_silent_gets_no_further_pulse(robot: Robot) -> None:
+def test_no_pulse_is_sent_after_the_board_was_silent(robot: Robot) -> None:
     robot.go_to(SetupStep.MOTORS)
     robot.arm()
     assert robot.setup.pulses.start(1)
     robot.wait(lambda: robot.speeds() == (WEAK, 0))
-    robot.simulator.do("line mute on")
-    robot.wait(lambda: not robot.device.is_connected)
-    robot.simulator.do("line mute off")
-    robot.wait(lambda: robot.device.is_connected)
+    lose_replies(robot)
     assert robot.setup.pulses.motor == 0
     assert not robot.setup.pulses.wheels_are_free
     robot.pass_time(2)
@@ -320,10 +326,10 @@ def test_board_in_rc_mode_gets_neither_pulses_nor_edits(
     qtbot.waitUntil(robot.device.shut_down)
 
 
-def test_other_model_on_the_line_gets_no_answers_of_the_first(
+def test_answers_are_cleared_for_another_model(
     robot: Robot, start_simulator: Callable[..., SimulatedDevice]
 ) -> None:
-    """Current limits have other units there."""
+    """The models have different units of current."""
     setup = robot.setup
     setup.select_preset(Preset.TANK)
     setup.rises.update({1: True, 2: True})
@@ -338,19 +344,15 @@ def test_other_model_on_the_line_gets_no_answers_of_the_first(
 
 
 @pytest.mark.parametrize("number", [7, 9])
-def test_other_robot_after_a_silence_gets_no_answers(robot: Robot, number: int) -> None:
-    setup, simulator = robot.setup, robot.simulator
+def test_answers_are_cleared_for_another_board_after_silence(robot: Robot, number: int) -> None:
+    setup = robot.setup
     setup.record_movement(1, Movement.LEFT_FORWARD)
     setup.rises.update({1: True, 2: True})
-    simulator.do("line mute on")
-    robot.wait(lambda: not robot.device.is_connected)
-    simulator.do(f"eeprom device_number {number}")
-    simulator.do("line mute off")
-    robot.wait(lambda: robot.device.is_connected)
+    lose_replies(robot, f"eeprom device_number {number}")
     assert bool(setup.movements) is bool(setup.rises) is (number == 7)
 
 
-def test_hanging_window_lets_no_pulse_go_on(robot: Robot) -> None:
+def test_pulses_end_when_the_window_hangs(robot: Robot) -> None:
     robot.arm()
     assert robot.setup.pulses.start(1)
     robot.wait(lambda: robot.speeds() == (WEAK, 0))
@@ -362,10 +364,10 @@ def test_hanging_window_lets_no_pulse_go_on(robot: Robot) -> None:
     assert robot.setup.pulses.motor == 0
 
 
-# --- The other steps --------------------------------------------------------------------
+# --- Other steps ------------------------------------------------------------------------
 
 
-def test_steps_that_do_not_apply_are_left_out(robot: Robot) -> None:
+def test_steps_depend_on_the_driver(robot: Robot) -> None:
     setup = robot.setup
     setup.select_driver(Driver.COMPUTER)
     assert SetupStep.STICKS not in setup.steps
@@ -377,7 +379,7 @@ def test_steps_that_do_not_apply_are_left_out(robot: Robot) -> None:
 
 @pytest.mark.parametrize("preset", Preset)
 @pytest.mark.parametrize("model", ["trex", "trexjr"])
-def test_preset_equals_its_sample(preset: Preset, model: str) -> None:
+def test_preset_equals_its_sample_file(preset: Preset, model: str) -> None:
     path = resource("samples") / preset.value
     sample, _ = read_settings(path.read_bytes())
     values = preset.values(model)
@@ -386,7 +388,7 @@ def test_preset_equals_its_sample(preset: Preset, model: str) -> None:
     assert (set(LIMITS) <= values.keys()) is (sample.product.key == model)
 
 
-def test_limits_and_timeout_become_pending_and_undo_in_one_step(robot: Robot) -> None:
+def test_limits_and_timeout_each_become_one_undo_step(robot: Robot) -> None:
     setup, parameters = robot.setup, robot.device.parameters
     setup.select_driver(Driver.COMPUTER)
     robot.go_to(SetupStep.LIMITS)
@@ -404,8 +406,8 @@ def test_limits_and_timeout_become_pending_and_undo_in_one_step(robot: Robot) ->
     assert parameters.values.value_of(ParameterKey.SERIAL_TIMEOUT) == 5
     assert [*steps, setup.step] == [SetupStep.TIMEOUT, SetupStep.REVIEW]
 
-    shown = robot.simulator.show()["parameters"]
-    assert shown["serial_timeout"] == 0  # nothing is written before Apply
+    stored = robot.simulator.show()["parameters"]
+    assert stored["serial_timeout"] == 0  # Apply has not written yet
     robot.device.draft.undo.undo()
     robot.device.draft.undo.undo()
     assert robot.device.draft.pending == 0
