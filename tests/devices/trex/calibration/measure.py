@@ -1,4 +1,4 @@
-"""Calibrations from simulated sticks, without a board."""
+"""Measurements of simulated sticks, without a board."""
 
 from collections.abc import Sequence
 from random import Random
@@ -16,25 +16,20 @@ THROTTLE = Stick(rest=1100, low=1100, high=1900)
 HIGH_THROTTLE = Stick(rest=1900, low=1100, high=1900)
 
 
-def neutral_of_samples(
-    samples: Sequence[ChannelSample], source: InputSource = InputSource.RC
-) -> Neutral:
-    neutral = measure_neutral(samples, source)
-    assert neutral is not None
-    return neutral
-
-
 def neutral_of_counts(
     counts: Sequence[int], source: InputSource = InputSource.RC, rate: float = RATE
 ) -> Neutral:
     """Measure an input at rest with these counts, `rate` per second."""
     samples = [ChannelSample(index / rate, count) for index, count in enumerate(counts)]
-    return neutral_of_samples(samples, source)
+    neutral = measure_neutral(samples, source)
+    assert neutral is not None
+    return neutral
 
 
 def neutral_of(stick: Stick, seed: int = 1) -> Neutral:
     """Measure a stick that rests for 1.6 s."""
-    neutral = neutral_of_samples(stick.samples(((1.6, 0.0),), Random(seed)), stick.source)
+    neutral = measure_neutral(stick.samples(((1.6, 0.0),), Random(seed)), stick.source)
+    assert neutral is not None
     assert neutral.seconds_left == 0
     return neutral
 

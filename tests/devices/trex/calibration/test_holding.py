@@ -15,8 +15,6 @@ from trex_gui.devices.trex.calibration.travel import TASKS, WINDOW, Task, Travel
 from trex_gui.devices.trex.model.learning.problem_text import problem_text
 from trex_gui.devices.trex.protocol.flags import InputSource
 
-modest = examples(40)
-
 Moves = tuple[tuple[float, float], ...]
 
 rates = st.sampled_from([50.0, 25.0, 12.0, 5.0, 3.0, 2.0])
@@ -49,8 +47,8 @@ def proposal_of(stick: Stick, travel: Travel) -> Proposal:
     return propose(neutral_of(stick), travel, reversed_now=False)
 
 
-def furthest_inside(length: float, stick: Stick) -> float:
-    """Return the largest distance of a learned end inside the true end, in counts.
+def end_tolerance(length: float, stick: Stick) -> float:
+    """Return the largest distance between a learned end and the true end, in counts.
 
     Samples count as held while they agree within 2 % of the travel and 6 deviations. A stick that
     turns slowly at its end looks the same. Readings may differ by 4 deviations. The proposed end
@@ -60,7 +58,7 @@ def furthest_inside(length: float, stick: Stick) -> float:
     return (0.02 + 0.01) * length + (6 + 4 + 3) * deviation + 2
 
 
-@modest
+@examples(40)
 @example(  # turns within 23 ms, so the samples at the end still agree
     stick=Stick(rest=1400, low=900, high=1850, noise=2, forward_is_down=True),
     rate=25.0,
@@ -88,19 +86,19 @@ def test_learned_ends_match_the_true_ends_at_every_rate(
     if calibration is None:
         assert proposal.problems
         return
-    assert abs(calibration.minimum - low) <= furthest_inside(neutral - low, stick)
-    assert abs(high - calibration.maximum) <= furthest_inside(high - neutral, stick)
+    assert abs(calibration.minimum - low) <= end_tolerance(neutral - low, stick)
+    assert abs(high - calibration.maximum) <= end_tolerance(high - neutral, stick)
 
 
-@modest
+@examples(40)
 @given(stick=sticks, rate=rates, seed=st.integers(0, 2**32))
 def test_holding_for_the_requested_time_is_enough(stick: Stick, rate: float, seed: int) -> None:
-    agreeing = 3 if rate < 20 else 6  # samples in a row
-    hold = max(0.3, (agreeing + 1) / rate)
+    samples = 3 if rate < 20 else 6  # consecutive samples that must agree
+    hold = max(0.3, (samples + 1) / rate)
     moves = push(1.0, 0.2, hold, 0.2) + push(-1.0, 0.2, hold, 0.2)
     travel = travel_of(stick, moves, rate, seed)
     assert travel.is_enough
-    assert travel.hold_seconds == pytest.approx(hold, abs=1.5 * (agreeing + 1) / RATE)
+    assert travel.hold_seconds == pytest.approx(hold, abs=1.5 * (samples + 1) / RATE)
     assert proposal_of(stick, travel).calibration is not None
 
 
@@ -127,7 +125,7 @@ def test_single_end_passed_without_a_hold_is_named() -> None:
     assert problem_text(problem).startswith("The low end was only passed, not held. Go back")
 
 
-def test_pause_before_the_end_is_no_hold_of_the_end() -> None:
+def test_pause_before_the_end_does_not_count_as_hold() -> None:
     pause = ((0.2, 0.7), (1.2, 0.7))
     short_push = ((0.1, 1.0), (0.2, 1.0), (0.1, 0.0), (0.5, 0.0))
     travel = travel_of(Stick(), pause, 5.0)
@@ -147,7 +145,7 @@ def test_hold_prompt_names_the_pushed_end_until_it_is_held() -> None:
     assert travel_of(Stick(), ((0.4, 0.0),), 5.0).to_hold is None
 
 
-def test_low_sample_rate_is_detected_as_slow() -> None:
+def test_low_sample_rate_is_detected() -> None:
     rest = ((1.0, 0.0),)
     assert not travel_of(Stick(), rest, 50.0).is_slow
     slow = travel_of(Stick(), rest, 4.0)

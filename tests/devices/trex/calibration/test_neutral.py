@@ -7,16 +7,10 @@ from hypothesis import strategies as st
 from tests.devices.trex.calibration.measure import learn, neutral_of, neutral_of_counts
 from tests.support.matrix import examples
 from tests.support.transmitter import Stick
-from trex_gui.devices.trex.calibration.neutral import (
-    LIMITS,
-    deadband_floor,
-    measure_neutral,
-)
+from trex_gui.devices.trex.calibration.neutral import LIMITS, deadband_floor, measure_neutral
 from trex_gui.devices.trex.calibration.problems import ProblemKind
 from trex_gui.devices.trex.model.learning.problem_text import problem_text
 from trex_gui.devices.trex.protocol.flags import InputSource
-
-modest = examples(40)
 
 ANALOG = InputSource.ANALOG
 
@@ -25,7 +19,7 @@ def kinds(stick: Stick, seed: int = 1) -> set[ProblemKind]:
     return {problem.kind for problem in neutral_of(stick, seed).problems}
 
 
-@modest
+@examples(40)
 @given(
     rest=st.floats(1100, 1900),
     noise=st.floats(0, 15),
@@ -42,13 +36,15 @@ def test_stick_rest_is_measured_within_half_its_noise(
     if neutral.invalid > 0.05:  # rare: many pulses are lost in a row
         assert [problem.kind for problem in neutral.problems] == [ProblemKind.JITTER]
     else:
-        # A wild pulse is repeated while pulses are lost. In rare cases it looks like a movement.
-        known = {ProblemKind.JITTER, ProblemKind.MOVED} if spikes and lost else {ProblemKind.JITTER}
-        assert {problem.kind for problem in neutral.problems} <= known
+        # An outlier is repeated while pulses are lost. In rare cases it looks like a movement.
+        expected = (
+            {ProblemKind.JITTER, ProblemKind.MOVED} if spikes and lost else {ProblemKind.JITTER}
+        )
+        assert {problem.kind for problem in neutral.problems} <= expected
     assert abs(neutral.value - rest * 2.5) <= max(1, neutral.noise / 2) + abs(drift) * 2.5
 
 
-@modest
+@examples(40)
 @given(rest=st.floats(1.5, 3.5), noise=st.floats(0, 0.05), seed=st.integers(0, 2**32))
 def test_analog_rest_is_measured_within_half_its_noise(
     rest: float, noise: float, seed: int
@@ -58,7 +54,7 @@ def test_analog_rest_is_measured_within_half_its_noise(
     assert abs(neutral.value - rest * 204.6) <= max(1, neutral.noise / 2)
 
 
-@modest
+@examples(40)
 @given(noise=st.floats(0.4, 15), seed=st.integers(0, 2**32))
 def test_noise_is_measured_within_a_factor_of_two(noise: float, seed: int) -> None:
     neutral = neutral_of(Stick(noise=noise), seed)
@@ -66,7 +62,7 @@ def test_noise_is_measured_within_a_factor_of_two(noise: float, seed: int) -> No
     assert noise * 2.5 / 2 <= neutral.deviation <= noise * 2.5 * 2 + rounding
 
 
-@modest
+@examples(40)
 @given(
     twitch=st.one_of(st.floats(60, 400), st.floats(-400, -60)),
     noise=st.floats(0, 2),
@@ -76,7 +72,7 @@ def test_twitch_is_reported_as_movement(twitch: float, noise: float, seed: int) 
     assert kinds(Stick(twitches=twitch, noise=noise), seed) == {ProblemKind.MOVED}
 
 
-@modest
+@examples(40)
 @example(drift=-14.0, seed=113877)
 @given(drift=st.one_of(st.floats(8, 200), st.floats(-200, -8)), seed=st.integers(0, 2**32))
 def test_drift_is_reported_as_movement_with_direction(drift: float, seed: int) -> None:
@@ -118,14 +114,14 @@ def test_missing_signal_is_reported_with_remedy() -> None:
 def test_lost_pulses_are_reported_beyond_about_one_third() -> None:
     """The message gives these limits."""
 
-    def reports(lost: float, noise: float = 1.0) -> int:
+    def count_reports(lost: float, noise: float = 1.0) -> int:
         neutrals = [neutral_of(Stick(lost=lost, noise=noise), seed) for seed in range(100)]
         return sum(bool(neutral.problems) for neutral in neutrals)
 
-    assert reports(0.0) == reports(0.0, 0.8) == reports(0.0, 10) == 0
-    assert reports(0.1) <= 2
-    assert reports(0.33) >= 60
-    assert reports(0.45) >= 95
+    assert count_reports(0.0) == count_reports(0.0, 0.8) == count_reports(0.0, 10) == 0
+    assert count_reports(0.1) <= 2
+    assert count_reports(0.33) >= 60
+    assert count_reports(0.45) >= 95
 
 
 def test_reported_share_of_lost_pulses_is_about_right() -> None:
@@ -164,10 +160,10 @@ def test_excessive_noise_is_reported_with_its_size() -> None:
     assert text.startswith("At rest the noise is ±62.8 µs:")
 
 
-@modest
+@examples(40)
 @example(noise=20.0, seed=312)
 @given(noise=st.floats(0, 20), seed=st.integers(0, 2**32))
-def test_deadband_covers_noise_and_never_falls_below_floor(noise: float, seed: int) -> None:
+def test_deadband_covers_the_noise_and_its_lower_limit(noise: float, seed: int) -> None:
     neutral = neutral_of(Stick(noise=noise), seed)
     assert neutral.deadband >= max(neutral.noise, deadband_floor(InputSource.RC))
     if neutral.noise > LIMITS[InputSource.RC].noisy:
@@ -176,7 +172,7 @@ def test_deadband_covers_noise_and_never_falls_below_floor(noise: float, seed: i
         assert neutral.deadband <= max(deadband_floor(InputSource.RC), LIMITS[InputSource.RC].noisy)
 
 
-def test_deadband_that_is_wider_because_of_noise_is_explained() -> None:
+def test_deadband_widened_because_of_noise_is_explained() -> None:
     reason = "At rest its noise is ±"
     assert not any(reason in text for text in learn(Stick(noise=0.5)).reasons)
     assert any(reason in text for text in learn(Stick(noise=12)).reasons)

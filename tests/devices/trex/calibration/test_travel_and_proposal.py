@@ -26,10 +26,8 @@ from trex_gui.devices.trex.model.learning.problem_text import problem_text
 from trex_gui.devices.trex.protocol.calibration import Calibration, remap
 from trex_gui.devices.trex.protocol.flags import InputSource
 
-modest = examples(40)
-
-# The board repeats the last value while pulses are lost. A wild pulse before lost pulses would look
-# like an end that is held, so a stick has either wild or lost pulses.
+# The board repeats the last value while pulses are lost. An outlier before lost pulses would look
+# like an end that is held, so a stick has either outliers or lost pulses.
 sticks = st.builds(
     lambda stick, lost, spikes: replace(stick, **({"lost": lost} if lost else {"spikes": spikes})),
     st.builds(
@@ -57,7 +55,7 @@ def tolerance(stick: Stick) -> float:
     return 0.01 * (high - low) + 5 * max(1.0, stick.noise * stick.source.counts_per_unit)
 
 
-@modest
+@examples(40)
 @given(stick=sticks, seed=st.integers(0, 2**32))
 def test_ends_are_measured_within_one_percent_of_travel(stick: Stick, seed: int) -> None:
     calibration = learn_good_stick(stick, seed).calibration
@@ -69,7 +67,7 @@ def test_ends_are_measured_within_one_percent_of_travel(stick: Stick, seed: int)
     assert abs(calibration.neutral - neutral) <= max(1.0, 2.5 * stick.noise)
 
 
-@modest
+@examples(40)
 @given(stick=sticks, seed=st.integers(0, 2**32))
 def test_calibration_gives_full_output_at_ends_and_0_at_rest(stick: Stick, seed: int) -> None:
     proposal = learn_good_stick(stick, seed)
@@ -82,17 +80,20 @@ def test_calibration_gives_full_output_at_ends_and_0_at_rest(stick: Stick, seed:
     assert remap(round(neutral - noise), proposal.calibration) == 0
 
 
-@modest
-@given(stick=sticks, now=st.booleans(), seed=st.integers(0, 2**32))
-def test_reversed_is_suggested_when_forward_is_down(stick: Stick, now: bool, seed: int) -> None:
-    proposal = learn_good_stick(stick, seed, reversed_now=now)
+@examples(40)
+@given(stick=sticks, reversed_now=st.booleans(), seed=st.integers(0, 2**32))
+def test_reversed_is_suggested_when_forward_is_down(
+    stick: Stick, reversed_now: bool, seed: int
+) -> None:
+    proposal = learn_good_stick(stick, seed, reversed_now=reversed_now)
     assert proposal.reversed_ is stick.forward_is_down
     suggested = "should be reversed." if stick.forward_is_down else "should not be reversed."
-    assert proposal.reversed_reason.endswith(suggested if stick.forward_is_down != now else "")
-    assert bool(proposal.reversed_reason) is (stick.forward_is_down != now)
+    changes = stick.forward_is_down != reversed_now
+    assert proposal.reversed_reason.endswith(suggested if changes else "")
+    assert bool(proposal.reversed_reason) is changes
 
 
-@modest
+@examples(40)
 @given(low=st.floats(0.2, 1.5), high=st.floats(3.5, 4.8), seed=st.integers(0, 2**32))
 def test_analog_ends_are_measured_within_one_percent_of_travel(
     low: float, high: float, seed: int
@@ -105,7 +106,7 @@ def test_analog_ends_are_measured_within_one_percent_of_travel(
     assert 0 < maximum - calibration.maximum <= tolerance(stick)
 
 
-@modest
+@examples(40)
 @given(
     stick=st.builds(
         Stick,
@@ -167,7 +168,7 @@ def test_neutral_outside_travel_is_reported() -> None:
     assert [problem.kind for problem in travel.problems] == [ProblemKind.NEUTRAL_OUTSIDE]
 
 
-def test_outlier_pulses_do_not_extend_travel() -> None:
+def test_outliers_do_not_extend_the_travel() -> None:
     travel = travel_of(Stick(spikes=0.02), neutral_of(Stick()), seed=5)
     assert abs(travel.end(Way.UP) - 5000) <= 2
     assert abs(travel.end(Way.DOWN) - 2500) <= 2
@@ -186,12 +187,12 @@ def travel_of_counts(counts: list[int | None]) -> Travel:
     return travel
 
 
-def test_wild_pulse_before_lost_pulses_is_not_an_end() -> None:
-    """The board repeats the wild value for each lost pulse, for up to 100 ms."""
-    wild: list[int | None] = [*[5600] * 5, *[3750] * 20]
-    at_rest = travel_of_counts([*[3750] * 20, *wild])
+def test_outlier_before_lost_pulses_is_not_an_end() -> None:
+    """The board repeats the outlier for each lost pulse, for up to 100 ms."""
+    outlier: list[int | None] = [*[5600] * 5, *[3750] * 20]
+    at_rest = travel_of_counts([*[3750] * 20, *outlier])
     assert at_rest.end(Way.UP) == 3750
-    pushed = travel_of_counts([*[5000] * 15, *[2500] * 15, *wild])
+    pushed = travel_of_counts([*[5000] * 15, *[2500] * 15, *outlier])
     assert pushed.end(Way.UP) == 5000
     assert pushed.is_enough
 
@@ -249,7 +250,7 @@ def test_switch_resting_low_is_reversed_to_be_off_at_rest() -> None:
     assert proposal.calibration.problem() is None
 
 
-def test_three_position_switch_keeps_its_direction() -> None:
+def test_three_position_switch_retains_its_direction() -> None:
     proposal = learn(Stick(rest=1500, low=1100, high=1900), channel=4, reversed_now=True)
     assert proposal.problems == ()
     assert proposal.reversed_
@@ -278,7 +279,7 @@ def test_throttle_end_at_rest_is_set_to_the_input_limit() -> None:
     high = learn(HIGH_THROTTLE, channel=3).calibration
     assert low is not None
     assert high is not None
-    assert (low.minimum, high.maximum) == (1250, 6250), "0.5 and 2.5 ms"
+    assert (low.minimum, high.maximum) == (1250, 6250)  # 0.5 ms and 2.5 ms
 
 
 def test_analog_throttle_calibration_extends_beyond_its_rest() -> None:
@@ -292,7 +293,7 @@ def test_analog_throttle_calibration_extends_beyond_its_rest() -> None:
     assert remap(1023, calibration) < 127
 
 
-@modest
+@examples(40)
 @given(rest=st.floats(600, 2400), seed=st.integers(0, 2**32))
 def test_throttle_output_stays_low_just_beyond_the_rest(rest: float, seed: int) -> None:
     end = 2400.0 if rest < 1500 else 600.0
@@ -369,7 +370,7 @@ def test_switch_resting_at_its_switching_point_is_reported() -> None:
 # --- Sticks that are held off their rest position ---------------------------------------
 
 
-@modest
+@examples(40)
 @given(off=st.floats(0.1, 0.3), up=st.booleans(), seed=st.integers(0, 2**32))
 def test_stick_held_off_rest_while_sampled_is_reported(off: float, up: bool, seed: int) -> None:
     stick = Stick(noise=0.5)
@@ -387,7 +388,7 @@ def test_stick_held_off_rest_while_sampled_is_reported(off: float, up: bool, see
 
 
 @pytest.mark.parametrize("held", [1.0, -1.0, 0.7])
-def test_stick_held_off_rest_after_travel_keeps_neutral(held: float) -> None:
+def test_stick_held_off_rest_after_travel_retains_neutral(held: float) -> None:
     neutral = neutral_of(Stick())
     travel = travel_of(Stick(), neutral, moves=(*HOLD, (0.5, held), (0.5, held)))
     assert travel.settled is not None
@@ -405,11 +406,17 @@ def test_noisy_stick_settles_after_its_release() -> None:
 # --- Sticks with two axes ---------------------------------------------------------------
 
 
-@pytest.mark.parametrize("share", [0.2, 0.35, 0.5])
+@pytest.mark.parametrize("amplitude", [0.2, 0.35, 0.5])
 @pytest.mark.parametrize("forward_is_down", [False, True])
-def test_crosstalk_of_other_axis_does_not_change_reversal(
-    share: float, forward_is_down: bool
+def test_crosstalk_of_the_other_axis_does_not_affect_reversal(
+    amplitude: float, forward_is_down: bool
 ) -> None:
     stick = Stick(forward_is_down=forward_is_down)
-    crosstalk = ((0.2, -share), (0.3, -share), (0.3, share), (0.3, share), (0.2, 0.0))
+    crosstalk = (
+        (0.2, -amplitude),
+        (0.3, -amplitude),
+        (0.3, amplitude),
+        (0.3, amplitude),
+        (0.2, 0.0),
+    )
     assert learn(stick, moves=(*crosstalk, *HOLD)).reversed_ is forward_is_down

@@ -11,8 +11,6 @@ from trex_gui.core.errors import BadRequest
 from trex_gui.devices.trex.model.parameters.values import ParameterValues
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
 
-modest = examples(40)
-
 SPECS = parameters_of("trex", "1.2")
 TIMEOUT = SPECS["serial_timeout"]
 MODE = SPECS["motor_mode"]
@@ -141,7 +139,7 @@ def edited(edits: Edits) -> tuple[ParameterValues, dict[str, int]]:
     return values, expected
 
 
-@modest
+@examples(40)
 @given(edits)
 def test_pending_equals_the_difference_after_any_edits(edits: Edits) -> None:
     values, expected = edited(edits)
@@ -151,7 +149,7 @@ def test_pending_equals_the_difference_after_any_edits(edits: Edits) -> None:
     assert values.stored == FACTORY
 
 
-@modest
+@examples(40)
 @given(edits)
 def test_no_edit_is_pending_after_all_are_written(edits: Edits) -> None:
     values, _ = edited(edits)
