@@ -234,7 +234,7 @@ def test_next_test_can_start_right_after_release(driving: BenchSetup) -> None:
 
 
 def aborted(setup: BenchSetup) -> Run:
-    """Wait until the test is aborted, the motor stopped and the motors disarmed."""
+    """Wait until the test is aborted, the motor is stopped and the motors are disarmed."""
     run = setup.result()
     setup.until(lambda: setup.speed() == 0)
     assert run.end is End.ABORTED
@@ -301,7 +301,7 @@ def test_channel_takeover_aborts_the_test(qtbot: QtBot, start_simulator: StartSi
     for channel in (1, 2, 3, 4, 5):
         setup.simulator.do(f"channel {channel} 1500us")
     setup.until(lambda: not setup.simulator.show()["safe_start"])
-    setup.simulator.do("channel 5 1000us")  # hands the motors to the serial port
+    setup.simulator.do("channel 5 1000us")  # lets the serial port control the motors
     setup.connect()
     setup.until(lambda: setup.device.motors.is_available)
     setup.arm()

@@ -93,7 +93,7 @@ def test_current_unit_follows_another_model_on_the_same_line() -> None:
     jr = replace(STATE, signature=Signature(device_table().model("trexjr"), "1.2"))
     device.connection.device_read.emit(Connected(jr, False, ReadReason.RESTARTED, link))
     assert device.telemetry.ampere == pytest.approx(0.04)
-    runtime().sleep(1.0)  # the files of the board are read
+    runtime().sleep(1.0)  # reading the files of the board ends
 
 
 # --- Pending factory reset --------------------------------------------------------------

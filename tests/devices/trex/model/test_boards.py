@@ -54,10 +54,10 @@ class LineHarness:
         self.device.connect_to(ConnectionSettings(self.simulator.url, device_number=number))
         self.wait(lambda: self.device.is_connected and self.device.motors.is_available)
 
-    def connect_known(self, number: int, *others: int) -> None:
-        """Connect to a board. An earlier scan has found it and the other boards."""
+    def connect_known(self, number: int, *known: int) -> None:
+        """Connect to a board. An earlier scan has found it and the `known` boards."""
         key = f"boards/{quote(self.simulator.url, safe='')}"
-        Preferences().set(key, ",".join(map(str, (number, *others))))
+        Preferences().set(key, ",".join(map(str, (number, *known))))
         self.connect(number)
 
     def wait(self, condition: Callable[[], object]) -> None:
@@ -77,7 +77,7 @@ class LineHarness:
         self.wait(lambda: done)
 
     def stored(self, key: str) -> list[int]:
-        """Return a stored value of each board."""
+        """Return the stored value of a parameter of each board."""
         return [board.eeprom[key] for board in self.line.boards]
 
     def show(self, number: int) -> dict[str, Any]:
@@ -270,7 +270,7 @@ def test_selecting_another_board_ends_held_controls(new_line: NewLine) -> None:
         return any(motor["direction"] != "brake" for motor in harness.show(number)["motors"])
 
     def hold_gamepad() -> None:
-        gamepad.switch_on()  # a selection switches it off
+        gamepad.switch_on()  # selecting a board switches the gamepad off
         harness.wait(lambda: gamepad.text.startswith("Hold"))
         pads.press(4)
         harness.wait(lambda: gamepad.request.drives)

@@ -1,4 +1,4 @@
-"""Sentences about one channel."""
+"""Texts about a channel."""
 
 from typing import Any
 

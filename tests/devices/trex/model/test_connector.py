@@ -72,9 +72,8 @@ def scanner_is_idle(scanner: DeviceScanner) -> bool:
 
 
 def test_scan_sends_only_to_one_number_on_a_shared_line(
-    setup: ConnectorSetup, quick_simulator: SimulatedDevice
+    setup: ConnectorSetup, quick_simulator: VirtualSimulator
 ) -> None:
-    assert isinstance(quick_simulator, VirtualSimulator)
     shared = ConnectionSettings("", LineSettings(57600), 7, reserved=frozenset({0, 1}))
     sent = bytearray()
     quick_simulator.on_write = sent.extend
@@ -111,9 +110,8 @@ def test_reserved_numbers_survive_the_selection_of_a_port(setup: ConnectorSetup)
 
 
 def test_saved_number_of_another_device_opens_no_port(
-    setup: ConnectorSetup, quick_simulator: SimulatedDevice
+    setup: ConnectorSetup, quick_simulator: VirtualSimulator
 ) -> None:
-    assert isinstance(quick_simulator, VirtualSimulator)
     sent = bytearray()
     quick_simulator.on_write = sent.extend
     shared = ConnectionSettings("", LineSettings(57600), 7, reserved=frozenset({7}))
@@ -204,7 +202,7 @@ def test_port_selected_while_the_simulator_starts_is_opened(
     assert setup.device.settings.url == quick_simulator.url
 
 
-def test_disconnecting_while_the_simulator_starts_cancels(setup: ConnectorSetup) -> None:
+def test_disconnecting_cancels_the_start_of_a_connection(setup: ConnectorSetup) -> None:
     setup.connector.connect_to(setup.ports.demo_of("trex"))
     setup.connector.disconnect_device()
     assert setup.connector.port is None

@@ -200,7 +200,7 @@ def test_restored_signal_returns_to_the_stick_position(board: RecordingDemoBoard
     board.set_automatic(True)
     board.set_mix(True)
     board.wait(lambda: snapshot_of(board).jumpers.mix)
-    assert not snapshot_of(board).channels[0].has_signal, "moving sticks do not restore it"
+    assert not snapshot_of(board).channels[0].has_signal, "moving sticks do not restore the signal"
     board.set_silent(1, False)
     board.wait(lambda: snapshot_of(board).channels[0].raw is not None)
     assert 1 in board.automatic

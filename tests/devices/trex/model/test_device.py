@@ -18,7 +18,7 @@ LEARNED = Calibration(2400, 3700, 5100, 80)
 
 
 class DeviceRecorder:
-    """Device that records its link states, failures and results, and a simulated board."""
+    """Device with a simulated board. Records link states, failures and results."""
 
     def __init__(self, qtbot: QtBot, simulator: SimulatedDevice) -> None:
         self.simulator = simulator
@@ -289,8 +289,8 @@ def test_line_is_closed_before_another_is_opened(
     connected: DeviceRecorder, start_simulator: StartSimulator
 ) -> None:
     connected.edit("serial_timeout", 15)
-    other = start_simulator("--model", "trexjr")
-    connected.connect(other.url, reconnect=True)
+    second = start_simulator("--model", "trexjr")
+    connected.connect(second.url, reconnect=True)
     assert connected.links == [
         ConnectionState.CONNECTING,
         ConnectionState.CONNECTED,
@@ -302,18 +302,18 @@ def test_line_is_closed_before_another_is_opened(
     assert connected.device.state.signature.model.key == "trexjr"
     assert connected.device.parameters.values.pending == ()
     assert connected.failures == []
-    second = DeviceRecorder(connected.qtbot, connected.simulator)
-    second.connect(connected.simulator.url)  # the line is closed
-    second.until(second.device.shut_down)
+    recorder = DeviceRecorder(connected.qtbot, connected.simulator)
+    recorder.connect(connected.simulator.url)  # the first line is closed
+    recorder.until(recorder.device.shut_down)
 
 
 def test_last_of_several_selected_ports_is_connected(
     connected: DeviceRecorder, start_simulator: StartSimulator
 ) -> None:
-    other = start_simulator("--model", "trexjr")
+    second = start_simulator("--model", "trexjr")
     connected.device.connect_to(ConnectionSettings("/dev/ttyNothing9"))
-    connected.connect(other.url, reconnect=True)
-    assert connected.device.settings == ConnectionSettings(other.url)
+    connected.connect(second.url, reconnect=True)
+    assert connected.device.settings == ConnectionSettings(second.url)
     assert connected.failures == []
 
 

@@ -54,6 +54,10 @@ class RecorderSetup:
     def wait(self, condition: Callable[[], bool]) -> None:
         self.qtbot.waitUntil(condition)
 
+    def pass_time(self, seconds: float) -> None:
+        end = now() + seconds
+        self.wait(lambda: now() > end)
+
     def start_recording(self, path: Path, samples: int = 50) -> None:
         """Start a recording, and wait for more than this number of samples."""
         assert self.recorder.start(path)
@@ -77,14 +81,13 @@ def test_recording_has_every_sample_while_no_window_is_visible(
 ) -> None:
     session.device.set_visible(False)
     session.recorder.start(tmp_path / "hidden.trexrec")
-    start = now()
-    session.wait(lambda: now() > start + 3)
+    session.pass_time(3)
     session.end_recording()
     assert sum(isinstance(sample, Currents) for sample in session.samples) > 3 * 70
 
     session.samples.clear()
-    start, count = now(), session.device.telemetry.samples
-    session.wait(lambda: now() > start + 3)
+    count = session.device.telemetry.samples
+    session.pass_time(3)
     assert session.device.telemetry.samples - count < 3 * 60
 
 
@@ -173,7 +176,7 @@ def test_recording_continues_while_the_board_is_unresponsive(
     assert len(records_of(tmp_path / "a.trexrec")) >= count + 50
 
 
-def test_full_disk_fails_the_recording_but_not_the_connection(
+def test_full_disk_ends_the_recording_but_not_the_connection(
     session: RecorderSetup, tmp_path: Path, full_disk: None
 ) -> None:
     with session.qtbot.waitSignal(session.recorder.failed) as failed:
@@ -188,10 +191,10 @@ def test_recording_is_committed_every_second(session: RecorderSetup, tmp_path: P
     path = tmp_path / "a.trexrec"
     session.start_recording(path)
     start = now()
-    session.wait(lambda: now() > start + 1)
+    session.pass_time(1)
     copies = [tmp_path / f"copy{suffix}" for suffix in (".trexrec", ".trexrec-wal")]
     for suffix, copy in zip(("", "-wal"), copies, strict=True):
-        shutil.copy(f"{path}{suffix}", copy)  # as after a power failure
+        shutil.copy(f"{path}{suffix}", copy)  # like the files after a power failure
     recording = open_recording(copies[0])
     last = recording.read(recording.count - 20, recording.count)[-1]
     recording.close()
@@ -208,14 +211,10 @@ class AutomaticRecordings:
         self.files: list[Path] = []
         self.recorder.ended.connect(self.files.append)
 
-    def wait(self, seconds: float) -> None:
-        end = now() + seconds
-        self._session.wait(lambda: now() > end)
-
     def drive(self) -> None:
         self._session.device.motors.arm()
         self._session.device.motors.set_speed(1, 40)
-        self.wait(1)
+        self._session.pass_time(1)
 
     def newest(self, count: int) -> tuple[Path, list[Record]]:
         """Wait for this number of recordings, and return the newest."""
@@ -245,10 +244,10 @@ def test_seconds_around_a_stop_are_recorded(
     motors.press_stop()  # the motors are at rest, so nothing is recorded
     session.wait(lambda: not motors.locked_for)
     automatic.drive()
-    automatic.wait(3)
+    session.pass_time(3)
     stopped = now()
     motors.press_stop()
-    automatic.wait(1)
+    session.pass_time(1)
     session.simulator.do("fault 1 on")  # within the same seconds
 
     path, records = automatic.newest(1)
@@ -266,13 +265,13 @@ def test_seconds_around_a_stop_are_recorded(
     file.close()
 
 
-def test_no_automatic_recording_during_another_or_if_off(
+def test_stop_is_not_recorded_during_a_recording_or_if_off(
     session: RecorderSetup, automatic: AutomaticRecordings, tmp_path: Path
 ) -> None:
     session.recorder.start(tmp_path / "user.trexrec")
     automatic.drive()
     session.device.motors.press_stop()
-    automatic.wait(1)
+    session.pass_time(1)
     assert not automatic.recorder.recording
     session.end_recording()
 
@@ -280,7 +279,7 @@ def test_no_automatic_recording_during_another_or_if_off(
     session.wait(lambda: not session.device.motors.locked_for)
     automatic.drive()
     session.device.motors.press_stop()
-    automatic.wait(1)
+    session.pass_time(1)
     assert not automatic.recorder.recording
     assert not EventRecorder(session.device, session.recorder).is_on
 
@@ -288,7 +287,7 @@ def test_no_automatic_recording_during_another_or_if_off(
 def test_fault_is_recorded_if_the_line_closes_at_once(
     session: RecorderSetup, automatic: AutomaticRecordings
 ) -> None:
-    automatic.wait(2)
+    session.pass_time(2)
     session.simulator.do("fault 2 on")
     session.wait(lambda: bool(session.device.board.errors.recent(2, now())))
     session.device.disconnect_line()
@@ -307,7 +306,7 @@ def test_errors_from_before_the_connection_start_no_recording(
     session.connect()
     session.wait(lambda: any(entry.is_earlier for entry in session.device.board.errors.entries))
     assert not session.device.board.errors.recent(2, now())
-    automatic.wait(1)
+    session.pass_time(1)
     assert not automatic.recorder.recording
 
 

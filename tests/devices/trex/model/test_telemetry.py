@@ -93,7 +93,9 @@ def test_text_is_updated_less_often_than_a_frame(telemetry: Telemetry) -> None:
     assert times == [frame / 64 for frame in frames]
 
 
-def test_text_is_updated_at_once_around_cleared_values(telemetry: Telemetry, qtbot: QtBot) -> None:
+def test_text_is_updated_at_once_after_values_are_cleared(
+    telemetry: Telemetry, qtbot: QtBot
+) -> None:
     feed(telemetry, Raw(1.0, (1, 2, 3, 4, 5)))
     with qtbot.waitSignal(telemetry.text_due):
         telemetry.report_cleared()

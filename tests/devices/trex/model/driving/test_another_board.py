@@ -64,10 +64,10 @@ class DrivenBoard:
         self.wait(self.is_ready)
         self.wait(lambda: not self.device.may_move)
 
-    def replace_board(self, other: VirtualSimulator) -> None:
+    def replace_board(self, new: VirtualSimulator) -> None:
         """Plug another board into the open port."""
         self.unplug(self.board)
-        self.plug(other)
+        self.plug(new)
 
     def wait_for(self, link: ConnectionState) -> None:
         self.wait(lambda: self.device.link is link)
@@ -122,9 +122,9 @@ def test_another_model_does_not_confirm_the_stop(driven: DrivenBoard, start: Sta
 
 
 def test_different_stored_settings_suggest_another_board(driven: DrivenBoard, start: Start) -> None:
-    other = start()
-    other.do("eeprom serial_timeout 7")
-    driven.replace_board(other)
+    second = start()
+    second.do("eeprom serial_timeout 7")
+    driven.replace_board(second)
     assert driven.errors[-1].startswith("This may be another board: TReX 1.2, at ")
     assert driven.closing_text() == warning_of(driven)
 
@@ -136,7 +136,7 @@ def test_board_with_equal_settings_counts_as_the_same_board(
     assert driven.closing_text() == ""
 
 
-def test_restart_with_a_moved_jumper_means_no_other_board(driven: DrivenBoard) -> None:
+def test_moved_jumper_does_not_mean_another_board(driven: DrivenBoard) -> None:
     driven.board.do("power off")
     driven.wait_for(ConnectionState.NOT_RESPONDING)
     driven.board.do("jumper mode analog")
@@ -145,13 +145,11 @@ def test_restart_with_a_moved_jumper_means_no_other_board(driven: DrivenBoard) -
     assert driven.closing_text() == ""
 
 
-def test_driven_board_is_stopped_when_it_is_plugged_in_again(
-    driven: DrivenBoard, start: Start
-) -> None:
-    other = start("--model", "trexjr")
-    driven.replace_board(other)
+def test_replugged_driven_board_is_stopped(driven: DrivenBoard, start: Start) -> None:
+    second = start("--model", "trexjr")
+    driven.replace_board(second)
     assert driven.runs(driven.board)
-    driven.unplug(other)
+    driven.unplug(second)
     may_move: list[bool] = []
     device = driven.device
     device.motors.stop_requested.connect(lambda: may_move.append(device.may_move))
@@ -172,19 +170,17 @@ def test_driven_board_at_another_port_is_stopped(driven: DrivenBoard, start: Sta
     assert driven.closing_text() == ""
 
 
-def test_stop_of_a_board_before_it_is_read_does_not_count(
-    driven: DrivenBoard, start: Start
-) -> None:
+def test_stop_before_the_board_is_read_does_not_count(driven: DrivenBoard, start: Start) -> None:
     driven.unplug(driven.board)
     driven.unpowered.move_cable_to(start())
     assert "not confirmed" in driven.closing_text()
 
 
 def test_another_board_after_a_lost_line_is_reported(driven: DrivenBoard, start: Start) -> None:
-    other = start("--model", "trexjr")
+    second = start("--model", "trexjr")
     driven.lose(driven.board)
     assert driven.device.may_move
-    driven.connect(other.url)
+    driven.connect(second.url)
     assert driven.errors[-1].endswith(warning_of(driven))
     assert driven.closing_text() == warning_of(driven)
 

@@ -43,7 +43,7 @@ def test_report_shows_speeds_that_channel_5_overrides(
 ) -> None:
     rc_board.do("channel 1 1900us")
     rc_board.do("channel 3 1100us")
-    rc_board.do("channel 5 1000us")  # hands the motors to the serial port
+    rc_board.do("channel 5 1000us")  # lets the serial port control the motors
     qtbot.waitUntil(lambda: "channel 1 at +" in report_text(rc_device, 1))
     assert report_text(rc_device, 2) == "channel 2 at 0 (overridden)"
     assert report_text(rc_device, 3) == "channel 3 at +99 (overridden)"

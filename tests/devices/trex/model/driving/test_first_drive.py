@@ -105,7 +105,7 @@ def test_ceiling_of_another_board_is_low_at_first(qtbot: QtBot) -> None:
     assert motors.ceiling == FULL_SCALE
 
 
-def test_keys_gamepad_and_link_are_switched_off_for_another_board(qtbot: QtBot) -> None:
+def test_keys_gamepad_and_link_are_off_for_another_board(qtbot: QtBot) -> None:
     device = Device()
     motors, gamepad = device.motors, Gamepad(device, HeldPads(PAD))
     page = QWidget()

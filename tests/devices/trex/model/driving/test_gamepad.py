@@ -21,7 +21,7 @@ OTHER = replace(PAD, ident=2, guid="b" * 32, name="Other pad")
 
 
 class GamepadSetup:
-    """Gamepad that drives the motors of a device, and the reasons of its stops."""
+    """Gamepad that drives the motors of a device, and the reasons for its stops."""
 
     def __init__(self, qtbot: QtBot) -> None:
         self.qtbot = qtbot
@@ -75,7 +75,7 @@ def test_held_button_and_moved_stick_drive_the_motors(setup: GamepadSetup) -> No
     assert setup.gamepad.drives
 
 
-def test_releasing_the_button_brakes_and_keeps_motors_armed(setup: GamepadSetup) -> None:
+def test_releasing_the_button_brakes_without_disarming(setup: GamepadSetup) -> None:
     setup.drive_forward()
     setup.pads.release(HOLD)
     braking = [Drive.brake(), Drive.brake()]

@@ -113,9 +113,9 @@ def test_adapter_is_recognized_at_another_port(lost: LostBoard, adapter: str) ->
     lost.device.motors.adapter = adapter
     lost.lose_and_reconnect(new_port="/virtual/another")
     assert ("timeoutFailed" in lost.answers) is bool(adapter)
-    doubts = [text for text in errors if "if it is another board, cut the power" in text]
-    assert bool(doubts) is not bool(adapter)
-    assert all(lost.board.url in text for text in doubts)
+    warnings = [text for text in errors if "if it is another board, cut the power" in text]
+    assert bool(warnings) is not bool(adapter)
+    assert all(lost.board.url in text for text in warnings)
     assert not lost.device.may_move
 
 

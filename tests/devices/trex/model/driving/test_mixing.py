@@ -51,7 +51,7 @@ def test_mixed_speeds_have_the_directions_of_the_board(forward: float, turn: flo
 @given(forward=FRACTION, turn=FRACTION)
 def test_mixing_retains_the_speed_ratio_when_limited(forward: float, turn: float) -> None:
     left, right = mix(forward, turn)
-    # Rounding changes the ratio of the speeds by little.
+    # Rounding changes the ratio of the speeds slightly.
     assert abs(left * (forward - turn) - right * (forward + turn)) <= 2
 
 

@@ -51,7 +51,7 @@ class LearningSetup:
         self._qtbot.waitUntil(condition, timeout=timeout)
 
     def until_step(self, step: LearningStep) -> None:
-        """Wait for a step. Repeat while a stop is not confirmed."""
+        """Wait for a step. Repeat the previous step while its stop is not confirmed."""
 
         def is_reached() -> bool:
             learning = self.learning
@@ -81,7 +81,7 @@ class LearningSetup:
         self.until_step(LearningStep.TRAVEL)
 
     def push_all(self) -> None:
-        """Hold every stick at each end until measured, then release it."""
+        """Push every stick to both ends, hold it there, and release it."""
         for position in (1.0, -1.0):
             for channel in self.transmitter.sticks:
                 self.transmitter.put(channel, position)
@@ -157,7 +157,7 @@ def test_running_motors_are_stopped_before_learning(setup: LearningSetup) -> Non
     assert setup.simulator.show()["motors"][0]["target_direction"] == "brake"
 
 
-def test_unconfirmed_stop_fails_learning(setup: LearningSetup) -> None:
+def test_learning_fails_if_the_stop_is_unconfirmed(setup: LearningSetup) -> None:
     setup.simulator.do("line mute on")
     setup.learning.start((1,))
     setup.until_step(LearningStep.FAILED)
@@ -177,7 +177,7 @@ def test_learning_fails_in_a_mode_in_which_sticks_drive(
     assert remedy in setup.learning.problem
 
 
-def test_learning_fails_permanently_while_channels_control(setup: LearningSetup) -> None:
+def test_learning_fails_while_the_channels_are_in_control(setup: LearningSetup) -> None:
     """The known mode may be outdated after a short power cut."""
     setup.device.telemetry.newest.update(Control(now(), by_serial=False))
     steps: list[LearningStep] = []
@@ -269,7 +269,7 @@ def test_review_curves_follow_stick_and_selected_values(setup: LearningSetup) ->
     assert second.curve_before == before
 
 
-def test_restart_in_another_mode_fails_learning(setup: LearningSetup) -> None:
+def test_learning_fails_after_a_restart_in_another_mode(setup: LearningSetup) -> None:
     setup.go_to_travel()
     setup.simulator.do("jumper mode rc")
     setup.simulator.do("power cycle")

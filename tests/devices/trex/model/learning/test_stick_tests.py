@@ -14,7 +14,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.ui.devices.connection import ConnectionState
 
 THROTTLE = Calibration(minimum=2600, neutral=2750, maximum=4730, deadband=75)
-"""Calibration of a stick that rests at 1100 µs. Only its trim goes below."""
+"""Calibration of a stick that rests at 1100 µs. Only the trim gives lower values."""
 
 CENTER = 3750
 LINEAR = ChannelCurve(Calibration(CENTER - FULL_SCALE, CENTER, CENTER + FULL_SCALE, 0))
@@ -32,7 +32,7 @@ class Sticks:
         self._widths: dict[int, float | None] = dict(REST)
 
     def hold(self, channel: int | None = None, width: float | None = 1500.0) -> None:
-        """Hold a channel at a pulse width for 0.6 s, or only wait."""
+        """Hold a channel at a pulse width for 0.6 s. Without a channel, only wait."""
         if channel is not None:
             self._widths[channel] = width
         counts = [None if width is None else round(width * 2.5) for width in self._widths.values()]
@@ -178,7 +178,7 @@ def test_stick_test_of_only_ignored_channels_never_passes(connect: Callable[...,
     assert not inputs.passed()
 
 
-def test_test_without_samples_reports_no_signal() -> None:
+def test_stick_test_without_samples_reports_no_signal() -> None:
     test = StickTest(4)
     assert not any((test.on, test.off, test.is_at_rest, test.forward, test.reverse))
     assert test.text == "No signal."
@@ -221,12 +221,12 @@ def test_stick_passes_after_both_ends_and_rest() -> None:
 
 
 def switch_held_at(*phases: tuple[bool, int]) -> StickTest:
-    """Return a test of phases (channel 4 is active, number of samples)."""
+    """Return a test of phases (position of channel 4 is active, number of samples)."""
     counts = {True: CENTER - FULL_SCALE, False: CENTER + FULL_SCALE}
     return stick_test(4, LINEAR, *((counts[active], samples) for active, samples in phases))
 
 
-def test_single_wild_pulses_do_not_switch() -> None:
+def test_single_outliers_do_not_operate_the_switch() -> None:
     pulses = ((CENTER, 9), (CENTER - FULL_SCALE, 1)) * 6
     test = stick_test(5, LINEAR, *pulses)
     assert (test.off, test.on) == (True, False)

@@ -1,4 +1,4 @@
-"""Backup of edits that are not applied yet, across crashes."""
+"""Backup of unapplied edits for the next start."""
 
 import itertools
 from collections.abc import Callable, Iterator
@@ -172,10 +172,10 @@ def test_undecided_edits_stay_saved_with_new_edits(run: Start) -> None:
 def test_edits_of_a_board_are_offered_when_it_is_connected_again(
     run: Start, quick_simulator: SimulatedDevice, start_simulator: StartSimulator
 ) -> None:
-    other = start_simulator("--unpaced", "--model", "trexjr")
+    second_board = start_simulator("--unpaced", "--model", "trexjr")
     first = run()
     first.edit(serial_timeout=15)
-    first.connect(other.url)
+    first.connect(second_board.url)
     assert first.draft.pending == 0
     assert first.backup.offer is None
     first.edit(serial_timeout=9)
@@ -183,7 +183,7 @@ def test_edits_of_a_board_are_offered_when_it_is_connected_again(
     assert first.offered == {"serial_timeout": 15}
     first.backup.restore()
     first.settle()
-    first.connect(other.url)
+    first.connect(second_board.url)
     assert first.offered == {"serial_timeout": 9}
 
 
@@ -194,8 +194,8 @@ def test_no_edit_is_lost_if_another_model_replies_during_apply(
     start_simulator: StartSimulator,
     packets: int,
 ) -> None:
-    other = start_simulator("--unpaced", "--model", "trexjr")
-    assert isinstance(other, VirtualSimulator)
+    second_board = start_simulator("--unpaced", "--model", "trexjr")
+    assert isinstance(second_board, VirtualSimulator)
     first = run()
     edits = {"serial_timeout": 15, "motor1_acceleration": 3, "motor2_acceleration": 4}
     first.edit(**edits)
@@ -204,7 +204,7 @@ def test_no_edit_is_lost_if_another_model_replies_during_apply(
     def exchange_boards(_data: bytes) -> None:
         if next(sent) == packets:
             quick_simulator.on_write = lambda _data: None
-            quick_simulator.move_cable_to(other)
+            quick_simulator.move_cable_to(second_board)
 
     first.device.writer.apply()
     quick_simulator.on_write = exchange_boards
@@ -234,8 +234,8 @@ def test_edits_are_not_offered_to_a_board_with_another_number(
     run: Start, start_simulator: StartSimulator
 ) -> None:
     run().edit(serial_timeout=15)
-    other = start_simulator("--unpaced", "--device", "9")
-    assert run(other.url).offered == {}
+    second_board = start_simulator("--unpaced", "--device", "9")
+    assert run(second_board.url).offered == {}
     assert run().offered == {"serial_timeout": 15}
 
 

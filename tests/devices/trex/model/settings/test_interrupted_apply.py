@@ -58,7 +58,7 @@ class InterruptedApply:
         self.after = dict(self.before.parameters) | EDITS
 
     def disturb(self, step: int, act: Callable[[], object]) -> None:
-        """Apply, and disturb it when a step is reached."""
+        """Apply the edits. Call `act` when a step is reached."""
         done: list[int] = []
 
         def on_progressed(current: int, _total: int, _text: str) -> None:
@@ -107,7 +107,7 @@ class InterruptedApply:
         assert (CHANNEL in channels) == (self.device.calibrations.stored(CHANNEL) != LEARNED)
 
     def finish(self) -> None:
-        """Apply again. Check that only the edits have changed."""
+        """Apply the pending edits. Check that nothing else has changed."""
         if self.device.draft.pending:
             results = self.recorder.apply()
             assert [result.error for result in results] == [None] * len(results)

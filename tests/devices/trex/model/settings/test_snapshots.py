@@ -203,6 +203,5 @@ def test_name_and_note_are_edited_in_the_table(table: HistoryTable) -> None:
         finish()
         assert text(table, 0, column) == value
     assert not table.flags(table.index(0, SnapshotColumn.BOARD)) & Qt.ItemFlag.ItemIsEditable
-    assert not table.setData(table.index(0, SnapshotColumn.NAME), "contest"), (
-        "the name is unchanged"
-    )
+    name = table.index(0, SnapshotColumn.NAME)
+    assert not table.setData(name, "contest"), "the name is unchanged"

@@ -299,7 +299,7 @@ def test_pulse_is_blocked(robot: Robot, case: str) -> None:
     assert robot.speeds()[0] == 0
 
 
-def test_no_pulse_is_sent_after_the_board_was_silent(robot: Robot) -> None:
+def test_pulses_do_not_continue_after_the_board_was_silent(robot: Robot) -> None:
     robot.go_to(SetupStep.MOTORS)
     robot.arm()
     assert robot.setup.pulses.start(1)
@@ -334,8 +334,8 @@ def test_answers_are_cleared_for_another_model(
     setup.select_preset(Preset.TANK)
     setup.rises.update({1: True, 2: True})
     setup.record_movement(1, Movement.LEFT_FORWARD)
-    other = start_simulator("--unpaced", "--model", "trexjr")
-    robot.device.connect_to(ConnectionSettings(other.url))
+    second = start_simulator("--unpaced", "--model", "trexjr")
+    robot.device.connect_to(ConnectionSettings(second.url))
     robot.wait(lambda: robot.device.parameters.model_key == "trexjr")
     assert setup.current_limit is None
     assert setup.preset is None
