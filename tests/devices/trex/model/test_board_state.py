@@ -102,7 +102,7 @@ DraftAfter = Callable[[WriteResult], SettingsDraft]
 
 
 @pytest.fixture
-def written(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> DraftAfter:
+def draft_after(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> DraftAfter:
     """Return a function that writes with this result and returns the draft."""
     devices = []
 
@@ -120,12 +120,12 @@ def written(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> DraftAfter:
     return write
 
 
-def test_accepted_reset_is_pending_until_the_next_start(written: DraftAfter) -> None:
-    assert not written(WriteResult("factory_reset", error=NoReply("x"))).reset_pending
-    assert not written(WriteResult("motor_mode", 1)).reset_pending
+def test_accepted_reset_is_pending_until_the_next_start(draft_after: DraftAfter) -> None:
+    assert not draft_after(WriteResult("factory_reset", error=NoReply("x"))).reset_pending
+    assert not draft_after(WriteResult("motor_mode", 1)).reset_pending
     changed = replace(STATE, parameters={**STATE.parameters, "motor_mode": 1})
     for state, power_cycled in ((STATE, True), (changed, False)):
-        draft = written(WriteResult("factory_reset", 1))
+        draft = draft_after(WriteResult("factory_reset", 1))
         draft.set_state(STATE, None, power_cycled=False)
         assert draft.reset_pending
         draft.set_state(state, None, power_cycled=power_cycled)

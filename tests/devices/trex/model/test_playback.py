@@ -68,17 +68,20 @@ def loaded(path: Path, qtbot: QtBot) -> Playback:
     return playback
 
 
+PlaybackOf = Callable[..., Playback]
+
+
 @pytest.fixture
-def play(tmp_path: Path, qtbot: QtBot) -> Iterator[Callable[..., Playback]]:
-    """Return a function that records its arguments and loads the recording."""
+def playback_of(tmp_path: Path, qtbot: QtBot) -> Iterator[PlaybackOf]:
+    """Return a function that writes records to a file and opens it for playback."""
     playbacks: list[Playback] = []
 
-    def play(*records: Record) -> Playback:
+    def playback_of(*records: Record) -> Playback:
         write(tmp_path / "a.trexrec", list(records))
         playbacks.append(loaded(tmp_path / "a.trexrec", qtbot))
         return playbacks[-1]
 
-    yield play
+    yield playback_of
     for playback in playbacks:
         playback.close()
 
@@ -112,11 +115,11 @@ def test_seeking_gives_the_same_state_as_sequential_reading(minute: Playback) ->
         assert minute.state() == expected[second]
 
 
-def test_late_marker_does_not_disturb_seeking(play: Callable[..., Playback]) -> None:
+def test_late_marker_does_not_disturb_seeking(playback_of: PlaybackOf) -> None:
     """A marker may be recorded after its time, even at the start of a chunk."""
     control: list[Record] = [Control(T0 + n, by_serial=n % 2 == 0) for n in range(2 * CHUNK)]
     control[CHUNK] = Marker(T0 + 5, "fault", "recorded late")
-    playback = play(*control)
+    playback = playback_of(*control)
     for second in (3, CHUNK - 3, CHUNK - 2, CHUNK + 3):
         assert playback.state_at(T0 + second)[Control].by_serial == (second % 2 == 0)
 
@@ -130,8 +133,8 @@ def test_traces_have_every_pair_of_currents(minute: Playback) -> None:
     assert minute.traces.value_at("motor2_current", minute.end) == currents[-1].counts[1] * unit
 
 
-def test_traces_have_channels_and_setpoints(play: Callable[..., Playback]) -> None:
-    playback = play(
+def test_traces_have_channels_and_setpoints(playback_of: PlaybackOf) -> None:
+    playback = playback_of(
         Currents(T0, (0, 0)),
         Remapped(T0 + 0.01, (1, 2, 3, 4, -5)),
         SetpointRecord(T0 + 0.02, 2, Drive.at(-70)),
@@ -151,9 +154,9 @@ def test_traces_have_channels_and_setpoints(play: Callable[..., Playback]) -> No
     assert playback.state().setpoints == {}
 
 
-def test_settings_follow_the_position_and_events_are_sorted(play: Callable[..., Playback]) -> None:
+def test_settings_follow_the_position_and_events_are_sorted(playback_of: PlaybackOf) -> None:
     later = "product: TReX\nmotor1_current_limit: 20\n"
-    playback = play(
+    playback = playback_of(
         Marker(T0 + 1, "apply", "Apply: Motor 1 Current Limit"),
         SettingsSnapshot(T0 + 1.1, later),
         Marker(T0 + 2, "kind of a later version", "something"),
@@ -221,8 +224,8 @@ def test_span_is_exported_as_csv_or_fails_with_a_reason(
     assert not minute.is_busy
 
 
-def test_empty_recording_can_be_opened(play: Callable[..., Playback]) -> None:
-    playback = play()
+def test_empty_recording_can_be_opened(playback_of: PlaybackOf) -> None:
+    playback = playback_of()
     assert playback.position == playback.end == T0
     assert playback.state() == BoardSnapshot.at_start(HEADER)
 
@@ -336,10 +339,10 @@ def test_read_error_is_reported(tmp_path: Path, qtbot: QtBot) -> None:
 
 
 def test_only_the_last_samples_of_a_long_recording_are_drawn(
-    play: Callable[..., Playback], monkeypatch: pytest.MonkeyPatch
+    playback_of: PlaybackOf, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("trex_gui.devices.trex.model.playback.MAX_ROWS", 1000)
-    playback = play(*an_hour(30))
+    playback = playback_of(*an_hour(30))
     currents = [record for record in an_hour(30) if isinstance(record, Currents)]
     assert playback.drawn == (1000, len(currents))
     times, _ = playback.traces.samples(playback.start, playback.end)

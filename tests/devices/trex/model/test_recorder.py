@@ -364,9 +364,9 @@ def test_recording_distinguishes_two_boards(
     device.shut_down()
     recording = open_recording(path)
     records = recording.read(1, recording.count)
-    of_second = [record for record in records if isinstance(record, OfBoardRecord)]
-    assert {record.board for record in of_second} == {9}
-    assert any(isinstance(record.record, SetpointRecord) for record in of_second)
+    second_board = [record for record in records if isinstance(record, OfBoardRecord)]
+    assert {record.board for record in second_board} == {9}
+    assert any(isinstance(record.record, SetpointRecord) for record in second_board)
     assert any(isinstance(record, Currents) for record in records)
     export = tmp_path / "both.csv"
     export_span(recording, export, (0, math.inf), {})

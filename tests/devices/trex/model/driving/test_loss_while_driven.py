@@ -21,14 +21,13 @@ OUTAGE_S = 4.0
 class LostBoard:
     """Board whose connection is lost for some seconds while motor 1 is driven.
 
-    With `goes_on` the motor goes on turning: the serial timeout needs UART-Error Shutdown,
-    which is off.
+    With `unstopped` no timeout stops the motor: it needs UART-Error Shutdown, which is off.
     """
 
     def __init__(
-        self, controller: TrexController, board: VirtualSimulator, qtbot: QtBot, *, goes_on: bool
+        self, controller: TrexController, board: VirtualSimulator, qtbot: QtBot, *, unstopped: bool
     ) -> None:
-        self.controller, self.board, self.qtbot, self.goes_on = controller, board, qtbot, goes_on
+        self.board, self.qtbot, self.unstopped = board, qtbot, unstopped
         self.device = device = controller.device
         self.infos: list[str] = []
         self.answers: dict[str, Answer] = {}
@@ -57,7 +56,7 @@ class LostBoard:
         if power:
             self.board.do(power)
         qtbot.runtime.advance(seconds)
-        assert power or self.turns() is self.goes_on
+        assert power or self.turns() is self.unstopped
         self.board.do("line plug")
         if new_port:
             qtbot.runtime.ports[new_port] = self.board
@@ -67,23 +66,23 @@ class LostBoard:
 
 
 @pytest.fixture
-def goes_on() -> bool:
+def unstopped() -> bool:
     return False
 
 
 @pytest.fixture
 def lost(
-    controller: TrexController, start_simulator: StartSimulator, qtbot: QtBot, *, goes_on: bool
+    controller: TrexController, start_simulator: StartSimulator, qtbot: QtBot, *, unstopped: bool
 ) -> LostBoard:
-    options = ("--timeout-needs-shutdown=on", "--error-shutdown=off") if goes_on else ()
+    options = ("--timeout-needs-shutdown=on", "--error-shutdown=off") if unstopped else ()
     board = start_simulator("--unpaced", *options)
     assert isinstance(board, VirtualSimulator)
     board.do("eeprom serial_timeout 5")
     board.do("power cycle")
-    return LostBoard(controller, board, qtbot, goes_on=goes_on)
+    return LostBoard(controller, board, qtbot, unstopped=unstopped)
 
 
-@pytest.mark.parametrize("goes_on", [False, True])
+@pytest.mark.parametrize("unstopped", [False, True])
 @pytest.mark.parametrize(
     ("answer", "expected"),
     [("timeoutWorked", TimeoutStop.TRIED), ("timeoutFailed", TimeoutStop.FAILED)],
@@ -92,10 +91,10 @@ def test_answer_about_the_timeout_is_saved_for_the_board(
     lost: LostBoard, answer: str, expected: TimeoutStop
 ) -> None:
     lost.lose_and_reconnect()
-    assert (drive_inputs(lost.device).silence_remedy == "Cut the power.") is lost.goes_on
+    assert (drive_inputs(lost.device).silence_remedy == "Cut the power.") is lost.unstopped
     assert lost.infos[-1].startswith("The board is back. It has confirmed the stop. For 4 s")
     lost.answers[answer].then()
-    if expected is TimeoutStop.FAILED and lost.goes_on:
+    if expected is TimeoutStop.FAILED and lost.unstopped:
         expected = TimeoutStop.REFUTED  # with UART-Error Shutdown the timeout may stop motors
     assert lost.device.board.timeout_stop is expected
 

@@ -25,7 +25,7 @@ from trex_gui.devices.trex.settings.document import Settings
 
 SPECS = parameters_of("trexjr", "1.2")
 FACTORY = {spec.key: spec.default for spec in SPECS.readable}
-SPOKEN = Qt.ItemDataRole.AccessibleTextRole
+ACCESSIBLE_TEXT = Qt.ItemDataRole.AccessibleTextRole
 
 
 @pytest.fixture
@@ -172,9 +172,9 @@ def test_second_motor_is_unchanged_if_it_cannot_be_edited(model: ParameterModel)
 
 
 def test_differing_motor_value_is_shown(model: ParameterModel) -> None:
-    assert "differs" not in text(model, "motor1_current_limit", SPOKEN)
+    assert "differs" not in text(model, "motor1_current_limit", ACCESSIBLE_TEXT)
     model.edit("motor2_current_limit", 25)
-    assert "Motor 2 differs: 2 A." in text(model, "motor1_current_limit", SPOKEN)
+    assert "Motor 2 differs: 2 A." in text(model, "motor1_current_limit", ACCESSIBLE_TEXT)
 
 
 def test_staged_settings_of_each_motor_stay_different(qtbot: QtBot) -> None:

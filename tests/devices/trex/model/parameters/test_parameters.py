@@ -99,8 +99,8 @@ def test_row_shows_name_and_value(model: ParameterModel) -> None:
     limit = model.index_of("motor2_current_limit")
     assert limit.siblingAtColumn(ParameterColumn.NAME).data() == "Current Limit"
     edit(model, "motor2_current_limit", 10)
-    spoken = limit.data(Qt.ItemDataRole.AccessibleTextRole)
-    assert spoken == "Motor 2 Current Limit: 3 A, was off. Motor 1 differs: off."
+    accessible_text = limit.data(Qt.ItemDataRole.AccessibleTextRole)
+    assert accessible_text == "Motor 2 Current Limit: 3 A, was off. Motor 1 differs: off."
 
 
 def test_unread_parameter_shows_the_reason(model: ParameterModel) -> None:
@@ -109,8 +109,8 @@ def test_unread_parameter_shows_the_reason(model: ParameterModel) -> None:
     load(model, stored, unread={"serial_timeout": "No reply to 9F 07."})
     assert text(model, "serial_timeout") == "not read"
     assert data(model, "serial_timeout", ParameterRole.PROBLEM) == "No reply to 9F 07."
-    spoken = data(model, "serial_timeout", Qt.ItemDataRole.AccessibleTextRole)
-    assert "No reply to 9F 07." in str(spoken)
+    accessible_text = data(model, "serial_timeout", Qt.ItemDataRole.AccessibleTextRole)
+    assert "No reply to 9F 07." in str(accessible_text)
     assert not edit(model, "serial_timeout", 9)
 
 

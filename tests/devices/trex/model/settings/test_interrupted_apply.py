@@ -14,7 +14,7 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.errors import Skipped
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.protocol.parameters import parameters_of
-from trex_gui.devices.trex.settings.document import Settings, settings_of
+from trex_gui.devices.trex.settings.document import settings_of
 from trex_gui.ui.devices.connection import ConnectionState
 
 SPECS = parameters_of("trex", "1.2")
@@ -98,6 +98,15 @@ class InterruptedApply:
             else:
                 assert str(errors[key])
 
+    def require_consistency(self, *, lost: int) -> None:
+        """Check snapshot, results, and that every value except `lost` values is old or new."""
+        self.require_snapshot()
+        self.require_results()
+        stored, before = self.stored, self.before.parameters
+        unexpected = {key for key in stored if stored[key] not in {before[key], EDITS.get(key)}}
+        assert len(unexpected) <= lost
+        assert all(stored[key] == SPECS[key].default for key in unexpected)
+
     def require_pending(self) -> None:
         """Check that only failed edits are pending."""
         pending = dict(self.device.parameters.values.pending)
@@ -117,94 +126,80 @@ class InterruptedApply:
 
 
 @pytest.fixture
-def applied(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[InterruptedApply]:
+def apply(qtbot: QtBot, quick_simulator: SimulatedDevice) -> Iterator[InterruptedApply]:
     recorder = DeviceRecorder(qtbot, quick_simulator)
     yield InterruptedApply(recorder)
     qtbot.waitUntil(recorder.device.shut_down)  # no thread may outlive the test
 
 
-def require_old_or_new(stored: dict[str, int], before: Settings, *, lost: int) -> None:
-    unexpected = {
-        key for key in stored if stored[key] not in {before.parameters[key], EDITS.get(key)}
-    }
-    assert len(unexpected) <= lost
-    assert all(stored[key] == SPECS[key].default for key in unexpected)
+@every_step
+def test_apply_resumes_after_a_power_cut(step: int, apply: InterruptedApply) -> None:
+    apply.disturb(step, lambda: apply.simulator.do("power off"))
+    apply.recorder.until_link(ConnectionState.NOT_RESPONDING)
+    apply.simulator.do("power on")
+    apply.require_consistency(lost=1)
+
+    # The board responds at the stored line settings, which Apply has announced to the session.
+    apply.recorder.until_link(ConnectionState.CONNECTED)
+    apply.require_pending()
+    apply.finish()
 
 
 @every_step
-def test_apply_resumes_after_a_power_cut(step: int, applied: InterruptedApply) -> None:
-    applied.disturb(step, lambda: applied.simulator.do("power off"))
-    applied.recorder.until_link(ConnectionState.NOT_RESPONDING)
-    applied.simulator.do("power on")
-    applied.require_snapshot()
-    applied.require_results()
-    require_old_or_new(applied.stored, applied.before, lost=1)
+def test_apply_resumes_after_an_unplugged_cable(step: int, apply: InterruptedApply) -> None:
+    apply.disturb(step, lambda: apply.simulator.do("line unplug"))
+    apply.recorder.until_link(ConnectionState.DISCONNECTED)
+    apply.require_consistency(lost=0)
 
-    # The board responds at the stored line settings. The session expects them since Apply.
-    applied.recorder.until_link(ConnectionState.CONNECTED)
-    applied.require_pending()
-    applied.finish()
-
-
-@every_step
-def test_apply_resumes_after_an_unplugged_cable(step: int, applied: InterruptedApply) -> None:
-    applied.disturb(step, lambda: applied.simulator.do("line unplug"))
-    applied.recorder.until_link(ConnectionState.DISCONNECTED)
-    applied.require_snapshot()
-    applied.require_results()
-    require_old_or_new(applied.stored, applied.before, lost=0)
-
-    applied.recorder.connect(applied.simulator.do("line plug").split()[-1])
-    applied.require_pending()
-    applied.finish()
+    apply.recorder.connect(apply.simulator.do("line plug").split()[-1])
+    apply.require_pending()
+    apply.finish()
 
 
 # --- Closed connection ------------------------------------------------------------------
 
 
-def require_report(applied: InterruptedApply) -> None:
+def require_report(apply: InterruptedApply) -> None:
     """Check that each setting is either stored or skipped, and that no failure is reported."""
-    applied.require_snapshot()
-    applied.require_results()
-    applied.require_pending()
-    require_old_or_new(applied.stored, applied.before, lost=0)
-    failures = [result.error for result in applied.results if result.error is not None]
+    apply.require_consistency(lost=0)
+    apply.require_pending()
+    failures = [result.error for result in apply.results if result.error is not None]
     assert all(isinstance(error, Skipped) for error in failures)
-    assert applied.recorder.failures == []
-    pair = [applied.stored[key] == EDITS[key] for key in ("crc7_polynomial", "uart_settings")]
+    assert apply.recorder.failures == []
+    pair = [apply.stored[key] == EDITS[key] for key in ("crc7_polynomial", "uart_settings")]
     assert len(set(pair)) == 1
 
 
 @every_step
-def test_apply_resumes_after_disconnecting(step: int, applied: InterruptedApply) -> None:
-    applied.disturb(step, applied.device.disconnect_line)
-    applied.recorder.until_link(ConnectionState.DISCONNECTED)
-    require_report(applied)
+def test_apply_resumes_after_disconnecting(step: int, apply: InterruptedApply) -> None:
+    apply.disturb(step, apply.device.disconnect_line)
+    apply.recorder.until_link(ConnectionState.DISCONNECTED)
+    require_report(apply)
 
-    applied.recorder.connect(applied.simulator.url)
-    applied.require_pending()
-    applied.finish()
+    apply.recorder.connect(apply.simulator.url)
+    apply.require_pending()
+    apply.finish()
 
 
 @every_step
-def test_shutdown_reports_the_results_of_apply(step: int, applied: InterruptedApply) -> None:
+def test_shutdown_reports_the_results_of_apply(step: int, apply: InterruptedApply) -> None:
     outcomes: list[tuple[bool, int]] = []
 
     def shut_down() -> None:
-        is_closed = applied.device.shut_down()
-        outcomes.append((is_closed, len(applied.recorder.results)))
+        is_closed = apply.device.shut_down()
+        outcomes.append((is_closed, len(apply.recorder.results)))
 
-    applied.disturb(step, shut_down)
+    apply.disturb(step, shut_down)
     assert outcomes == [(True, 1)]
-    assert applied.device.link is ConnectionState.DISCONNECTED
-    require_report(applied)
+    assert apply.device.link is ConnectionState.DISCONNECTED
+    require_report(apply)
 
-    applied.simulator.do("power cycle")
-    line = LineSettings.from_wire(applied.stored["uart_settings"])
-    applied.device.connect_to(ConnectionSettings(applied.simulator.url, line))
-    applied.recorder.until_link(ConnectionState.CONNECTED)
-    applied.require_pending()
-    applied.finish()
+    apply.simulator.do("power cycle")
+    line = LineSettings.from_wire(apply.stored["uart_settings"])
+    apply.device.connect_to(ConnectionSettings(apply.simulator.url, line))
+    apply.recorder.until_link(ConnectionState.CONNECTED)
+    apply.require_pending()
+    apply.finish()
 
 
 # --- Board that is addressed by its number ----------------------------------------------

@@ -36,10 +36,10 @@ def table(qtbot: QtBot, tmp_path: Path) -> HistoryTable:
 def refresh(table: SnapshotTable) -> None:
     """List the folder again, and wait for the end."""
     table.refresh()
-    finish()
+    wait_for_threads()
 
 
-def finish() -> None:
+def wait_for_threads() -> None:
     """Wait for the threads that list and read files."""
     virtual = runtime()
     assert isinstance(virtual, VirtualRuntime)
@@ -49,7 +49,7 @@ def finish() -> None:
 def content_of(table: SnapshotTable, snapshot: Snapshot) -> Settings | str | None:
     """Read a snapshot if necessary, and return its content."""
     if table.content_of(snapshot) is None:
-        finish()
+        wait_for_threads()
     return table.content_of(snapshot)
 
 
@@ -150,7 +150,7 @@ def test_snapshots_are_read_only_in_background_threads(
     assert table.rowCount() == 1
     assert table.content_of(table.snapshots[0]) is None
     assert calls == []
-    finish()
+    wait_for_threads()
     assert set(calls) == {"files", "read_header", "load"}
     assert isinstance(table.content_of(table.snapshots[0]), Settings)
 
@@ -200,7 +200,7 @@ def test_name_and_note_are_edited_in_the_table(table: HistoryTable) -> None:
         index = table.index(0, column)
         assert table.flags(index) & Qt.ItemFlag.ItemIsEditable
         assert table.setData(index, value)
-        finish()
+        wait_for_threads()
         assert text(table, 0, column) == value
     assert not table.flags(table.index(0, SnapshotColumn.BOARD)) & Qt.ItemFlag.ItemIsEditable
     name = table.index(0, SnapshotColumn.NAME)

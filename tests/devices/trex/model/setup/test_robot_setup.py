@@ -49,6 +49,17 @@ def lose_replies(robot: Robot, command: str = "") -> None:
 # --- Wiring -----------------------------------------------------------------------------
 
 
+def find_rewiring(robot: Robot, driver: Driver) -> Rewiring:
+    """Show the sticks, find the motors, and return the changes that the wires need."""
+    robot.setup.select_driver(driver)
+    if driver is not Driver.COMPUTER:
+        robot.show_sticks()
+    robot.go_to(SetupStep.MOTORS)
+    robot.find_motors()
+    assert robot.setup.wiring is not None
+    return robot.setup.wiring.rewiring(driver)
+
+
 @pytest.mark.parametrize(
     ("swapped", "reversed_", "pushed"),
     [(False, False, 2000), (False, True, 1000), (True, False, 1000), (True, True, 2000)],
@@ -62,16 +73,10 @@ def test_directions_of_one_stick_are_corrected_by_reversing(
         robot.exchange_motors()
     if reversed_:
         robot.directions = {Side.LEFT: -1, Side.RIGHT: -1}
-    setup = robot.setup
-    setup.select_driver(Driver.ONE_STICK)
-    robot.show_sticks()
-    robot.go_to(SetupStep.MOTORS)
-    robot.find_motors()
-    assert setup.wiring is not None
-    assert not setup.wiring.rewiring(setup.driver)
+    assert not find_rewiring(robot, Driver.ONE_STICK)
     falls = pushed == 1000
     expected = (1 if (swapped != reversed_) != falls else 0) | (2 if reversed_ != falls else 0)
-    setup.next()
+    robot.setup.next()
     assert robot.device.parameters.values.value_of(ParameterKey.REVERSED_CHANNELS) == expected
 
     assert not robot.device.motors.armed  # another step was opened
@@ -90,12 +95,7 @@ def test_two_sticks_are_corrected_after_motors_are_exchanged(
     if reversed_:
         robot.exchange_wires(Side.LEFT)
     setup = robot.setup
-    setup.select_driver(Driver.TWO_STICKS)
-    robot.show_sticks()
-    robot.go_to(SetupStep.MOTORS)
-    robot.find_motors()
-    assert setup.wiring is not None
-    assert setup.wiring.rewiring(setup.driver).exchange_motors is swapped
+    assert find_rewiring(robot, Driver.TWO_STICKS).exchange_motors is swapped
     if swapped:
         assert setup.edits == {}  # edits made now would be wrong after the exchange
         robot.exchange_motors()
@@ -115,11 +115,7 @@ def test_driving_by_computer_needs_the_wires_exchanged(robot: Robot) -> None:
     robot.exchange_motors()
     robot.exchange_wires(Side.LEFT)
     setup = robot.setup
-    setup.select_driver(Driver.COMPUTER)
-    robot.go_to(SetupStep.MOTORS)
-    robot.find_motors()
-    assert setup.wiring is not None
-    rewiring = setup.wiring.rewiring(setup.driver)
+    rewiring = find_rewiring(robot, Driver.COMPUTER)
     assert rewiring == Rewiring(exchange_motors=True, reverse=frozenset({Side.LEFT}))
     robot.exchange_motors()
     robot.exchange_wires(Side.LEFT)
