@@ -12,7 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from operator import itemgetter
 
-from tests.devices.trex.session.helpers import among, run_for, staged
+from tests.devices.trex.session.helpers import create_harness, of_type, run_for
 from tests.support.virtual import SessionHarness
 from trex_gui.core.transport.serial_port import latency_of
 from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, MotorsStopped, SetMotor
@@ -41,7 +41,7 @@ def drive(
     seed: int, seconds: float, *, noise: float = 0.01, baud: int = 19200, shutdown: bool = False
 ) -> DriveResult:
     """Drive both motors on a line that corrupts bytes. `shutdown`: the board stops at errors."""
-    harness, settings = staged(baud)
+    harness, settings = create_harness(baud)
     harness.board.eeprom.write("uart_error_shutdown", int(shutdown))
     harness.board.power_cycle()
     harness.transport.latency = latency_of("/dev/ttyUSB0")
@@ -63,7 +63,7 @@ def drive(
     for at, step in sorted(steps, key=itemgetter(0)):
         harness.script.at(at, step)
     reports = run_for(harness, BEGIN + seconds, settings)
-    result.stopped = among(reports, MotorsStopped)
+    result.stopped = of_type(reports, MotorsStopped)
     return result
 
 

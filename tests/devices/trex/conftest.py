@@ -6,7 +6,7 @@ from trex_gui.devices.trex.simulator.motors import SerialControl
 
 
 @pytest.fixture
-def orders(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+def motor_commands(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """Every command to a motor of any simulated board, including stops."""
     given: list[str] = []
 

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 
 import pytest
 
-from tests.devices.trex.conftest import orders
+from tests.devices.trex.conftest import motor_commands
 from tests.devices.trex.discovery.test_prober import BOARDS, OWN, State, Wire, hear
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.aracna import AracnaHarness
@@ -24,7 +24,7 @@ from trex_gui.devices.trex.simulator.line import SimulatedBoards
 VIRTUAL = ConnectionSettings("virtual")
 TREX, ARACNA = {"trex": TREX_PROBER}, {"aracna": ARACNA_PROBER}
 
-__all__ = ["orders"]  # a fixture
+__all__ = ["motor_commands"]  # a fixture
 
 
 def search(harness: AracnaHarness) -> PortScan:
@@ -205,12 +205,12 @@ def test_search_does_not_move_aracna(*, mute: bool) -> None:
 )
 @pytest.mark.parametrize("first", ["trex", "aracna"])
 def test_search_sends_no_command_that_trex_executes(
-    settings: LineSettings, first: str, orders: list[str]
+    settings: LineSettings, first: str, motor_commands: list[str]
 ) -> None:
     board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
     wire = Wire(SimulatedBoards([board]))
     assert search_both(wire, first).device == "trex"
-    assert not orders
+    assert not motor_commands
     assert not board.memory.writes
 
 

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.devices.trex.session.helpers import staged
+from tests.devices.trex.session.helpers import create_harness
 from trex_gui.core.errors import NoReply
 from trex_gui.core.files import data_folder
 from trex_gui.devices.trex.board.keeper import Keeper
@@ -111,7 +111,7 @@ def test_failed_save_is_reported_once(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("tried", [3, 4])
 def test_board_with_many_differences_is_not_restored(tried: int) -> None:
-    harness, settings = staged()
+    harness, settings = create_harness()
     client = harness.client(settings)
     state = read_everything(client.request)
     kept, is_restored = RecordingKeeper(state), tried < 4

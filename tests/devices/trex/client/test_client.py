@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.devices.trex.session.helpers import staged
+from tests.devices.trex.session.helpers import create_harness
 from tests.support.matrix import examples
 from tests.support.virtual import SessionHarness
 from trex_gui.core.errors import BadReply, BadRequest, NoReply
@@ -57,7 +57,7 @@ def test_out_of_range_value_is_rejected_before_sending(harness: SessionHarness) 
 @pytest.mark.parametrize("number", [None, 7])
 @pytest.mark.parametrize("detection", list(Detection))
 def test_every_packet_format_is_understood(number: int | None, detection: Detection) -> None:
-    harness, settings = staged(detection=detection)
+    harness, settings = create_harness(detection=detection)
     client = harness.client(ConnectionSettings("virtual", settings.line, device_number=number))
     assert client.request(GetParameter(0x7E)) == settings.line.to_wire()
 
@@ -79,7 +79,7 @@ def test_every_packet_format_is_understood(number: int | None, detection: Detect
 def test_timeout_is_wire_time_plus_allowance(
     baud: int, command: Command[object], size: int, board_needs: float
 ) -> None:
-    harness, settings = staged(baud)
+    harness, settings = create_harness(baud)
     harness.board.power_off()
     client = harness.client(settings)
     begun = harness.line.now
@@ -100,13 +100,13 @@ def test_extra_timeout_is_added_to_deadline(harness: SessionHarness) -> None:
 
 @pytest.mark.parametrize("baud", [1200, 2400, 9600, 115200])
 def test_longest_reply_arrives_before_timeout(baud: int) -> None:
-    harness, settings = staged(baud)
+    harness, settings = create_harness(baud)
     harness.transport.latency = 0.0
     assert len(harness.client(settings).request(GetRawChannels())) == 5
 
 
 def test_delayed_reply_within_allowance_is_accepted() -> None:
-    harness, settings = staged()
+    harness, settings = create_harness()
     harness.board.eeprom.write("uart_response_delay", 1)
     harness.board.power_cycle()
     harness.transport.latency = 0.0
@@ -187,7 +187,7 @@ def test_incomplete_reply_is_reported_with_its_bytes(harness: SessionHarness) ->
 
 
 def test_reply_with_wrong_crc_raises_bad_reply() -> None:
-    harness, settings = staged(detection=Detection.CRC7)
+    harness, settings = create_harness(detection=Detection.CRC7)
     client = harness.client(settings)
     harness.board.power_off()
     harness.line.inject(b"\x07\x00")
@@ -217,7 +217,7 @@ def test_motor_command_returns_immediately(harness: SessionHarness) -> None:
 
 @pytest.mark.parametrize("baud", [1200, 115200])
 def test_request_waits_until_motor_command_is_sent(baud: int) -> None:
-    harness, settings = staged(baud)
+    harness, settings = create_harness(baud)
     client = harness.client(settings)
     client.request(DriveBoth(Drive.at(50), Drive.at(-50)))
     client.request(GetMode())
@@ -283,7 +283,7 @@ def test_client_follows_new_device_number(harness: SessionHarness) -> None:
 
 
 def test_client_ignores_rejected_device_number() -> None:
-    harness, _ = staged(mode="rc")
+    harness, _ = create_harness(mode="rc")
     client = harness.client(ConnectionSettings("virtual", device_number=7))
     assert client.request(SetParameter(0, 42)) is ResultCode.NOT_SERIAL_MODE
     assert client.request(GetParameter(0)) == 7
@@ -366,11 +366,11 @@ def test_crc_rejects_replies_with_few_corrupted_bytes(
     echo: bool,
     number: int | None,
 ) -> None:
-    quiet, settings = staged(detection=Detection.CRC7)
+    quiet, settings = create_harness(detection=Detection.CRC7)
     quiet.line.advance(0.1)  # every channel receives its first pulse
     expected = [quiet.client(settings).request(question) for question in questions]
 
-    harness, _ = staged(detection=Detection.CRC7, echo=echo)
+    harness, _ = create_harness(detection=Detection.CRC7, echo=echo)
     harness.line.advance(0.1)
     harness.line.faults._random.seed(seed)
     harness.line.faults.noise = noise

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import pytest
 
-from tests.devices.trex.session.helpers import commands, staged
+from tests.devices.trex.session.helpers import commands, create_harness
 from tests.support.matrix import sampled
 from tests.support.virtual import SessionHarness
 from trex_gui.devices.trex.client.client import TrexClient
@@ -33,7 +33,7 @@ def _calibrate(board: Board) -> None:
 
 def known() -> tuple[SessionHarness, TrexClient, DeviceState]:
     """Return the state of the board."""
-    harness, settings = staged()
+    harness, settings = create_harness()
     client = harness.client(settings)
     return harness, client, read_everything(client.request)
 

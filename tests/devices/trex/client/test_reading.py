@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import pytest
 
-from tests.devices.trex.session.helpers import commands, replying, staged
+from tests.devices.trex.session.helpers import commands, create_harness, fake_requester
 from tests.support.virtual import SessionHarness
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
 from trex_gui.devices.trex.client.client import Requester, TrexClient
@@ -25,7 +25,7 @@ _GET_TIMEOUT = GetParameter(0x07)
 )
 @pytest.mark.parametrize("mode", ["serial", "rc", "analog"])
 def test_every_board_is_read_completely(model: str, firmware: str, mode: str) -> None:
-    harness, settings = staged(model=model, firmware=firmware, mode=mode)
+    harness, settings = create_harness(model=model, firmware=firmware, mode=mode)
     state = read_everything(harness.client(settings).request)
     board = harness.board
     assert state.signature.model.key == model
@@ -79,7 +79,7 @@ def test_lost_reply_costs_one_retry(harness: SessionHarness) -> None:
 
 def test_noisy_line_with_crc_yields_no_wrong_value() -> None:
     for seed in range(10):
-        harness, settings = staged(detection=Detection.CRC7)
+        harness, settings = create_harness(detection=Detection.CRC7)
         harness.line.faults._random.seed(seed)
         harness.line.faults.noise = 0.01
         try:
@@ -96,19 +96,19 @@ def test_noisy_line_with_crc_yields_no_wrong_value() -> None:
 def test_value_counts_when_two_readings_in_a_row_agree(
     harness: SessionHarness, readings: list[int], value: int
 ) -> None:
-    request = replying(harness, GetParameter, readings)
+    request = fake_requester(harness, GetParameter, readings)
     assert agreed(request, _GET_TIMEOUT) == value
 
 
 def test_readings_that_never_agree_are_an_error(harness: SessionHarness) -> None:
-    request = replying(harness, GetParameter, [5, 9, 5, 9, 9])
+    request = fake_requester(harness, GetParameter, [5, 9, 5, 9, 9])
     with pytest.raises(BadReply, match="replies to 9F 07 differ each time") as caught:
         agreed(request, _GET_TIMEOUT)
     assert is_unsteady(caught.value)
 
 
 def test_one_reading_suffices_with_crc() -> None:
-    harness, settings = staged(detection=Detection.CRC7)
+    harness, settings = create_harness(detection=Detection.CRC7)
     client = harness.client(settings)
     state = read_everything(client.request, has_crc=True)
     assert client.counters.requests == 4 + len(state.specs.readable) + len(CHANNELS)

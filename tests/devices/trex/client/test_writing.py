@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QApplication
 
-from tests.devices.trex.session.helpers import commands, replying, staged
+from tests.devices.trex.session.helpers import commands, create_harness, fake_requester
 from tests.support.catalogs import in_language
 from tests.support.matrix import examples
 from tests.support.virtual import SessionHarness
@@ -66,7 +66,7 @@ def test_write_is_confirmed_by_two_equal_readings(harness: SessionHarness) -> No
 
 
 def test_write_with_crc_is_confirmed_by_one_reading() -> None:
-    harness, settings = staged(detection=Detection.CRC7)
+    harness, settings = create_harness(detection=Detection.CRC7)
     write_parameter(harness.client(settings).request, TIMEOUT, 20, has_crc=True)
     assert commands(harness.transport.sent, settings.polynomial) == [
         SetParameter(TIMEOUT.number, 20),
@@ -75,13 +75,13 @@ def test_write_with_crc_is_confirmed_by_one_reading() -> None:
 
 
 def test_corrupted_read_back_does_not_fail_a_write(harness: SessionHarness) -> None:
-    assert write_parameter(replying(harness, GetParameter, [19, 20, 20]), TIMEOUT, 20) == 20
+    assert write_parameter(fake_requester(harness, GetParameter, [19, 20, 20]), TIMEOUT, 20) == 20
     assert harness.board.memory.writes == 1
 
 
 def test_read_back_that_differs_each_time_fails_a_write(harness: SessionHarness) -> None:
     with pytest.raises(BadReply, match="replies to 9F 07 differ each time"):
-        write_parameter(replying(harness, GetParameter, [20, 21, 20, 21]), TIMEOUT, 20)
+        write_parameter(fake_requester(harness, GetParameter, [20, 21, 20, 21]), TIMEOUT, 20)
 
 
 def test_invalid_value_is_not_sent(harness: SessionHarness) -> None:
@@ -101,12 +101,12 @@ def test_factory_reset_is_not_read_back(harness: SessionHarness) -> None:
 def test_corrupted_result_code_does_not_fail_a_factory_reset(
     harness: SessionHarness, codes: list[int]
 ) -> None:
-    request = replying(harness, SetParameter, map(ResultCode, codes))
+    request = fake_requester(harness, SetParameter, map(ResultCode, codes))
     assert write_parameter(request, SPECS["factory_reset"], 0x7F) == 0x7F
 
 
 def test_rejected_factory_reset_is_no_success(harness: SessionHarness) -> None:
-    request = replying(harness, SetParameter, map(ResultCode, [0, 3, 3]))
+    request = fake_requester(harness, SetParameter, map(ResultCode, [0, 3, 3]))
     with pytest.raises(Rejected):
         write_parameter(request, SPECS["factory_reset"], 0x7F)
 
@@ -122,7 +122,7 @@ def test_unanswered_factory_reset_fails(harness: SessionHarness) -> None:
 
 @pytest.mark.parametrize("mode", ["rc", "analog"])
 def test_write_outside_serial_mode_explains_what_to_do(mode: str) -> None:
-    harness, settings = staged(mode=mode)
+    harness, settings = create_harness(mode=mode)
     with pytest.raises(Rejected) as caught:
         write_parameter(harness.client(settings).request, TIMEOUT, 5)
     assert caught.value.result is ResultCode.NOT_SERIAL_MODE
@@ -139,14 +139,14 @@ def test_rejected_value_is_reported_with_result_code(harness: SessionHarness) ->
 
 
 def test_unknown_parameter_error_mentions_firmware() -> None:
-    harness, settings = staged(firmware="1.0")
+    harness, settings = create_harness(firmware="1.0")
     with pytest.raises(Rejected, match=r"code 1.*firmware") as caught:
         write_parameter(harness.client(settings).request, SPECS["uart_response_delay"], 1)
     assert caught.value.result is ResultCode.BAD_PARAMETER
 
 
 def test_rejected_write_is_not_retried_with_crc() -> None:
-    harness, settings = staged(mode="rc", detection=Detection.CRC7)
+    harness, settings = create_harness(mode="rc", detection=Detection.CRC7)
     client = harness.client(settings)
     with pytest.raises(Rejected):
         write_parameter(client.request, TIMEOUT, 5, has_crc=True)
@@ -154,7 +154,7 @@ def test_rejected_write_is_not_retried_with_crc() -> None:
 
 
 def test_rejection_counts_when_the_board_repeats_it() -> None:
-    harness, settings = staged(mode="rc")
+    harness, settings = create_harness(mode="rc")
     with pytest.raises(Rejected):
         write_parameter(harness.client(settings).request, TIMEOUT, 5)
     write = SetParameter(TIMEOUT.number, 5)
@@ -165,7 +165,7 @@ def test_rejection_counts_when_the_board_repeats_it() -> None:
 def test_corrupted_result_code_does_not_fail_a_write(
     harness: SessionHarness, codes: list[int]
 ) -> None:
-    request = replying(harness, SetParameter, map(ResultCode, codes))
+    request = fake_requester(harness, SetParameter, map(ResultCode, codes))
     assert write_parameter(request, TIMEOUT, 5) == 5
 
 
@@ -227,7 +227,7 @@ def test_wrong_read_back_of_calibration_is_reported(harness: SessionHarness) -> 
 def test_successful_write_with_crc_is_stored(
     *, seed: int, noise: float, drop: int, lost: int, wire: int
 ) -> None:
-    harness, settings = staged(detection=Detection.CRC7)
+    harness, settings = create_harness(detection=Detection.CRC7)
     harness.line.faults._random.seed(seed)
     harness.line.faults.noise, harness.line.faults.to_drop, harness.line.faults.to_drop_sent = (
         noise,
@@ -256,7 +256,7 @@ def test_invalid_calibration_is_not_sent(harness: SessionHarness) -> None:
 
 
 def test_calibration_write_needs_serial_mode() -> None:
-    harness, settings = staged(mode="rc")
+    harness, settings = create_harness(mode="rc")
     with pytest.raises(Rejected, match="Calibration of channel 1"):
         write_calibration(harness.client(settings).request, CalibrationKey.RC_CHANNEL_1, LEARNED)
 
@@ -333,7 +333,7 @@ def test_invalid_values_do_not_block_valid_ones(harness: SessionHarness) -> None
 
 
 def test_write_ends_when_board_is_not_in_serial_mode() -> None:
-    harness, settings = staged(mode="analog")
+    harness, settings = create_harness(mode="analog")
     wanted = [(spec.key, spec.default) for spec in SPECS.readable]
     results = write_all(
         harness.client(settings).request, SPECS, wanted, [(CalibrationKey.RC_CHANNEL_1, LEARNED)]
@@ -406,7 +406,7 @@ def test_new_device_number_is_used_despite_lost_reply(harness: SessionHarness) -
 def test_each_requested_setting_gets_one_result(
     *, keys: list[str], channels: list[int], wire: int, off_after: int, mode: str
 ) -> None:
-    harness, settings = staged(mode=mode)
+    harness, settings = create_harness(mode=mode)
     client = harness.client(settings)
 
     def failing(command: Command[ReplyT_co]) -> ReplyT_co:

@@ -102,7 +102,7 @@ def diagnosis_of(wire: Wire) -> str:
 
 @pytest.mark.parametrize("settings", sampled(BOARDS, every=9), ids=lambda settings: settings.text())
 def test_search_finds_every_board_and_commands_no_motor(
-    settings: LineSettings, orders: list[str]
+    settings: LineSettings, motor_commands: list[str]
 ) -> None:
     for shutdown in (0, 1):
         board = a_board(settings=settings.to_wire(), uart_error_shutdown=shutdown)
@@ -112,7 +112,7 @@ def test_search_finds_every_board_and_commands_no_motor(
         assert found.settings == ConnectionSettings("virtual", settings)
         assert (str(found.signature), found.device_number) == ("TReX 1.2", 7)
         assert (found.note, found.echo) == ("", False)
-        assert not orders
+        assert not motor_commands
         assert (board.memory.stored(), board.memory.writes) == (stored, 0)
         assert wire.closed
 
@@ -121,34 +121,34 @@ def test_search_finds_every_board_and_commands_no_motor(
     "settings", sampled(ONE_STOP_BIT, every=7), ids=lambda settings: settings.text()
 )
 def test_search_without_replies_commands_no_motor(
-    settings: LineSettings, orders: list[str]
+    settings: LineSettings, motor_commands: list[str]
 ) -> None:
     board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
     wire = wire_of(board)
     wire.line.faults.mute = True
     assert not search(wire).found
-    assert not orders
+    assert not motor_commands
     assert not board.memory.writes
 
 
-def a_full_search_moves_nothing(settings: LineSettings, orders: list[str]) -> None:
+def a_full_search_moves_nothing(settings: LineSettings, motor_commands: list[str]) -> None:
     board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
     wire = wire_of(board)
     wire.line.faults.mute = True
     search(wire, full=True)
-    assert not orders
+    assert not motor_commands
     assert not board.memory.writes
 
 
-def test_full_search_commands_no_motor(orders: list[str]) -> None:
-    a_full_search_moves_nothing(LineSettings(9600), orders)
+def test_full_search_commands_no_motor(motor_commands: list[str]) -> None:
+    a_full_search_moves_nothing(LineSettings(9600), motor_commands)
 
 
 @pytest.mark.slow
 @pytest.mark.timeout(900)
-def test_full_search_commands_no_motor_on_any_board(orders: list[str]) -> None:
+def test_full_search_commands_no_motor_on_any_board(motor_commands: list[str]) -> None:
     for settings in BOARDS:
-        a_full_search_moves_nothing(settings, orders)
+        a_full_search_moves_nothing(settings, motor_commands)
 
 
 # --- Each question by itself ------------------------------------------------------------

@@ -5,13 +5,13 @@ from collections.abc import Callable
 import pytest
 
 from tests.devices.trex.session.helpers import (
-    among,
+    create_harness,
     is_stopped,
+    of_type,
     outcomes,
     packet,
+    read_at,
     run_for,
-    seen_at,
-    staged,
 )
 from tests.support.matrix import sampled
 from tests.support.virtual import SessionHarness
@@ -44,9 +44,9 @@ HEARTBEAT = Timeouts().heartbeat
 def test_setpoints_after_stop_are_dropped_until_armed(harness: SessionHarness) -> None:
     harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80))).at(1.2, Stop(1))
     harness.script.at(1.2, SetMotor(1, Drive.at(80))).at(2.5, SetMotor(1, Drive.at(40)))
-    dropped = seen_at(harness, 2.8, lambda: is_stopped(harness.board))
+    dropped = read_at(harness, 2.8, lambda: is_stopped(harness.board))
     harness.script.at(3.0, Arm()).at(3.0, SetMotor(1, Drive.at(50)))
-    obeyed = seen_at(harness, 3.2, lambda: harness.board.motors[0].speed)
+    obeyed = read_at(harness, 3.2, lambda: harness.board.motors[0].speed)
     run_for(harness, 3.5)
     assert dropped == [True], "it was on its way when the motors were stopped"
     assert obeyed == [50]
@@ -57,22 +57,22 @@ def test_setpoints_after_stop_are_dropped_until_armed(harness: SessionHarness) -
 
 def test_armed_motors_stop_after_heartbeat_timeout(harness: SessionHarness) -> None:
     harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80))).at(1.0, SetAuxiliary(30))
-    before = seen_at(harness, 1.0 + HEARTBEAT - 0.05, lambda: harness.board.motors[0].speed)
-    after = seen_at(harness, 1.0 + HEARTBEAT + 0.05, lambda: is_stopped(harness.board))
+    before = read_at(harness, 1.0 + HEARTBEAT - 0.05, lambda: harness.board.motors[0].speed)
+    after = read_at(harness, 1.0 + HEARTBEAT + 0.05, lambda: is_stopped(harness.board))
     harness.script.at(2.5, Heartbeat()).at(2.5, SetMotor(1, Drive.at(80)))  # late requests
     reports = run_for(harness, 3.0)
     assert before == [80]
     assert after == [True]
-    (halted,) = among(reports, MotorsStopped)
+    (halted,) = of_type(reports, MotorsStopped)
     assert halted.confirmed
     assert halted.reason is ErrorCode.NO_HEARTBEAT
     assert is_stopped(harness.board), "late wishes count no more"
 
 
 def test_heartbeat_timeout_stops_motors_during_reload() -> None:
-    harness, settings = staged(1200)
+    harness, settings = create_harness(1200)
     harness.script.at(4.0, Arm()).at(4.0, SetMotor(1, Drive.at(80))).at(4.5, Reload(1))
-    after = seen_at(harness, 4.0 + HEARTBEAT + 0.5, lambda: is_stopped(harness.board))
+    after = read_at(harness, 4.0 + HEARTBEAT + 0.5, lambda: is_stopped(harness.board))
     run_for(harness, 8.0, settings)
     assert after == [True]
     assert outcomes(harness.reports)[1].error is None
@@ -103,7 +103,7 @@ def test_stop_while_connecting_waits_for_one_transaction(
 ) -> None:
     """Covers all of opening: echo probes, signature, mode, parameters, calibrations."""
     opening = {1200: 3.0, 19200: 0.4, 115200: 0.2}[baud]
-    harness, settings = staged(baud, echo=echo)
+    harness, settings = create_harness(baud, echo=echo)
     longest = settings.line.seconds(16) + harness.transport.latency + 0.01
     pressed = 0.001 + share * opening
     harness.script.at(pressed, Stop(1))
@@ -146,7 +146,7 @@ def nothing() -> None:
 def test_requested_motor_command_never_follows_stop(harness: SessionHarness) -> None:
     """The stop may arrive before the command is sent, or later."""
     for looks in range(4):
-        harness = staged()[0]
+        harness = create_harness()[0]
         serve(
             harness,
             Arm,
@@ -158,7 +158,7 @@ def test_requested_motor_command_never_follows_stop(harness: SessionHarness) -> 
         )
         found = outcomes(harness.reports)
         assert found[6].error is None
-        assert among(harness.reports, Closed) == [Closed(None, may_move=False)]
+        assert of_type(harness.reports, Closed) == [Closed(None, may_move=False)]
         assert is_stopped(harness.board)
 
 
@@ -188,9 +188,9 @@ def test_stop_while_board_returns_gets_its_outcome(harness: SessionHarness, seco
     harness.script.at(2.0, harness.fault(mute=True)).at(2.7, Stop(7))
     harness.script.at(2.75, harness.fault(mute=False))
     harness.script.at(2.75 + seconds, harness.fault(mute=True))
-    seen = seen_at(harness, 10.0, lambda: 7 in outcomes(harness.reports))
+    seen = read_at(harness, 10.0, lambda: 7 in outcomes(harness.reports))
     run_for(harness, 10.1)
-    assert among(harness.reports, NotResponding)
+    assert of_type(harness.reports, NotResponding)
     assert seen == [True]
 
 
@@ -208,6 +208,6 @@ def test_echo_of_our_own_requests_confirms_no_stop(
     harness.script.at(1.6, Stop(7))
     run_for(harness, 10.0, ConnectionSettings("virtual", device_number=number))
     assert outcomes(harness.reports)[7].error is not None
-    (closed,) = among(harness.reports, Closed)
+    (closed,) = of_type(harness.reports, Closed)
     assert closed.may_move
     assert not is_stopped(harness.board)

@@ -6,15 +6,15 @@ from itertools import product
 import pytest
 
 from tests.devices.trex.session.helpers import (
-    among,
     commands,
     is_stopped,
-    moving,
+    motor_commands_in,
+    of_type,
     outcomes,
-    pulses,
+    read_at,
     run_for,
     samples,
-    seen_at,
+    schedule_heartbeats,
 )
 from tests.soak.drives import LONGEST_TURN, drive
 from tests.support.matrix import sampled
@@ -75,7 +75,7 @@ def test_released_motor_does_not_keep_running_on_noisy_line(
     seen: list[bool] = []
     for step in range(60):
         if step % 10 == 0:
-            pulses(harness, 1.7 + step * 0.03, 1.7 + step * 0.03)
+            schedule_heartbeats(harness, 1.7 + step * 0.03, 1.7 + step * 0.03)
         harness.script.at(1.7 + step * 0.03, lambda: seen.append(is_braked(harness)))
     run_for(harness, 3.6)
     spell = longest = 0
@@ -89,7 +89,7 @@ def test_request_corrupted_into_command_is_undone_at_once(harness: SessionHarnes
     """86 1F, which asks for the channels, arrives as C6 1F: motor 1 ahead."""
     harness.script.at(1.0, Arm())
     harness.script.at(1.5, lambda: swap(harness, "86 1F", "C6 1F"))
-    pulses(harness, 1.5, 2.5)
+    schedule_heartbeats(harness, 1.5, 2.5)
     started: list[float] = []
     drive = harness.board.serial.drive
 
@@ -101,7 +101,7 @@ def test_request_corrupted_into_command_is_undone_at_once(harness: SessionHarnes
 
     harness.board.serial.drive = record  # type: ignore[method-assign]
     harness.script.at(2.9, lambda: None)
-    braked = seen_at(harness, 2.9, lambda: is_braked(harness))
+    braked = read_at(harness, 2.9, lambda: is_braked(harness))
     run_for(harness, 3.0)
     assert braked == [True]
     assert started[1] - started[0] < 0.06
@@ -110,16 +110,16 @@ def test_request_corrupted_into_command_is_undone_at_once(harness: SessionHarnes
 def test_confirmed_setpoint_is_not_resent(harness: SessionHarness) -> None:
     harness.script.at(1.0, SetMotor(1, Drive.at(50))).at(2.0, SetMotor(1, Drive.brake(127)))
     run_for(harness, 4.0)
-    sent = moving(harness.transport.sent)
+    sent = motor_commands_in(harness.transport.sent)
     assert sent.count(DriveMotor(1, Drive.at(50))) == 1, "it would go round the current limiter"
     assert sent.count(DriveMotor(1, Drive.brake(127))) == 2
 
 
 def test_brake_is_repeated_until_line_is_quiet(harness: SessionHarness) -> None:
     harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50))).at(1.4, FULL_BRAKE)
-    pulses(harness, 1.5, 2.8)
+    schedule_heartbeats(harness, 1.5, 2.8)
     harness.script.at(3.0, harness.fault(to_drop=1))
-    pulses(harness, 3.0, 8.5)
+    schedule_heartbeats(harness, 3.0, 8.5)
     marks = [0, 0, 0]
 
     def record(number: int) -> None:
@@ -129,10 +129,10 @@ def test_brake_is_repeated_until_line_is_quiet(harness: SessionHarness) -> None:
         harness.script.at(moment, partial(record, number))
     run_for(harness, 9.0)
     brake = DriveMotor(1, Drive.brake(127))
-    sent = moving(harness.transport.sent[: marks[0]])
+    sent = motor_commands_in(harness.transport.sent[: marks[0]])
     assert 100 <= sent.count(brake) <= 300
     assert marks[0] < marks[2]
-    assert not moving(harness.transport.sent[marks[0] : marks[2]])
+    assert not motor_commands_in(harness.transport.sent[marks[0] : marks[2]])
 
 
 @pytest.mark.parametrize("requests", [(), (Stop(1),)])
@@ -143,12 +143,12 @@ def test_damage_sends_nothing_to_board_that_was_not_driven(
         harness.script.at(1.0, request)
     harness.script.at(2.0, lambda: harness.line.faults.errors.append(ReceiveError.FRAMING))
     before, after = (
-        seen_at(harness, moment, lambda: len(harness.transport.sent)) for moment in (2, 9)
+        read_at(harness, moment, lambda: len(harness.transport.sent)) for moment in (2, 9)
     )
     run_for(harness, 9.1)
     assert UartError.FRAMING in samples(harness.reports, LatchedStatus)[0].uart
-    assert not moving(harness.transport.sent[before[0] : after[0]])
-    assert not among(harness.reports, CommandsRepeated)
+    assert not motor_commands_in(harness.transport.sent[before[0] : after[0]])
+    assert not of_type(harness.reports, CommandsRepeated)
 
 
 def test_damage_brakes_stopped_board_until_line_is_quiet(harness: SessionHarness) -> None:
@@ -156,27 +156,27 @@ def test_damage_brakes_stopped_board_until_line_is_quiet(harness: SessionHarness
     harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50))).at(1.2, Stop(1))
     harness.script.at(1.5, SetWatched(False))  # polls end, so that the line stays noisy
     harness.script.at(5.0, lambda: swap(harness, "86 1F", "C6 1F"))
-    braked = seen_at(harness, 5.1, lambda: is_braked(harness))
+    braked = read_at(harness, 5.1, lambda: is_braked(harness))
     moments = (10.5, 12.5)
     quiet, after = (
-        seen_at(harness, moment, lambda: len(harness.transport.sent)) for moment in moments
+        read_at(harness, moment, lambda: len(harness.transport.sent)) for moment in moments
     )
     run_for(harness, 12.6)
     assert braked == [True]
-    assert 200 <= moving(harness.transport.sent[: quiet[0]]).count(BRAKES[0]) <= 300
-    assert not moving(harness.transport.sent[quiet[0] : after[0]])
-    assert among(harness.reports, CommandsRepeated) == [CommandsRepeated()]
+    assert 200 <= motor_commands_in(harness.transport.sent[: quiet[0]]).count(BRAKES[0]) <= 300
+    assert not motor_commands_in(harness.transport.sent[quiet[0] : after[0]])
+    assert of_type(harness.reports, CommandsRepeated) == [CommandsRepeated()]
 
 
 def test_idle_refresh_skips_running_motor(harness: SessionHarness) -> None:
     harness.script.at(1.0, Arm()).at(1.0, SetMotor(2, Drive.at(50)))
     harness.script.at(1.2, harness.fault(to_drop=1))
-    pulses(harness, 1.3, 3.8)
-    speeds = seen_at(harness, 3.9, lambda: harness.board.motors[1].speed)
-    mark = seen_at(harness, 3.9, lambda: len(harness.transport.sent))
+    schedule_heartbeats(harness, 1.3, 3.8)
+    speeds = read_at(harness, 3.9, lambda: harness.board.motors[1].speed)
+    mark = read_at(harness, 3.9, lambda: len(harness.transport.sent))
     run_for(harness, 4.0)
     assert speeds == [50]
-    sent = moving(harness.transport.sent[: mark[0]])
+    sent = motor_commands_in(harness.transport.sent[: mark[0]])
     assert DriveMotor(1, Drive.brake()) in sent
     assert DriveMotor(2, Drive.brake()) not in sent
 
@@ -197,8 +197,8 @@ def test_unstarted_auxiliary_motor_is_left_alone() -> None:
 
 def test_risky_polls_are_omitted_while_motors_may_move(harness: SessionHarness) -> None:
     harness.script.at(1.0, Arm()).at(1.2, harness.fault(to_drop=1))
-    before = seen_at(harness, 1.3, lambda: len(harness.transport.sent))
-    after = seen_at(harness, 1.9, lambda: len(harness.transport.sent))
+    before = read_at(harness, 1.3, lambda: len(harness.transport.sent))
+    after = read_at(harness, 1.9, lambda: len(harness.transport.sent))
     run_for(harness, 2.0)
     kinds = {type(one) for one in commands(harness.transport.sent[before[0] : after[0]])}
     assert GetRawChannels not in kinds
@@ -214,7 +214,7 @@ def test_stop_holds_on_noisy_line(harness: SessionHarness, noise: float, seed: i
     harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
     harness.script.at(1.5, harness.fault(noise=noise)).at(1.6, Stop(1))
     harness.script.at(3.0, harness.fault(noise=0.0))
-    stopped = seen_at(harness, 5.5, lambda: is_stopped(harness.board))
+    stopped = read_at(harness, 5.5, lambda: is_stopped(harness.board))
     run_for(harness, 5.6)
     assert stopped == [True]
     assert 1 in outcomes(harness.reports)
@@ -223,13 +223,13 @@ def test_stop_holds_on_noisy_line(harness: SessionHarness, noise: float, seed: i
 def test_stop_after_line_error_is_confirmed_on_quiet_line(harness: SessionHarness) -> None:
     harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
     harness.script.at(1.4, harness.fault(to_drop=1)).at(1.5, Stop(1))
-    early = seen_at(harness, 2.0, lambda: outcomes(harness.reports))
-    late = seen_at(harness, 1.5 + Timeouts().stop_confirmation, lambda: outcomes(harness.reports))
+    early = read_at(harness, 2.0, lambda: outcomes(harness.reports))
+    late = read_at(harness, 1.5 + Timeouts().stop_confirmation, lambda: outcomes(harness.reports))
     run_for(harness, 5.0)
     assert early == [{}], "a clean status alone proves nothing there"
     assert late[0][1].error is None
-    assert among(harness.reports, MotorsStopped) == [MotorsStopped(None, confirmed=True)]
-    assert moving(harness.transport.sent).count(STOP[0]) > 4
+    assert of_type(harness.reports, MotorsStopped) == [MotorsStopped(None, confirmed=True)]
+    assert motor_commands_in(harness.transport.sent).count(STOP[0]) > 4
 
 
 def test_unconfirmed_stop_on_bad_line_is_reported(harness: SessionHarness) -> None:
@@ -247,8 +247,8 @@ def test_unconfirmed_stop_on_bad_line_is_reported(harness: SessionHarness) -> No
 def test_unconfirmed_stop_is_reported_when_driving_again(harness: SessionHarness) -> None:
     harness.script.at(1.4, harness.fault(to_drop=1)).at(1.5, Stop(1))
     harness.script.at(1.7, Arm()).at(1.7, SetMotor(1, Drive.at(30)))
-    seen = seen_at(harness, 1.9, lambda: outcomes(harness.reports))
-    speeds = seen_at(harness, 1.9, lambda: harness.board.motors[0].speed)
+    seen = read_at(harness, 1.9, lambda: outcomes(harness.reports))
+    speeds = read_at(harness, 1.9, lambda: harness.board.motors[0].speed)
     run_for(harness, 2.0)
     assert isinstance(seen[0][1].error, NoReply)
     assert speeds == [30]
@@ -257,7 +257,7 @@ def test_unconfirmed_stop_is_reported_when_driving_again(harness: SessionHarness
 def test_stop_is_confirmed_when_board_responds_again(harness: SessionHarness) -> None:
     harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(80)))
     harness.script.at(1.5, harness.fault(mute=True)).at(1.5, Stop(1))
-    mark = seen_at(harness, 1.5, lambda: len(harness.transport.sent))
+    mark = read_at(harness, 1.5, lambda: len(harness.transport.sent))
 
     def unmute_after_failure() -> None:
         if 1 in outcomes(harness.reports):
@@ -268,9 +268,9 @@ def test_stop_is_confirmed_when_board_responds_again(harness: SessionHarness) ->
     harness.script.at(2.5, SetMotor(1, Drive.at(60)))
     run_for(harness, 5.5)
     assert isinstance(outcomes(harness.reports)[1].error, NoReply)
-    assert not among(harness.reports, NotResponding)
-    assert among(harness.reports, MotorsStopped) == [MotorsStopped(None, confirmed=True)]
-    assert set(moving(harness.transport.sent[mark[0] :])) <= {*STOP, *BRAKES}
+    assert not of_type(harness.reports, NotResponding)
+    assert of_type(harness.reports, MotorsStopped) == [MotorsStopped(None, confirmed=True)]
+    assert set(motor_commands_in(harness.transport.sent[mark[0] :])) <= {*STOP, *BRAKES}
     assert is_stopped(harness.board)
 
 
@@ -295,11 +295,11 @@ def test_motor_stopped_by_board_is_not_restarted(
         harness.board.serial.stop_motors()
 
     harness.script.at(1.0, SetMotor(1, Drive.at(50))).at(1.01, stop_itself)
-    mark = seen_at(harness, 1.01, lambda: len(harness.transport.sent))
-    still = seen_at(harness, 2.9, lambda: is_stopped(harness.board))
+    mark = read_at(harness, 1.01, lambda: len(harness.transport.sent))
+    still = read_at(harness, 2.9, lambda: is_stopped(harness.board))
     run_for(harness, 3.0)
     assert still == [True]
-    assert DriveMotor(1, Drive.at(50)) not in moving(harness.transport.sent[mark[0] :])
+    assert DriveMotor(1, Drive.at(50)) not in motor_commands_in(harness.transport.sent[mark[0] :])
 
 
 def test_written_error_shutdown_decides_about_retries(harness: SessionHarness) -> None:
@@ -308,7 +308,7 @@ def test_written_error_shutdown_decides_about_retries(harness: SessionHarness) -
     harness.script.at(1.0, Write(1, (("uart_error_shutdown", 0),)))
     harness.script.at(1.5, lambda: swap(harness, "C2 32", "C2"))  # one packet loses its speed
     harness.script.at(1.5, SetMotor(1, Drive.at(50)))
-    speeds = seen_at(harness, 1.9, lambda: harness.board.motors[0].speed)
+    speeds = read_at(harness, 1.9, lambda: harness.board.motors[0].speed)
     run_for(harness, 2.0)
     assert outcomes(harness.reports)[1].error is None
     assert speeds == [50]
@@ -325,13 +325,13 @@ def test_setpoint_repetition_ends_at_time_limit() -> None:
 
     for step in range(350):
         if step % 10 == 0:
-            pulses(harness, 1.01 + step * 0.02, 1.01 + step * 0.02)
+            schedule_heartbeats(harness, 1.01 + step * 0.02, 1.01 + step * 0.02)
         harness.script.at(1.01 + step * 0.02, damage)
-    middle = seen_at(harness, 1.2 + MAX_RETRY_SECONDS, lambda: len(harness.transport.sent))
+    middle = read_at(harness, 1.2 + MAX_RETRY_SECONDS, lambda: len(harness.transport.sent))
     run_for(harness, 8.9)
     setpoint = DriveMotor(1, Drive.at(50))
-    assert moving(harness.transport.sent[: middle[0]]).count(setpoint) > 10
-    assert setpoint not in moving(harness.transport.sent[middle[0] :])
+    assert motor_commands_in(harness.transport.sent[: middle[0]]).count(setpoint) > 10
+    assert setpoint not in motor_commands_in(harness.transport.sent[middle[0] :])
 
 
 # --- Arming and silence -----------------------------------------------------------------
@@ -340,9 +340,9 @@ def test_setpoint_repetition_ends_at_time_limit() -> None:
 def test_arming_during_power_loss_causes_no_later_stop(harness: SessionHarness) -> None:
     harness.script.at(1.0, harness.board.power_off).at(1.8, Arm()).at(3.5, harness.board.power_on)
     run_for(harness, 6.0)
-    assert among(harness.reports, NotResponding)
-    assert not among(harness.reports, MotorsStopped)
-    assert not moving(harness.transport.sent)
+    assert of_type(harness.reports, NotResponding)
+    assert not of_type(harness.reports, MotorsStopped)
+    assert not motor_commands_in(harness.transport.sent)
 
 
 @pytest.mark.parametrize(

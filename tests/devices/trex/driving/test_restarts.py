@@ -4,7 +4,7 @@ from functools import partial
 
 import pytest
 
-from tests.devices.trex.session.helpers import among, is_stopped, run_for, seen_at, staged
+from tests.devices.trex.session.helpers import create_harness, is_stopped, of_type, read_at, run_for
 from tests.support.matrix import sampled
 from tests.support.virtual import SessionHarness
 from trex_gui.core.transport.serial_port import latency_of
@@ -37,7 +37,7 @@ def driving(
     seconds: float, baud: int = 19200, model: str = "trex", *, begin: float = 2.0, ramp: int = 0
 ) -> tuple[SessionHarness, list[tuple[float, object]]]:
     """Return a stage whose motor is driven along a ramp, and the steps of its script."""
-    harness, _ = staged(baud, model=model)
+    harness, _ = create_harness(baud, model=model)
     harness.board.eeprom.write("motor1_acceleration", ramp)
     harness.board.power_cycle()
     harness.transport.latency = latency_of("/dev/ttyUSB0")
@@ -55,11 +55,11 @@ def test_restart_while_driving_is_found_and_disarms(
     harness.board.physics[0].load = load
     steps += [(2.0 + moment, harness.board.power_off), (2.0 + moment + gap, harness.board.power_on)]
     plan(harness, steps)
-    rest = seen_at(harness, 5.4, lambda: is_stopped(harness.board))
-    reports = run_for(harness, 5.5, staged(baud)[1])
-    found = [one for one in among(reports, MotorsStopped) if one.confirmed]
+    rest = read_at(harness, 5.4, lambda: is_stopped(harness.board))
+    reports = run_for(harness, 5.5, create_harness(baud)[1])
+    found = [one for one in of_type(reports, MotorsStopped) if one.confirmed]
     is_said = [one.reason for one in found] == [ErrorCode.MAY_HAVE_RESTARTED]
-    assert is_said or among(reports, NotResponding)
+    assert is_said or of_type(reports, NotResponding)
     assert rest == [True]
 
 
@@ -67,10 +67,10 @@ def test_restart_while_driving_is_found_and_disarms(
 def test_restart_on_a_ramp_starts_no_motor_again(ramp: int) -> None:
     harness, steps = driving(5.0, ramp=ramp)
     plan(harness, [*steps, (5.0, harness.board.power_cycle)])
-    rest = seen_at(harness, 5.5, lambda: is_stopped(harness.board))
+    rest = read_at(harness, 5.5, lambda: is_stopped(harness.board))
     reports = run_for(harness, 6.0)
     assert rest == [True]
-    assert among(reports, MotorsStopped)[0].reason is ErrorCode.MAY_HAVE_RESTARTED
+    assert of_type(reports, MotorsStopped)[0].reason is ErrorCode.MAY_HAVE_RESTARTED
 
 
 def test_mode_change_stops_motors_and_drops_setpoints(harness: SessionHarness) -> None:
@@ -84,8 +84,8 @@ def test_mode_change_stops_motors_and_drops_setpoints(harness: SessionHarness) -
         if step == 10:
             harness.script.at(1.5, restart)
         harness.script.at(1.0 + step / 20, SetMotor(1, Drive.at(60 + step % 40)))
-    stopped = seen_at(harness, 4.5, lambda: is_stopped(harness.board))
-    reports = among(run_for(harness, 5.0), Connected)
+    stopped = read_at(harness, 4.5, lambda: is_stopped(harness.board))
+    reports = of_type(run_for(harness, 5.0), Connected)
     assert [(one.occasion, one.may_move) for one in reports][-1] == (ReadReason.RESTARTED, False)
     assert stopped == [True]
 
@@ -97,7 +97,7 @@ def test_current_that_comes_and_goes_is_no_restart() -> None:
         (3.0 + step * 0.12, partial(force, 1, 0.15 if step % 2 else 0.48)) for step in range(14)
     ]
     plan(harness, steps)
-    assert not among(run_for(harness, 4.9), MotorsStopped)
+    assert not of_type(run_for(harness, 4.9), MotorsStopped)
 
 
 def test_motor_without_current_keeps_running() -> None:
@@ -106,16 +106,16 @@ def test_motor_without_current_keeps_running() -> None:
     force = harness.board.force_current
     steps += [(3.0, lambda: force(1, 0.0)), (3.6, lambda: force(1, None))]
     plan(harness, steps)
-    speed = seen_at(harness, 4.9, lambda: harness.board.motors[0].speed)
-    assert not among(run_for(harness, 5.0), MotorsStopped)
+    speed = read_at(harness, 4.9, lambda: harness.board.motors[0].speed)
+    assert not of_type(run_for(harness, 5.0), MotorsStopped)
     assert speed == [38]
 
 
 def test_lost_reply_is_no_restart() -> None:
     harness, steps = driving(3.0)
     plan(harness, [*steps, (3.0, harness.fault(to_drop=1))])
-    speed = seen_at(harness, 4.9, lambda: harness.board.motors[0].speed)
-    assert not among(run_for(harness, 5.0), MotorsStopped)
+    speed = read_at(harness, 4.9, lambda: harness.board.motors[0].speed)
+    assert not of_type(run_for(harness, 5.0), MotorsStopped)
     assert speed == [38]
 
 

@@ -23,7 +23,7 @@ from trex_gui.devices.trex.simulator.motors import MotorDirection
 KindT = TypeVar("KindT")
 
 
-def staged(
+def create_harness(
     baud: int = 19200,
     detection: Detection = Detection.NONE,
     *,
@@ -40,7 +40,7 @@ def staged(
     return SessionHarness(board, echo=echo), ConnectionSettings("virtual", line)
 
 
-def replying(
+def fake_requester(
     harness: SessionHarness, kind: type[Command[Any]], replies: Iterable[object]
 ) -> Requester:
     """Return a requester that receives these replies to one kind of command."""
@@ -59,14 +59,14 @@ def packet(number: int, command: Command[Any]) -> SendPacket:
     return SendPacket(number, only)
 
 
-def among(reports: Iterable[object], kind: type[KindT]) -> list[KindT]:
+def of_type(reports: Iterable[object], kind: type[KindT]) -> list[KindT]:
     """Return the reports of one kind, in their order."""
     return [report for report in reports if isinstance(report, kind)]
 
 
 def outcomes(reports: Iterable[object]) -> dict[int, Outcome]:
     """Return the outcome of each request. Fail if a request has two."""
-    found = among(reports, Outcome)
+    found = of_type(reports, Outcome)
     by_id = {outcome.id: outcome for outcome in found}
     assert len(by_id) == len(found), "a request has two outcomes"
     return by_id
@@ -77,7 +77,7 @@ def samples(reports: Iterable[object], kind: type[KindT]) -> list[KindT]:
     batches: list[Sample] = []
     for report in reports:
         batches += getattr(report, "samples", ())
-    return among(batches, kind)
+    return of_type(batches, kind)
 
 
 def bytes_of(value: PolledValue) -> int:
@@ -89,12 +89,14 @@ def commands(sent: bytes | bytearray, polynomial: int | None = None) -> list[Com
     """Parse the sent packets. Fail if any is malformed."""
     parser = PacketParser(polynomial)
     events = parser.feed(bytes(sent)) + parser.flush()
-    packets = among(events, Packet)
+    packets = of_type(events, Packet)
     assert len(packets) == len(events), "something sent was no packet"
     return [packet.command for packet in packets]
 
 
-def moving(sent: bytes | bytearray, polynomial: int | None = None) -> list[Command[object]]:
+def motor_commands_in(
+    sent: bytes | bytearray, polynomial: int | None = None
+) -> list[Command[object]]:
     """Return the sent motor commands."""
     return [command for command in commands(sent, polynomial) if command.moves]
 
@@ -106,7 +108,7 @@ def is_stopped(board: Board) -> bool:
     )
 
 
-def pulses(harness: SessionHarness, start: float, end: float) -> None:
+def schedule_heartbeats(harness: SessionHarness, start: float, end: float) -> None:
     """Schedule the heartbeats of a window between two times."""
     for number in range(int((end - start) / HEARTBEAT_INTERVAL) + 1):
         harness.script.at(start + number * HEARTBEAT_INTERVAL, Heartbeat())
@@ -124,7 +126,7 @@ def run_for(
     return harness.run(settings, may_move=may_move)
 
 
-def seen_at(harness: SessionHarness, moment: float, look: Callable[[], KindT]) -> list[KindT]:
+def read_at(harness: SessionHarness, moment: float, look: Callable[[], KindT]) -> list[KindT]:
     """Schedule a reading of the board. Return the list for its result."""
     seen: list[KindT] = []
     harness.script.at(moment, lambda: seen.append(look()))

@@ -5,13 +5,13 @@ from dataclasses import replace
 import pytest
 
 from tests.devices.trex.session.helpers import (
-    among,
-    moving,
+    motor_commands_in,
+    of_type,
     outcomes,
     packet,
+    read_at,
     run_for,
     samples,
-    seen_at,
 )
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.virtual import SessionHarness
@@ -59,7 +59,7 @@ class Line(SessionHarness):
 
     @property
     def packets(self) -> list[Packet]:
-        return among(PacketParser().feed(bytes(self.transport.sent)), Packet)
+        return of_type(PacketParser().feed(bytes(self.transport.sent)), Packet)
 
     def to_numbers(self) -> set[int | None]:
         """Return the device numbers of motor commands that are no stop."""
@@ -71,7 +71,7 @@ class Line(SessionHarness):
 
     @property
     def connections(self) -> list[Connected]:
-        return among(self.reports, Connected)
+        return of_type(self.reports, Connected)
 
 
 @pytest.fixture
@@ -94,16 +94,16 @@ def code_of(reports: list[Report], number: int) -> object:
 def test_boards_that_reply_as_one_are_not_connected(line: Line) -> None:
     reports = run_for(line, 5, COMPACT)
     assert not line.connections
-    (closed,) = among(reports, Closed)
+    (closed,) = of_type(reports, Closed)
     assert isinstance(closed.error, TrexError)
     assert closed.error.code is ErrorCode.SEVERAL_BOARDS
 
 
 def test_driven_board_is_stopped_before_another_is_selected(line: Line) -> None:
     line.script.at(1.0, Arm()).at(1.0, _FORWARD)
-    ran = seen_at(line, 1.2, lambda: runs(line.seventh))
+    ran = read_at(line, 1.2, lambda: runs(line.seventh))
     line.script.at(1.2, SelectBoard(1, 9))
-    still = seen_at(line, 3.0, lambda: runs(line.seventh))
+    still = read_at(line, 3.0, lambda: runs(line.seventh))
     reports = run_for(line, 3.0, SEVENTH)
     assert (ran, still) == ([True], [False])
     assert outcomes(reports)[1].error is None
@@ -131,7 +131,7 @@ def test_motor_command_behind_selection_is_rejected(line: Line) -> None:
     line.script.at(1.0, packet(2, DriveMotor(1, Drive.at(90))))
     reports = run_for(line, 3.0, SEVENTH)
     assert code_of(reports, 2) is ErrorCode.NOT_ARMED
-    assert not moving(line.transport.sent)
+    assert not motor_commands_in(line.transport.sent)
 
 
 def test_board_stays_selected_until_its_stop_is_confirmed(line: Line) -> None:
@@ -147,7 +147,7 @@ def test_board_stays_selected_until_its_stop_is_confirmed(line: Line) -> None:
 def test_stop_after_switch_reaches_selected_board_only(line: Line) -> None:
     line.script.at(1.0, SelectBoard(1, 9))
     line.script.at(2.5, Arm(1)).at(2.5, _FORWARD)
-    ran = seen_at(line, 2.8, lambda: (runs(line.seventh), runs(line.ninth)))
+    ran = read_at(line, 2.8, lambda: (runs(line.seventh), runs(line.ninth)))
     line.script.at(2.8, Stop(2))
     reports = run_for(line, 4.0, SEVENTH)
     assert ran == [(False, True)]
@@ -158,7 +158,7 @@ def test_stop_after_switch_reaches_selected_board_only(line: Line) -> None:
 
 def test_closing_and_guardian_stop_selected_board(line: Line) -> None:
     line.script.at(0.7, Arm()).at(0.7, _FORWARD).at(1.0, SelectBoard(1, 9))
-    before = seen_at(line, 2.4, lambda: list(line.transport.guardian.watched))
+    before = read_at(line, 2.4, lambda: list(line.transport.guardian.watched))
     line.script.at(2.5, Arm(1)).at(2.5, _FORWARD)
     reports = run_for(line, 2.8, SEVENTH)
     assert not runs(line.ninth)
@@ -189,7 +189,7 @@ def test_commands_without_number_are_followed_by_a_stop_of_each_board(line: Line
     line.ninth.power_off()
     line.script.at(1.0, Arm()).at(1.0, _FORWARD).at(1.2, line.ninth.power_on)
     line.script.at(1.3, SetMotor(1, Drive.at(60)))  # reaches both
-    both = seen_at(line, 1.5, lambda: (runs(line.seventh), runs(line.ninth)))
+    both = read_at(line, 1.5, lambda: (runs(line.seventh), runs(line.ninth)))
     line.script.at(1.5, Stop(1)).at(2.0, SelectBoard(2, 9, sharing=(7, 9)))
     reports = run_for(line, 5.0, COMPACT)
     assert both == [(True, True)]
@@ -203,14 +203,14 @@ def test_commands_without_number_are_followed_by_a_stop_of_each_board(line: Line
 def test_board_that_does_not_respond_is_not_selected(line: Line) -> None:
     line.script.at(1.0, SelectBoard(1, 5))
     line.script.at(3.0, Arm()).at(3.0, _FORWARD)
-    ran = seen_at(line, 3.3, lambda: runs(line.seventh))
+    ran = read_at(line, 3.3, lambda: runs(line.seventh))
     reports = run_for(line, 3.4, SEVENTH)
     error = outcomes(reports)[1].error
     assert isinstance(error, NoReply)
     assert code_of(reports, 1) is ErrorCode.NOT_SELECTED_SILENT
     assert len(line.connections) == 1
     assert ran == [True]  # the former one still is, and can be armed again
-    counters = among(reports, Batch)[-1].counters
+    counters = of_type(reports, Batch)[-1].counters
     assert counters.missing == 0  # the line is no worse for it
 
 
@@ -253,7 +253,7 @@ def test_probe_names_the_board_and_clears_nothing(line: Line) -> None:
     to_others = [one.command for one in line.packets if one.device_number in {5, 9}]
     assert to_others
     assert not [one for one in to_others if isinstance(one, (GetStatus, GetUartErrors))]
-    assert among(reports, Batch)[-1].counters.missing == 0
+    assert of_type(reports, Batch)[-1].counters.missing == 0
 
 
 def test_probe_is_rejected_while_motors_are_armed(line: Line) -> None:

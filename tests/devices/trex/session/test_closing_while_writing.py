@@ -18,7 +18,7 @@ from tests.devices.trex.client.test_interrupted_writing import (
     require_reachable,
     wire,
 )
-from tests.devices.trex.session.helpers import commands, moving, outcomes, timed_run
+from tests.devices.trex.session.helpers import commands, motor_commands_in, outcomes, timed_run
 from tests.support.matrix import sampled
 from trex_gui.core.errors import NoReply
 from trex_gui.core.session import Close, Closed, Outcome
@@ -211,7 +211,7 @@ def test_close_sends_one_confirmed_stop() -> None:
     case = CLOSED["everything"]
     attempt = driven(case, moments(case)[20])
     run(attempt)
-    sent = moving(attempt.stage.transport.sent)
+    sent = motor_commands_in(attempt.stage.transport.sent)
     stops = [command for command in sent if command in STOP]
     assert len(stops) == 2 * len(STOP)  # two rounds are the proof
     assert GetStatus() in commands(attempt.stage.transport.sent)

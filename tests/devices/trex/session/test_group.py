@@ -14,7 +14,7 @@ from tests.devices.trex.session.group_harness import (
     run_sequences,
     stop_delays,
 )
-from tests.devices.trex.session.helpers import among, outcomes, run_for, seen_at
+from tests.devices.trex.session.helpers import of_type, outcomes, read_at, run_for
 from trex_gui.core.errors import BadRequest, NoReply
 from trex_gui.core.session import Closed
 from trex_gui.devices.trex.driving.requests import Arm, MotorsStopped, Stop
@@ -39,12 +39,12 @@ def harness() -> GroupHarness:
 
 def test_every_board_is_read_and_drives(harness: GroupHarness) -> None:
     harness.drive(until=3.0)
-    moving = seen_at(harness, 3.0, lambda: harness.moving)
+    moving = read_at(harness, 3.0, lambda: harness.moving)
     harness.script.at(3.0, Stop(5))
-    stopped = seen_at(harness, 3.1, lambda: harness.moving)
+    stopped = read_at(harness, 3.1, lambda: harness.moving)
     reports = run_for(harness, 4.0, GROUP)
     for number in harness.boards:
-        (read,) = among(of(number, reports), Connected)
+        (read,) = of_type(of(number, reports), Connected)
         assert read.state.parameters["device_number"] == number
         assert read.settings == replace(GROUP, device_number=number)
     assert (moving, stopped) == ([{7, 9}], [set()])
@@ -54,7 +54,7 @@ def test_every_board_is_read_and_drives(harness: GroupHarness) -> None:
 def test_nothing_moves_before_the_group_is_armed(harness: GroupHarness) -> None:
     harness.script.at(OPENED, ToBoard(9, FORWARD))
     harness.script.at(OPENED, FORWARD)
-    moving = seen_at(harness, 3.0, lambda: harness.moving)
+    moving = read_at(harness, 3.0, lambda: harness.moving)
     run_for(harness, 4.0, GROUP)
     assert moving == [set()]
     assert harness.transport.guardian.watched == []
@@ -64,7 +64,7 @@ def test_nothing_moves_before_the_group_is_armed(harness: GroupHarness) -> None:
 def test_nothing_moves_before_every_board_was_read(harness: GroupHarness, moment: float) -> None:
     for step in (Arm(), ToBoard(7, FORWARD), ToBoard(9, FORWARD)):
         harness.script.at(moment, step)
-    looks = [seen_at(harness, moment + 0.1 * one, lambda: harness.moving) for one in range(20)]
+    looks = [read_at(harness, moment + 0.1 * one, lambda: harness.moving) for one in range(20)]
     run_for(harness, 4.0, GROUP)
     assert looks == [[set()]] * 20
 
@@ -78,7 +78,7 @@ def test_typed_packet_renumbers_no_board_of_a_group(
     (raw,) = packets_of(Framing(9, None).encode(command), None)
     harness.drive(until=3.5, also={3.0: SendPacket(5, raw)})
     harness.script.at(3.5, Stop(6))
-    moving = seen_at(harness, 3.6, lambda: harness.moving)
+    moving = read_at(harness, 3.6, lambda: harness.moving)
     reports = run_for(harness, 4.0, GROUP)
     assert isinstance(outcomes(reports)[5].error, BadRequest)
     assert outcomes(reports)[6].error is None
@@ -106,11 +106,11 @@ def test_board_that_leaves_stops_the_others(harness: GroupHarness, number: int, 
         harness.script.at(3.0, ToBoard(number, Stop(1)))
     else:
         harness.drive(until=3.5, also={3.0: leave})
-    moving = seen_at(harness, 3.6, lambda: harness.moving)
+    moving = read_at(harness, 3.6, lambda: harness.moving)
     reports = run_for(harness, 4.0, GROUP)
     assert moving in ([set()], [{number}])
     other = 16 - number
-    (why,) = among(of(other, reports), MotorsStopped)
+    (why,) = of_type(of(other, reports), MotorsStopped)
     assert why == MotorsStopped(ErrorCode.LEFT_GROUP, confirmed=True, board=number)
 
 
@@ -120,10 +120,10 @@ def test_no_motor_moves_without_an_armed_group() -> None:
 
 def test_silence_of_the_program_stops_every_board(harness: GroupHarness) -> None:
     harness.drive(until=3.0)
-    moving = seen_at(harness, 3.7, lambda: harness.moving)
+    moving = read_at(harness, 3.7, lambda: harness.moving)
     reports = run_for(harness, 4.0, GROUP)
     assert moving == [set()]
-    assert all(among(of(number, reports), MotorsStopped) for number in harness.boards)
+    assert all(of_type(of(number, reports), MotorsStopped) for number in harness.boards)
 
 
 def test_guardian_stops_every_board(harness: GroupHarness) -> None:
@@ -138,7 +138,7 @@ def test_guardian_stops_every_board(harness: GroupHarness) -> None:
 
 def test_missing_board_is_named(harness: GroupHarness) -> None:
     harness.ninth.power_off()
-    (closed,) = among(run_for(harness, 4.0, GROUP), Closed)
+    (closed,) = of_type(run_for(harness, 4.0, GROUP), Closed)
     assert isinstance(closed.error, NoReply)
     assert "Board 9" in str(closed.error)
 

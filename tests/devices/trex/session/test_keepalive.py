@@ -5,7 +5,7 @@ import math
 
 import pytest
 
-from tests.devices.trex.session.helpers import among, run_for, samples, seen_at, staged
+from tests.devices.trex.session.helpers import create_harness, of_type, read_at, run_for, samples
 from tests.support.matrix import sampled
 from tests.support.virtual import SessionHarness
 from trex_gui.core.session import Outcome
@@ -41,13 +41,13 @@ INTERVAL = 0.25
     ("baud", "detection"), sampled(itertools.product(baud_rates(), Detection), every=9)
 )
 def test_100_ms_timeout_never_fires_while_armed(baud: int, detection: Detection) -> None:
-    harness, settings = staged(baud, detection)
+    harness, settings = create_harness(baud, detection)
     set_timeout(harness, 1)
     start = opening(baud)
     harness.script.at(start, Arm()).at(start, SetMotor(1, Drive.at(90)))
     for number in range(12):
         harness.script.at(start + number * INTERVAL, Heartbeat())
-    speeds = seen_at(harness, start + 3.0, lambda: harness.board.motors[0].speed)
+    speeds = read_at(harness, start + 3.0, lambda: harness.board.motors[0].speed)
     reports = run_for(harness, start + 3.1, settings)
     assert speeds == [90]
     fired = [
@@ -59,7 +59,7 @@ def test_100_ms_timeout_never_fires_while_armed(baud: int, detection: Detection)
 
 
 def test_slow_line_omits_long_polls_while_armed() -> None:
-    harness, settings = staged(1200)
+    harness, settings = create_harness(1200)
     set_timeout(harness, 1)
     start = opening(1200)
     harness.script.at(start, Arm())
@@ -73,20 +73,20 @@ def test_slow_line_omits_long_polls_while_armed() -> None:
 
 
 def test_timeout_written_while_connected_applies_at_once() -> None:
-    harness, settings = staged(1200)
+    harness, settings = create_harness(1200)
     start = opening(1200)
     harness.script.at(start, Write(1, (("serial_timeout", 1),)))
     harness.script.at(start + 1.0, Arm())
     for number in range(16):
         harness.script.at(start + 1.0 + number * INTERVAL, Heartbeat())
     reports = run_for(harness, start + 4.0, settings)
-    assert among(reports, Outcome)[0].error is None
+    assert of_type(reports, Outcome)[0].error is None
     assert [one for one in samples(reports, Raw) if one.time > start + 1.2] == []
 
 
 @pytest.mark.parametrize(("baud", "tenths"), [(1200, 1), (2400, 2), (115200, 1)])
 def test_lost_reply_fires_timeout_only_where_predicted(baud: int, tenths: int) -> None:
-    harness, settings = staged(baud)
+    harness, settings = create_harness(baud)
     harness.transport.latency = latency_of("/dev/ttyUSB0")
     set_timeout(harness, tenths)
     start = opening(baud)
@@ -117,7 +117,7 @@ def test_reply_lost_after_arming_lets_no_timeout_fire(ahead: float) -> None:
     """The first reply and the safety check are included."""
 
     def run(seconds: float, armed_at: float = math.inf) -> SessionHarness:
-        harness, settings = staged()
+        harness, settings = create_harness()
         harness.transport.latency = 0.3  # as over a network
         set_timeout(harness, 5)
         assert survives_a_loss(settings.line, 0.5, harness.transport.latency)

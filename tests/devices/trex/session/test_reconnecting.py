@@ -6,7 +6,7 @@ from itertools import cycle, pairwise, product
 
 import pytest
 
-from tests.devices.trex.session.helpers import among, outcomes, packet, staged
+from tests.devices.trex.session.helpers import create_harness, of_type, outcomes, packet
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.matrix import sampled
 from tests.support.virtual import SessionHarness
@@ -91,7 +91,7 @@ class Place(SessionHarness):
 
     @property
     def connections(self) -> list[Connected]:
-        return among(self.reports, Connected)
+        return of_type(self.reports, Connected)
 
 
 def the_return(place: Place, moment: float = 5.0) -> Connected:
@@ -113,23 +113,25 @@ def moment_of_end(new: LineSettings) -> float:
 
 @pytest.mark.slow
 @pytest.mark.timeout(600)
-def test_board_reconnects_at_every_line_setting(orders: list[str]) -> None:
+def test_board_reconnects_at_every_line_setting(motor_commands: list[str]) -> None:
     for line in EVERYWHERE:
-        a_board_is_found_again_at(line, orders)
+        a_board_is_found_again_at(line, motor_commands)
 
 
 @pytest.mark.parametrize("line", sampled(EACH_ONCE, every=6), ids=lambda line: line.text())
-def test_board_reconnects_at_expected_line_settings(line: LineSettings, orders: list[str]) -> None:
-    a_board_is_found_again_at(line, orders)
+def test_board_reconnects_at_expected_line_settings(
+    line: LineSettings, motor_commands: list[str]
+) -> None:
+    a_board_is_found_again_at(line, motor_commands)
 
 
-def a_board_is_found_again_at(line: LineSettings, orders: list[str]) -> None:
+def a_board_is_found_again_at(line: LineSettings, motor_commands: list[str]) -> None:
     new = replace(OLD, line=line)
     place = Place().go(new, new=new)
     assert the_return(place, moment_of_end(line)).settings == new
     assert place.line.host == line
-    assert among(place.reports, Batch)[-1].samples
-    assert not orders
+    assert of_type(place.reports, Batch)[-1].samples
+    assert not motor_commands
 
 
 def test_board_reconnects_with_new_polynomial() -> None:
@@ -163,7 +165,7 @@ def test_board_reconnects_when_echo_changes(
     place.script.at(OFF, lambda: setattr(place.line, "echo", not echo))
     back = the_return(place)
     assert (back.settings, back.echo) == (OLD, not echo)
-    assert among(place.reports, Batch)[-1].samples
+    assert of_type(place.reports, Batch)[-1].samples
 
 
 def test_board_reconnects_at_settings_derived_from_stored_ones() -> None:
@@ -190,7 +192,7 @@ def test_unchanged_board_keeps_reconnect_candidates() -> None:
     place.script.at(6.0, place.board.power_on)
     place.end(10.0)
     assert [each.settings for each in place.connections] == [OLD, OLD, new]
-    assert len(among(place.reports, NotResponding)) == 2
+    assert len(of_type(place.reports, NotResponding)) == 2
 
 
 def test_reconnect_clears_candidates() -> None:
@@ -213,12 +215,12 @@ def test_reconnect_candidates_can_be_cleared() -> None:
     assert len(place.connections) == 1
 
 
-def test_counters_continue_after_reconnect(orders: list[str]) -> None:
+def test_counters_continue_after_reconnect(motor_commands: list[str]) -> None:
     new = replace(OLD, line=CRC)
     place = Place().go(new, new=new)
     the_return(place)
-    (silent,) = among(place.reports, NotResponding)
-    assert among(place.reports, Batch)[-1].counters.requests > silent.counters.requests > 100
+    (silent,) = of_type(place.reports, NotResponding)
+    assert of_type(place.reports, Batch)[-1].counters.requests > silent.counters.requests > 100
 
 
 # --- Duration ---------------------------------------------------------------------------
@@ -298,7 +300,7 @@ some_or_all_lines = pytest.mark.parametrize(
 )
 @some_or_all_lines
 def test_reconnect_probes_command_no_motor_at_any_settings(
-    old: LineSettings, expected: LineSettings, lines: list[LineSettings], orders: list[str]
+    old: LineSettings, expected: LineSettings, lines: list[LineSettings], motor_commands: list[str]
 ) -> None:
     """Every reply is lost, so every probe is sent."""
     for line in lines:
@@ -309,7 +311,7 @@ def test_reconnect_probes_command_no_motor_at_any_settings(
         place.script.at(ON, place.fault(mute=True))
         place.end(4.5)
         assert len(place.connections) == 1
-        assert not orders, line.text()
+        assert not motor_commands, line.text()
         assert not place.board.memory.writes
 
 
@@ -471,7 +473,7 @@ def test_reading_board_again_ends_not_responding() -> None:
 
 
 def test_candidates_are_scanned_only_when_not_responding() -> None:
-    harness, settings = staged()
+    harness, settings = create_harness()
     client = harness.client(settings)
     responding = LivenessMonitor(Timeouts())
     responding.expect(ELSEWHERE)
@@ -485,7 +487,7 @@ def test_candidates_are_scanned_only_when_not_responding() -> None:
 
 
 def test_scan_continues_until_board_is_read() -> None:
-    harness, settings = staged()
+    harness, settings = create_harness()
     client = harness.client(settings)
     liveness = silent_at(0.0)
     harness.board.power_off()

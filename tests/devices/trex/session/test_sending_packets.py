@@ -3,14 +3,14 @@
 import pytest
 
 from tests.devices.trex.session.helpers import (
-    among,
     is_stopped,
-    moving,
+    motor_commands_in,
+    of_type,
     outcomes,
-    pulses,
+    read_at,
     run_for,
     samples,
-    seen_at,
+    schedule_heartbeats,
 )
 from tests.support.virtual import SessionHarness
 from trex_gui.core.errors import BadRequest, NoReply
@@ -49,10 +49,10 @@ def test_reply_is_the_outcome_as_bytes(harness: SessionHarness) -> None:
 
 def test_packet_that_moves_is_sent_only_while_armed(harness: SessionHarness) -> None:
     harness.script.at(1.0, packet(1, "C2 50"))
-    before = seen_at(harness, 1.1, lambda: harness.board.motors[0].speed)
+    before = read_at(harness, 1.1, lambda: harness.board.motors[0].speed)
     harness.script.at(1.2, Arm()).at(1.2, packet(2, "C2 50"))
-    pulses(harness, 1.2, 1.6)
-    during = seen_at(harness, 1.6, lambda: harness.board.motors[0].speed)
+    schedule_heartbeats(harness, 1.2, 1.6)
+    during = read_at(harness, 1.6, lambda: harness.board.motors[0].speed)
     harness.script.at(2.0, Stop(3)).at(2.0, packet(4, "C2 50"))
     harness.script.at(2.5, packet(5, "C2 50"))
     found = outcomes(run_for(harness, 4.0))
@@ -66,7 +66,7 @@ def test_packet_that_moves_is_sent_only_while_armed(harness: SessionHarness) -> 
 
 def test_packet_that_moves_is_stopped_by_a_missing_heartbeat(harness: SessionHarness) -> None:
     harness.script.at(1.0, Arm()).at(1.0, packet(1, "CA 50"))
-    during = seen_at(harness, 1.3, lambda: harness.board.motors[1].speed)
+    during = read_at(harness, 1.3, lambda: harness.board.motors[1].speed)
     run_for(harness, 3.0)
     assert during == [80]
     assert is_stopped(harness.board)
@@ -91,15 +91,15 @@ def test_board_is_read_again_after_a_packet_that_writes(harness: SessionHarness)
     harness.script.at(1.0, packet(1, "AF 07 0F 55 2A"))
     reports = run_for(harness, 3.0)
     assert outcomes(reports)[1].value == b"\0"
-    assert among(reports, Connected)[-1].state.parameters["serial_timeout"] == 15
-    assert not moving(harness.transport.sent)
+    assert of_type(reports, Connected)[-1].state.parameters["serial_timeout"] == 15
+    assert not motor_commands_in(harness.transport.sent)
 
 
 def test_board_is_found_where_a_packet_has_put_it(harness: SessionHarness) -> None:
     harness.script.at(1.0, packet(1, "AF 7E 0A 55 2A"))
     harness.script.at(2.0, harness.board.power_off).at(4.0, harness.board.power_on)
     reports = run_for(harness, 12.0)
-    assert among(reports, Connected)[-1].settings.line == LineSettings(115200)
+    assert of_type(reports, Connected)[-1].settings.line == LineSettings(115200)
 
 
 def test_write_without_a_reply_is_read_again(harness: SessionHarness) -> None:
@@ -107,4 +107,4 @@ def test_write_without_a_reply_is_read_again(harness: SessionHarness) -> None:
     harness.script.at(1.0, packet(1, "AF 0E 0F 55 2A"))
     reports = run_for(harness, 6.0)
     assert isinstance(outcomes(reports)[1].error, NoReply)
-    assert among(reports, Connected)[-1].state.parameters["motor1_acceleration"] == 15
+    assert of_type(reports, Connected)[-1].state.parameters["motor1_acceleration"] == 15

@@ -2,7 +2,14 @@
 
 import pytest
 
-from tests.devices.trex.session.helpers import among, moving, outcomes, packet, run_for, staged
+from tests.devices.trex.session.helpers import (
+    create_harness,
+    motor_commands_in,
+    of_type,
+    outcomes,
+    packet,
+    run_for,
+)
 from tests.support.matrix import sampled
 from tests.support.virtual import SessionHarness, VirtualTransport
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
@@ -30,7 +37,7 @@ from trex_gui.devices.trex.simulator.memory import Eeprom
 
 def connected(harness: SessionHarness) -> Connected:
     """Return the only `Connected` report."""
-    (report,) = among(harness.reports, Connected)
+    (report,) = of_type(harness.reports, Connected)
     return report
 
 
@@ -53,7 +60,7 @@ def test_connection_reports_state_of_board(harness: SessionHarness) -> None:
 def test_session_connects_at_settings_of_board(
     baud: int, detection: Detection, *, echo: bool
 ) -> None:
-    harness, settings = staged(baud, detection, echo=echo)
+    harness, settings = create_harness(baud, detection, echo=echo)
     run_for(harness, 0.1 + 5000 / baud, settings)
     report = connected(harness)
     assert report.echo is echo
@@ -61,7 +68,7 @@ def test_session_connects_at_settings_of_board(
 
 
 def test_reading_reports_progress(harness: SessionHarness) -> None:
-    steps = among(run_for(harness, 1.0), Progress)
+    steps = of_type(run_for(harness, 1.0), Progress)
     assert [step.done for step in steps] == sorted(step.done for step in steps)
     assert steps[-1].done == steps[-1].total
     assert len({step.total for step in steps[1:]}) == 1
@@ -70,8 +77,8 @@ def test_reading_reports_progress(harness: SessionHarness) -> None:
 def test_setpoint_before_board_is_read_is_sent(harness: SessionHarness) -> None:
     harness.script.at(0.0, SetMotor(1, Drive.at(30)))
     run_for(harness, 1.0)
-    assert len(among(harness.reports, Connected)) == 1
-    assert moving(harness.transport.sent)
+    assert len(of_type(harness.reports, Connected)) == 1
+    assert motor_commands_in(harness.transport.sent)
 
 
 def test_echo_is_detected_with_device_number(board: Board) -> None:
@@ -86,7 +93,7 @@ def test_echo_is_detected_with_device_number(board: Board) -> None:
 def end(harness: SessionHarness, settings: ConnectionSettings | None = None) -> Closed:
     """Run a session without a board. Return its error."""
     reports = run_for(harness, 30.0, settings)
-    assert not among(reports, Connected)
+    assert not of_type(reports, Connected)
     assert harness.transport.closed
     closed = reports[-1]
     assert isinstance(closed, Closed)
@@ -101,35 +108,35 @@ def test_missing_board_is_reported_quickly(harness: SessionHarness) -> None:
 
 
 def test_board_at_other_settings_is_reported_with_them() -> None:
-    harness, settings = staged(detection=Detection.EVEN)
+    harness, settings = create_harness(detection=Detection.EVEN)
     harness.line.host = LineSettings()
     error = end(harness).error
     assert isinstance(error, BoardElsewhere)
     assert error.settings == settings
-    steps = among(harness.reports, Progress)
+    steps = of_type(harness.reports, Progress)
     assert "19200 baud, even parity, 1 stop bit" in [step.what for step in steps]
 
 
 def test_closing_ends_the_probes_without_error() -> None:
-    harness, _ = staged(detection=Detection.ODD)
+    harness, _ = create_harness(detection=Detection.ODD)
     harness.line.host = LineSettings()
     reports = run_for(harness, 0.4)
     assert "19200 baud, no error detection, 1 stop bit" in [
-        step.what for step in among(reports, Progress)
+        step.what for step in of_type(reports, Progress)
     ]
     assert reports[-1] == Closed(None)
     assert harness.line.now < 0.6
 
 
 def test_motors_left_running_are_stopped_without_probes() -> None:
-    harness, _ = staged(detection=Detection.EVEN)
+    harness, _ = create_harness(detection=Detection.EVEN)
     harness.line.host = LineSettings()
     reports = run_for(harness, 30.0, may_move=True)
     closed = reports[-1]
     assert isinstance(closed, Closed)
     assert not isinstance(closed.error, BoardElsewhere)
     assert closed.may_move
-    assert [step.what for step in among(reports, Progress)] == ["signature"]
+    assert [step.what for step in of_type(reports, Progress)] == ["signature"]
 
 
 def test_error_shows_port_name_instead_of_url(harness: SessionHarness) -> None:
@@ -197,13 +204,13 @@ def test_power_loss_while_reading_is_reported(harness: SessionHarness) -> None:
     harness.script.at(0.05, harness.board.power_off)
     error = end(harness).error
     assert isinstance(error, NoReply)
-    assert among(harness.reports, Progress)
+    assert of_type(harness.reports, Progress)
 
 
 def test_close_while_reading_is_no_error(harness: SessionHarness) -> None:
     reports = run_for(harness, 0.05)
     assert reports[-1] == Closed(None)
-    assert not among(reports, Connected)
+    assert not of_type(reports, Connected)
     assert harness.line.now < 0.1
 
 
@@ -230,7 +237,7 @@ def test_requests_fail_when_no_board_is_found(harness: SessionHarness) -> None:
     found = outcomes(harness.reports)
     assert sorted(found) == [1, 3, 4]
     assert all(outcome.error is closed.error for outcome in found.values())
-    assert not among(harness.reports, Batch)
+    assert not of_type(harness.reports, Batch)
 
 
 @pytest.mark.parametrize(

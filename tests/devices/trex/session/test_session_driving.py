@@ -5,16 +5,16 @@ import itertools
 import pytest
 
 from tests.devices.trex.session.helpers import (
-    among,
     commands,
+    create_harness,
     is_stopped,
-    moving,
+    motor_commands_in,
+    of_type,
     outcomes,
     packet,
+    read_at,
     run_for,
     samples,
-    seen_at,
-    staged,
 )
 from tests.support.matrix import sampled
 from tests.support.virtual import SessionHarness
@@ -48,13 +48,13 @@ MOVES, RATE = 1_500, 1000  # of a hand, a second: a line carries fifty packets i
 
 @pytest.mark.parametrize("baud", [1200, 19200, 115200])
 def test_drag_sends_newest_positions_and_delivers_last_one(baud: int) -> None:
-    harness, settings = staged(baud)
+    harness, settings = create_harness(baud)
     start = 1.0 + 4.0 * 1200 / baud
     for move in range(MOVES):
         harness.script.at(start + move / RATE, SetMotor(1, Drive.at(move % 128)))
     end = start + MOVES / RATE
     soon = 0.3 if baud == 1200 else 0.04
-    speeds = seen_at(harness, end + soon, lambda: harness.board.motors[0].speed)
+    speeds = read_at(harness, end + soon, lambda: harness.board.motors[0].speed)
     run_for(harness, end + 0.4, settings)
     opcode = DriveMotor(1, Drive.at(1)).opcode
     sent = [(moment, data[1]) for moment, data in harness.transport.written if data[0] == opcode]
@@ -66,7 +66,7 @@ def test_drag_sends_newest_positions_and_delivers_last_one(baud: int) -> None:
 
 
 def test_driving_leaves_time_for_polling() -> None:
-    harness, settings = staged(1200)
+    harness, settings = create_harness(1200)
     for step in range(600):
         harness.script.at(5.0 + step / 200, SetMotor(1 + step % 2, Drive.at(step % 100)))
     run_for(harness, 8.0, settings)
@@ -76,9 +76,9 @@ def test_driving_leaves_time_for_polling() -> None:
 
 
 def test_setpoint_is_sent_during_reload() -> None:
-    harness, settings = staged(1200)
+    harness, settings = create_harness(1200)
     harness.script.at(4.0, Reload(1)).at(4.5, SetMotor(1, Drive.at(60)))
-    speeds = seen_at(harness, 4.8, lambda: harness.board.motors[0].speed)
+    speeds = read_at(harness, 4.8, lambda: harness.board.motors[0].speed)
     run_for(harness, 8.0, settings)
     assert speeds == [60]
     assert outcomes(harness.reports)[1].error is None
@@ -90,7 +90,7 @@ def test_setpoint_is_sent_during_reload() -> None:
 def test_stop_is_confirmed_by_status_reply(harness: SessionHarness) -> None:
     harness.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.0, SetAuxiliary(100))
     harness.script.at(1.5, Stop(1))
-    stopped = seen_at(harness, 1.52, lambda: is_stopped(harness.board))
+    stopped = read_at(harness, 1.52, lambda: is_stopped(harness.board))
     run_for(harness, 2.0)
     assert stopped == [True]
     assert outcomes(harness.reports)[1].error is None
@@ -101,7 +101,7 @@ def test_stop_is_confirmed_by_status_reply(harness: SessionHarness) -> None:
 
 @pytest.mark.parametrize(("baud", "within"), [(1200, 0.35), (9600, 0.05), (115200, 0.01)])
 def test_stop_is_sent_within_one_transaction(baud: int, within: float) -> None:
-    harness, settings = staged(baud)
+    harness, settings = create_harness(baud)
     start = 4.5 if baud == 1200 else 0.5
     requested = [start + number * 1.017 for number in range(1, 5)]
     for number, moment in enumerate(requested):
@@ -162,12 +162,12 @@ def test_simultaneous_stops_share_packets_and_get_outcomes(harness: SessionHarne
     harness.script.at(1.0, Stop(1)).at(1.0, Stop(2)).at(1.0, Stop(3))
     run_for(harness, 2.0)
     assert sorted(outcomes(harness.reports)) == [1, 2, 3]
-    assert moving(harness.transport.sent) == [*STOP, *STOP]
+    assert motor_commands_in(harness.transport.sent) == [*STOP, *STOP]
 
 
 def test_stop_in_rc_mode_is_confirmed() -> None:
     """The models warn that the channels still drive the motors."""
-    harness, settings = staged(mode="rc")
+    harness, settings = create_harness(mode="rc")
     harness.script.at(1.0, Stop(1))
     run_for(harness, 2.0, settings)
     assert outcomes(harness.reports)[1].error is None
@@ -177,7 +177,7 @@ def test_stop_in_rc_mode_is_confirmed() -> None:
 def test_stop_with_lost_bytes_is_resent(harness: SessionHarness, lost: int) -> None:
     harness.script.at(1.0, SetMotor(1, Drive.at(100)))
     harness.script.at(1.5, harness.fault(to_drop_sent=lost)).at(1.5, Stop(1))
-    stopped = seen_at(harness, 1.7, lambda: harness.board.motors[0].speed == 127)
+    stopped = read_at(harness, 1.7, lambda: harness.board.motors[0].speed == 127)
     run_for(harness, 2.0)
     assert stopped == [True]
     assert outcomes(harness.reports)[1].error is None
@@ -185,7 +185,7 @@ def test_stop_with_lost_bytes_is_resent(harness: SessionHarness, lost: int) -> N
 
 @pytest.mark.parametrize("seed", sampled(range(5), every=2))
 def test_stop_succeeds_on_noisy_line_with_crc(seed: int) -> None:
-    harness, settings = staged(detection=Detection.CRC7)
+    harness, settings = create_harness(detection=Detection.CRC7)
     harness.line.faults._random.seed(seed)
     harness.script.at(1.0, harness.fault(noise=0.05)).at(1.0, Stop(1))
     run_for(harness, 1.5, settings)
@@ -211,7 +211,7 @@ def test_motors_left_running_are_stopped_before_reading(harness: SessionHarness)
     sent = commands(harness.transport.sent)
     assert sent.index(STOP[0]) < sent.index(GetSignature())
     assert is_stopped(harness.board)
-    assert among(reports, Connected)[0].may_move is False
+    assert of_type(reports, Connected)[0].may_move is False
 
 
 def test_silent_board_with_running_motors_is_stopped_before_and_after_its_return(
@@ -219,18 +219,21 @@ def test_silent_board_with_running_motors_is_stopped_before_and_after_its_return
 ) -> None:
     harness.script.at(1.0, SetMotor(1, Drive.at(100)))
     harness.script.at(1.5, harness.fault(mute=True)).at(3.0, harness.fault(mute=False))
-    early = seen_at(harness, 2.0, lambda: is_stopped(harness.board))
-    stopped = seen_at(harness, 4.0, lambda: is_stopped(harness.board))
+    early = read_at(harness, 2.0, lambda: is_stopped(harness.board))
+    stopped = read_at(harness, 4.0, lambda: is_stopped(harness.board))
     reports = run_for(harness, 4.0)
     assert early == stopped == [True]
-    assert among(reports, Connected)[-1].may_move is False
+    assert of_type(reports, Connected)[-1].may_move is False
     assert reports[-1] == Closed(None)
 
 
 def test_confirmed_stop_is_not_repeated_on_close(harness: SessionHarness) -> None:
     harness.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.2, Stop(1))
     reports = run_for(harness, 2.0)
-    assert [one for one in moving(harness.transport.sent) if one in STOP] == [*STOP, *STOP]
+    assert [one for one in motor_commands_in(harness.transport.sent) if one in STOP] == [
+        *STOP,
+        *STOP,
+    ]
     assert reports[-1] == Closed(None, may_move=False)
 
 
@@ -254,6 +257,6 @@ def test_setpoint_with_corrupted_echo_is_resent(board: Board) -> None:
     harness.script.at(2.0, packet(1, GetMode()))
     reports = run_for(harness, 3.0)
     # Sent twice: the echo of the first was corrupted. The status confirms the stop.
-    sent = moving(harness.transport.sent)
+    sent = motor_commands_in(harness.transport.sent)
     assert sent.count(DriveMotor(1, Drive.at(50))) == 2
     assert outcomes(reports)[1].error is None

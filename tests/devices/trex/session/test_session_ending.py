@@ -8,14 +8,14 @@ from hypothesis import strategies as st
 
 from tests.devices.trex.session.helpers import (
     FailingTransport,
-    among,
     commands,
-    moving,
+    create_harness,
+    motor_commands_in,
+    of_type,
     outcomes,
     packet,
     run_for,
     samples,
-    staged,
 )
 from tests.support.matrix import examples
 from tests.support.virtual import SessionHarness
@@ -79,7 +79,7 @@ def test_another_model_at_the_end_does_not_confirm_the_stop(harness: SessionHarn
 
 
 def test_stop_is_transmitted_before_port_is_closed() -> None:
-    harness, settings = staged(1200)
+    harness, settings = create_harness(1200)
     harness.script.at(5.0, SetMotor(1, Drive.at(100)))
     run_for(harness, 6.0, settings)
     assert harness.line.backlog == 0.0
@@ -113,7 +113,7 @@ def test_unanswered_stop_delays_close_by_less_than_a_second(
     reports = harness.run()
     assert harness.line.now < 1.1 + after + 0.9
     assert outcomes(reports)[1].error is not None
-    assert among(reports, Closed) == [Closed(None, may_move=drives)]
+    assert of_type(reports, Closed) == [Closed(None, may_move=drives)]
     motor = harness.board.motors[0]
     assert (motor.target_direction.value, motor.target_speed) == ("brake", 127)
 
@@ -159,7 +159,7 @@ def test_each_request_has_one_outcome_when_port_is_lost(
     if harness.line.now > 1.0:  # else those that nobody had taken from the inbox have none
         assert set(outcomes(reports)) == requested
     assert set(outcomes(reports)) <= requested
-    (closed,) = among(reports, Closed)
+    (closed,) = of_type(reports, Closed)
     assert closed.error is GONE
     assert reports[-1] is closed
     assert harness.transport.closed
@@ -233,7 +233,7 @@ def test_internal_error_stops_driven_motors(
         reports = run_for(harness, 2.0)
     assert isinstance(reports[-1], Closed)
     assert harness.transport.closed
-    assert moving(harness.transport.sent)[-2:] == list(STOP)
+    assert motor_commands_in(harness.transport.sent)[-2:] == list(STOP)
     assert harness.board.motors[0].direction is MotorDirection.BRAKE
 
 
@@ -275,7 +275,7 @@ def test_each_kind_of_request_gets_an_outcome(harness: SessionHarness) -> None:
 def test_reload_is_reported_before_its_outcome(harness: SessionHarness) -> None:
     harness.script.at(1.0, Reload(2))
     reports = run_for(harness, 2.0)
-    again = among(reports, Connected)[1]
+    again = of_type(reports, Connected)[1]
     assert again.occasion is ReadReason.RELOADED
     assert reports.index(again) < reports.index(outcomes(reports)[2])
 

@@ -3,13 +3,13 @@
 import pytest
 
 from tests.devices.trex.session.helpers import (
-    among,
     commands,
+    create_harness,
     is_stopped,
+    of_type,
     outcomes,
+    read_at,
     run_for,
-    seen_at,
-    staged,
 )
 from tests.support.guardian import VirtualGuardian
 from tests.support.virtual import SessionHarness
@@ -37,9 +37,9 @@ def test_guardian_is_ready_before_the_board_counts_as_connected(harness: Session
 def test_guardian_watches_from_before_a_motor_may_move(
     harness: SessionHarness, cause: Arm | SetMotor
 ) -> None:
-    before = seen_at(harness, 0.5, lambda: list(harness.transport.guardian.watched))
+    before = read_at(harness, 0.5, lambda: list(harness.transport.guardian.watched))
     harness.script.at(0.5, cause)
-    after = seen_at(harness, 0.6, lambda: list(harness.transport.guardian.watched))
+    after = read_at(harness, 0.6, lambda: list(harness.transport.guardian.watched))
     run_for(harness, 0.7)
     assert before == [[]]
     assert after[0]
@@ -49,7 +49,7 @@ def test_guardian_watches_from_before_a_motor_may_move(
 @pytest.mark.parametrize("detection", [Detection.NONE, Detection.CRC7])
 @pytest.mark.parametrize("model", ["trex", "trexjr"])
 def test_guardian_knows_the_stop_in_force(model: str, detection: Detection) -> None:
-    harness, settings = staged(detection=detection, model=model)
+    harness, settings = create_harness(detection=detection, model=model)
     harness.script.at(0.5, Arm())
     run_for(harness, 0.7, settings)
     sequence = harness.transport.guardian.watched[0]
@@ -65,7 +65,7 @@ def test_guardian_knows_the_stop_in_force(model: str, detection: Detection) -> N
 
 def test_confirmed_stop_ends_the_watch(harness: SessionHarness) -> None:
     harness.script.at(0.5, SETPOINT).at(1.0, Stop(1))
-    at_rest = seen_at(harness, 1.5, lambda: harness.transport.guardian.watched[-1])
+    at_rest = read_at(harness, 1.5, lambda: harness.transport.guardian.watched[-1])
     reports = run_for(harness, 2.0)
     assert outcomes(reports)[1].error is None
     assert at_rest == [None]
@@ -76,10 +76,10 @@ def test_guardian_watches_while_the_board_is_silent_and_motors_may_move(
 ) -> None:
     harness.script.at(0.5, SETPOINT)
     harness.script.at(1.0, harness.fault(mute=True))
-    count = seen_at(harness, 2.5, lambda: len(harness.transport.guardian.watched))
-    later = seen_at(harness, 3.5, lambda: len(harness.transport.guardian.watched))
+    count = read_at(harness, 2.5, lambda: len(harness.transport.guardian.watched))
+    later = read_at(harness, 3.5, lambda: len(harness.transport.guardian.watched))
     reports = run_for(harness, 4.0)
-    assert among(reports, NotResponding)
+    assert of_type(reports, NotResponding)
     assert later[0] >= count[0] + 5
 
 
@@ -97,7 +97,7 @@ def test_guardian_stops_motors_on_a_line_that_the_session_has_lost(
     harness.script.at(0.5, SETPOINT)
     harness.script.at(1.0, lambda: setattr(harness.transport, "fail", PortUnavailable("gone")))
     reports = run_for(harness, 2.0)
-    (closed,) = among(reports, Closed)
+    (closed,) = of_type(reports, Closed)
     assert isinstance(closed.error, PortUnavailable)
     assert len(requested) == 1
     assert closed.may_move != confirms
@@ -116,9 +116,9 @@ def test_take_over_is_not_taken_for_a_line_that_corrupts_bytes(harness: SessionH
         harness.transport.read = be_held_up  # type: ignore[method-assign]
 
     harness.script.at(0.5, SETPOINT).at(1.0, hang_while_reading).at(1.5, Stop(1))
-    stopped = seen_at(harness, 1.8, lambda: set(outcomes(harness.reports)))
+    stopped = read_at(harness, 1.8, lambda: set(outcomes(harness.reports)))
     reports = run_for(harness, 3.0)
-    assert among(reports, MotorsStopped)[0].reason is ErrorCode.NO_HEARTBEAT
+    assert of_type(reports, MotorsStopped)[0].reason is ErrorCode.NO_HEARTBEAT
     assert outcomes(reports)[1].error is None
     assert stopped == [{1}]
 
@@ -133,8 +133,8 @@ def test_motors_are_stopped_where_nothing_replaces_a_lost_guardian(
         monkeypatch.setattr(harness.transport, "start_guardian", lambda _silence: lost)
 
     harness.script.at(0.5, SETPOINT).at(1.0, lose_guardians)
-    stopped = seen_at(harness, 1.8, lambda: is_stopped(harness.board))
-    (report,) = among(run_for(harness, 2.0), MotorsStopped)
+    stopped = read_at(harness, 1.8, lambda: is_stopped(harness.board))
+    (report,) = of_type(run_for(harness, 2.0), MotorsStopped)
     assert (report.reason, stopped) == (ErrorCode.NO_GUARDIAN, [True])
 
 
@@ -143,7 +143,7 @@ def test_guardian_stops_nothing_if_no_motor_was_driven(
 ) -> None:
     monkeypatch.setattr(VirtualGuardian, "stop", lambda *_: pytest.fail("nothing to stop"))
     harness.script.at(1.0, lambda: setattr(harness.transport, "fail", PortUnavailable("gone")))
-    assert not among(run_for(harness, 2.0), Closed)[0].may_move
+    assert not of_type(run_for(harness, 2.0), Closed)[0].may_move
 
 
 def test_stop_follows_a_changed_device_number(harness: SessionHarness) -> None:

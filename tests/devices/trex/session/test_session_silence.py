@@ -3,15 +3,15 @@
 import pytest
 
 from tests.devices.trex.session.helpers import (
-    among,
     commands,
-    moving,
+    create_harness,
+    motor_commands_in,
+    of_type,
     outcomes,
     packet,
+    read_at,
     run_for,
     samples,
-    seen_at,
-    staged,
     timed_run,
 )
 from tests.support.virtual import SessionHarness
@@ -42,7 +42,7 @@ def off_and_on(harness: SessionHarness, off: float, on: float) -> None:
 
 @pytest.mark.parametrize(("baud", "latency"), [(9600, 0.06), (115200, 0.005), (115200, 0.06)])
 def test_power_loss_is_detected_within_500_ms(baud: int, latency: float) -> None:
-    harness, settings = staged(baud)
+    harness, settings = create_harness(baud)
     harness.transport.latency = latency
     harness.script.at(2.0, harness.board.power_off).at(4.0, Close())
     (at,) = [at for at, report in timed_run(harness, settings) if isinstance(report, NotResponding)]
@@ -51,10 +51,10 @@ def test_power_loss_is_detected_within_500_ms(baud: int, latency: float) -> None
 
 def test_unresponsive_board_is_reported_once_and_polled_slowly(harness: SessionHarness) -> None:
     harness.script.at(1.0, harness.board.power_off)
-    sent = [seen_at(harness, moment, lambda: len(harness.transport.sent)) for moment in (2, 3, 8)]
+    sent = [read_at(harness, moment, lambda: len(harness.transport.sent)) for moment in (2, 3, 8)]
     reports = run_for(harness, 8.1)
-    (silent,) = among(reports, NotResponding)
-    assert not among(reports[reports.index(silent) :], Batch)
+    (silent,) = of_type(reports, NotResponding)
+    assert not of_type(reports[reports.index(silent) :], Batch)
     assert reports[-1] == Closed(None), "the session goes on"
     times = [one.time for one in samples(reports, Currents)]
     assert max(times) == pytest.approx(1.0, abs=0.02), "what came before is delivered"
@@ -67,9 +67,9 @@ def test_single_lost_reply_keeps_board_responding(harness: SessionHarness) -> No
     for moment in (1.0, 1.5, 2.0, 2.5):
         harness.script.at(moment, harness.fault(to_drop=1))
     run_for(harness, 3.0)
-    assert not among(harness.reports, NotResponding)
-    assert among(harness.reports, Batch)[-1].counters.missing == 4
-    assert not moving(harness.transport.sent)
+    assert not of_type(harness.reports, NotResponding)
+    assert of_type(harness.reports, Batch)[-1].counters.missing == 4
+    assert not motor_commands_in(harness.transport.sent)
 
 
 # --- Coming back ------------------------------------------------------------------------
@@ -86,7 +86,7 @@ def test_returning_board_is_found_within_one_second_and_read_again(harness: Sess
     assert [type(one) for _, one in seen] == [Connected, NotResponding, Connected]
     assert seen[2][0] - 5.0 < 1.0
     reports = [report for _, report in timed]
-    first, second = among(reports, Connected)
+    first, second = of_type(reports, Connected)
     assert (first.occasion, second.occasion) == (ReadReason.OPENED, ReadReason.RETURNED)
     assert second.occasion.power_cycled
     assert (first.state.mode.is_serial, second.state.mode.is_serial) == (True, False)
@@ -105,8 +105,8 @@ def test_board_reconnects_after_power_loss_during_reread(harness: SessionHarness
 
     harness.transport.write = fail_at_the_second_signature  # type: ignore[method-assign] # a knob
     run_for(harness, 7.0)
-    assert len(among(harness.reports, NotResponding)) == 1
-    assert len(among(harness.reports, Connected)) == 2
+    assert len(of_type(harness.reports, NotResponding)) == 1
+    assert len(of_type(harness.reports, Connected)) == 2
     assert harness.reports[-1] == Closed(None)
 
 
@@ -118,12 +118,12 @@ def test_setpoints_for_unresponsive_board_are_discarded(harness: SessionHarness)
     harness.script.at(2.0, SetMotor(1, Drive.at(100))).at(2.1, SetMotor(2, Drive.at(100)))
     harness.script.at(2.9, SetAuxiliary(100))
     harness.script.at(3.0, harness.board.power_on)
-    before = seen_at(harness, 4.9, lambda: len(harness.transport.sent))
+    before = read_at(harness, 4.9, lambda: len(harness.transport.sent))
     harness.script.at(5.0, Arm()).at(5.0, SetMotor(1, Drive.at(90)))
-    speeds = seen_at(harness, 5.1, lambda: harness.board.motors[0].speed)
+    speeds = read_at(harness, 5.1, lambda: harness.board.motors[0].speed)
     run_for(harness, 5.2)
-    assert len(among(harness.reports, Connected)) == 2
-    assert moving(harness.transport.sent[: before[0]]) == []
+    assert len(of_type(harness.reports, Connected)) == 2
+    assert motor_commands_in(harness.transport.sent[: before[0]]) == []
     assert speeds == [90], "what comes after the return is sent"
 
 
@@ -131,7 +131,7 @@ def test_stop_is_sent_to_unresponsive_board(harness: SessionHarness) -> None:
     harness.script.at(1.0, harness.board.power_off).at(2.0, Stop(1))
     run_for(harness, 3.0)
     assert isinstance(outcomes(harness.reports)[1].error, NoReply)
-    assert moving(harness.transport.sent).count(STOP[0]) >= 10
+    assert motor_commands_in(harness.transport.sent).count(STOP[0]) >= 10
 
 
 def test_requests_to_unresponsive_board_fail(harness: SessionHarness) -> None:
@@ -188,7 +188,7 @@ def test_silence_while_reading_new_mode_is_reported(harness: SessionHarness) -> 
     harness.transport.write = die_at_the_second_signature  # type: ignore[method-assign] # a knob
     harness.script.at(1.0, rearrange)
     reports = run_for(harness, 5.0)
-    assert len(among(reports, NotResponding)) == 1
+    assert len(of_type(reports, NotResponding)) == 1
     assert reports[-1] == Closed(None)
 
 
@@ -196,4 +196,4 @@ def test_reload_after_power_loss_counts_as_power_cycle(harness: SessionHarness) 
     off_and_on(harness, 1.0, 3.0)
     harness.script.at(3.0, Reload(1))
     run_for(harness, 4.0)
-    assert [one.occasion for one in among(harness.reports, Connected)][1].power_cycled
+    assert [one.occasion for one in of_type(harness.reports, Connected)][1].power_cycled

@@ -6,14 +6,14 @@ from collections.abc import Callable
 import pytest
 
 from tests.devices.trex.session.helpers import (
-    among,
     commands,
-    moving,
+    create_harness,
+    motor_commands_in,
+    of_type,
     packet,
+    read_at,
     run_for,
     samples,
-    seen_at,
-    staged,
     timed_run,
 )
 from tests.support.virtual import SessionHarness
@@ -61,7 +61,7 @@ def rates_seen(harness: SessionHarness, seconds: float) -> dict[Topic, float]:
 
 @pytest.mark.parametrize(("baud", "mode"), [(19200, "serial"), (115200, "analog")])
 def test_every_new_value_is_sampled_from_19200_baud_on(baud: int, mode: str) -> None:
-    harness, settings = staged(baud, mode=mode)
+    harness, settings = create_harness(baud, mode=mode)
     run_for(harness, 6.0, settings)
     source = InputSource.ANALOG if mode == "analog" else InputSource.RC
     wanted = rates(source)
@@ -70,7 +70,7 @@ def test_every_new_value_is_sampled_from_19200_baud_on(baud: int, mode: str) -> 
 
 
 def test_unwatched_board_is_polled_slowly() -> None:
-    harness, settings = staged(115200)
+    harness, settings = create_harness(115200)
     harness.script.at(0.0, SetWatched(False)).at(6.0, Close())
     timed = timed_run(harness, settings)
     moments = [at for at, report in timed if isinstance(report, Batch)]
@@ -91,7 +91,7 @@ def test_unwatched_board_is_polled_slowly() -> None:
     ids=["watched", "armed", "moved"],
 )
 def test_polling_is_fast_again_when_watched_or_motors_may_move(request_: Request) -> None:
-    harness, settings = staged(115200)
+    harness, settings = create_harness(115200)
     harness.script.at(0.0, SetWatched(False)).at(3.0, request_)
     run_for(harness, 3.5, settings)
     assert rates_seen(harness, 0.4)[Currents] == pytest.approx(80, rel=0.1)
@@ -101,7 +101,7 @@ def test_undisturbed_session_polls_in_order_and_commands_no_motor(harness: Sessi
     reports, sent = run_for(harness, 5.3), harness.transport.sent
     looks = sum(isinstance(one, GetStatus) for one in commands(sent))
     assert looks == pytest.approx(50, abs=4), "ten a second"
-    batches = among(reports, Batch)
+    batches = of_type(reports, Batch)
     assert all(batch.samples for batch in batches), "none is empty"
     times = [sample.time for batch in batches for sample in batch.samples]
     assert times == sorted(times)
@@ -109,18 +109,18 @@ def test_undisturbed_session_polls_in_order_and_commands_no_motor(harness: Sessi
     requests = [batch.counters.requests for batch in batches]
     assert requests == sorted(set(requests)), "counters are those of their moment"
     assert samples(reports, LatchedStatus) == []
-    assert moving(sent) == []
-    assert not among(reports, MotorsStopped), "no heartbeat is missed"
+    assert motor_commands_in(sent) == []
+    assert not of_type(reports, MotorsStopped), "no heartbeat is missed"
 
 
 def test_slow_line_is_kept_busy() -> None:
-    harness, settings = staged(9600)
+    harness, settings = create_harness(9600)
     run_for(harness, 5.0, settings)
     assert len(harness.transport.sent) + harness.line.faults.counters["received"] > 0.95 * 5 * 960
 
 
 def test_samples_are_delivered_soon_and_not_faster_than_they_are_displayed() -> None:
-    harness, settings = staged(115200)
+    harness, settings = create_harness(115200)
     harness.script.at(3.0, Close())
     timed = timed_run(harness, settings)
     batches = [(at, report) for at, report in timed if isinstance(report, Batch)]
@@ -261,7 +261,7 @@ def test_mode_change_after_power_cycle_is_detected(harness: SessionHarness) -> N
     harness.script.at(1.0, rearrange)
     run_for(harness, 4.6)
     assert rates_seen(harness, 2.0)[Currents] == pytest.approx(50, rel=0.03)
-    first, second = among(harness.reports, Connected)
+    first, second = of_type(harness.reports, Connected)
     assert first.state.mode is Mode.SERIAL_RC
     assert second.state.mode is Mode.ANALOG
     assert second.occasion is ReadReason.RESTARTED
@@ -272,7 +272,7 @@ def test_board_is_read_again_three_times_at_most_after_a_failed_write(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     readings: list[float] = []
-    harness, settings = staged()
+    harness, settings = create_harness()
 
     def fail(*_: object, **_options: object) -> DeviceState:
         readings.append(harness.line.now)
@@ -305,7 +305,7 @@ def test_board_is_read_again_after_a_write_on_a_port_that_was_jammed(
     harness.transport.write = jam  # type: ignore[method-assign]
     harness.script.at(1.0, Write(1, (("serial_timeout", 5),)))
     reports = run_for(harness, 5.0)
-    assert among(reports, Connected)[-1].state.parameters["serial_timeout"] == 5
+    assert of_type(reports, Connected)[-1].state.parameters["serial_timeout"] == 5
 
 
 def reset_unnoticed(harness: SessionHarness, **changes: int) -> Callable[[], None]:
@@ -329,13 +329,13 @@ def reset_unnoticed(harness: SessionHarness, **changes: int) -> Callable[[], Non
     ],
 )
 def test_changed_safety_parameter_is_found_within_some_two_seconds(key: str, baud: int) -> None:
-    harness, settings = staged(baud)
+    harness, settings = create_harness(baud)
     for stored in ("serial_timeout", "motor1_current_limit", "motor2_current_limit"):
         harness.board.eeprom.write(stored, 50)
     start, reading_s = (6.0, 3.5) if baud == 1200 else (2.0, 1.0)
     harness.script.at(start, reset_unnoticed(harness, **{key: 0}))
     run_for(harness, start + 1.5 + reading_s, settings)
-    _, second = among(harness.reports, Connected)
+    _, second = of_type(harness.reports, Connected)
     assert second.state.parameters[key] == 0
     assert second.occasion is ReadReason.SETTING_CHANGED
 
@@ -346,7 +346,7 @@ def test_changed_safety_parameter_locks_out_armed_motors(harness: SessionHarness
     harness.script.at(1.5, reset_unnoticed(harness, serial_timeout=0))
     harness.script.at(4.0, SetMotor(1, Drive.at(60)))
     run_for(harness, 4.5)
-    assert among(harness.reports, Connected)[-1].state.serial_timeout == 0
+    assert of_type(harness.reports, Connected)[-1].state.serial_timeout == 0
     assert harness.board.motors[0].speed != 60
 
 
@@ -366,12 +366,12 @@ def test_corrupted_reply_does_not_count_as_changed_safety_parameter(
     harness.line.read = read  # type: ignore[method-assign] # a knob
     run_for(harness, 4.0)
     assert corrupted
-    assert len(among(harness.reports, Connected)) == 1
+    assert len(of_type(harness.reports, Connected)) == 1
 
 
 def test_safety_parameters_are_not_read_while_unwatched(harness: SessionHarness) -> None:
     harness.script.at(0.0, SetWatched(False))
-    marks = seen_at(harness, 2.0, lambda: len(harness.transport.sent))
+    marks = read_at(harness, 2.0, lambda: len(harness.transport.sent))
     run_for(harness, 5.0)
     late = commands(harness.transport.sent[marks[0] :])
     assert late
