@@ -7,15 +7,15 @@ from trex_gui.devices.trex.simulator.motors import SerialControl
 
 @pytest.fixture
 def motor_commands(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """Every command to a motor of any simulated board, including stops."""
-    given: list[str] = []
+    """Record the motor commands that any simulated board executes, including stops."""
+    commands: list[str] = []
 
-    def drive(_control: SerialControl, *words: object, **more: object) -> None:
-        given.append(f"motor {words} {more}")
+    def drive(_control: SerialControl, *arguments: object, **options: object) -> None:
+        commands.append(f"motor {arguments} {options}")
 
-    def drive_aux(_control: SerialControl, *words: object, **more: object) -> None:
-        given.append(f"auxiliary {words} {more}")
+    def drive_aux(_control: SerialControl, *arguments: object, **options: object) -> None:
+        commands.append(f"auxiliary {arguments} {options}")
 
     monkeypatch.setattr(SerialControl, "drive", drive)
     monkeypatch.setattr(SerialControl, "drive_aux", drive_aux)
-    return given
+    return commands

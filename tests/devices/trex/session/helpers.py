@@ -3,13 +3,15 @@
 from collections.abc import Callable, Iterable
 from typing import Any, TypeVar, cast
 
+from tests.devices.trex.simulator.ports import a_board
 from tests.support.virtual import SessionHarness, VirtualTransport
 from trex_gui.core.session import Close, Outcome
 from trex_gui.devices.trex.client.client import Requester
-from trex_gui.devices.trex.client.telemetry import PolledValue, Sample
+from trex_gui.devices.trex.client.telemetry import Sample
 from trex_gui.devices.trex.driving.requests import HEARTBEAT_INTERVAL, Heartbeat
 from trex_gui.devices.trex.protocol.commands import Command, ReplyT_co
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
+from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
 from trex_gui.devices.trex.protocol.framing import Framing, Packet, PacketParser
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.raw_packets import packets_of
@@ -32,7 +34,7 @@ def create_harness(
     mode: str = "serial",
     echo: bool = False,
 ) -> tuple[SessionHarness, ConnectionSettings]:
-    """Return a board with these line settings, and its connection settings."""
+    """Return a harness for a board with these line settings, and its connection settings."""
     line = LineSettings(baud, detection)
     eeprom = Eeprom(model)
     eeprom.write("uart_settings", line.to_wire())
@@ -43,24 +45,24 @@ def create_harness(
 def fake_requester(
     harness: SessionHarness, kind: type[Command[Any]], replies: Iterable[object]
 ) -> Requester:
-    """Return a requester that receives these replies to one kind of command."""
-    client, corrupted = harness.client(), iter(replies)
+    """Return a requester that replaces the replies to one kind of command."""
+    client, replacements = harness.client(), iter(replies)
 
     def request(command: Command[ReplyT_co]) -> ReplyT_co:
         reply = client.request(command)
-        return cast("ReplyT_co", next(corrupted)) if isinstance(command, kind) else reply
+        return cast("ReplyT_co", next(replacements)) if isinstance(command, kind) else reply
 
     return request
 
 
 def packet(number: int, command: Command[Any]) -> SendPacket:
     """Return a request that sends the command as a typed packet."""
-    (only,) = packets_of(Framing().encode(command), None)
-    return SendPacket(number, only)
+    (typed,) = packets_of(Framing().encode(command), None)
+    return SendPacket(number, typed)
 
 
 def of_type(reports: Iterable[object], kind: type[KindT]) -> list[KindT]:
-    """Return the reports of one kind, in their order."""
+    """Return the reports of one type, in their order."""
     return [report for report in reports if isinstance(report, kind)]
 
 
@@ -72,17 +74,18 @@ def outcomes(reports: Iterable[object]) -> dict[int, Outcome]:
     return by_id
 
 
+def error_code(reports: Iterable[object], request_id: int) -> ErrorCode | None:
+    """Return the code of the error of a request."""
+    error = outcomes(reports)[request_id].error
+    return error.code if isinstance(error, TrexError) else None
+
+
 def samples(reports: Iterable[object], kind: type[KindT]) -> list[KindT]:
-    """Return every sample of one kind, in their order."""
+    """Return the samples of one type, in their order."""
     batches: list[Sample] = []
     for report in reports:
         batches += getattr(report, "samples", ())
     return of_type(batches, kind)
-
-
-def bytes_of(value: PolledValue) -> int:
-    """Return the size of a poll on the wire, without device number and CRC."""
-    return 1 + value.query.data_size + value.query.reply_size()
 
 
 def commands(sent: bytes | bytearray, polynomial: int | None = None) -> list[Command[object]]:
@@ -90,7 +93,7 @@ def commands(sent: bytes | bytearray, polynomial: int | None = None) -> list[Com
     parser = PacketParser(polynomial)
     events = parser.feed(bytes(sent)) + parser.flush()
     packets = of_type(events, Packet)
-    assert len(packets) == len(events), "something sent was no packet"
+    assert len(packets) == len(events), "a sent packet is malformed"
     return [packet.command for packet in packets]
 
 
@@ -101,6 +104,13 @@ def motor_commands_in(
     return [command for command in commands(sent, polynomial) if command.moves]
 
 
+def latch_fault(board: Board, *motors: int) -> None:
+    """Set and clear the faults of motors. Their status bits remain latched."""
+    for motor in motors:
+        board.set_fault(motor, fault=True)
+        board.set_fault(motor, fault=False)
+
+
 def is_stopped(board: Board) -> bool:
     """True if both motors brake fully and the auxiliary motor is off."""
     return board.aux.speed == 0 and all(
@@ -109,7 +119,7 @@ def is_stopped(board: Board) -> bool:
 
 
 def schedule_heartbeats(harness: SessionHarness, start: float, end: float) -> None:
-    """Schedule the heartbeats of a window between two times."""
+    """Schedule heartbeats between two times."""
     for number in range(int((end - start) / HEARTBEAT_INTERVAL) + 1):
         harness.script.at(start + number * HEARTBEAT_INTERVAL, Heartbeat())
 
@@ -121,20 +131,44 @@ def run_for(
     *,
     may_move: bool = False,
 ) -> list[Report]:
-    """Run the script of a stage. It ends `seconds` after the line was opened."""
+    """Run the script of a harness. Close the line after `seconds`."""
     harness.script.at(seconds, Close())
     return harness.run(settings, may_move=may_move)
 
 
-def read_at(harness: SessionHarness, moment: float, look: Callable[[], KindT]) -> list[KindT]:
-    """Schedule a reading of the board. Return the list for its result."""
-    seen: list[KindT] = []
-    harness.script.at(moment, lambda: seen.append(look()))
-    return seen
+def read_at(harness: SessionHarness, moment: float, read: Callable[[], KindT]) -> list[KindT]:
+    """Schedule a reading of the board. Return a list that receives the value."""
+    values: list[KindT] = []
+    harness.script.at(moment, lambda: values.append(read()))
+    return values
+
+
+def on_write(
+    harness: SessionHarness,
+    before: Callable[[bytes], object] = lambda _packet: None,
+    after: Callable[[bytes], object] = lambda _packet: None,
+) -> None:
+    """Call a function before or after each packet is sent."""
+    send = harness.transport.write
+
+    def write(packet: bytes) -> None:
+        before(packet)
+        send(packet)
+        after(packet)
+
+    harness.transport.write = write  # type: ignore[method-assign]
+
+
+class TwoBoards(SessionHarness):
+    """Boards 7 and 9 on one line."""
+
+    def __init__(self) -> None:
+        self.seventh, self.ninth = a_board(7), a_board(9)
+        super().__init__(self.seventh, self.ninth)
 
 
 def timed_run(harness: SessionHarness, settings: ConnectionSettings) -> list[tuple[float, Report]]:
-    """Run the script of a stage. Return each report with its time."""
+    """Run the script of a harness. Return each report with its time."""
     reports: list[tuple[float, Report]] = []
     session = TrexSession(
         settings,
@@ -147,17 +181,17 @@ def timed_run(harness: SessionHarness, settings: ConnectionSettings) -> list[tup
 
 
 class FailingTransport(VirtualTransport):
-    """Line that is lost after some calls."""
+    """Transport that fails after some calls."""
 
     def __init__(self, line: SimulatedBoards, calls: int, failure: Exception) -> None:
         super().__init__(line)
-        self._left = calls
+        self._calls_left = calls
         self._failure = failure
 
     def _use(self) -> None:
-        if self._left <= 0:
+        if self._calls_left <= 0:
             raise self._failure
-        self._left -= 1
+        self._calls_left -= 1
 
     def write(self, data: bytes) -> None:
         self._use()

@@ -1,6 +1,5 @@
-"""Boards that are driven together: arming and confirmed stops."""
+"""Arming and confirmed stops of boards that are driven together."""
 
-from collections.abc import Callable
 from dataclasses import replace
 
 import pytest
@@ -10,7 +9,7 @@ from tests.devices.trex.session.group_harness import (
     GROUP,
     OPENED,
     GroupHarness,
-    of,
+    reports_of,
     run_sequences,
     stop_delays,
 )
@@ -37,21 +36,21 @@ def harness() -> GroupHarness:
     return GroupHarness()
 
 
-def test_every_board_is_read_and_drives(harness: GroupHarness) -> None:
+def test_group_reads_drives_and_stops_every_board(harness: GroupHarness) -> None:
     harness.drive(until=3.0)
     moving = read_at(harness, 3.0, lambda: harness.moving)
     harness.script.at(3.0, Stop(5))
     stopped = read_at(harness, 3.1, lambda: harness.moving)
     reports = run_for(harness, 4.0, GROUP)
     for number in harness.boards:
-        (read,) = of_type(of(number, reports), Connected)
-        assert read.state.parameters["device_number"] == number
-        assert read.settings == replace(GROUP, device_number=number)
+        (report,) = of_type(reports_of(number, reports), Connected)
+        assert report.state.parameters["device_number"] == number
+        assert report.settings == replace(GROUP, device_number=number)
     assert (moving, stopped) == ([{7, 9}], [set()])
     assert outcomes(reports)[5].error is None
 
 
-def test_nothing_moves_before_the_group_is_armed(harness: GroupHarness) -> None:
+def test_motors_rest_until_group_is_armed(harness: GroupHarness) -> None:
     harness.script.at(OPENED, ToBoard(9, FORWARD))
     harness.script.at(OPENED, FORWARD)
     moving = read_at(harness, 3.0, lambda: harness.moving)
@@ -61,22 +60,24 @@ def test_nothing_moves_before_the_group_is_armed(harness: GroupHarness) -> None:
 
 
 @pytest.mark.parametrize("moment", [0.05, 0.3, 0.4])
-def test_nothing_moves_before_every_board_was_read(harness: GroupHarness, moment: float) -> None:
+def test_motors_rest_until_every_board_is_read(harness: GroupHarness, moment: float) -> None:
     for step in (Arm(), ToBoard(7, FORWARD), ToBoard(9, FORWARD)):
         harness.script.at(moment, step)
-    looks = [read_at(harness, moment + 0.1 * one, lambda: harness.moving) for one in range(20)]
+    moving = [read_at(harness, moment + 0.1 * step, lambda: harness.moving) for step in range(20)]
     run_for(harness, 4.0, GROUP)
-    assert looks == [[set()]] * 20
+    assert moving == [[set()]] * 20
 
 
 @pytest.mark.parametrize(
-    "command", [SetParameter(0, 12), SetParameter(0, 9)], ids=["another number", "a taken one"]
+    "command",
+    [SetParameter(0, 12), SetParameter(0, 9)],
+    ids=["free number", "taken number"],
 )
-def test_typed_packet_renumbers_no_board_of_a_group(
+def test_typed_packet_changes_no_device_number_of_a_group(
     harness: GroupHarness, command: Command[object]
 ) -> None:
     (raw,) = packets_of(Framing(9, None).encode(command), None)
-    harness.drive(until=3.5, also={3.0: SendPacket(5, raw)})
+    harness.drive(until=3.5, actions={3.0: SendPacket(5, raw)})
     harness.script.at(3.5, Stop(6))
     moving = read_at(harness, 3.6, lambda: harness.moving)
     reports = run_for(harness, 4.0, GROUP)
@@ -85,58 +86,58 @@ def test_typed_packet_renumbers_no_board_of_a_group(
     assert moving == [set()]
 
 
-def test_request_for_no_board_of_the_group_is_rejected(harness: GroupHarness) -> None:
+def test_request_for_board_outside_the_group_is_rejected(harness: GroupHarness) -> None:
     harness.script.at(OPENED, ToBoard(5, Reload(8)))
     assert isinstance(outcomes(run_for(harness, 3.0, GROUP))[8].error, BadRequest)
 
 
-def test_both_stops_leave_at_once_and_are_confirmed() -> None:
-    """60 presses, 100,000 in the soak."""
-    left, confirmed = stop_delays(60, seed=1)
-    assert max(left) <= 0.020
+def test_stop_is_sent_to_both_boards_at_once_and_confirmed() -> None:
+    """Of 60 stops. The soak test has 100,000."""
+    sent, confirmed = stop_delays(60, seed=1)
+    assert max(sent) <= 0.020
     assert max(confirmed) <= 0.060
 
 
 @pytest.mark.parametrize("number", [7, 9])
-@pytest.mark.parametrize("how", ["power off", "stopped alone"])
-def test_board_that_leaves_stops_the_others(harness: GroupHarness, number: int, how: str) -> None:
-    leave: Callable[[], object] = harness.boards[number].power_off
-    if how == "stopped alone":
+@pytest.mark.parametrize("cause", ["power loss", "stop of this board"])
+def test_loss_of_one_board_stops_the_other(harness: GroupHarness, number: int, cause: str) -> None:
+    if cause == "power loss":
+        harness.drive(until=3.5, actions={3.0: harness.boards[number].power_off})
+    else:
         harness.drive(until=3.0)
         harness.script.at(3.0, ToBoard(number, Stop(1)))
-    else:
-        harness.drive(until=3.5, also={3.0: leave})
     moving = read_at(harness, 3.6, lambda: harness.moving)
     reports = run_for(harness, 4.0, GROUP)
     assert moving in ([set()], [{number}])
-    other = 16 - number
-    (why,) = of_type(of(other, reports), MotorsStopped)
-    assert why == MotorsStopped(ErrorCode.LEFT_GROUP, confirmed=True, board=number)
+    (stopped,) = of_type(reports_of(16 - number, reports), MotorsStopped)
+    assert stopped == MotorsStopped(ErrorCode.LEFT_GROUP, confirmed=True, board=number)
 
 
-def test_no_motor_moves_without_an_armed_group() -> None:
+def test_random_sequences_move_no_motor_without_arming() -> None:
     assert run_sequences(60, seed=1) == []
 
 
-def test_silence_of_the_program_stops_every_board(harness: GroupHarness) -> None:
+def test_missing_heartbeats_stop_every_board(harness: GroupHarness) -> None:
     harness.drive(until=3.0)
     moving = read_at(harness, 3.7, lambda: harness.moving)
     reports = run_for(harness, 4.0, GROUP)
     assert moving == [set()]
-    assert all(of_type(of(number, reports), MotorsStopped) for number in harness.boards)
+    assert all(of_type(reports_of(number, reports), MotorsStopped) for number in harness.boards)
 
 
-def test_guardian_stops_every_board(harness: GroupHarness) -> None:
+def test_stop_sequence_of_guardian_contains_every_board(harness: GroupHarness) -> None:
     harness.drive(until=3.0)
     run_for(harness, 3.0, GROUP)
-    sequence = next(one for one in harness.transport.guardian.watched if one is not None)
+    sequence = next(
+        watched for watched in harness.transport.guardian.watched if watched is not None
+    )
     for number in harness.boards:
         framing = replace(GROUP, device_number=number, group=()).framing
         assert b"".join(map(framing.encode, STOP)) in sequence.packets
     assert len(sequence.queries) == 2
 
 
-def test_missing_board_is_named(harness: GroupHarness) -> None:
+def test_error_names_missing_board_of_a_group(harness: GroupHarness) -> None:
     harness.ninth.power_off()
     (closed,) = of_type(run_for(harness, 4.0, GROUP), Closed)
     assert isinstance(closed.error, NoReply)
@@ -144,9 +145,11 @@ def test_missing_board_is_named(harness: GroupHarness) -> None:
 
 
 @pytest.mark.parametrize(
-    "request_", [SelectBoard(1, 9), Write(1, (("device_number", 5),))], ids=["select", "number"]
+    "request_",
+    [SelectBoard(1, 9), Write(1, (("device_number", 5),))],
+    ids=["selection", "number"],
 )
-def test_numbers_stay_while_boards_are_driven_together(
+def test_group_rejects_selection_and_new_device_number(
     harness: GroupHarness, request_: SelectBoard | Write
 ) -> None:
     harness.script.at(OPENED, request_)

@@ -1,7 +1,8 @@
-"""Keep-alive of the serial timeout while motors are armed."""
+"""Polls that prevent the serial timeout of the board while motors are armed."""
 
 import itertools
 import math
+from collections.abc import Iterable
 
 import pytest
 
@@ -18,12 +19,12 @@ from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.framing import Framing
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings, baud_rates
 from trex_gui.devices.trex.protocol.parameters import ParameterKey, parameter_number
-from trex_gui.devices.trex.session.messages import NotResponding, Write
+from trex_gui.devices.trex.session.messages import NotResponding, Report, Write
 from trex_gui.devices.trex.session.polling import silence, survives_a_loss, too_slow
 
 
-def opening(baud: int) -> float:
-    """Seconds in which everything is read."""
+def reading_time(baud: int) -> float:
+    """Return the seconds in which a session reads the whole board."""
     return 1.0 + 4.0 * 1200 / baud
 
 
@@ -33,8 +34,18 @@ def set_timeout(harness: SessionHarness, tenths: int) -> None:
     harness.board.memory.load()
 
 
-INTERVAL = 0.25
-"""Seconds between two heartbeats."""
+INTERVAL = 0.25  # seconds between two heartbeats
+
+
+def schedule_slow_heartbeats(harness: SessionHarness, start: float, count: int) -> None:
+    for number in range(count):
+        harness.script.at(start + number * INTERVAL, Heartbeat())
+
+
+def timeouts(reports: Iterable[Report], start: float) -> list[LatchedStatus]:
+    """Return the serial timeouts of the board after a time."""
+    latched = samples(reports, LatchedStatus)
+    return [sample for sample in latched if sample.uart & UartError.TIMEOUT and sample.time > start]
 
 
 @pytest.mark.parametrize(
@@ -43,45 +54,37 @@ INTERVAL = 0.25
 def test_100_ms_timeout_never_fires_while_armed(baud: int, detection: Detection) -> None:
     harness, settings = create_harness(baud, detection)
     set_timeout(harness, 1)
-    start = opening(baud)
+    start = reading_time(baud)
     harness.script.at(start, Arm()).at(start, SetMotor(1, Drive.at(90)))
-    for number in range(12):
-        harness.script.at(start + number * INTERVAL, Heartbeat())
+    schedule_slow_heartbeats(harness, start, 12)
     speeds = read_at(harness, start + 3.0, lambda: harness.board.motors[0].speed)
     reports = run_for(harness, start + 3.1, settings)
     assert speeds == [90]
-    fired = [
-        one.time
-        for one in samples(reports, LatchedStatus)
-        if one.uart & UartError.TIMEOUT and one.time > start + 0.5
-    ]
-    assert fired == []
+    assert not timeouts(reports, start + 0.5)
 
 
 def test_slow_line_omits_long_polls_while_armed() -> None:
     harness, settings = create_harness(1200)
     set_timeout(harness, 1)
-    start = opening(1200)
+    start = reading_time(1200)
     harness.script.at(start, Arm())
-    for number in range(20):
-        harness.script.at(start + number * INTERVAL, Heartbeat())
+    schedule_slow_heartbeats(harness, start, 20)
     harness.script.at(start + 5.0, Stop(1))
     reports = run_for(harness, start + 8.0, settings)
-    seen = [one.time for one in samples(reports, Raw)]
-    assert [time for time in seen if start + 0.2 < time < start + 5.0] == []
-    assert [time for time in seen if time > start + 5.5] != [], "all is asked again after the stop"
+    times = [sample.time for sample in samples(reports, Raw)]
+    assert not [time for time in times if start + 0.2 < time < start + 5.0]
+    assert [time for time in times if time > start + 5.5], "the stop restores all polls"
 
 
 def test_timeout_written_while_connected_applies_at_once() -> None:
     harness, settings = create_harness(1200)
-    start = opening(1200)
+    start = reading_time(1200)
     harness.script.at(start, Write(1, (("serial_timeout", 1),)))
     harness.script.at(start + 1.0, Arm())
-    for number in range(16):
-        harness.script.at(start + 1.0 + number * INTERVAL, Heartbeat())
+    schedule_slow_heartbeats(harness, start + 1.0, 16)
     reports = run_for(harness, start + 4.0, settings)
     assert of_type(reports, Outcome)[0].error is None
-    assert [one for one in samples(reports, Raw) if one.time > start + 1.2] == []
+    assert max(sample.time for sample in samples(reports, Raw)) <= start + 1.2
 
 
 @pytest.mark.parametrize(("baud", "tenths"), [(1200, 1), (2400, 2), (115200, 1)])
@@ -89,72 +92,60 @@ def test_lost_reply_fires_timeout_only_where_predicted(baud: int, tenths: int) -
     harness, settings = create_harness(baud)
     harness.transport.latency = latency_of("/dev/ttyUSB0")
     set_timeout(harness, tenths)
-    start = opening(baud)
+    start = reading_time(baud)
     harness.script.at(start, Arm()).at(start, SetMotor(1, Drive.at(90)))
 
     for number in range(44):
         harness.script.at(start + number * INTERVAL, Heartbeat())
         if number >= 4:
-            # At another query each time, so that each query is hit.
+            # The time shifts from beat to beat, so that each query loses a reply.
             harness.script.at(start + (number + 0.05 * number) * INTERVAL, harness.fault(to_drop=1))
     reports = run_for(harness, start + 45 * INTERVAL, settings)
-    # Three lost replies in a row would make the board silent.
-    replying = itertools.takewhile(lambda report: not isinstance(report, NotResponding), reports)
-    fired = [
-        one
-        for one in samples(replying, LatchedStatus)
-        if one.uart & UartError.TIMEOUT and one.time > start + 0.9
-    ]
+    # After three lost replies in a row, the board counts as not responding.
+    responding = itertools.takewhile(lambda report: not isinstance(report, NotResponding), reports)
+    fired = timeouts(responding, start + 0.9)
     survives = survives_a_loss(settings.line, tenths / 10, harness.transport.latency)
     assert not (survives and fired)
-    if baud == 1200 and tenths == 1:  # nobody is promised what cannot be kept
+    if baud == 1200 and tenths == 1:
         assert fired
         assert not survives
 
 
-@pytest.mark.parametrize("ahead", [0.0, 0.1])
-def test_reply_lost_after_arming_lets_no_timeout_fire(ahead: float) -> None:
-    """The first reply and the safety check are included."""
+@pytest.mark.parametrize("lead", [0.0, 0.1])
+def test_reply_lost_after_arming_fires_no_timeout(lead: float) -> None:
+    """`lead`: seconds from arming to the check of the safety parameters."""
 
     def run(seconds: float, armed_at: float = math.inf) -> SessionHarness:
         harness, settings = create_harness()
-        harness.transport.latency = 0.3  # as over a network
+        harness.transport.latency = 0.3  # as of a network
         set_timeout(harness, 5)
         assert survives_a_loss(settings.line, 0.5, harness.transport.latency)
         if armed_at < seconds:
-            lose_a_byte = harness.fault(to_drop=1)
             harness.script.at(armed_at, Arm()).at(armed_at, SetMotor(1, Drive.at(90)))
-            harness.script.at(armed_at, lose_a_byte)
-            for beat in range(1, 4):
-                harness.script.at(armed_at + beat * INTERVAL, Heartbeat())
+            harness.script.at(armed_at, harness.fault(to_drop=1))
+            schedule_slow_heartbeats(harness, armed_at + INTERVAL, 3)
         run_for(harness, seconds, settings)
         return harness
 
     query = Framing().encode(GetParameter(parameter_number(ParameterKey.SERIAL_TIMEOUT)))
-    start = opening(19200) + 1.0
+    start = reading_time(19200) + 1.0
     written = run(start + 1.1).transport.written
     check = next(time for time, data in written if data == query and time > start)
-    reports = run(check + 1.0, check - ahead).reports
-    fired = [
-        one.time - check
-        for one in samples(reports, LatchedStatus)
-        if one.uart & UartError.TIMEOUT and one.time > check
-    ]
-    assert fired == []
+    reports = run(check + 1.0, check - lead).reports
+    assert not timeouts(reports, check)
 
 
-def test_too_slow_polls_follow_from_size_and_baud_rate() -> None:
+def test_size_and_baud_rate_decide_which_polls_are_too_slow() -> None:
     assert too_slow(LineSettings(1200), 0.1) == {Raw}
     assert too_slow(LineSettings(1200), 0.2) == frozenset()
     assert too_slow(LineSettings(2400), 0.1) == frozenset()
     assert too_slow(LineSettings(1200), 0) == frozenset()
-    # Ten bytes of the reply and one of the next query, ten bits each, and the margin.
+    # The reply has ten bytes, the next query one, each with ten bits. 15 ms are the margin.
     assert silence(LineSettings(1200), GetRawChannels()) == pytest.approx(11 / 120 + 0.015)
 
 
-def test_every_rate_leaves_polls_that_fit_100_ms_timeout() -> None:
+def test_polls_for_safety_fit_100_ms_timeout_at_every_baud_rate() -> None:
     for baud, detection, stop_bits in itertools.product(baud_rates(), Detection, (1, 2)):
         line = LineSettings(baud, detection, stop_bits)
-        left_out = too_slow(line, 0.1)
-        needed = {Currents, Control, LatchedStatus, ModeSample}
-        assert needed.isdisjoint(left_out), line.text()
+        safety = {Currents, Control, LatchedStatus, ModeSample}
+        assert safety.isdisjoint(too_slow(line, 0.1)), line.text()

@@ -20,7 +20,7 @@ _CALIBRATIONS = ((CalibrationKey.RC_CHANNEL_3, _LEARNED),)
 
 
 @pytest.mark.parametrize("seed", sampled(range(100), every=20))
-def test_reported_settings_are_those_of_the_board(harness: SessionHarness, seed: int) -> None:
+def test_reported_settings_equal_settings_of_the_board(harness: SessionHarness, seed: int) -> None:
     board = harness.board
     board.eeprom.write("motor1_current_limit", 20)
     board.eeprom.write_calibration(InputSource.RC, 2, _LEARNED)
@@ -28,7 +28,7 @@ def test_reported_settings_are_those_of_the_board(harness: SessionHarness, seed:
     harness.line.faults.noise = 0.01
     harness.script.at(1.0, Write(1, _PARAMETERS, _CALIBRATIONS)).at(2.5, Reload(2))
     harness.script.at(4.0, Close())
-    wanted: dict[str, object] = {**dict(_PARAMETERS), **dict(_CALIBRATIONS)}
+    requested: dict[str, object] = {**dict(_PARAMETERS), **dict(_CALIBRATIONS)}
     written: dict[str, object] = {}
     reported: list[DeviceState] = []
     stored: list[tuple[dict[str, int], dict[int, Calibration]]] = []
@@ -38,22 +38,24 @@ def test_reported_settings_are_those_of_the_board(harness: SessionHarness, seed:
         match report:
             case Connected(state=state):
                 reported.append(state)
-                stored.append(stored_by(board))
+                stored.append(stored_settings(board))
             case Outcome(value=Written(state=state, results=results)):
                 reported.append(state)
-                stored.append(stored_by(board))
-                written.update({one.key: one.stored for one in results if one.error is None})
+                stored.append(stored_settings(board))
+                written.update(
+                    {result.key: result.stored for result in results if result.error is None}
+                )
             case Closed(error=error):
                 closed.append(error)
 
     settings = ConnectionSettings("virtual")
     TrexSession(settings, harness.script, record, lambda _settings: harness.transport).run()
-    assert written.items() <= wanted.items()
+    assert written.items() <= requested.items()
     for state, (parameters, calibrations) in zip(reported, stored, strict=True):
         assert state.parameters.items() <= parameters.items()
         assert state.calibrations == calibrations
     assert closed == [None] or isinstance(closed[0], BadReply | NoReply)
 
 
-def stored_by(board: Board) -> tuple[dict[str, int], dict[int, Calibration]]:
+def stored_settings(board: Board) -> tuple[dict[str, int], dict[int, Calibration]]:
     return board.memory.stored(), {channel: board.calibration(channel) for channel in CHANNELS}

@@ -1,4 +1,4 @@
-"""Schedule of polls, without a clock."""
+"""Schedule of polls at given times."""
 
 import math
 from collections import Counter
@@ -8,7 +8,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.devices.trex.session.helpers import bytes_of
 from tests.support.matrix import examples
 from trex_gui.devices.trex.client.telemetry import (
     POLLED,
@@ -22,14 +21,17 @@ from trex_gui.devices.trex.protocol.flags import InputSource
 from trex_gui.devices.trex.session.polling import Schedule, Topic, rates
 
 modest = examples(40)
+any_rates = st.dictionaries(
+    st.sampled_from(list(POLLED)), st.floats(1.0, 100.0), min_size=1, max_size=6
+)
 
 
 def simulate(
-    wanted: Mapping[Topic, float], cost: Mapping[Topic, float], seconds: float
+    poll_rates: Mapping[Topic, float], cost: Mapping[Topic, float], seconds: float
 ) -> Counter[Topic]:
-    """Run the schedule. Count the polls by topic."""
+    """Run the schedule. Return the number of polls by topic. `cost`: seconds of a poll by topic."""
     schedule = Schedule()
-    schedule.start(wanted, 0.0)
+    schedule.start(poll_rates, 0.0)
     now, polled = 0.0, Counter[Topic]()
     while now < seconds:
         topic = schedule.next(now)
@@ -44,8 +46,13 @@ def simulate(
     return polled
 
 
-def on_line(baud: int) -> dict[Topic, float]:
-    return {topic: bytes_of(value) * 10 / baud for topic, value in POLLED.items()}
+def costs(baud: int) -> dict[Topic, float]:
+    """Return the seconds of a poll by topic, without device number and CRC."""
+    queries = {topic: value.query for topic, value in POLLED.items()}
+    return {
+        topic: (1 + query.data_size + query.reply_size()) * 10 / baud
+        for topic, query in queries.items()
+    }
 
 
 def test_unstarted_schedule_has_no_next_topic() -> None:
@@ -83,7 +90,7 @@ def test_restart_discards_earlier_topics() -> None:
     assert schedule.next(1.05) is None
 
 
-def test_unscheduled_topic_is_ignored() -> None:
+def test_poll_of_unscheduled_topic_is_ignored() -> None:
     schedule = Schedule()
     schedule.start({ModeSample: 1.0}, 0.0)
     schedule.record_poll(Raw, 0.0)
@@ -102,14 +109,14 @@ def test_late_polls_do_not_lower_rate() -> None:
     schedule.start({LatchedStatus: 10.0}, 0.0)
     polled = 0
     for step in range(1000):
-        now = step * 0.013  # never at the right moment
+        now = step * 0.013  # never exactly at a due time
         if schedule.next(now):
             schedule.record_poll(LatchedStatus, now)
             polled += 1
     assert polled == pytest.approx(130, abs=2)
 
 
-def test_polls_missed_in_pause_are_not_caught_up() -> None:
+def test_polls_missed_in_a_pause_are_skipped() -> None:
     schedule = Schedule()
     schedule.start({Currents: 80.0}, 0.0)
     schedule.record_poll(Currents, 0.0)
@@ -123,30 +130,24 @@ def test_polls_missed_in_pause_are_not_caught_up() -> None:
 
 
 @modest
-@given(
-    wanted=st.dictionaries(
-        st.sampled_from(list(POLLED)), st.floats(1.0, 100.0), min_size=1, max_size=6
-    ),
-    cost=st.floats(0.0005, 0.1),
-)
-def test_no_topic_starves(*, wanted: dict[Topic, float], cost: float) -> None:
-    load = max(1.0, cost * sum(wanted.values()))
-    polled = simulate(wanted, dict.fromkeys(POLLED, cost), 3 * load / min(wanted.values()) + 1.0)
-    assert all(polled[topic] >= 2 for topic in wanted)
+@given(poll_rates=any_rates, cost=st.floats(0.0005, 0.1))
+def test_no_topic_starves(*, poll_rates: dict[Topic, float], cost: float) -> None:
+    load = max(1.0, cost * sum(poll_rates.values()))
+    polled = simulate(
+        poll_rates, dict.fromkeys(POLLED, cost), 3 * load / min(poll_rates.values()) + 1.0
+    )
+    assert all(polled[topic] >= 2 for topic in poll_rates)
 
 
 @modest
-@given(
-    wanted=st.dictionaries(
-        st.sampled_from(list(POLLED)), st.floats(1.0, 100.0), min_size=1, max_size=6
-    ),
-    share=st.floats(0.01, 0.7),
-)
-def test_poll_rates_are_met_and_not_exceeded(*, wanted: dict[Topic, float], share: float) -> None:
-    cost = share / sum(wanted.values())
-    seconds = 10 / min(wanted.values())
-    polled = simulate(wanted, dict.fromkeys(POLLED, cost), seconds)
-    for topic, rate in wanted.items():
+@given(poll_rates=any_rates, load=st.floats(0.01, 0.7))
+def test_poll_rates_are_met_and_not_exceeded(
+    *, poll_rates: dict[Topic, float], load: float
+) -> None:
+    cost = load / sum(poll_rates.values())
+    seconds = 10 / min(poll_rates.values())
+    polled = simulate(poll_rates, dict.fromkeys(POLLED, cost), seconds)
+    for topic, rate in poll_rates.items():
         assert polled[topic] == pytest.approx(rate * seconds, rel=0.02, abs=2)
 
 
@@ -168,8 +169,8 @@ def test_wait_ends_when_topic_is_due(*, times: list[float]) -> None:
 
 
 @pytest.mark.parametrize("baud", [1200, 4800, 9600])
-def test_slow_line_is_shared_fairly(baud: int) -> None:
-    wanted = rates(InputSource.RC)
-    polled = simulate(wanted, on_line(baud), 100.0)
-    shares = [polled[topic] / rate for topic, rate in wanted.items()]
-    assert min(shares) > 0.9 * max(shares)
+def test_slow_line_lowers_all_rates_by_the_same_factor(baud: int) -> None:
+    poll_rates = rates(InputSource.RC)
+    polled = simulate(poll_rates, costs(baud), 100.0)
+    fractions = [polled[topic] / rate for topic, rate in poll_rates.items()]
+    assert min(fractions) > 0.9 * max(fractions)

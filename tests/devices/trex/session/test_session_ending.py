@@ -1,4 +1,4 @@
-"""End of a session: the port is closed, requests have outcomes, motors stop."""
+"""Closed ports, outcomes of requests and stopped motors at the end of a session."""
 
 import logging
 
@@ -10,8 +10,11 @@ from tests.devices.trex.session.helpers import (
     FailingTransport,
     commands,
     create_harness,
+    is_stopped,
+    latch_fault,
     motor_commands_in,
     of_type,
+    on_write,
     outcomes,
     packet,
     run_for,
@@ -49,7 +52,7 @@ from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import BoardStation
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
-GONE = PortUnavailable("The line is gone. Plug the adapter in again.")
+LOST = PortUnavailable("The port is lost.")
 
 
 # --- Closing ----------------------------------------------------------------------------
@@ -65,16 +68,14 @@ def test_driven_motors_are_stopped_on_close(harness: SessionHarness, setpoint: R
     assert run_for(harness, 2.0)[-1] == Closed(None, may_move=False)
     last = [*STOP, GetStatus(), *STOP, GetStatus(), GetSignature()]
     assert commands(harness.transport.sent)[-7:] == last
-    assert [motor.speed for motor in harness.board.motors] == [127, 127]
-    assert all(motor.direction is MotorDirection.BRAKE for motor in harness.board.motors)
-    assert harness.board.aux.speed == 0
+    assert is_stopped(harness.board)
 
 
-def test_another_model_at_the_end_does_not_confirm_the_stop(harness: SessionHarness) -> None:
-    def exchange() -> None:
+def test_board_of_another_model_does_not_confirm_the_stop(harness: SessionHarness) -> None:
+    def replace_board() -> None:
         harness.line.stations = (BoardStation(Board("trexjr", "1.2"), harness.line),)
 
-    harness.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, exchange)
+    harness.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, replace_board)
     assert run_for(harness, 1.5)[-1] == Closed(None, may_move=True)
 
 
@@ -95,30 +96,30 @@ def test_close_does_not_wait_for_queued_requests(harness: SessionHarness) -> Non
     assert reports[-1] == Closed(None)
     found = outcomes(reports)
     assert sorted(found) == [1, 2, 3]
-    assert found[1].error is None  # it tells of each value; see test_closing_while_writing
-    assert all("closed before this was complete" in str(found[id_].error) for id_ in (2, 3))
+    assert found[1].error is None  # a write has a result for each key
+    assert all("closed before this was complete" in str(found[number].error) for number in (2, 3))
 
 
-@pytest.mark.parametrize("after", [0.0, 0.3, 1.0])
-@pytest.mark.parametrize("drives", [True, False])
+@pytest.mark.parametrize("delay", [0.0, 0.3, 1.0])
+@pytest.mark.parametrize("drive", [True, False])
 def test_unanswered_stop_delays_close_by_less_than_a_second(
-    harness: SessionHarness, after: float, *, drives: bool
+    harness: SessionHarness, delay: float, *, drive: bool
 ) -> None:
-    """The window waits for only a second. A later thread would still hold the port."""
+    """The window waits for only one second. A thread that runs longer would still use the port."""
     harness.transport.latency = latency_of("/dev/ttyUSB0")
-    if drives:
+    if drive:
         harness.script.at(0.9, SetMotor(1, Drive.at(60)))
     harness.script.at(1.0, harness.fault(mute=True)).at(1.1, Stop(1))
-    harness.script.at(1.1 + after, Close())
+    harness.script.at(1.1 + delay, Close())
     reports = harness.run()
-    assert harness.line.now < 1.1 + after + 0.9
+    assert harness.line.now < 1.1 + delay + 0.9
     assert outcomes(reports)[1].error is not None
-    assert of_type(reports, Closed) == [Closed(None, may_move=drives)]
+    assert of_type(reports, Closed) == [Closed(None, may_move=drive)]
     motor = harness.board.motors[0]
     assert (motor.target_direction.value, motor.target_speed) == ("brake", 127)
 
 
-# --- The line is lost -------------------------------------------------------------------
+# --- Line loss --------------------------------------------------------------------------
 
 REQUESTS: list[Request] = [
     packet(1, GetMode()),
@@ -134,8 +135,8 @@ REQUESTS: list[Request] = [
 ]
 
 
-def stage_that_fails(calls: int, failure: Exception, requests: list[Request]) -> SessionHarness:
-    """Return a stage whose line is lost after some calls."""
+def failing_harness(calls: int, failure: Exception, requests: list[Request]) -> SessionHarness:
+    """Return a harness whose transport fails after some calls."""
     harness = SessionHarness(Board())
     harness.transport = FailingTransport(harness.line, calls, failure)
     for number, request in enumerate(requests):
@@ -149,45 +150,42 @@ def stage_that_fails(calls: int, failure: Exception, requests: list[Request]) ->
 def test_each_request_has_one_outcome_when_port_is_lost(
     calls: int, requests: list[Request]
 ) -> None:
-    harness = stage_that_fails(calls, GONE, requests)
+    harness = failing_harness(calls, LOST, requests)
     reports = harness.run()
     requested = {
         request.id
         for request in requests
         if isinstance(request, SendPacket | Stop | Write | Reload)
     }
-    if harness.line.now > 1.0:  # else those that nobody had taken from the inbox have none
+    if harness.line.now > 1.0:  # an earlier end leaves requests in the inbox
         assert set(outcomes(reports)) == requested
     assert set(outcomes(reports)) <= requested
     (closed,) = of_type(reports, Closed)
-    assert closed.error is GONE
+    assert closed.error is LOST
     assert reports[-1] is closed
     assert harness.transport.closed
 
 
 def test_requests_fail_with_error_of_lost_port(harness: SessionHarness) -> None:
     def unplug() -> None:
-        harness.transport.fail = GONE
+        harness.transport.fail = LOST
 
     harness.script.at(1.0, unplug).at(1.0, packet(1, GetMode())).at(1.0, Write(2)).at(1.0, Stop(3))
     reports = run_for(harness, 2.0)
-    assert {one.id: one.error for one in outcomes(reports).values()} == {1: GONE, 2: GONE, 3: GONE}
+    assert [outcomes(reports)[number].error for number in (1, 2, 3)] == [LOST] * 3
 
 
 def test_status_read_before_line_loss_is_reported(harness: SessionHarness) -> None:
-    harness.script.at(1.0, SetMotor(1, Drive.at(1)))  # a stop is due at the end
-    harness.script.at(1.2, lambda: harness.board.set_fault(1, fault=True))
-    harness.script.at(1.2, lambda: harness.board.set_fault(1, fault=False))
-    send = harness.transport.write
+    harness.script.at(1.0, SetMotor(1, Drive.at(1)))  # the session has to send a stop at the end
+    harness.script.at(1.2, lambda: latch_fault(harness.board, 1))
 
-    def write(data: bytes) -> None:
+    def lose_line_after_status(_packet: bytes) -> None:
         if not harness.board.serial.status and harness.line.now > 1.2:
-            harness.transport.fail = GONE  # right after the status was read
-        send(data)
+            harness.transport.fail = LOST
 
-    harness.transport.write = write  # type: ignore[method-assign]  # the wire fails just then
-    run_for(harness, 2.0)
-    assert Status.MOTOR1_FAULT in [one.status for one in samples(harness.reports, LatchedStatus)]
+    on_write(harness, before=lose_line_after_status)
+    faults = samples(run_for(harness, 2.0), LatchedStatus)
+    assert Status.MOTOR1_FAULT in [sample.status for sample in faults]
 
 
 # --- Internal errors --------------------------------------------------------------------
@@ -197,7 +195,7 @@ def test_status_read_before_line_loss_is_reported(harness: SessionHarness) -> No
 def test_internal_error_ends_session_and_closes_port(
     calls: int, caplog: pytest.LogCaptureFixture
 ) -> None:
-    harness = stage_that_fails(calls, RuntimeError("a bug"), [])
+    harness = failing_harness(calls, RuntimeError("a bug"), [])
     reports = harness.run()
     closed = reports[-1]
     assert isinstance(closed, Closed)
@@ -213,7 +211,7 @@ def test_port_is_closed_when_last_samples_cannot_be_sent(
     harness: SessionHarness, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     def fail(*_: object) -> None:
-        raise RuntimeError("no listener")
+        raise RuntimeError("no receiver")
 
     harness.script.at(1.0, lambda: monkeypatch.setattr(SampleBatcher, "flush", fail))
     with caplog.at_level(logging.CRITICAL):
@@ -225,10 +223,10 @@ def test_port_is_closed_when_last_samples_cannot_be_sent(
 def test_internal_error_stops_driven_motors(
     harness: SessionHarness, caplog: pytest.LogCaptureFixture
 ) -> None:
-    def mistake() -> None:
+    def fail() -> None:
         raise RuntimeError("a bug")
 
-    harness.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, mistake)
+    harness.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.5, fail)
     with caplog.at_level(logging.CRITICAL):
         reports = run_for(harness, 2.0)
     assert isinstance(reports[-1], Closed)
@@ -245,10 +243,10 @@ def test_internal_error_stops_driven_motors(
 def test_internal_error_completes_the_current_request(
     harness: SessionHarness, request_: Request, caplog: pytest.LogCaptureFixture
 ) -> None:
-    def break_() -> None:
+    def fail() -> None:
         harness.transport.fail = RuntimeError("a bug")
 
-    harness.script.at(1.0, break_).at(1.0, request_)
+    harness.script.at(1.0, fail).at(1.0, request_)
     with caplog.at_level(logging.CRITICAL):
         reports = run_for(harness, 2.0)
     assert set(outcomes(reports)) == {1}
@@ -264,20 +262,20 @@ def test_each_kind_of_request_gets_an_outcome(harness: SessionHarness) -> None:
     reports = run_for(harness, 2.0)
     found = outcomes(reports)
     assert sorted(found) == [1, 2, 3, 4]
-    assert all(one.error is None for one in found.values())
+    assert all(outcome.error is None for outcome in found.values())
     assert found[1].value == b"\x07"
     assert found[2].value is None
     written = found[4].value
     assert isinstance(written, Written)
-    assert [(one.key, one.stored) for one in written.results] == [("serial_timeout", 9)]
+    assert [(result.key, result.stored) for result in written.results] == [("serial_timeout", 9)]
 
 
 def test_reload_is_reported_before_its_outcome(harness: SessionHarness) -> None:
     harness.script.at(1.0, Reload(2))
     reports = run_for(harness, 2.0)
-    again = of_type(reports, Connected)[1]
-    assert again.occasion is ReadReason.RELOADED
-    assert reports.index(again) < reports.index(outcomes(reports)[2])
+    reloaded = of_type(reports, Connected)[1]
+    assert reloaded.occasion is ReadReason.RELOADED
+    assert reports.index(reloaded) < reports.index(outcomes(reports)[2])
 
 
 def test_unanswered_request_gets_an_outcome(harness: SessionHarness) -> None:

@@ -1,4 +1,4 @@
-"""Messages and stops between a session and its guardian."""
+"""Stop sequences for the guardian, and stops by the guardian."""
 
 import pytest
 
@@ -26,7 +26,7 @@ from trex_gui.devices.trex.session.messages import Connected, GuardianChanged, N
 SETPOINT = SetMotor(1, Drive.at(60))
 
 
-def test_guardian_is_ready_before_the_board_counts_as_connected(harness: SessionHarness) -> None:
+def test_guardian_is_ready_before_connection_is_reported(harness: SessionHarness) -> None:
     reports = run_for(harness, 0.5)
     kinds = [type(report) for report in reports]
     assert reports[kinds.index(GuardianChanged)] == GuardianChanged(is_ready=True)
@@ -34,7 +34,7 @@ def test_guardian_is_ready_before_the_board_counts_as_connected(harness: Session
 
 
 @pytest.mark.parametrize("cause", [Arm(), SETPOINT])
-def test_guardian_watches_from_before_a_motor_may_move(
+def test_guardian_starts_to_watch_before_a_motor_may_move(
     harness: SessionHarness, cause: Arm | SetMotor
 ) -> None:
     before = read_at(harness, 0.5, lambda: list(harness.transport.guardian.watched))
@@ -48,7 +48,7 @@ def test_guardian_watches_from_before_a_motor_may_move(
 
 @pytest.mark.parametrize("detection", [Detection.NONE, Detection.CRC7])
 @pytest.mark.parametrize("model", ["trex", "trexjr"])
-def test_guardian_knows_the_stop_in_force(model: str, detection: Detection) -> None:
+def test_guardian_receives_stop_sequence_of_connection(model: str, detection: Detection) -> None:
     harness, settings = create_harness(detection=detection, model=model)
     harness.script.at(0.5, Arm())
     run_for(harness, 0.7, settings)
@@ -65,26 +65,26 @@ def test_guardian_knows_the_stop_in_force(model: str, detection: Detection) -> N
 
 def test_confirmed_stop_ends_the_watch(harness: SessionHarness) -> None:
     harness.script.at(0.5, SETPOINT).at(1.0, Stop(1))
-    at_rest = read_at(harness, 1.5, lambda: harness.transport.guardian.watched[-1])
+    last = read_at(harness, 1.5, lambda: harness.transport.guardian.watched[-1])
     reports = run_for(harness, 2.0)
     assert outcomes(reports)[1].error is None
-    assert at_rest == [None]
+    assert last == [None]
 
 
-def test_guardian_watches_while_the_board_is_silent_and_motors_may_move(
+def test_guardian_watches_silent_board_whose_motors_may_move(
     harness: SessionHarness,
 ) -> None:
     harness.script.at(0.5, SETPOINT)
     harness.script.at(1.0, harness.fault(mute=True))
-    count = read_at(harness, 2.5, lambda: len(harness.transport.guardian.watched))
+    earlier = read_at(harness, 2.5, lambda: len(harness.transport.guardian.watched))
     later = read_at(harness, 3.5, lambda: len(harness.transport.guardian.watched))
     reports = run_for(harness, 4.0)
     assert of_type(reports, NotResponding)
-    assert later[0] >= count[0] + 5
+    assert later[0] >= earlier[0] + 5
 
 
 @pytest.mark.parametrize("confirms", [True, False])
-def test_guardian_stops_motors_on_a_line_that_the_session_has_lost(
+def test_guardian_stops_motors_after_session_loses_its_port(
     harness: SessionHarness, confirms: bool, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     requested: list[float] = []
@@ -95,7 +95,7 @@ def test_guardian_stops_motors_on_a_line_that_the_session_has_lost(
 
     monkeypatch.setattr(VirtualGuardian, "stop", stop)
     harness.script.at(0.5, SETPOINT)
-    harness.script.at(1.0, lambda: setattr(harness.transport, "fail", PortUnavailable("gone")))
+    harness.script.at(1.0, lambda: setattr(harness.transport, "fail", PortUnavailable("lost")))
     reports = run_for(harness, 2.0)
     (closed,) = of_type(reports, Closed)
     assert isinstance(closed.error, PortUnavailable)
@@ -103,62 +103,61 @@ def test_guardian_stops_motors_on_a_line_that_the_session_has_lost(
     assert closed.may_move != confirms
 
 
-def test_take_over_is_not_taken_for_a_line_that_corrupts_bytes(harness: SessionHarness) -> None:
+def test_stop_by_guardian_is_not_reported_as_corrupted_reply(harness: SessionHarness) -> None:
     read = harness.transport.read
 
-    def hang_while_reading() -> None:
-        def be_held_up(size: int, seconds: float) -> bytes:
+    def suspend_while_reading() -> None:
+        def suspended_read(size: int, seconds: float) -> bytes:
             harness.transport.read = read  # type: ignore[method-assign]
             harness.transport.guardian.has_acted = True
             harness.line.read(size, seconds)  # by the guardian
             return b""
 
-        harness.transport.read = be_held_up  # type: ignore[method-assign]
+        harness.transport.read = suspended_read  # type: ignore[method-assign]
 
-    harness.script.at(0.5, SETPOINT).at(1.0, hang_while_reading).at(1.5, Stop(1))
-    stopped = read_at(harness, 1.8, lambda: set(outcomes(harness.reports)))
+    harness.script.at(0.5, SETPOINT).at(1.0, suspend_while_reading).at(1.5, Stop(1))
+    completed = read_at(harness, 1.8, lambda: set(outcomes(harness.reports)))
     reports = run_for(harness, 3.0)
     assert of_type(reports, MotorsStopped)[0].reason is ErrorCode.NO_HEARTBEAT
     assert outcomes(reports)[1].error is None
-    assert stopped == [{1}]
+    assert completed == [{1}]
 
 
-def test_motors_are_stopped_where_nothing_replaces_a_lost_guardian(
+def test_motors_are_stopped_if_lost_guardian_cannot_be_replaced(
     harness: SessionHarness, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-
-    def lose_guardians() -> None:
+    def lose_guardian() -> None:
         lost = harness.transport.guardian
         lost.is_ready = False
         monkeypatch.setattr(harness.transport, "start_guardian", lambda _silence: lost)
 
-    harness.script.at(0.5, SETPOINT).at(1.0, lose_guardians)
+    harness.script.at(0.5, SETPOINT).at(1.0, lose_guardian)
     stopped = read_at(harness, 1.8, lambda: is_stopped(harness.board))
     (report,) = of_type(run_for(harness, 2.0), MotorsStopped)
     assert (report.reason, stopped) == (ErrorCode.NO_GUARDIAN, [True])
 
 
-def test_guardian_stops_nothing_if_no_motor_was_driven(
+def test_guardian_sends_no_stop_if_no_motor_was_driven(
     harness: SessionHarness, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(VirtualGuardian, "stop", lambda *_: pytest.fail("nothing to stop"))
-    harness.script.at(1.0, lambda: setattr(harness.transport, "fail", PortUnavailable("gone")))
+    monkeypatch.setattr(VirtualGuardian, "stop", lambda *_: pytest.fail("no motor was driven"))
+    harness.script.at(1.0, lambda: setattr(harness.transport, "fail", PortUnavailable("lost")))
     assert not of_type(run_for(harness, 2.0), Closed)[0].may_move
 
 
-def test_stop_follows_a_changed_device_number(harness: SessionHarness) -> None:
+def test_guardian_receives_changed_device_number(harness: SessionHarness) -> None:
     harness.board.eeprom.write("device_number", 7)
     harness.board.power_cycle()
     harness.script.at(0.5, SETPOINT).at(0.7, Stop(1))
     harness.script.at(1.0, Write(2, (("device_number", 9),)))
     harness.script.at(2.5, Arm()).at(2.5, SETPOINT)
     run_for(harness, 3.0, ConnectionSettings("virtual", device_number=7))
-    numbers = {one.packets[1] for one in harness.transport.guardian.watched if one is not None}
+    numbers = {sequence.packets[1] for sequence in filter(None, harness.transport.guardian.watched)}
     assert numbers == {7, 9}
 
 
-def test_closing_while_motors_are_armed_ends_the_watch(harness: SessionHarness) -> None:
+def test_close_with_armed_motors_ends_the_watch(harness: SessionHarness) -> None:
     harness.script.at(0.4, Arm()).at(0.5, SETPOINT)
     reports = run_for(harness, 0.8)
     assert reports[-1] == Closed(None)
-    assert harness.transport.guardian.watched[-1] is None, "the board was not left running"
+    assert harness.transport.guardian.watched[-1] is None

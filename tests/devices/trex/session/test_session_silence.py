@@ -1,4 +1,4 @@
-"""Board that stops responding and returns."""
+"""Boards that stop responding, and their return."""
 
 import pytest
 
@@ -7,6 +7,7 @@ from tests.devices.trex.session.helpers import (
     create_harness,
     motor_commands_in,
     of_type,
+    on_write,
     outcomes,
     packet,
     read_at,
@@ -31,13 +32,7 @@ from trex_gui.devices.trex.session.messages import (
     Written,
 )
 
-
-def off_and_on(harness: SessionHarness, off: float, on: float) -> None:
-    """Schedule a power cut."""
-    harness.script.at(off, harness.board.power_off).at(on, harness.board.power_on)
-
-
-# --- Falling silent ---------------------------------------------------------------------
+# --- Silence ----------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(("baud", "latency"), [(9600, 0.06), (115200, 0.005), (115200, 0.06)])
@@ -45,8 +40,9 @@ def test_power_loss_is_detected_within_500_ms(baud: int, latency: float) -> None
     harness, settings = create_harness(baud)
     harness.transport.latency = latency
     harness.script.at(2.0, harness.board.power_off).at(4.0, Close())
-    (at,) = [at for at, report in timed_run(harness, settings) if isinstance(report, NotResponding)]
-    assert 2.0 < at < 2.5
+    timed = timed_run(harness, settings)
+    (time,) = [time for time, report in timed if isinstance(report, NotResponding)]
+    assert 2.0 < time < 2.5
 
 
 def test_unresponsive_board_is_reported_once_and_polled_slowly(harness: SessionHarness) -> None:
@@ -55,15 +51,15 @@ def test_unresponsive_board_is_reported_once_and_polled_slowly(harness: SessionH
     reports = run_for(harness, 8.1)
     (silent,) = of_type(reports, NotResponding)
     assert not of_type(reports[reports.index(silent) :], Batch)
-    assert reports[-1] == Closed(None), "the session goes on"
-    times = [one.time for one in samples(reports, Currents)]
-    assert max(times) == pytest.approx(1.0, abs=0.02), "what came before is delivered"
+    assert reports[-1] == Closed(None), "the session continues"
+    times = [sample.time for sample in samples(reports, Currents)]
+    assert max(times) == pytest.approx(1.0, abs=0.02), "earlier samples are delivered"
     (early,), (middle,), (late,) = sent
     assert 15 <= late - middle <= 22
     assert set(map(type, commands(harness.transport.sent[early:]))) == {GetMode}
 
 
-def test_single_lost_reply_keeps_board_responding(harness: SessionHarness) -> None:
+def test_board_that_loses_single_replies_counts_as_responding(harness: SessionHarness) -> None:
     for moment in (1.0, 1.5, 2.0, 2.5):
         harness.script.at(moment, harness.fault(to_drop=1))
     run_for(harness, 3.0)
@@ -72,7 +68,7 @@ def test_single_lost_reply_keeps_board_responding(harness: SessionHarness) -> No
     assert not motor_commands_in(harness.transport.sent)
 
 
-# --- Coming back ------------------------------------------------------------------------
+# --- Return -----------------------------------------------------------------------------
 
 
 def test_returning_board_is_found_within_one_second_and_read_again(harness: SessionHarness) -> None:
@@ -82,35 +78,37 @@ def test_returning_board_is_found_within_one_second_and_read_again(harness: Sess
     harness.script.at(1.0, harness.board.power_off).at(1.5, set_jumper)
     harness.script.at(5.0, harness.board.power_on).at(7.0, Close())
     timed = timed_run(harness, harness.client().settings)
-    seen = [(at, one) for at, one in timed if isinstance(one, Connected | NotResponding)]
-    assert [type(one) for _, one in seen] == [Connected, NotResponding, Connected]
-    assert seen[2][0] - 5.0 < 1.0
+    changes = [
+        (time, type(report))
+        for time, report in timed
+        if isinstance(report, Connected | NotResponding)
+    ]
+    assert [kind for _, kind in changes] == [Connected, NotResponding, Connected]
+    assert changes[2][0] - 5.0 < 1.0
     reports = [report for _, report in timed]
     first, second = of_type(reports, Connected)
     assert (first.occasion, second.occasion) == (ReadReason.OPENED, ReadReason.RETURNED)
     assert second.occasion.power_cycled
     assert (first.state.mode.is_serial, second.state.mode.is_serial) == (True, False)
-    assert max(one.time for one in samples(reports, Currents)) > 6.9
+    assert max(sample.time for sample in samples(reports, Currents)) > 6.9
 
 
 def test_board_reconnects_after_power_loss_during_reread(harness: SessionHarness) -> None:
-    off_and_on(harness, 1.0, 3.0)
+    harness.script.at(1.0, harness.board.power_off).at(3.0, harness.board.power_on)
     harness.script.at(5.0, harness.board.power_on)
-    send = harness.transport.write
 
-    def fail_at_the_second_signature(data: bytes) -> None:
-        send(data)
-        if data == b"\x81" and 3.0 < harness.line.now < 5.0:
+    def power_off_at_second_signature(packet: bytes) -> None:
+        if packet == b"\x81" and 3.0 < harness.line.now < 5.0:
             harness.board.power_off()
 
-    harness.transport.write = fail_at_the_second_signature  # type: ignore[method-assign] # a knob
+    on_write(harness, after=power_off_at_second_signature)
     run_for(harness, 7.0)
     assert len(of_type(harness.reports, NotResponding)) == 1
     assert len(of_type(harness.reports, Connected)) == 2
     assert harness.reports[-1] == Closed(None)
 
 
-# --- Requests meanwhile -----------------------------------------------------------------
+# --- Requests during silence ------------------------------------------------------------
 
 
 def test_setpoints_for_unresponsive_board_are_discarded(harness: SessionHarness) -> None:
@@ -124,7 +122,7 @@ def test_setpoints_for_unresponsive_board_are_discarded(harness: SessionHarness)
     run_for(harness, 5.2)
     assert len(of_type(harness.reports, Connected)) == 2
     assert motor_commands_in(harness.transport.sent[: before[0]]) == []
-    assert speeds == [90], "what comes after the return is sent"
+    assert speeds == [90], "a setpoint after the return is sent"
 
 
 def test_stop_is_sent_to_unresponsive_board(harness: SessionHarness) -> None:
@@ -148,52 +146,48 @@ def test_write_to_unresponsive_board_fails_soon_for_each_key(harness: SessionHar
     keys = [spec.key for spec in harness.board.memory.parameters.readable]
     harness.script.at(2.0, Write(1, tuple((key, 0) for key in keys)))
     harness.script.at(4.0, Close())
-    (at, outcome) = next(
-        (at, outcomes([report])[1])
-        for at, report in timed_run(harness, harness.client().settings)
+    (time, outcome) = next(
+        (time, outcomes([report])[1])
+        for time, report in timed_run(harness, harness.client().settings)
         if outcomes([report])
     )
-    assert at < 3.0
+    assert time < 3.0
     assert outcome.error is None
     assert isinstance(outcome.value, Written)
     results = outcome.value.results
-    assert sorted(one.key for one in results) == sorted(keys)
-    assert all(isinstance(one.error, NoReply) for one in results)
+    assert sorted(result.key for result in results) == sorted(keys)
+    assert all(isinstance(result.error, NoReply) for result in results)
 
 
 def test_port_loss_with_unresponsive_board_ends_session(harness: SessionHarness) -> None:
-    gone = PortUnavailable("The line is gone.")
+    lost = PortUnavailable("The port is lost.")
 
     def unplug() -> None:
-        harness.transport.fail = gone
+        harness.transport.fail = lost
 
     harness.script.at(1.0, harness.board.power_off).at(3.0, unplug)
-    assert run_for(harness, 9.0)[-1] == Closed(gone)
+    assert run_for(harness, 9.0)[-1] == Closed(lost)
     assert harness.line.now < 3.5
 
 
-def test_silence_while_reading_new_mode_is_reported(harness: SessionHarness) -> None:
-    def rearrange() -> None:
+def test_silence_while_reading_the_new_mode_is_reported_once(harness: SessionHarness) -> None:
+    def change_mode() -> None:
         harness.board.mode_jumper = "analog"
         harness.board.power_cycle()
 
-    send = harness.transport.write
+    def mute_at_second_signature(packet: bytes) -> None:
+        if packet == b"\x81" and harness.line.now > 1.0:
+            harness.line.faults.mute = True
 
-    def die_at_the_second_signature(data: bytes) -> None:
-        send(data)
-        harness.line.faults.mute = harness.line.faults.mute or (
-            data == b"\x81" and harness.line.now > 1.0
-        )
-
-    harness.transport.write = die_at_the_second_signature  # type: ignore[method-assign] # a knob
-    harness.script.at(1.0, rearrange)
+    on_write(harness, after=mute_at_second_signature)
+    harness.script.at(1.0, change_mode)
     reports = run_for(harness, 5.0)
     assert len(of_type(reports, NotResponding)) == 1
     assert reports[-1] == Closed(None)
 
 
 def test_reload_after_power_loss_counts_as_power_cycle(harness: SessionHarness) -> None:
-    off_and_on(harness, 1.0, 3.0)
+    harness.script.at(1.0, harness.board.power_off).at(3.0, harness.board.power_on)
     harness.script.at(3.0, Reload(1))
     run_for(harness, 4.0)
-    assert [one.occasion for one in of_type(harness.reports, Connected)][1].power_cycled
+    assert of_type(harness.reports, Connected)[1].occasion.power_cycled

@@ -8,8 +8,10 @@ import pytest
 from tests.devices.trex.session.helpers import (
     commands,
     create_harness,
+    latch_fault,
     motor_commands_in,
     of_type,
+    on_write,
     packet,
     read_at,
     run_for,
@@ -49,7 +51,7 @@ from trex_gui.devices.trex.simulator.channels import Signal
 from trex_gui.ui.plotting.history import MAX_GAP
 
 
-def rates_seen(harness: SessionHarness, seconds: float) -> dict[Topic, float]:
+def measured_rates(harness: SessionHarness, seconds: float) -> dict[Topic, float]:
     """Return the polls per second by topic in the last seconds of a session."""
     last = harness.line.now
     return {
@@ -60,73 +62,73 @@ def rates_seen(harness: SessionHarness, seconds: float) -> dict[Topic, float]:
 
 
 @pytest.mark.parametrize(("baud", "mode"), [(19200, "serial"), (115200, "analog")])
-def test_every_new_value_is_sampled_from_19200_baud_on(baud: int, mode: str) -> None:
+def test_polls_reach_update_rate_of_board_from_19200_baud(baud: int, mode: str) -> None:
     harness, settings = create_harness(baud, mode=mode)
     run_for(harness, 6.0, settings)
     source = InputSource.ANALOG if mode == "analog" else InputSource.RC
-    wanted = rates(source)
-    for topic, rate in rates_seen(harness, 5.0).items():
-        assert rate == pytest.approx(wanted[topic], rel=0.04, abs=0.21), topic
+    expected = rates(source)
+    for topic, rate in measured_rates(harness, 5.0).items():
+        assert rate == pytest.approx(expected[topic], rel=0.04, abs=0.21), topic
 
 
 def test_unwatched_board_is_polled_slowly() -> None:
     harness, settings = create_harness(115200)
     harness.script.at(0.0, SetWatched(False)).at(6.0, Close())
     timed = timed_run(harness, settings)
-    moments = [at for at, report in timed if isinstance(report, Batch)]
+    times = [time for time, report in timed if isinstance(report, Batch)]
     harness.reports += [report for _, report in timed]
-    wanted = rates(InputSource.RC, watched=False)
-    for topic, rate in rates_seen(harness, 5.0).items():
-        assert rate == pytest.approx(wanted[topic], rel=0.04, abs=0.21), topic
-    gaps = [later - sooner for sooner, later in itertools.pairwise(moments[:-1])]
+    expected = rates(InputSource.RC, watched=False)
+    for topic, rate in measured_rates(harness, 5.0).items():
+        assert rate == pytest.approx(expected[topic], rel=0.04, abs=0.21), topic
+    gaps = [later - sooner for sooner, later in itertools.pairwise(times[:-1])]
     assert min(gaps) >= UNWATCHED_INTERVAL - 1e-9
-    assert wanted[Currents] * MAX_GAP > 2, "the plot of currents has gaps"
+    assert expected[Currents] * MAX_GAP > 2, "the plot of currents has gaps"
     safety = (LatchedStatus, Control, ModeSample)
-    assert all(wanted[topic] == POLLED[topic].rate for topic in safety)
+    assert all(expected[topic] == POLLED[topic].rate for topic in safety)
 
 
 @pytest.mark.parametrize(
     "request_",
     [SetWatched(True), Arm(), SetMotor(1, Drive.at(50))],
-    ids=["watched", "armed", "moved"],
+    ids=["watched", "armed", "driven"],
 )
 def test_polling_is_fast_again_when_watched_or_motors_may_move(request_: Request) -> None:
     harness, settings = create_harness(115200)
     harness.script.at(0.0, SetWatched(False)).at(3.0, request_)
     run_for(harness, 3.5, settings)
-    assert rates_seen(harness, 0.4)[Currents] == pytest.approx(80, rel=0.1)
+    assert measured_rates(harness, 0.4)[Currents] == pytest.approx(80, rel=0.1)
 
 
 def test_undisturbed_session_polls_in_order_and_commands_no_motor(harness: SessionHarness) -> None:
     reports, sent = run_for(harness, 5.3), harness.transport.sent
-    looks = sum(isinstance(one, GetStatus) for one in commands(sent))
-    assert looks == pytest.approx(50, abs=4), "ten a second"
+    polls = sum(isinstance(command, GetStatus) for command in commands(sent))
+    assert polls == pytest.approx(50, abs=4), "ten polls of the status a second"
     batches = of_type(reports, Batch)
-    assert all(batch.samples for batch in batches), "none is empty"
+    assert all(batch.samples for batch in batches), "no batch is empty"
     times = [sample.time for batch in batches for sample in batch.samples]
     assert times == sorted(times)
     assert len(times) > 500
     requests = [batch.counters.requests for batch in batches]
-    assert requests == sorted(set(requests)), "counters are those of their moment"
+    assert requests == sorted(set(requests)), "each batch has the counters of its time"
     assert samples(reports, LatchedStatus) == []
     assert motor_commands_in(sent) == []
     assert not of_type(reports, MotorsStopped), "no heartbeat is missed"
 
 
-def test_slow_line_is_kept_busy() -> None:
+def test_polls_use_95_percent_of_a_slow_line() -> None:
     harness, settings = create_harness(9600)
     run_for(harness, 5.0, settings)
     assert len(harness.transport.sent) + harness.line.faults.counters["received"] > 0.95 * 5 * 960
 
 
-def test_samples_are_delivered_soon_and_not_faster_than_they_are_displayed() -> None:
+def test_samples_are_delivered_once_per_displayed_frame() -> None:
     harness, settings = create_harness(115200)
     harness.script.at(3.0, Close())
     timed = timed_run(harness, settings)
-    batches = [(at, report) for at, report in timed if isinstance(report, Batch)]
-    assert all(at - batch.samples[0].time < 2 * FRAME for at, batch in batches)
-    moments = [at for at, _ in batches[:-1]]  # what is left is delivered at the end
-    gaps = [later - sooner for sooner, later in itertools.pairwise(moments)]
+    batches = [(time, report) for time, report in timed if isinstance(report, Batch)]
+    assert all(time - batch.samples[0].time < 2 * FRAME for time, batch in batches)
+    times = [time for time, _ in batches[:-1]]  # the close delivers the remaining samples early
+    gaps = [later - sooner for sooner, later in itertools.pairwise(times)]
     assert min(gaps) >= FRAME - 1e-9
 
 
@@ -146,121 +148,100 @@ def test_samples_contain_measurements_of_the_board(harness: SessionHarness) -> N
 
 
 def test_fault_is_reported_once_each_time_it_is_latched(harness: SessionHarness) -> None:
-    def pulse() -> None:
-        harness.board.set_fault(1, fault=True)
-        harness.board.set_fault(1, fault=False)
-
-    harness.script.at(1.0, pulse).at(1.5, pulse)
-    news = samples(run_for(harness, 2.0), LatchedStatus)
-    assert [(one.status, one.uart) for one in news] == [
+    for time in (1.0, 1.5):
+        harness.script.at(time, lambda: latch_fault(harness.board, 1))
+    latched = samples(run_for(harness, 2.0), LatchedStatus)
+    assert [(sample.status, sample.uart) for sample in latched] == [
         (Status.MOTOR1_FAULT, UartError(0)),
         (Status.MOTOR1_FAULT, UartError(0)),
     ]
-    assert [round(one.time, 1) for one in news] == pytest.approx([1.0, 1.5], abs=0.11)
+    assert [round(sample.time, 1) for sample in latched] == pytest.approx([1.0, 1.5], abs=0.11)
 
 
 def test_simultaneous_faults_are_reported_together(harness: SessionHarness) -> None:
-    def break_down() -> None:
-        for motor in (1, 2):
-            harness.board.set_fault(motor, fault=True)
-            harness.board.set_fault(motor, fault=False)
-        harness.board.report_error(UartError.CRC)
-
-    harness.script.at(1.0, break_down)
-    (news,) = samples(run_for(harness, 2.0), LatchedStatus)
-    assert news.status == Status.MOTOR1_FAULT | Status.MOTOR2_FAULT | Status.UART_ERROR
-    assert news.uart == UartError.CRC
+    harness.script.at(1.0, lambda: latch_fault(harness.board, 1, 2))
+    harness.script.at(1.0, lambda: harness.board.report_error(UartError.CRC))
+    (latched,) = samples(run_for(harness, 2.0), LatchedStatus)
+    assert latched.status == Status.MOTOR1_FAULT | Status.MOTOR2_FAULT | Status.UART_ERROR
+    assert latched.uart == UartError.CRC
 
 
 def test_status_bits_survive_lost_uart_error_byte(harness: SessionHarness) -> None:
-    board = harness.board
+    def lose_uart_errors(packet: bytes) -> None:
+        harness.line.faults.mute = packet == b"\x85"
 
-    def corrupt() -> None:
-        board.set_fault(2, fault=True)
-        board.set_fault(2, fault=False)
-        board.report_error(UartError.CRC)
-
-    seen = harness.transport.write
-
-    def lose_uart_errors(data: bytes) -> None:
-        harness.line.faults.mute = data == b"\x85"
-        seen(data)
-
-    harness.transport.write = lose_uart_errors  # type: ignore[method-assign] # one byte is lost
-    harness.script.at(1.0, corrupt)
-    news = samples(run_for(harness, 2.0), LatchedStatus)
-    assert news[0].status == Status.MOTOR2_FAULT | Status.UART_ERROR
+    on_write(harness, before=lose_uart_errors)
+    harness.script.at(1.0, lambda: latch_fault(harness.board, 2))
+    harness.script.at(1.0, lambda: harness.board.report_error(UartError.CRC))
+    latched = samples(run_for(harness, 2.0), LatchedStatus)
+    assert latched[0].status == Status.MOTOR2_FAULT | Status.UART_ERROR
 
 
 def test_lost_uart_error_request_is_repeated(harness: SessionHarness) -> None:
-    send = harness.transport.write
-    requested: list[bytes] = []
+    requests: list[bytes] = []
 
-    def lose_a_question(data: bytes) -> None:
-        if data == b"\x85":
-            requested.append(data)
-            harness.line.faults.to_drop_sent = int(len(requested) == 2)  # the first is at once
-        send(data)
+    def lose_second_request(packet: bytes) -> None:
+        if packet == b"\x85":
+            requests.append(packet)  # the first is sent when the line opens
+            harness.line.faults.to_drop_sent = int(len(requests) == 2)
 
-    harness.transport.write = lose_a_question  # type: ignore[method-assign] # a knob
+    on_write(harness, before=lose_second_request)
     harness.script.at(1.0, lambda: harness.board.report_error(UartError.CRC))
-    news = samples(run_for(harness, 2.0), LatchedStatus)
-    assert [(one.status, one.uart) for one in news] == [
+    latched = samples(run_for(harness, 2.0), LatchedStatus)
+    assert [(sample.status, sample.uart) for sample in latched] == [
         (Status.UART_ERROR, UartError(0)),
         (Status(0), UartError.CRC),
     ]
 
 
 def test_uart_error_is_read_after_lost_status_reply(harness: SessionHarness) -> None:
-    send = harness.transport.write
-    requested: list[bytes] = []
+    requests: list[bytes] = []
 
-    def lose_the_first_answer(data: bytes) -> None:
-        if data == b"\x84" and harness.line.now > 1.0:
-            requested.append(data)
-            harness.line.faults.to_drop = int(len(requested) == 1)
-        send(data)
+    def lose_first_reply(packet: bytes) -> None:
+        if packet == b"\x84" and harness.line.now > 1.0:
+            requests.append(packet)
+            harness.line.faults.to_drop = int(len(requests) == 1)
 
-    harness.transport.write = lose_the_first_answer  # type: ignore[method-assign] # a knob
+    on_write(harness, before=lose_first_reply)
     harness.script.at(1.0, lambda: harness.board.report_error(UartError.PARITY))
-    (news,) = samples(run_for(harness, 2.0), LatchedStatus)
-    assert news.uart == UartError.PARITY
+    (latched,) = samples(run_for(harness, 2.0), LatchedStatus)
+    assert latched.uart == UartError.PARITY
 
 
 def test_error_latched_before_connecting_is_reported(harness: SessionHarness) -> None:
     harness.board.report_error(UartError.TIMEOUT)
-    (news,) = samples(run_for(harness, 1.0), LatchedStatus)
-    assert news.uart == UartError.TIMEOUT
+    (latched,) = samples(run_for(harness, 1.0), LatchedStatus)
+    assert latched.uart == UartError.TIMEOUT
 
 
-# --- During other work ------------------------------------------------------------------
+# --- Telemetry during other requests ----------------------------------------------------
 
 
 def test_telemetry_continues_during_single_requests(harness: SessionHarness) -> None:
     for number in range(100):
         harness.script.at(1.0 + number / 100, packet(number, GetMode()))
     run_for(harness, 2.0)
-    currents = [one for one in samples(harness.reports, Currents) if 1.0 < one.time < 2.0]
-    assert len(currents) > 60
+    times = [sample.time for sample in samples(harness.reports, Currents)]
+    assert len([time for time in times if 1.0 < time < 2.0]) > 60
 
 
 def test_telemetry_continues_after_long_write(harness: SessionHarness) -> None:
     keys = [spec.key for spec in harness.board.memory.parameters if not spec.needs_power_cycle]
-    setpoints = tuple((key, harness.board.eeprom[key]) for key in keys if key != "factory_reset")
-    harness.script.at(1.0, Write(1, setpoints))
+    values = tuple((key, harness.board.eeprom[key]) for key in keys if key != "factory_reset")
+    harness.script.at(1.0, Write(1, values))
     run_for(harness, 3.0)
-    late = [one for one in samples(harness.reports, Currents) if 2.0 < one.time < 3.0]
-    assert len(late) == pytest.approx(80, abs=3)
+    times = [sample.time for sample in samples(harness.reports, Currents)]
+    assert len([time for time in times if 2.0 < time < 3.0]) == pytest.approx(80, abs=3)
 
 
 def test_mode_change_after_power_cycle_is_detected(harness: SessionHarness) -> None:
-    def rearrange() -> None:
+    def change_mode() -> None:
         harness.board.mode_jumper = "analog"
         harness.board.power_cycle()
 
-    harness.script.at(1.0, rearrange)
+    harness.script.at(1.0, change_mode)
     run_for(harness, 4.6)
-    assert rates_seen(harness, 2.0)[Currents] == pytest.approx(50, rel=0.03)
+    assert measured_rates(harness, 2.0)[Currents] == pytest.approx(50, rel=0.03)
     first, second = of_type(harness.reports, Connected)
     assert first.state.mode is Mode.SERIAL_RC
     assert second.state.mode is Mode.ANALOG
@@ -268,7 +249,7 @@ def test_mode_change_after_power_cycle_is_detected(harness: SessionHarness) -> N
     assert second.state.calibrations != first.state.calibrations
 
 
-def test_board_is_read_again_three_times_at_most_after_a_failed_write(
+def test_failed_write_reads_board_again_at_most_three_times(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     readings: list[float] = []
@@ -288,17 +269,15 @@ def test_board_is_read_again_three_times_at_most_after_a_failed_write(
     reports = run_for(harness, 9.0, settings)
     assert len(readings) == 3
     assert all(later - earlier >= 2.0 for earlier, later in itertools.pairwise(readings))
-    assert len([one for one in samples(reports, Raw) if one.time > 8.0]) > 40
+    assert len([sample for sample in samples(reports, Raw) if sample.time > 8.0]) > 40
 
 
-def test_board_is_read_again_after_a_write_on_a_port_that_was_jammed(
-    harness: SessionHarness,
-) -> None:
+def test_write_on_a_jammed_port_reads_board_again(harness: SessionHarness) -> None:
     write = harness.transport.write
 
     def jam(data: bytes) -> None:
         write(data)
-        if data[0] == SetParameter(0, 0).opcode:  # it arrives all the same
+        if data[0] == SetParameter(0, 0).opcode:  # the board receives it nevertheless
             harness.transport.write = write  # type: ignore[method-assign]
             raise PortUnavailable("jammed")
 
@@ -308,8 +287,8 @@ def test_board_is_read_again_after_a_write_on_a_port_that_was_jammed(
     assert of_type(reports, Connected)[-1].state.parameters["serial_timeout"] == 5
 
 
-def reset_unnoticed(harness: SessionHarness, **changes: int) -> Callable[[], None]:
-    """Return a function that changes stored values without a lost reply."""
+def silent_change(harness: SessionHarness, **changes: int) -> Callable[[], None]:
+    """Return a step that changes stored and active values without a lost reply."""
 
     def change() -> None:
         for key, wire in changes.items():
@@ -328,31 +307,29 @@ def reset_unnoticed(harness: SessionHarness, **changes: int) -> Callable[[], Non
         ("motor2_current_limit", 1200),
     ],
 )
-def test_changed_safety_parameter_is_found_within_some_two_seconds(key: str, baud: int) -> None:
+def test_changed_safety_parameter_is_detected_in_two_seconds(key: str, baud: int) -> None:
     harness, settings = create_harness(baud)
     for stored in ("serial_timeout", "motor1_current_limit", "motor2_current_limit"):
         harness.board.eeprom.write(stored, 50)
-    start, reading_s = (6.0, 3.5) if baud == 1200 else (2.0, 1.0)
-    harness.script.at(start, reset_unnoticed(harness, **{key: 0}))
-    run_for(harness, start + 1.5 + reading_s, settings)
+    start, reading_time = (6.0, 3.5) if baud == 1200 else (2.0, 1.0)
+    harness.script.at(start, silent_change(harness, **{key: 0}))
+    run_for(harness, start + 1.5 + reading_time, settings)
     _, second = of_type(harness.reports, Connected)
     assert second.state.parameters[key] == 0
     assert second.occasion is ReadReason.SETTING_CHANGED
 
 
-def test_changed_safety_parameter_locks_out_armed_motors(harness: SessionHarness) -> None:
+def test_changed_safety_parameter_locks_out_motors(harness: SessionHarness) -> None:
     harness.board.eeprom.write("serial_timeout", 50)
     harness.script.at(1.0, Arm()).at(1.1, SetMotor(1, Drive.at(50)))
-    harness.script.at(1.5, reset_unnoticed(harness, serial_timeout=0))
+    harness.script.at(1.5, silent_change(harness, serial_timeout=0))
     harness.script.at(4.0, SetMotor(1, Drive.at(60)))
     run_for(harness, 4.5)
     assert of_type(harness.reports, Connected)[-1].state.serial_timeout == 0
     assert harness.board.motors[0].speed != 60
 
 
-def test_corrupted_reply_does_not_count_as_changed_safety_parameter(
-    harness: SessionHarness,
-) -> None:
+def test_corrupted_reply_is_no_changed_safety_parameter(harness: SessionHarness) -> None:
     receive = harness.line.read
     corrupted: list[bytes] = []
 
@@ -363,7 +340,7 @@ def test_corrupted_reply_does_not_count_as_changed_safety_parameter(
             return bytes([reply[0] ^ 1])
         return reply
 
-    harness.line.read = read  # type: ignore[method-assign] # a knob
+    harness.line.read = read  # type: ignore[method-assign]
     run_for(harness, 4.0)
     assert corrupted
     assert len(of_type(harness.reports, Connected)) == 1
@@ -371,14 +348,14 @@ def test_corrupted_reply_does_not_count_as_changed_safety_parameter(
 
 def test_safety_parameters_are_not_read_while_unwatched(harness: SessionHarness) -> None:
     harness.script.at(0.0, SetWatched(False))
-    marks = read_at(harness, 2.0, lambda: len(harness.transport.sent))
+    sizes = read_at(harness, 2.0, lambda: len(harness.transport.sent))
     run_for(harness, 5.0)
-    late = commands(harness.transport.sent[marks[0] :])
-    assert late
-    assert not any(isinstance(command, GetParameter) for command in late)
+    sent = commands(harness.transport.sent[sizes[0] :])
+    assert sent
+    assert not any(isinstance(command, GetParameter) for command in sent)
 
 
-def test_errors_of_which_another_program_has_read_the_status_are_found(
+def test_uart_errors_survive_status_read_of_another_program(
     harness: SessionHarness,
 ) -> None:
     harness.board.report_error(UartError.TIMEOUT)
