@@ -208,7 +208,7 @@ def test_search_ends_with_flush_byte_and_default_settings() -> None:
     wire = wire_of(a_board())
     search(wire, {"one": silent_prober([], "One")})
     assert bytes(wire.sent) == FLUSH_BYTE
-    assert wire.tuned[-1] == SerialFormat()
+    assert wire.configured[-1] == SerialFormat()
     # After a flush byte at another rate, the found board would report an error.
     wire = wire_of(a_board())
     search(wire, {"trex": TREX_PROBER})

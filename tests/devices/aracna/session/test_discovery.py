@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 import pytest
 
 from tests.devices.trex.conftest import motor_commands
-from tests.devices.trex.discovery.test_prober import BOARDS, OWN, State, Wire, hear
+from tests.devices.trex.discovery.test_prober import ALL_LINES, OWN, State, Wire, hear
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.aracna import AracnaHarness
 from tests.support.matrix import sampled
@@ -200,7 +200,7 @@ def test_search_does_not_move_aracna(*, mute: bool) -> None:
 
 @pytest.mark.parametrize(
     "settings",
-    sampled((each for each in BOARDS if each.stop_bits == 1), every=9),
+    sampled((each for each in ALL_LINES if each.stop_bits == 1), every=9),
     ids=lambda settings: settings.text(),
 )
 @pytest.mark.parametrize("first", ["trex", "aracna"])

@@ -32,11 +32,11 @@ from trex_gui.devices.trex.simulator.line import SimulatedBoards
 
 VIRTUAL = ConnectionSettings("virtual")
 PARITIES = (Detection.NONE, Detection.EVEN, Detection.ODD)
-BOARDS = [
+ALL_LINES = [
     LineSettings(baud, detection, stop_bits)
     for detection, stop_bits, baud in product(Detection, (1, 2), baud_rates())
 ]
-ONE_STOP_BIT = [settings for settings in BOARDS if settings.stop_bits == 1]
+ONE_STOP_BIT = [settings for settings in ALL_LINES if settings.stop_bits == 1]
 """What a board hears of lone bytes does not hang on how long it may rest behind them."""
 
 LIKELY_AGAIN = 9
@@ -50,12 +50,12 @@ class Wire(VirtualTransport):
 
     def __init__(self, line: SimulatedBoards) -> None:
         super().__init__(line)
-        self.tuned: list[SerialFormat] = []
+        self.configured: list[SerialFormat] = []
 
     def reconfigure(self, line: SerialFormat) -> None:
         if line.baud in self.unable:
             raise BadRequest("no such rate")
-        self.tuned.append(line)
+        self.configured.append(line)
         self.line.host = line
 
 
@@ -100,7 +100,9 @@ def diagnosis_of(wire: Wire) -> str:
 # --- The whole search -------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("settings", sampled(BOARDS, every=9), ids=lambda settings: settings.text())
+@pytest.mark.parametrize(
+    "settings", sampled(ALL_LINES, every=9), ids=lambda settings: settings.text()
+)
 def test_search_finds_every_board_and_commands_no_motor(
     settings: LineSettings, motor_commands: list[str]
 ) -> None:
@@ -147,7 +149,7 @@ def test_full_search_commands_no_motor(motor_commands: list[str]) -> None:
 @pytest.mark.slow
 @pytest.mark.timeout(900)
 def test_full_search_commands_no_motor_on_any_board(motor_commands: list[str]) -> None:
-    for settings in BOARDS:
+    for settings in ALL_LINES:
         a_full_search_moves_nothing(settings, motor_commands)
 
 
@@ -304,8 +306,8 @@ def test_likely_line_settings_are_probed_first() -> None:
 
 def test_every_line_setting_is_probed_once() -> None:
     requested = [attempt.line for attempt in attempts()]
-    assert len(requested) == len(set(requested)) == len(BOARDS)
-    assert set(requested) == set(BOARDS)
+    assert len(requested) == len(set(requested)) == len(ALL_LINES)
+    assert set(requested) == set(ALL_LINES)
 
 
 def test_search_requests_only_signatures() -> None:
@@ -319,9 +321,9 @@ def test_flush_byte_precedes_each_probe() -> None:
     wire.line.faults.mute = True
     search(wire)
     assert bytes(wire.sent).startswith(FLUSH_BYTE + b"\x81" + FLUSH_BYTE + b"\x81")
-    probes = len(BOARDS) + LIKELY_AGAIN
+    probes = len(ALL_LINES) + LIKELY_AGAIN
     assert wire.sent.count(FLUSH_BYTE) == probes + 1  # one before the port is closed
-    assert wire.tuned[0:-1:2] == [FLUSH_LINE] * (probes + 1)
+    assert wire.configured[0:-1:2] == [FLUSH_LINE] * (probes + 1)
 
 
 # --- A line that swallows bytes ---------------------------------------------------------
@@ -349,7 +351,7 @@ def test_second_look_at_silent_line_takes_a_tenth_of_the_search() -> None:
     wire.line.faults.mute = True
     began: list[float] = []
     search(wire, progress=lambda _: began.append(wire.clock()))
-    assert began[-1] - began[len(BOARDS)] < 0.1 * (began[len(BOARDS)] - began[0])
+    assert began[-1] - began[len(ALL_LINES)] < 0.1 * (began[len(ALL_LINES)] - began[0])
 
 
 # --- What it tells ----------------------------------------------------------------------
@@ -360,7 +362,7 @@ def test_progress_names_next_probe() -> None:
     wire = wire_of(a_board(settings=LineSettings(9600).to_wire()))
     search(wire, progress=steps.append)
     assert [(step.done, step.line.baud) for step in steps] == [(0, 19200), (1, 115200), (2, 9600)]
-    assert {step.total for step in steps} == {len(BOARDS) + LIKELY_AGAIN}
+    assert {step.total for step in steps} == {len(ALL_LINES) + LIKELY_AGAIN}
 
 
 def test_search_can_be_cancelled() -> None:

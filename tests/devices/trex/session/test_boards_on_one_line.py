@@ -1,10 +1,12 @@
-"""Several boards on one line: selection and motors."""
+"""Selection of a board on a shared line, and motors of the boards."""
 
 from dataclasses import replace
 
 import pytest
 
 from tests.devices.trex.session.helpers import (
+    TwoBoards,
+    error_code,
     motor_commands_in,
     of_type,
     outcomes,
@@ -37,7 +39,6 @@ from trex_gui.devices.trex.session.messages import (
     Connected,
     ProbeNumber,
     ReadReason,
-    Report,
     SelectBoard,
     SetReconnectCandidates,
     Write,
@@ -47,27 +48,22 @@ from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 COMPACT = ConnectionSettings("virtual")
 SEVENTH = replace(COMPACT, device_number=7)
-_FORWARD = SetMotor(1, Drive.at(90))
+FORWARD = SetMotor(1, Drive.at(90))
 
 
-class Line(SessionHarness):
-    """Boards 7 and 9 on one line."""
-
-    def __init__(self) -> None:
-        self.seventh, self.ninth = a_board(7), a_board(9)
-        super().__init__(self.seventh, self.ninth)
-
+class Line(TwoBoards):
     @property
     def packets(self) -> list[Packet]:
         return of_type(PacketParser().feed(bytes(self.transport.sent)), Packet)
 
-    def to_numbers(self) -> set[int | None]:
-        """Return the device numbers of motor commands that are no stop."""
-        moving = [one for one in self.packets if one.command.moves]
-        return {one.device_number for one in moving if one.command not in STOP}
+    def driven_numbers(self) -> set[int | None]:
+        """Return the device numbers of motor commands, except stops."""
+        driving = [packet for packet in self.packets if packet.command.moves]
+        return {packet.device_number for packet in driving if packet.command not in STOP}
 
     def stopped_numbers(self) -> set[int | None]:
-        return {one.device_number for one in self.packets if one.command in STOP}
+        """Return the device numbers of stops."""
+        return {packet.device_number for packet in self.packets if packet.command in STOP}
 
     @property
     def connections(self) -> list[Connected]:
@@ -79,19 +75,14 @@ def line() -> Line:
     return Line()
 
 
-def runs(board: Board) -> bool:
+def runs_forward(board: Board) -> bool:
     return board.motors[0].direction is MotorDirection.FORWARD and board.motors[0].speed > 0
-
-
-def code_of(reports: list[Report], number: int) -> object:
-    error = outcomes(reports)[number].error
-    return error.code if isinstance(error, TrexError) else None
 
 
 # --- Motors -----------------------------------------------------------------------------
 
 
-def test_boards_that_reply_as_one_are_not_connected(line: Line) -> None:
+def test_boards_that_reply_together_are_not_connected(line: Line) -> None:
     reports = run_for(line, 5, COMPACT)
     assert not line.connections
     (closed,) = of_type(reports, Closed)
@@ -100,12 +91,12 @@ def test_boards_that_reply_as_one_are_not_connected(line: Line) -> None:
 
 
 def test_driven_board_is_stopped_before_another_is_selected(line: Line) -> None:
-    line.script.at(1.0, Arm()).at(1.0, _FORWARD)
-    ran = read_at(line, 1.2, lambda: runs(line.seventh))
+    line.script.at(1.0, Arm()).at(1.0, FORWARD)
+    before = read_at(line, 1.2, lambda: runs_forward(line.seventh))
     line.script.at(1.2, SelectBoard(1, 9))
-    still = read_at(line, 3.0, lambda: runs(line.seventh))
+    after = read_at(line, 3.0, lambda: runs_forward(line.seventh))
     reports = run_for(line, 3.0, SEVENTH)
-    assert (ran, still) == ([True], [False])
+    assert (before, after) == ([True], [False])
     assert outcomes(reports)[1].error is None
     assert MotorsStopped(None, confirmed=True) in reports
     selected = line.connections[-1]
@@ -115,69 +106,70 @@ def test_driven_board_is_stopped_before_another_is_selected(line: Line) -> None:
     assert reports[-1] == Closed(None, may_move=False)
 
 
-def test_setpoints_for_former_board_never_reach_selected_one(line: Line) -> None:
+def test_setpoints_for_former_board_reach_no_selected_board(line: Line) -> None:
     line.script.at(1.0, SelectBoard(1, 9))
-    for step in range(30):  # a window that has not heard of the switch yet
-        line.script.at(1.0 + step / 100, Arm()).at(1.0 + step / 100, _FORWARD)
+    for step in range(30):  # from a window that still shows the former board
+        line.script.at(1.0 + step / 100, Arm()).at(1.0 + step / 100, FORWARD)
     reports = run_for(line, 3.0, SEVENTH)
     assert outcomes(reports)[1].error is None
-    assert line.to_numbers() <= {7}
-    assert not runs(line.seventh)
-    assert not runs(line.ninth)
+    assert line.driven_numbers() <= {7}
+    assert not runs_forward(line.seventh)
+    assert not runs_forward(line.ninth)
 
 
-def test_motor_command_behind_selection_is_rejected(line: Line) -> None:
+def test_typed_motor_command_after_selection_is_rejected(line: Line) -> None:
     line.script.at(1.0, SelectBoard(1, 9))
     line.script.at(1.0, packet(2, DriveMotor(1, Drive.at(90))))
     reports = run_for(line, 3.0, SEVENTH)
-    assert code_of(reports, 2) is ErrorCode.NOT_ARMED
+    assert error_code(reports, 2) is ErrorCode.NOT_ARMED
     assert not motor_commands_in(line.transport.sent)
 
 
 def test_board_stays_selected_until_its_stop_is_confirmed(line: Line) -> None:
-    line.script.at(1.0, Arm()).at(1.0, _FORWARD)
+    line.script.at(1.0, Arm()).at(1.0, FORWARD)
     line.script.at(1.2, line.seventh.power_off)
     line.script.at(1.2, SelectBoard(1, 9))
     reports = run_for(line, 4.0, SEVENTH)
-    assert code_of(reports, 1) is ErrorCode.NOT_SELECTED_MOVING
-    assert [one.occasion for one in line.connections] == [ReadReason.OPENED]
+    assert error_code(reports, 1) is ErrorCode.NOT_SELECTED_MOVING
+    assert [connection.occasion for connection in line.connections] == [ReadReason.OPENED]
     assert reports[-1] == Closed(None, may_move=True)
 
 
-def test_stop_after_switch_reaches_selected_board_only(line: Line) -> None:
+def test_stop_after_selection_reaches_only_selected_board(line: Line) -> None:
     line.script.at(1.0, SelectBoard(1, 9))
-    line.script.at(2.5, Arm(1)).at(2.5, _FORWARD)
-    ran = read_at(line, 2.8, lambda: (runs(line.seventh), runs(line.ninth)))
+    line.script.at(2.5, Arm(1)).at(2.5, FORWARD)
+    before = read_at(line, 2.8, lambda: (runs_forward(line.seventh), runs_forward(line.ninth)))
     line.script.at(2.8, Stop(2))
     reports = run_for(line, 4.0, SEVENTH)
-    assert ran == [(False, True)]
-    assert not runs(line.ninth)
+    assert before == [(False, True)]
+    assert not runs_forward(line.ninth)
     assert outcomes(reports)[2].error is None
-    assert line.to_numbers() == {9}
+    assert line.driven_numbers() == {9}
 
 
 def test_closing_and_guardian_stop_selected_board(line: Line) -> None:
-    line.script.at(0.7, Arm()).at(0.7, _FORWARD).at(1.0, SelectBoard(1, 9))
+    line.script.at(0.7, Arm()).at(0.7, FORWARD).at(1.0, SelectBoard(1, 9))
     before = read_at(line, 2.4, lambda: list(line.transport.guardian.watched))
-    line.script.at(2.5, Arm(1)).at(2.5, _FORWARD)
+    line.script.at(2.5, Arm(1)).at(2.5, FORWARD)
     reports = run_for(line, 2.8, SEVENTH)
-    assert not runs(line.ninth)
+    assert not runs_forward(line.ninth)
     assert reports[-1] == Closed(None, may_move=False)
     watched = line.transport.guardian.watched
-    numbers = [one.packets[1] if one else None for one in watched]
-    first, later = numbers[: len(before[0])], numbers[len(before[0]) :]
+    numbers = [sequence.packets[1] if sequence else None for sequence in watched]
+    count = len(before[0])
+    first, later = numbers[:count], numbers[count:]
     assert (set(first), first[-1]) == ({7, None}, None)
     assert (set(later), later[-1]) == ({9, None}, None)
 
 
-def test_stop_that_comes_during_switch_is_served(line: Line) -> None:
+def test_stop_during_selection_is_confirmed(line: Line) -> None:
     line.script.at(1.0, SelectBoard(1, 9)).at(1.2, Stop(2))
     reports = run_for(line, 4.0, SEVENTH)
     assert outcomes(reports)[2].error is None
     assert outcomes(reports)[1].error is None
 
 
-def test_commands_of_an_earlier_session_are_followed_by_a_stop_of_each_board(line: Line) -> None:
+def test_selection_stops_each_board_after_an_earlier_session(line: Line) -> None:
     line.ninth.power_off()
     line.script.at(1.0, line.ninth.power_on).at(2.0, SelectBoard(2, 9, sharing=(7, 9)))
     reports = run_for(line, 5.0, COMPACT, may_move=True)
@@ -185,11 +177,11 @@ def test_commands_of_an_earlier_session_are_followed_by_a_stop_of_each_board(lin
     assert line.stopped_numbers() == {None, 7, 9}
 
 
-def test_commands_without_number_are_followed_by_a_stop_of_each_board(line: Line) -> None:
+def test_selection_stops_each_board_after_compact_commands(line: Line) -> None:
     line.ninth.power_off()
-    line.script.at(1.0, Arm()).at(1.0, _FORWARD).at(1.2, line.ninth.power_on)
-    line.script.at(1.3, SetMotor(1, Drive.at(60)))  # reaches both
-    both = read_at(line, 1.5, lambda: (runs(line.seventh), runs(line.ninth)))
+    line.script.at(1.0, Arm()).at(1.0, FORWARD).at(1.2, line.ninth.power_on)
+    line.script.at(1.3, SetMotor(1, Drive.at(60)))  # reaches both boards
+    both = read_at(line, 1.5, lambda: (runs_forward(line.seventh), runs_forward(line.ninth)))
     line.script.at(1.5, Stop(1)).at(2.0, SelectBoard(2, 9, sharing=(7, 9)))
     reports = run_for(line, 5.0, COMPACT)
     assert both == [(True, True)]
@@ -197,24 +189,22 @@ def test_commands_without_number_are_followed_by_a_stop_of_each_board(line: Line
     assert line.stopped_numbers() == {None, 7, 9}
 
 
-# --- Selecting --------------------------------------------------------------------------
+# --- Selection --------------------------------------------------------------------------
 
 
 def test_board_that_does_not_respond_is_not_selected(line: Line) -> None:
     line.script.at(1.0, SelectBoard(1, 5))
-    line.script.at(3.0, Arm()).at(3.0, _FORWARD)
-    ran = read_at(line, 3.3, lambda: runs(line.seventh))
+    line.script.at(3.0, Arm()).at(3.0, FORWARD)
+    before = read_at(line, 3.3, lambda: runs_forward(line.seventh))
     reports = run_for(line, 3.4, SEVENTH)
-    error = outcomes(reports)[1].error
-    assert isinstance(error, NoReply)
-    assert code_of(reports, 1) is ErrorCode.NOT_SELECTED_SILENT
+    assert isinstance(outcomes(reports)[1].error, NoReply)
+    assert error_code(reports, 1) is ErrorCode.NOT_SELECTED_SILENT
     assert len(line.connections) == 1
-    assert ran == [True]  # the former one still is, and can be armed again
-    counters = of_type(reports, Batch)[-1].counters
-    assert counters.missing == 0  # the line is no worse for it
+    assert before == [True]  # the former board is still selected, and can be armed again
+    assert of_type(reports, Batch)[-1].counters.missing == 0  # the line quality is not affected
 
 
-def test_other_board_is_selected_while_one_is_silent(line: Line) -> None:
+def test_other_board_is_selected_while_selected_board_is_silent(line: Line) -> None:
     line.script.at(1.0, line.seventh.power_off).at(3.0, SelectBoard(1, 9))
     reports = run_for(line, 5.0, SEVENTH)
     assert outcomes(reports)[1].error is None
@@ -225,10 +215,10 @@ def test_candidates_of_former_board_are_not_probed(line: Line) -> None:
     line.script.at(1.0, SetReconnectCandidates((replace(SEVENTH, polynomial=0x91),)))
     line.script.at(1.0, SelectBoard(1, 9)).at(3.0, line.ninth.power_off)
     run_for(line, 8.0, SEVENTH)
-    assert [one.settings.device_number for one in line.connections] == [7, 9]
+    assert [connection.settings.device_number for connection in line.connections] == [7, 9]
 
 
-def test_bits_latched_by_other_board_are_reported_once_it_is_selected(line: Line) -> None:
+def test_latched_bits_of_other_board_are_reported_on_selection(line: Line) -> None:
     def latch() -> None:
         line.ninth.serial.uart_errors |= UartError.FORMAT
 
@@ -243,16 +233,16 @@ def test_bits_latched_by_other_board_are_reported_once_it_is_selected(line: Line
 # --- Probing ----------------------------------------------------------------------------
 
 
-def test_probe_names_the_board_and_clears_nothing(line: Line) -> None:
+def test_probe_returns_signature_and_clears_no_status(line: Line) -> None:
     line.script.at(1.0, ProbeNumber(1, 9)).at(1.5, ProbeNumber(2, 5))
     reports = run_for(line, 2.0, SEVENTH)
     signature = Signature(device_table().models[0], "1.2")
     assert outcomes(reports)[1].value == signature
     assert outcomes(reports)[2].value is None
     assert outcomes(reports)[2].error is None
-    to_others = [one.command for one in line.packets if one.device_number in {5, 9}]
-    assert to_others
-    assert not [one for one in to_others if isinstance(one, (GetStatus, GetUartErrors))]
+    probes = [packet.command for packet in line.packets if packet.device_number in {5, 9}]
+    assert probes
+    assert not [command for command in probes if isinstance(command, GetStatus | GetUartErrors)]
     assert of_type(reports, Batch)[-1].counters.missing == 0
 
 
@@ -260,10 +250,10 @@ def test_probe_is_rejected_while_motors_are_armed(line: Line) -> None:
     line.script.at(1.0, Arm()).at(1.0, ProbeNumber(1, 9))
     reports = run_for(line, 1.5, SEVENTH)
     assert isinstance(outcomes(reports)[1].error, BadRequest)
-    assert code_of(reports, 1) is ErrorCode.OTHERS_WHILE_DRIVING
+    assert error_code(reports, 1) is ErrorCode.OTHERS_WHILE_DRIVING
 
 
-def test_two_boards_with_one_number_are_unreadable() -> None:
+def test_probe_of_a_number_that_two_boards_share_fails() -> None:
     harness = SessionHarness(a_board(7), a_board(9), a_board(9, model="trexjr"))
     harness.script.at(1.0, ProbeNumber(1, 9, attempts=2))
     reports = run_for(harness, 2.0, SEVENTH)
@@ -279,16 +269,16 @@ def test_number_of_another_board_is_not_written(line: Line, settings: Connection
     line.script.at(4.0, line.ninth.power_off)
     line.script.at(4.5, Write(2, (("device_number", 12),)))
     reports = run_for(line, 6.0, settings)
-    assert code_of(reports, 1) is ErrorCode.NUMBER_TAKEN
+    assert error_code(reports, 1) is ErrorCode.NUMBER_TAKEN
     assert line.seventh.eeprom["serial_timeout"] == 0
     assert outcomes(reports)[2].error is None
     assert line.seventh.eeprom["device_number"] == 12
 
 
 def test_driven_board_keeps_its_number(line: Line) -> None:
-    line.script.at(1.0, Arm()).at(1.0, _FORWARD)
+    line.script.at(1.0, Arm()).at(1.0, FORWARD)
     line.script.at(1.2, Write(1, (("device_number", 12),)))
     reports = run_for(line, 3.0, SEVENTH)
-    assert code_of(reports, 1) is ErrorCode.OTHERS_WHILE_DRIVING
+    assert error_code(reports, 1) is ErrorCode.OTHERS_WHILE_DRIVING
     assert line.seventh.eeprom["device_number"] == 7
-    assert not runs(line.seventh)
+    assert not runs_forward(line.seventh)

@@ -31,7 +31,7 @@ modest = examples(40)
 
 
 class FixedInbox:
-    """An inbox that holds some requests."""
+    """Inbox with given requests."""
 
     def __init__(self, *requests: Request) -> None:
         self.requests = deque(requests)
@@ -42,21 +42,22 @@ class FixedInbox:
         return self.requests.popleft() if self.requests else None
 
 
-class Queue(TrexRequestQueue):
-    """A queue and a motor output at time 0."""
+class QueueHarness(TrexRequestQueue):
+    """Request queue and motor output at time 0."""
 
     def __init__(self, *requests: Request) -> None:
-        self.bag = FixedInbox(*requests)
+        self.inbox = FixedInbox(*requests)
         self.outcomes: list[Outcome] = []
         self.motors = MotorOutput(lambda _report: None)
         self.liveness = LivenessMonitor(Timeouts())
         board = BoardQueue(self.motors, self.liveness, self.outcomes.append, lambda: 0.0)
         self.jobs = board.jobs
-        super().__init__(self.bag, {None: board})
+        super().__init__(self.inbox, {None: board})
 
 
-def collected(*requests: Request) -> Queue:
-    queue = Queue(*requests)
+def collect(*requests: Request) -> QueueHarness:
+    """Return a queue that has collected requests."""
+    queue = QueueHarness(*requests)
     queue.collect()
     return queue
 
@@ -73,7 +74,7 @@ def test_setpoints_of_same_kind_share_one_packet() -> None:
 
 def test_requeued_setpoint_does_not_replace_newer_one() -> None:
     slots = SetpointSlots()
-    damaged: list[SetMotor | SetAuxiliary] = [
+    requeued: list[SetMotor | SetAuxiliary] = [
         SetMotor(1, Drive.at(1)),
         SetMotor(2, Drive.at(1)),
         SetAuxiliary(1),
@@ -81,11 +82,11 @@ def test_requeued_setpoint_does_not_replace_newer_one() -> None:
     newer: list[SetMotor | SetAuxiliary] = [SetMotor(1, Drive.at(9)), SetAuxiliary(0)]
     for setpoint in newer:
         slots.put(setpoint)
-    slots.put_back(damaged)
-    assert slots.pop() == [newer[0], damaged[1], newer[1]]
+    slots.put_back(requeued)
+    assert slots.pop() == [newer[0], requeued[1], newer[1]]
 
 
-all_setpoints = st.one_of(
+any_setpoint = st.one_of(
     st.builds(
         SetMotor,
         st.sampled_from([1, 2]),
@@ -97,13 +98,13 @@ all_setpoints = st.one_of(
 
 
 @modest
-@given(st.lists(all_setpoints, max_size=20))
+@given(st.lists(any_setpoint, max_size=20))
 def test_packets_contain_newest_setpoint_of_each_motor(
-    given_setpoints: list[SetMotor | SetAuxiliary],
+    setpoints: list[SetMotor | SetAuxiliary],
 ) -> None:
     slots = SetpointSlots()
     newest: dict[int, object] = {}
-    for setpoint in given_setpoints:
+    for setpoint in setpoints:
         slots.put(setpoint)
         newest[setpoint.motor if isinstance(setpoint, SetMotor) else 0] = setpoint
     sent: dict[int, object] = {}
@@ -122,48 +123,48 @@ def test_packets_contain_newest_setpoint_of_each_motor(
 # --- Queue ------------------------------------------------------------------------------
 
 
-def test_newest_setpoint_wins_with_two_motor_messages() -> None:
+def test_newest_setpoint_replaces_part_of_two_motor_request() -> None:
     both = SetMotors((SetMotor(1, Drive.at(9)), SetMotor(2, Drive.at(-9))))
     older, newer = SetMotor(2, Drive.at(50)), SetMotor(1, Drive.at(7))
-    setpoints = collected(older, both, newer).motors.setpoints.pop()
+    setpoints = collect(older, both, newer).motors.setpoints.pop()
     assert setpoints == [newer, SetMotor(2, Drive.at(-9))]
-    assert not collected(both, Stop(1)).motors.setpoints
+    assert not collect(both, Stop(1)).motors.setpoints
 
 
-def test_stops_are_queued_separately_and_taken_once() -> None:
-    queue = collected(Reload(1), Stop(2), Stop(3))
+def test_stops_are_queued_separately_and_returned_once() -> None:
+    queue = collect(Reload(1), Stop(2), Stop(3))
     assert queue.motors.pop_stops() == [Stop(2), Stop(3)]
     assert queue.motors.pop_stops() == []
 
 
 def test_stop_discards_later_setpoints_until_armed() -> None:
     setpoint = SetMotor(2, Drive.at(5))
-    assert not collected(SetMotor(1, Drive.at(9)), Stop(1), setpoint).motors.setpoints
-    queue = collected(SetMotor(1, Drive.at(9)), Stop(1), SetAuxiliary(9), Arm(), setpoint)
+    assert not collect(SetMotor(1, Drive.at(9)), Stop(1), setpoint).motors.setpoints
+    queue = collect(SetMotor(1, Drive.at(9)), Stop(1), SetAuxiliary(9), Arm(), setpoint)
     assert queue.motors.setpoints.pop() == [SetMotor(2, Drive.at(5))]
 
 
 def test_collect_waits_only_for_first_request() -> None:
-    queue = Queue(Reload(1), Reload(2))
+    queue = QueueHarness(Reload(1), Reload(2))
     queue.collect(0.5)
-    assert queue.bag.waits == [0.5, 0.0, 0.0]
+    assert queue.inbox.waits == [0.5, 0.0, 0.0]
     queue.collect(-1.0)
-    assert queue.bag.waits[3:] == [0.0]
+    assert queue.inbox.waits[3:] == [0.0]
 
 
 def test_close_keeps_pending_jobs() -> None:
-    queue = collected(Reload(1), Close(), Reload(2))
+    queue = collect(Reload(1), Close(), Reload(2))
     assert queue.is_closing
     assert queue.abandon() == [1, 2]
 
 
 def test_close_discards_earlier_and_later_setpoints() -> None:
     before, after = SetMotor(1, Drive.at(9)), SetAuxiliary(9)
-    assert not collected(before, Close(), after).motors.setpoints
+    assert not collect(before, Close(), after).motors.setpoints
 
 
 def test_abandon_returns_each_request_once() -> None:
-    queue = collected(
+    queue = collect(
         packet(1, GetMode()), Stop(2), SetMotor(1, Drive.at(1)), Write(3), Reload(4), Stop(5)
     )
     assert sorted(queue.abandon()) == [1, 2, 3, 4, 5]
@@ -172,7 +173,7 @@ def test_abandon_returns_each_request_once() -> None:
 
 
 def test_motor_command_overtaken_by_stop_is_rejected() -> None:
-    queue = collected(packet(1, GetMode()), packet(2, DriveMotor(1, Drive.at(9))), Stop(3))
+    queue = collect(packet(1, GetMode()), packet(2, DriveMotor(1, Drive.at(9))), Stop(3))
     assert [job.id for job in queue.jobs] == [1]
     (outcome,) = queue.outcomes
     assert outcome.id == 2
@@ -180,9 +181,9 @@ def test_motor_command_overtaken_by_stop_is_rejected() -> None:
 
 
 def test_last_reconnect_candidates_replace_earlier_ones() -> None:
-    here, there = ConnectionSettings("here"), ConnectionSettings("there")
-    assert collected().liveness.candidates == ()
-    first = SetReconnectCandidates((here,))
-    queue = collected(first, Stop(1), SetReconnectCandidates((there, here)))
-    assert queue.liveness.candidates == (there, here)
-    assert collected(first, SetReconnectCandidates(())).liveness.candidates == ()
+    first, second = ConnectionSettings("first"), ConnectionSettings("second")
+    assert collect().liveness.candidates == ()
+    earlier = SetReconnectCandidates((first,))
+    queue = collect(earlier, Stop(1), SetReconnectCandidates((second, first)))
+    assert queue.liveness.candidates == (second, first)
+    assert collect(earlier, SetReconnectCandidates(())).liveness.candidates == ()

@@ -1,4 +1,4 @@
-"""Connection of a session, or its error."""
+"""Connections of a session, and errors of failed connections."""
 
 import pytest
 
@@ -35,7 +35,7 @@ from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.memory import Eeprom
 
 
-def connected(harness: SessionHarness) -> Connected:
+def connection_of(harness: SessionHarness) -> Connected:
     """Return the only `Connected` report."""
     (report,) = of_type(harness.reports, Connected)
     return report
@@ -45,7 +45,7 @@ def test_connection_reports_state_of_board(harness: SessionHarness) -> None:
     harness.board.eeprom.write("serial_timeout", 15)
     reports = run_for(harness, 1.0)
     assert (reports[-1], harness.transport.closed) == (Closed(None), True)
-    report = connected(harness)
+    report = connection_of(harness)
     assert str(report.state.signature) == "TReX 1.2"
     assert report.state.mode is Mode.SERIAL_RC
     assert report.state.parameters == harness.board.memory.stored()
@@ -62,7 +62,7 @@ def test_session_connects_at_settings_of_board(
 ) -> None:
     harness, settings = create_harness(baud, detection, echo=echo)
     run_for(harness, 0.1 + 5000 / baud, settings)
-    report = connected(harness)
+    report = connection_of(harness)
     assert report.echo is echo
     assert report.state.parameters["uart_settings"] == settings.line.to_wire()
 
@@ -84,14 +84,16 @@ def test_setpoint_before_board_is_read_is_sent(harness: SessionHarness) -> None:
 def test_echo_is_detected_with_device_number(board: Board) -> None:
     harness = SessionHarness(board, echo=True)
     run_for(harness, 1.0, ConnectionSettings("virtual", device_number=7))
-    assert connected(harness).echo
+    assert connection_of(harness).echo
 
 
-# --- No board ---------------------------------------------------------------------------
+# --- Failed connections -----------------------------------------------------------------
 
 
-def end(harness: SessionHarness, settings: ConnectionSettings | None = None) -> Closed:
-    """Run a session without a board. Return its error."""
+def failed_connection(
+    harness: SessionHarness, settings: ConnectionSettings | None = None
+) -> Closed:
+    """Run a session that finds no board. Return its last report."""
     reports = run_for(harness, 30.0, settings)
     assert not of_type(reports, Connected)
     assert harness.transport.closed
@@ -103,27 +105,26 @@ def end(harness: SessionHarness, settings: ConnectionSettings | None = None) -> 
 def test_missing_board_is_reported_quickly(harness: SessionHarness) -> None:
     harness.board.power_off()
     harness.transport.latency = 0.06
-    assert "No TReX responds" in str(end(harness).error)
+    assert "No TReX responds" in str(failed_connection(harness).error)
     assert harness.line.now < 2.5
 
 
-def test_board_at_other_settings_is_reported_with_them() -> None:
+def test_board_at_other_line_settings_is_reported() -> None:
     harness, settings = create_harness(detection=Detection.EVEN)
     harness.line.host = LineSettings()
-    error = end(harness).error
+    error = failed_connection(harness).error
     assert isinstance(error, BoardElsewhere)
     assert error.settings == settings
     steps = of_type(harness.reports, Progress)
     assert "19200 baud, even parity, 1 stop bit" in [step.what for step in steps]
 
 
-def test_closing_ends_the_probes_without_error() -> None:
+def test_close_ends_probes_without_error() -> None:
     harness, _ = create_harness(detection=Detection.ODD)
     harness.line.host = LineSettings()
     reports = run_for(harness, 0.4)
-    assert "19200 baud, no error detection, 1 stop bit" in [
-        step.what for step in of_type(reports, Progress)
-    ]
+    steps = [step.what for step in of_type(reports, Progress)]
+    assert "19200 baud, no error detection, 1 stop bit" in steps
     assert reports[-1] == Closed(None)
     assert harness.line.now < 0.6
 
@@ -139,9 +140,11 @@ def test_motors_left_running_are_stopped_without_probes() -> None:
     assert [step.what for step in of_type(reports, Progress)] == ["signature"]
 
 
-def test_error_shows_port_name_instead_of_url(harness: SessionHarness) -> None:
+def test_error_contains_port_name_instead_of_url(harness: SessionHarness) -> None:
     harness.board.power_off()
-    error = end(harness, ConnectionSettings("/dev/pts/9", name="the simulated board")).error
+    error = failed_connection(
+        harness, ConnectionSettings("/dev/pts/9", name="the simulated board")
+    ).error
     assert "the simulated board" in str(error)
     assert "/dev/pts/9" not in str(error)
 
@@ -149,14 +152,14 @@ def test_error_shows_port_name_instead_of_url(harness: SessionHarness) -> None:
 def test_echo_without_board_is_reported(board: Board) -> None:
     harness = SessionHarness(board, echo=True)
     board.power_off()
-    error = end(harness).error
+    error = failed_connection(harness).error
     assert isinstance(error, NoReply)
     for words in ("comes back", "RS-232", "TX and RX are joined"):
         assert words in str(error)
 
 
-class TextDevice(VirtualTransport):
-    """Device that replies with text."""
+class TextTransport(VirtualTransport):
+    """Transport of a device that sends text."""
 
     def read(self, size: int, seconds: float) -> bytes:
         self.wait(seconds)
@@ -164,8 +167,8 @@ class TextDevice(VirtualTransport):
 
 
 def test_unknown_device_is_reported(harness: SessionHarness) -> None:
-    harness.transport = TextDevice(harness.line)
-    error = end(harness).error
+    harness.transport = TextTransport(harness.line)
+    error = failed_connection(harness).error
     assert isinstance(error, BadReply)
     for words in ("not like a TReX", "45 52 52 4F 52", "baud rate", "another device"):
         assert words in str(error)
@@ -176,25 +179,25 @@ def test_unknown_device_is_reported(harness: SessionHarness) -> None:
 
 @pytest.mark.parametrize("echo", [False, True])
 @pytest.mark.parametrize("count", [1, 7, 40])
-def test_session_connects_on_line_that_swallows_bytes(
+def test_session_connects_although_first_bytes_are_lost(
     board: Board, count: int, *, echo: bool
 ) -> None:
     harness = SessionHarness(board, echo=echo)
     harness.line.faults.to_drop = count
     run_for(harness, 2.5)
-    report = connected(harness)
+    report = connection_of(harness)
     assert report.echo is echo
     assert report.state.parameters == board.memory.stored()
     assert report.state.unread == {}
 
 
 @pytest.mark.parametrize("moment", sampled([number / 200 for number in range(30)], every=6))
-def test_bytes_swallowed_while_reading_cost_no_connection(
+def test_session_connects_although_bytes_are_lost_later(
     harness: SessionHarness, moment: float
 ) -> None:
     harness.script.at(moment, harness.fault(to_drop=40))
     run_for(harness, 2.5)
-    report = connected(harness)
+    report = connection_of(harness)
     assert report.state.parameters == harness.board.memory.stored()
     assert report.state.unread == {}
     assert harness.line.faults.to_drop == 0
@@ -202,7 +205,7 @@ def test_bytes_swallowed_while_reading_cost_no_connection(
 
 def test_power_loss_while_reading_is_reported(harness: SessionHarness) -> None:
     harness.script.at(0.05, harness.board.power_off)
-    error = end(harness).error
+    error = failed_connection(harness).error
     assert isinstance(error, NoReply)
     assert of_type(harness.reports, Progress)
 
@@ -217,23 +220,25 @@ def test_close_while_reading_is_no_error(harness: SessionHarness) -> None:
 def test_requests_fail_when_port_does_not_open() -> None:
     harness = SessionHarness(Board(eeprom=Eeprom()))
     reports: list[Report] = []
-    refusal = PortUnavailable("There is no port /dev/ttyUSB9.")
+    error = PortUnavailable("There is no port /dev/ttyUSB9.")
 
-    def refuse(_settings: ConnectionSettings) -> Transport:
-        raise refusal
+    def fail_to_open(_settings: ConnectionSettings) -> Transport:
+        raise error
 
     for request in (packet(1, GetMode()), Stop(2), Write(3), Reload(4)):
         harness.script.at(0.0, request)
-    TrexSession(ConnectionSettings("/dev/ttyUSB9"), harness.script, reports.append, refuse).run()
+    TrexSession(
+        ConnectionSettings("/dev/ttyUSB9"), harness.script, reports.append, fail_to_open
+    ).run()
     assert sorted(outcomes(reports)) == [1, 2, 3, 4]
-    assert all(outcome.error is refusal for outcome in outcomes(reports).values())
-    assert reports[-1] == Closed(refusal)
+    assert all(outcome.error is error for outcome in outcomes(reports).values())
+    assert reports[-1] == Closed(error)
 
 
 def test_requests_fail_when_no_board_is_found(harness: SessionHarness) -> None:
     harness.board.power_off()
     harness.script.at(0.0, packet(1, GetMode())).at(0.0, Write(3)).at(0.0, Reload(4))
-    closed = end(harness)
+    closed = failed_connection(harness)
     found = outcomes(harness.reports)
     assert sorted(found) == [1, 3, 4]
     assert all(outcome.error is closed.error for outcome in found.values())

@@ -1,4 +1,4 @@
-"""Motors in a session: setpoints and stops."""
+"""Setpoints and stops in a session."""
 
 import itertools
 
@@ -40,29 +40,29 @@ from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 STOP_PACKET = bytes.fromhex("D0 7F 7F")
-MOVES, RATE = 1_500, 1000  # of a hand, a second: a line carries fifty packets in it
+SETPOINTS, RATE = 1_500, 1000  # number of setpoints, and setpoints per second
 
 
 # --- Driving ----------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("baud", [1200, 19200, 115200])
-def test_drag_sends_newest_positions_and_delivers_last_one(baud: int) -> None:
+def test_drag_sends_newest_setpoints_and_delivers_last_one(baud: int) -> None:
     harness, settings = create_harness(baud)
     start = 1.0 + 4.0 * 1200 / baud
-    for move in range(MOVES):
-        harness.script.at(start + move / RATE, SetMotor(1, Drive.at(move % 128)))
-    end = start + MOVES / RATE
-    soon = 0.3 if baud == 1200 else 0.04
-    speeds = read_at(harness, end + soon, lambda: harness.board.motors[0].speed)
+    for number in range(SETPOINTS):
+        harness.script.at(start + number / RATE, SetMotor(1, Drive.at(number % 128)))
+    end = start + SETPOINTS / RATE
+    delay = 0.3 if baud == 1200 else 0.04
+    speeds = read_at(harness, end + delay, lambda: harness.board.motors[0].speed)
     run_for(harness, end + 0.4, settings)
     opcode = DriveMotor(1, Drive.at(1)).opcode
-    sent = [(moment, data[1]) for moment, data in harness.transport.written if data[0] == opcode]
-    assert speeds == [(MOVES - 1) % 128]
-    assert len(sent) <= MOVES / RATE / DRIVE_INTERVAL + 1 + len(REPEATS)
-    for moment, speed in sent:
-        newest = min(int((moment - start) * RATE + 1e-6), MOVES - 1)
-        assert (newest - speed) % 128 <= 1, "an older position was sent than the newest"
+    sent = [(time, data[1]) for time, data in harness.transport.written if data[0] == opcode]
+    assert speeds == [(SETPOINTS - 1) % 128]
+    assert len(sent) <= SETPOINTS / RATE / DRIVE_INTERVAL + 1 + len(REPEATS)
+    for time, speed in sent:
+        newest = min(int((time - start) * RATE + 1e-6), SETPOINTS - 1)
+        assert (newest - speed) % 128 <= 1, "an outdated setpoint was sent"
 
 
 def test_driving_leaves_time_for_polling() -> None:
@@ -70,9 +70,10 @@ def test_driving_leaves_time_for_polling() -> None:
     for step in range(600):
         harness.script.at(5.0 + step / 200, SetMotor(1 + step % 2, Drive.at(step % 100)))
     run_for(harness, 8.0, settings)
-    between = [one.time for one in samples(harness.reports, Control) if 5.0 < one.time < 8.0]
-    assert len(between) > 1
-    assert max(later - sooner for sooner, later in itertools.pairwise(between)) < 2.5
+    times = [sample.time for sample in samples(harness.reports, Control)]
+    polls = [time for time in times if 5.0 < time < 8.0]
+    assert len(polls) > 1
+    assert max(later - sooner for sooner, later in itertools.pairwise(polls)) < 2.5
 
 
 def test_setpoint_is_sent_during_reload() -> None:
@@ -95,22 +96,22 @@ def test_stop_is_confirmed_by_status_reply(harness: SessionHarness) -> None:
     assert stopped == [True]
     assert outcomes(harness.reports)[1].error is None
     sent = commands(harness.transport.sent)
-    begin = sent.index(STOP[0])
-    assert sent[begin : begin + 6] == [*STOP, GetStatus(), *STOP, GetStatus()]
+    first = sent.index(STOP[0])
+    assert sent[first : first + 6] == [*STOP, GetStatus(), *STOP, GetStatus()]
 
 
-@pytest.mark.parametrize(("baud", "within"), [(1200, 0.35), (9600, 0.05), (115200, 0.01)])
-def test_stop_is_sent_within_one_transaction(baud: int, within: float) -> None:
+@pytest.mark.parametrize(("baud", "limit"), [(1200, 0.35), (9600, 0.05), (115200, 0.01)])
+def test_stop_is_sent_within_one_transaction(baud: int, limit: float) -> None:
     harness, settings = create_harness(baud)
     start = 4.5 if baud == 1200 else 0.5
     requested = [start + number * 1.017 for number in range(1, 5)]
-    for number, moment in enumerate(requested):
-        harness.script.at(moment - 0.5, SetMotor(1, Drive.at(50)))
-        harness.script.at(moment, Stop(number))
+    for number, time in enumerate(requested):
+        harness.script.at(time - 0.5, SetMotor(1, Drive.at(50)))
+        harness.script.at(time, Stop(number))
     run_for(harness, start + 4.5, settings)
-    moments = [moment for moment, data in harness.transport.written if data == STOP_PACKET]
-    for sent, wanted in zip(moments[: 2 * len(requested) : 2], requested, strict=True):
-        assert 0 <= sent - wanted <= within
+    stops = [time for time, data in harness.transport.written if data == STOP_PACKET]
+    for sent, time in zip(stops[: 2 * len(requested) : 2], requested, strict=True):
+        assert 0 <= sent - time <= limit
 
 
 def test_stop_overtakes_remaining_parameter_writes(harness: SessionHarness) -> None:
@@ -120,24 +121,24 @@ def test_stop_overtakes_remaining_parameter_writes(harness: SessionHarness) -> N
     harness.script.at(1.19, Stop(2))
     run_for(harness, 2.0)
     sent = commands(harness.transport.sent)
-    writes = [index for index, one in enumerate(sent) if isinstance(one, SetParameter)]
+    writes = [index for index, command in enumerate(sent) if isinstance(command, SetParameter)]
     stop = sent.index(STOP[0])
     assert writes[0] < stop < writes[-1]
     assert sent[stop : stop + 6] == [*STOP, GetStatus(), *STOP, GetStatus()]
     found = outcomes(harness.reports)
-    assert list(found) == [2, 1]  # and the write goes on to its end
+    assert list(found) == [2, 1]  # the write continues after the stop
     assert found[1].error is None
     assert all(harness.board.eeprom[key] == 9 for key in keys)
 
 
 def test_stop_overtakes_remaining_calibration_writes(harness: SessionHarness) -> None:
-    given_setpoints = tuple(
+    calibrations = tuple(
         (key, Calibration(2400, 3700, 5100, 80)) for key in CalibrationKey if "rc" in key
     )
-    harness.script.at(1.1, Write(1, calibrations=given_setpoints)).at(1.2, Stop(2))
+    harness.script.at(1.1, Write(1, calibrations=calibrations)).at(1.2, Stop(2))
     run_for(harness, 2.0)
     sent = commands(harness.transport.sent)
-    writes = [index for index, one in enumerate(sent) if isinstance(one, SetCalibration)]
+    writes = [index for index, command in enumerate(sent) if isinstance(command, SetCalibration)]
     assert writes[0] < sent.index(STOP[0]) < writes[-1]
     assert list(outcomes(harness.reports)) == [2, 1]
 
@@ -166,7 +167,7 @@ def test_simultaneous_stops_share_packets_and_get_outcomes(harness: SessionHarne
 
 
 def test_stop_in_rc_mode_is_confirmed() -> None:
-    """The models warn that the channels still drive the motors."""
+    """The models warn that the channels drive the motors in this mode."""
     harness, settings = create_harness(mode="rc")
     harness.script.at(1.0, Stop(1))
     run_for(harness, 2.0, settings)
@@ -195,7 +196,6 @@ def test_stop_succeeds_on_noisy_line_with_crc(seed: int) -> None:
 
 def test_stop_on_rs232_side_survives_corrupted_echo(board: Board) -> None:
     harness = SessionHarness(board, echo=True)
-
     harness.script.at(1.0, harness.fault(to_drop=2)).at(1.0, Stop(1))
     run_for(harness, 2.0)
     assert outcomes(harness.reports)[1].error is None
@@ -214,15 +214,15 @@ def test_motors_left_running_are_stopped_before_reading(harness: SessionHarness)
     assert of_type(reports, Connected)[0].may_move is False
 
 
-def test_silent_board_with_running_motors_is_stopped_before_and_after_its_return(
+def test_silent_board_is_stopped_before_and_after_its_return(
     harness: SessionHarness,
 ) -> None:
     harness.script.at(1.0, SetMotor(1, Drive.at(100)))
     harness.script.at(1.5, harness.fault(mute=True)).at(3.0, harness.fault(mute=False))
-    early = read_at(harness, 2.0, lambda: is_stopped(harness.board))
-    stopped = read_at(harness, 4.0, lambda: is_stopped(harness.board))
+    before = read_at(harness, 2.0, lambda: is_stopped(harness.board))
+    after = read_at(harness, 4.0, lambda: is_stopped(harness.board))
     reports = run_for(harness, 4.0)
-    assert early == stopped == [True]
+    assert before == after == [True]
     assert of_type(reports, Connected)[-1].may_move is False
     assert reports[-1] == Closed(None)
 
@@ -230,10 +230,8 @@ def test_silent_board_with_running_motors_is_stopped_before_and_after_its_return
 def test_confirmed_stop_is_not_repeated_on_close(harness: SessionHarness) -> None:
     harness.script.at(1.0, SetMotor(1, Drive.at(100))).at(1.2, Stop(1))
     reports = run_for(harness, 2.0)
-    assert [one for one in motor_commands_in(harness.transport.sent) if one in STOP] == [
-        *STOP,
-        *STOP,
-    ]
+    sent = motor_commands_in(harness.transport.sent)
+    assert [command for command in sent if command in STOP] == [*STOP, *STOP]
     assert reports[-1] == Closed(None, may_move=False)
 
 
@@ -252,11 +250,9 @@ def test_stop_on_close_with_lost_bytes_is_resent(harness: SessionHarness, lost: 
 
 def test_setpoint_with_corrupted_echo_is_resent(board: Board) -> None:
     harness = SessionHarness(board, echo=True)
-
     harness.script.at(1.0, harness.fault(to_drop=1)).at(1.0, SetMotor(1, Drive.at(50)))
     harness.script.at(2.0, packet(1, GetMode()))
     reports = run_for(harness, 3.0)
-    # Sent twice: the echo of the first was corrupted. The status confirms the stop.
     sent = motor_commands_in(harness.transport.sent)
     assert sent.count(DriveMotor(1, Drive.at(50))) == 2
     assert outcomes(reports)[1].error is None

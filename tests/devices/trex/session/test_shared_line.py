@@ -1,7 +1,8 @@
-"""Devices that are no TReX share the line: nothing reaches them that they could obey.
+"""Lines that a TReX shares with other devices, which must receive no command of their own.
 
-A qik obeys compact bytes from 81 on, and older Pololu controllers take `80 00 01 4C` for a speed of
-motor 0 and FF for the start of a position: every packet has to begin with 80 and another number.
+A qik obeys compact bytes from 81 on. Older Pololu controllers read `80 00 01 4C` as a speed of
+motor 0, and FF as the start of a position. So every packet must begin with 80 and the number of the
+TReX.
 """
 
 from dataclasses import replace
@@ -9,7 +10,7 @@ from dataclasses import replace
 import pytest
 
 from tests.devices.trex.discovery.test_prober import Wire, wire_of
-from tests.devices.trex.session.helpers import outcomes, run_for
+from tests.devices.trex.session.helpers import error_code, outcomes, run_for
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.virtual import SessionHarness
 from trex_gui.core.discovery.scan import PortScan, scan_port
@@ -21,7 +22,7 @@ from trex_gui.devices.trex.discovery import TREX_PROBER, boards_by_number
 from trex_gui.devices.trex.driving.requests import Arm, SetMotor, Stop
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
 from trex_gui.devices.trex.protocol.driving import Drive
-from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexRequestError
+from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.session.messages import ProbeNumber, SetReconnectCandidates, Write
 from trex_gui.devices.trex.simulator.firmware import Board
@@ -31,7 +32,7 @@ SHARED = ConnectionSettings("virtual", device_number=7, reserved=RESERVED)
 CRC = replace(SHARED, line=LineSettings(detection=Detection.CRC7))
 
 
-def addressed(sent: bytes | bytearray) -> set[int]:
+def device_numbers(sent: bytes | bytearray) -> set[int]:
     """Return the device numbers of the sent packets. Fail if any is compact."""
     first, *packets = bytes(sent).split(b"\x80")
     assert not first
@@ -39,8 +40,8 @@ def addressed(sent: bytes | bytearray) -> set[int]:
     return {packet[0] for packet in packets}
 
 
-class TunedHarness(SessionHarness):
-    """A stage with a configurable line."""
+class SharedLineHarness(SessionHarness):
+    """Harness with a configurable line."""
 
     def __init__(self, board: Board, *, echo: bool = False) -> None:
         super().__init__(board, echo=echo)
@@ -54,36 +55,32 @@ class TunedHarness(SessionHarness):
 def test_session_addresses_one_board_in_every_packet(
     settings: ConnectionSettings, echo: bool
 ) -> None:
-    harness = TunedHarness(a_board(7, settings.line.to_wire(), serial_timeout=5), echo=echo)
+    harness = SharedLineHarness(a_board(7, settings.line.to_wire(), serial_timeout=5), echo=echo)
     harness.script.at(1.5, Write(1, (("device_number", 9),)))
     harness.script.at(2.0, ProbeNumber(2, 9)).at(2.1, ProbeNumber(3, 0))
     harness.script.at(2.5, Arm()).at(2.6, SetMotor(1, Drive.at(90))).at(2.9, Stop(4))
     harness.script.at(3.0, SetReconnectCandidates((replace(settings, line=LineSettings(57600)),)))
     harness.script.at(3.5, harness.fault(mute=True)).at(6.5, harness.fault(mute=False))
     reports = run_for(harness, 9.0, settings)
-    assert addressed(harness.wire.sent) == {7}
-    assert {*harness.wire.tuned} == {settings.line}, "at no other rate"
-    assert addressed(harness.client(settings).stop_sequence("TReX").packets) == {7}, (
-        "by the guardian"
-    )
-    refused = outcomes(reports)[1].error
-    assert isinstance(refused, TrexRequestError)
-    assert refused.code is ErrorCode.NUMBER_TAKEN
+    assert device_numbers(harness.wire.sent) == {7}
+    assert {*harness.wire.configured} == {settings.line}, "no other line settings"
+    assert device_numbers(harness.client(settings).stop_sequence("TReX").packets) == {7}
+    assert error_code(reports, 1) is ErrorCode.NUMBER_TAKEN
     assert outcomes(reports)[2].value is None
 
 
 @pytest.mark.parametrize("settings", [SHARED, CRC], ids=["plain", "CRC"])
-def test_board_that_may_move_is_stopped_alone(settings: ConnectionSettings) -> None:
-    harness = TunedHarness(a_board(7, settings.line.to_wire()))
+def test_stop_of_board_that_may_move_reaches_only_this_board(settings: ConnectionSettings) -> None:
+    harness = SharedLineHarness(a_board(7, settings.line.to_wire()))
     harness.script.at(2.0, Stop(1))
     assert outcomes(harness.run(settings, may_move=True))[1].error is None
-    assert addressed(harness.transport.sent) == {7}
+    assert device_numbers(harness.transport.sent) == {7}
 
 
-def test_failed_connection_is_followed_by_no_probes() -> None:
-    harness = TunedHarness(a_board(8))
+def test_failed_connection_sends_no_probes() -> None:
+    harness = SharedLineHarness(a_board(8))
     run_for(harness, 30.0, CRC)
-    assert addressed(harness.transport.sent) == {7}
+    assert device_numbers(harness.transport.sent) == {7}
 
 
 def test_reserved_numbers_are_not_probed() -> None:
@@ -91,10 +88,10 @@ def test_reserved_numbers_are_not_probed() -> None:
     wire.reconfigure(SHARED.line)
     found = boards_by_number(TrexClient(wire, SHARED), lambda _number: None, lambda: False)
     assert [board.device_number for board in found] == [7]
-    assert addressed(wire.sent) == set(range(128)) - RESERVED
+    assert device_numbers(wire.sent) == set(range(128)) - RESERVED
 
 
-def search(wire: Wire, settings: ConnectionSettings) -> PortScan:
+def scan(wire: Wire, settings: ConnectionSettings) -> PortScan:
     return scan_port(
         PortSettings("virtual", SerialFormat(9600)),
         {"trex": TREX_PROBER, "aracna": ARACNA_PROBER},
@@ -107,14 +104,14 @@ def search(wire: Wire, settings: ConnectionSettings) -> PortScan:
 
 @pytest.mark.parametrize("settings", [SHARED, CRC], ids=["plain", "CRC"])
 @pytest.mark.parametrize("number", [7, 8])
-def test_search_sends_one_addressed_query(settings: ConnectionSettings, number: int) -> None:
+def test_scan_sends_only_addressed_queries(settings: ConnectionSettings, number: int) -> None:
     wire = wire_of(a_board(number, settings.line.to_wire()))
-    found = [device.settings for device in search(wire, settings).found]
-    assert addressed(wire.sent) == {7}
+    found = [device.settings for device in scan(wire, settings).found]
+    assert device_numbers(wire.sent) == {7}
     assert found == ([settings] if number == 7 else [])
 
 
-# --- The settings -----------------------------------------------------------------------
+# --- Connection settings ----------------------------------------------------------------
 
 
 def test_reserved_numbers_are_packed_with_the_line_settings() -> None:
@@ -123,6 +120,6 @@ def test_reserved_numbers_are_packed_with_the_line_settings() -> None:
 
 
 @pytest.mark.parametrize("number", [None, 9])
-def test_board_needs_a_number_of_its_own(number: int | None) -> None:
+def test_board_on_shared_line_needs_a_unique_number(number: int | None) -> None:
     with pytest.raises(BadRequest, match="a number that no other device has"):
         _ = replace(SHARED, device_number=number).framing
