@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 import pytest
 
 from tests.devices.trex.conftest import motor_commands
-from tests.devices.trex.discovery.test_prober import ALL_LINES, OWN, State, Wire, hear
+from tests.devices.trex.discovery.test_prober import ALL_LINES, BOARD_LINES, State, Wire, receive
 from tests.devices.trex.simulator.ports import a_board
 from tests.support.aracna import AracnaHarness
 from tests.support.matrix import sampled
@@ -237,10 +237,10 @@ def executed_commands(
         while new:
             before, after = new, set()
             if flushed:
-                before, commands = hear(before, FLUSH_BYTE, FLUSH_LINE, own, crc=crc)
+                before, commands = receive(before, FLUSH_BYTE, FLUSH_LINE, own, crc=crc)
                 executed |= commands
             for probe, line in probes:
-                reached, commands = hear(before, probe, line, own, crc=crc)
+                reached, commands = receive(before, probe, line, own, crc=crc)
                 executed |= commands
                 after |= reached
             new = after - known
@@ -250,13 +250,13 @@ def executed_commands(
 
 def test_probe_and_session_query_cannot_form_trex_motor_command() -> None:
     """This applies to any device number, any polynomial, and any bytes before the probe."""
-    for own in OWN:
+    for own in BOARD_LINES:
         states = [(), *INCOMPLETE_PACKETS]
         assert not executed_commands([(PROBE, LINE)], own, states, flushed=True), own.text()
         assert not executed_commands([(QUERY, LINE)], own, [()], flushed=False), own.text()
 
 
-@pytest.mark.parametrize("own", sampled(OWN, every=3), ids=lambda own: own.text())
+@pytest.mark.parametrize("own", sampled(BOARD_LINES, every=3), ids=lambda own: own.text())
 def test_mixed_probes_cannot_form_motor_command(own: LineSettings) -> None:
     """This applies to any sequence of probes, any device number and any polynomial."""
     probes = [(each.data, each.line) for each in attempts() if each.line != own]
