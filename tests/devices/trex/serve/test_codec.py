@@ -1,4 +1,4 @@
-"""Encoding of requests and reports."""
+"""Encoding of messages between a served board and its clients."""
 
 import random
 from typing import Any
@@ -20,17 +20,7 @@ from trex_gui.devices.trex.client.telemetry import (
     Remapped,
 )
 from trex_gui.devices.trex.client.writing import WriteResult
-from trex_gui.devices.trex.driving.requests import (
-    Arm,
-    CommandsRepeated,
-    Heartbeat,
-    MotorsStopped,
-    SetAuxiliary,
-    SetMotor,
-    SetMotors,
-    Stop,
-    StopSent,
-)
+from trex_gui.devices.trex.driving import requests
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.commands import Signature
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -49,49 +39,19 @@ from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
 from trex_gui.devices.trex.protocol.framing import Malformed
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.raw_packets import RawPacket
-from trex_gui.devices.trex.serve.codec import (
-    Alive,
-    Hello,
-    Leave,
-    Refused,
-    Tick,
-    Welcome,
-    decode_report,
-    decode_request,
-    encode_report,
-    encode_request,
-    with_header,
-)
-from trex_gui.devices.trex.session.messages import (
-    AskLease,
-    Batch,
-    Connected,
-    GuardianChanged,
-    HandOver,
-    LeaseChanged,
-    NetworkDelay,
-    NotResponding,
-    OfBoard,
-    ProbeNumber,
-    ProbeProgress,
-    ReadReason,
-    Reload,
-    ReturnLease,
-    SelectBoard,
-    SendPacket,
-    SetReconnectCandidates,
-    SetWatched,
-    TakeLease,
-    ToBoard,
-    Traffic,
-    Write,
-    Written,
-)
+from trex_gui.devices.trex.serve import codec
+from trex_gui.devices.trex.session import messages
 
 BOARD = Signature(device_table().models[0], "1.2")
-CURVE = Calibration(2500, 3750, 5000, 50)
+CALIBRATION = Calibration(2500, 3750, 5000, 50)
 STATE = DeviceState(
-    BOARD, Mode.SERIAL_RC, True, {"serial_timeout": 5}, {1: CURVE}, 3, {"motor_mode": "no reply"}
+    BOARD,
+    Mode.SERIAL_RC,
+    True,
+    {"serial_timeout": 5},
+    {1: CALIBRATION},
+    3,
+    {"motor_mode": "no reply"},
 )
 SETTINGS = ConnectionSettings(
     "/dev/ttyUSB0", LineSettings(115200, Detection.CRC7), 9, reserved=frozenset({1})
@@ -106,76 +66,84 @@ SAMPLES = (
 )
 RESULTS = (
     WriteResult("serial_timeout", 5),
-    WriteResult("rc_channel_1", CURVE),
+    WriteResult("rc_channel_1", CALIBRATION),
     WriteResult("motor_mode", None, Rejected("motor_mode", ResultCode.BAD_VALUE)),
 )
 REPORTS: tuple[Any, ...] = (
-    Batch(SAMPLES, Counters(1, 2, 3, slowest=0.1)),
-    Connected(STATE, False, ReadReason.OPENED, SETTINGS, port_rates=frozenset({9600})),
-    GuardianChanged(True),
-    NotResponding("no reply", Counters()),
-    StopSent(),
-    CommandsRepeated(),
-    MotorsStopped(ErrorCode.NO_HEARTBEAT, True),
-    MotorsStopped(None, False),
+    messages.Batch(SAMPLES, Counters(1, 2, 3, slowest=0.1)),
+    messages.Connected(
+        STATE, False, messages.ReadReason.OPENED, SETTINGS, port_rates=frozenset({9600})
+    ),
+    messages.GuardianChanged(True),
+    messages.NotResponding("no reply", Counters()),
+    requests.StopSent(),
+    requests.CommandsRepeated(),
+    requests.MotorsStopped(ErrorCode.NO_HEARTBEAT, True),
+    requests.MotorsStopped(None, False),
     Outcome(3, b"\x0a"),
-    Outcome(4, Written(RESULTS, STATE, SETTINGS)),
+    Outcome(4, messages.Written(RESULTS, STATE, SETTINGS)),
     Outcome(5, BOARD),
     Outcome(6),
-    OfBoard(9, Outcome(4, Written(RESULTS, STATE, SETTINGS))),
-    OfBoard(9, Connected(STATE, False, ReadReason.OPENED, SETTINGS.with_group((7, 9)))),
-    Closed(PortUnavailable("gone"), True),
+    messages.OfBoard(9, Outcome(4, messages.Written(RESULTS, STATE, SETTINGS))),
+    messages.OfBoard(
+        9, messages.Connected(STATE, False, messages.ReadReason.OPENED, SETTINGS.with_group((7, 9)))
+    ),
+    Closed(PortUnavailable("lost"), True),
     Closed(None),
     Progress(1, 2, "x"),
-    ProbeProgress(1, 2, "x"),
-    LeaseChanged("bob", "alice", False, ("bob",), may_take=True),
-    NetworkDelay(0.01),
-    Traffic((TrafficEvent(1.5, TrafficDirection.SENT, b"\x81"),)),
-    Welcome("arm"),
-    Tick(),
-    Refused("another version"),
+    messages.ProbeProgress(1, 2, "x"),
+    messages.LeaseChanged("bob", "alice", False, ("bob",), may_take=True),
+    messages.NetworkDelay(0.01),
+    messages.Traffic((TrafficEvent(1.5, TrafficDirection.SENT, b"\x81"),)),
+    codec.Welcome("arm"),
+    codec.Tick(),
+    codec.Refused("another version"),
 )
 REQUESTS: tuple[Any, ...] = (
-    SendPacket(1, RawPacket(Malformed(b"\x81", ""))),
-    Write(2, (("serial_timeout", 5),), ((CalibrationKey.RC_CHANNEL_1, CURVE),), STATE),
-    Write(3),
-    Reload(4),
-    ProbeNumber(5, 9),
-    SelectBoard(6, 9, (7, 9)),
-    SetMotor(1, Drive.at(-5)),
-    SetMotors((SetMotor(1, Drive.at(5)), SetMotor(2, Drive.brake(7), True))),
-    SetAuxiliary(5),
-    Stop(7),
-    ToBoard(9, SetMotor(1, Drive.at(-5))),
-    ToBoard(9, Write(2, (("serial_timeout", 5),))),
-    Arm(6),
-    Heartbeat(1.0),
-    Heartbeat(),
-    SetReconnectCandidates((SETTINGS,)),
-    SetWatched(False),
-    SetWatched(True, traffic=True),
-    AskLease(),
-    HandOver("bob"),
-    TakeLease(),
-    ReturnLease(),
-    Hello(1, "x"),
-    Alive(),
-    Leave(),
+    messages.SendPacket(1, RawPacket(Malformed(b"\x81", ""))),
+    messages.Write(
+        2, (("serial_timeout", 5),), ((CalibrationKey.RC_CHANNEL_1, CALIBRATION),), STATE
+    ),
+    messages.Write(3),
+    messages.Reload(4),
+    messages.ProbeNumber(5, 9),
+    messages.SelectBoard(6, 9, (7, 9)),
+    requests.SetMotor(1, Drive.at(-5)),
+    requests.SetMotors(
+        (requests.SetMotor(1, Drive.at(5)), requests.SetMotor(2, Drive.brake(7), True))
+    ),
+    requests.SetAuxiliary(5),
+    requests.Stop(7),
+    messages.ToBoard(9, requests.SetMotor(1, Drive.at(-5))),
+    messages.ToBoard(9, messages.Write(2, (("serial_timeout", 5),))),
+    requests.Arm(6),
+    requests.Heartbeat(1.0),
+    requests.Heartbeat(),
+    messages.SetReconnectCandidates((SETTINGS,)),
+    messages.SetWatched(False),
+    messages.SetWatched(True, traffic=True),
+    messages.AskLease(),
+    messages.HandOver("bob"),
+    messages.TakeLease(),
+    messages.ReturnLease(),
+    codec.Hello(1, "x"),
+    codec.Alive(),
+    codec.Leave(),
 )
 
 
-@pytest.mark.parametrize("report", REPORTS, ids=lambda one: type(one).__name__)
-def test_report_arrives_as_it_was_sent(report: Any) -> None:
-    head, received = decode_report(with_header(encode_report(report), 1, 2.5), 2)
+@pytest.mark.parametrize("report", REPORTS, ids=lambda message: type(message).__name__)
+def test_report_is_decoded_unchanged(report: Any) -> None:
+    head, received = codec.decode_report(codec.with_header(codec.encode_report(report), 1, 2.5), 2)
     assert list(head) == [1, 2.5]
     assert repr(received) == repr(report)
 
 
-@pytest.mark.parametrize("request_", REQUESTS, ids=lambda one: type(one).__name__)
-def test_request_arrives_as_it_was_sent(request_: Any) -> None:
-    head, received = decode_request(encode_request(request_, 1, 2.5), 2)
+@pytest.mark.parametrize("request_", REQUESTS, ids=lambda message: type(message).__name__)
+def test_request_is_decoded_unchanged(request_: Any) -> None:
+    head, received = codec.decode_request(codec.encode_request(request_, 1, 2.5), 2)
     assert list(head) == [1, 2.5]
-    assert repr(received) == repr(request_), "an enum stays one"
+    assert repr(received) == repr(request_), "enums keep their type"
 
 
 @pytest.mark.parametrize(
@@ -190,8 +158,10 @@ def test_request_arrives_as_it_was_sent(request_: Any) -> None:
     ],
     ids=lambda error: type(error).__name__,
 )
-def test_error_keeps_its_kind_and_its_text(error: StudioError) -> None:
-    _, outcome = decode_report(with_header(encode_report(Outcome(1, error=error))), 0)
+def test_error_keeps_its_type_and_text(error: StudioError) -> None:
+    _, outcome = codec.decode_report(
+        codec.with_header(codec.encode_report(Outcome(1, error=error))), 0
+    )
     assert isinstance(outcome, Outcome)
     assert str(outcome.error) == str(error)
     kind = TrexNoReplyError if isinstance(error, BoardElsewhere) else type(error)
@@ -211,26 +181,26 @@ def test_error_keeps_its_kind_and_its_text(error: StudioError) -> None:
         None,
     ],
 )
-def test_message_of_another_form_is_refused(body: object) -> None:
+def test_message_of_another_structure_is_rejected(body: object) -> None:
     with pytest.raises(BadRequest):
-        decode_request(msgpack.encode([1, 2.0, 3.0, body]), 3)
+        codec.decode_request(msgpack.encode([1, 2.0, 3.0, body]), 3)
 
 
 @pytest.mark.parametrize("head", [[1, 2.0], [1, 2.0, float("nan")], [1, 2.0, "3"], [1, 2.0, True]])
-def test_head_is_of_finite_numbers(head: list[object]) -> None:
+def test_header_without_finite_numbers_is_rejected(head: list[object]) -> None:
     with pytest.raises(BadRequest):
-        decode_request(msgpack.encode([*head, {"_type": "Arm", "selection": 0}]), 3)
+        codec.decode_request(msgpack.encode([*head, {"_type": "Arm", "selection": 0}]), 3)
 
 
-def test_no_bytes_raise_another_error() -> None:
+def test_corrupted_message_raises_only_bad_request() -> None:
     chance = random.Random(1)
     for _ in range(3000):
-        data = bytearray(encode_request(chance.choice(REQUESTS), 1, 2.0, 3.0))
+        data = bytearray(codec.encode_request(chance.choice(REQUESTS), 1, 2.0, 3.0))
         for _ in range(chance.randint(1, 4)):
             data[chance.randrange(len(data))] = chance.randrange(256)
         try:
-            decode_request(bytes(data), 3)
+            codec.decode_request(bytes(data), 3)
         except BadRequest:
             continue
     with pytest.raises(BadRequest):
-        decode_request(b"\x91" * 5000, 3)
+        codec.decode_request(b"\x91" * 5000, 3)
