@@ -4,7 +4,6 @@ The simulated board works at the pace of the wire. Polling its motors adds up to
 """
 
 import signal
-import subprocess
 import sys
 import time
 from pathlib import Path
@@ -12,7 +11,8 @@ from pathlib import Path
 import pytest
 
 from tests.benchmarks.conftest import ReportFigure, fast_board
-from tests.devices.trex.test_library import DRIVES_TWO
+from tests.devices.trex.conftest import running_script
+from tests.devices.trex.test_library import DRIVE_TWO
 from tests.end_to_end.test_every_stop_cause import DrivingProcess
 from tests.support.pages.motors import is_stopped
 from tests.support.simulator import SimulatorProcess
@@ -91,10 +91,7 @@ def test_two_boards_stop_soon_after_the_death_of_their_program(figure: ReportFig
     worst = 0.0
     for _ in range(4 * _ROUNDS):
         simulator = SimulatorProcess("--device", "7", "--device", "9")
-        command = [sys.executable, "-c", DRIVES_TWO, simulator.url]
-        with subprocess.Popen(command, stdout=subprocess.PIPE) as program:
-            assert program.stdout is not None
-            assert program.stdout.readline() == b"drives\n"
+        with running_script(DRIVE_TWO, simulator.url) as program:
             begun = time.perf_counter()
             program.kill()
         moving = ["@7", "@9"]

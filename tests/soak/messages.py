@@ -10,7 +10,7 @@ import time
 from typing import Any
 
 from tests.devices.trex.serve.test_codec import REQUESTS
-from tests.devices.trex.serve.test_server import CONNECTED, LossyNetwork, ServedDriver
+from tests.devices.trex.serve.test_server import CONNECTED, LossyNetwork, ServerHarness
 from trex_gui.devices.trex.driving.requests import Arm, Heartbeat, SetAuxiliary, SetMotor, SetMotors
 from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.serve.codec import Alive, encode_request
@@ -36,7 +36,7 @@ def _changed(data: bytes, chance: random.Random) -> bytes:
 def attack(seconds: float, seed: int) -> list[str]:
     """Send messages of two watchers, and repeat those of the driver."""
     chance, end, count = random.Random(seed), time.monotonic() + seconds, 0
-    driver = ServedDriver()
+    driver = ServerHarness()
     driver.server.report(CONNECTED)
     driver.join("alice")
     driver.join("watcher", Role.WATCH)

@@ -1,4 +1,4 @@
-"""Reasons for a missing TReX."""
+"""Diagnosis of a failed connection."""
 
 from dataclasses import replace
 from itertools import chain, product
@@ -39,26 +39,28 @@ def test_bad_reply_message_contains_its_error(*, echo: bool) -> None:
 
 
 def test_port_error_is_returned_unchanged() -> None:
-    gone = PortUnavailable("gone")
-    assert explain(SETTINGS, echo=False, error=gone) is gone
+    error = PortUnavailable("lost")
+    assert explain(SETTINGS, echo=False, error=error) is error
 
 
-# --- What some probes recognise ---------------------------------------------------------
+# --- Probes -----------------------------------------------------------------------------
 
 
-def stage_of(uart: LineSettings, *, polynomial: int = 0x89, echo: bool = False) -> SessionHarness:
+def create_harness(
+    line: LineSettings, *, polynomial: int = 0x89, echo: bool = False
+) -> SessionHarness:
     eeprom = Eeprom()
-    eeprom.write("uart_settings", uart.to_wire())
+    eeprom.write("uart_settings", line.to_wire())
     eeprom.write("crc7_polynomial", polynomial & 0x7F)
     return SessionHarness(Board(eeprom=eeprom), echo=echo)
 
 
-def diagnosed(harness: SessionHarness, settings: ConnectionSettings) -> StudioError:
+def diagnosis_of(harness: SessionHarness, settings: ConnectionSettings) -> StudioError:
     """Return the diagnosis of a failed connection."""
     harness.line.host = settings.line
-    cause = diagnose(harness.client(settings), NoReply("No reply."))
-    assert harness.line.host == settings.line, "the line is as it was"
-    return cause
+    error = diagnose(harness.client(settings), NoReply("No reply."))
+    assert harness.line.host == settings.line, "the probes restore the line settings"
+    return error
 
 
 NONE, EVEN, ODD, CRC = (
@@ -87,30 +89,31 @@ FAST = ConnectionSettings("virtual", LineSettings(115200))
         ),
     ],
 )
-def test_board_at_other_settings_is_recognised(
+def test_board_at_other_settings_is_found(
     board: ConnectionSettings, used: ConnectionSettings, words: str, *, echo: bool
 ) -> None:
-    cause = diagnosed(stage_of(board.line, polynomial=board.polynomial, echo=echo), used)
+    cause = diagnosis_of(create_harness(board.line, polynomial=board.polynomial, echo=echo), used)
     assert isinstance(cause, BoardElsewhere)
     assert str(cause).startswith("A TReX 1.2 responds on virtual")
     assert words in str(cause)
     assert cause.settings == board
 
 
-def test_other_polynomials_are_not_tried_in_a_hurry() -> None:
-    harness = stage_of(CRC.line, polynomial=0x9D)
+def test_quick_diagnosis_tries_no_other_polynomials() -> None:
+    harness = create_harness(CRC.line, polynomial=0x9D)
     cause = diagnose(harness.client(CRC), NoReply("No reply."), quick=True)
     assert "No TReX responds" in str(cause)
     assert harness.line.now < 2
 
 
-def test_board_that_responds_now_has_an_unsteady_line() -> None:
-    cause = diagnosed(stage_of(NONE.line), NONE)
-    assert "but not every time" in str(cause)
+def test_board_that_responds_later_is_on_an_unreliable_line() -> None:
+    cause = diagnosis_of(create_harness(NONE.line), NONE)
+    assert "only some of the time" in str(cause)
     assert remedies_for(cause) == (Remedy.RECONNECT,)
 
 
 def start_in_boot_mode(board: Board, mode: str) -> None:
+    """Switch a board on with all jumpers. In serial mode, it waits for their removal."""
     board.mode_jumper = mode
     board.mix = board.so_ground = True
     board.power_off()
@@ -118,30 +121,30 @@ def start_in_boot_mode(board: Board, mode: str) -> None:
 
 
 @pytest.mark.parametrize("used", [NONE, CRC, EVEN])
-def test_boot_loader_is_recognised(used: ConnectionSettings) -> None:
-    harness = stage_of(NONE.line)
+def test_boot_loader_is_reported(used: ConnectionSettings) -> None:
+    harness = create_harness(NONE.line)
     start_in_boot_mode(harness.board, "serial")
     harness.board.mix = False
     harness.line.advance(0.1)
     harness.board.so_ground = False
     harness.line.advance(0.1)
     assert harness.board.boot_mode is not None
-    cause = diagnosed(harness, used)
+    cause = diagnosis_of(harness, used)
     assert "is in its boot loader, waiting for new firmware" in str(cause)
     assert "SO–G jumpers are off, then switch the board off and on" in str(cause)
 
 
 @pytest.mark.parametrize("used", [NONE, replace(NONE, device_number=7)])
-def test_learning_mode_is_silent_and_named_among_the_checks(used: ConnectionSettings) -> None:
-    harness = stage_of(NONE.line)
+def test_error_of_silent_board_mentions_learning_mode(used: ConnectionSettings) -> None:
+    harness = create_harness(NONE.line)
     start_in_boot_mode(harness.board, "rc")
-    cause = diagnosed(harness, used)
+    cause = diagnosis_of(harness, used)
     assert isinstance(cause, NoReply)
     assert "both LEDs blink together" in str(cause)
 
 
-class Qik(VirtualTransport):
-    """Qik that replies to 81 with its firmware version, at the rate of its jumpers."""
+class QikTransport(VirtualTransport):
+    """Transport of a qik, which replies to 81 with its firmware version at 38400 baud."""
 
     def write(self, data: bytes) -> None:
         self.sent += data
@@ -149,27 +152,27 @@ class Qik(VirtualTransport):
             self.line.inject(b"2")
 
 
-def test_qik_is_recognised() -> None:
-    harness = stage_of(NONE.line)
+def test_qik_is_reported() -> None:
+    harness = create_harness(NONE.line)
     harness.board.power_off()
-    harness.transport = Qik(harness.line)
+    harness.transport = QikTransport(harness.line)
     settings = ConnectionSettings("virtual", LineSettings(38400))
     harness.line.host = settings.line
     cause = diagnose(harness.client(settings), NoReply("No reply."))
     assert "responds like a Pololu qik" in str(cause)
 
 
-def test_several_boards_that_reply_at_once_are_recognised() -> None:
-    harness = stage_of(NONE.line)
+def test_boards_that_reply_together_are_reported() -> None:
+    harness = create_harness(NONE.line)
     other = Board(eeprom=Eeprom("trexjr"), model="trexjr")
     harness.line = SimulatedBoards([harness.board, other])
     harness.transport = VirtualTransport(harness.line)
-    assert "Several boards reply at once" in str(diagnosed(harness, NONE))
+    assert "Several boards reply at once" in str(diagnosis_of(harness, NONE))
 
 
-def test_no_probe_moves_a_motor() -> None:
-    harmless = set(attempts(full=True))
+def test_diagnosis_uses_only_probes_of_a_full_scan() -> None:
+    safe = set(attempts(full=True))
     for detection, baud in product(Detection, baud_rates()):
         settings = ConnectionSettings("virtual", LineSettings(baud, detection))
         plans = chain.from_iterable(_plans(settings, quick=False))
-        assert set(plans) <= harmless
+        assert set(plans) <= safe

@@ -7,7 +7,6 @@ import subprocess
 import sys
 import time
 from contextlib import redirect_stdout
-from functools import partial
 from pathlib import Path
 from queue import SimpleQueue
 
@@ -15,6 +14,7 @@ import click
 import pytest
 from mcap.reader import make_reader
 
+from tests.devices.trex.conftest import STOPPED, motor, target_speeds
 from tests.support.library_program import Program
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_time import VirtualRuntime
@@ -23,23 +23,22 @@ from trex_gui.core.resource_files import resource
 from trex_gui.devices.trex.settings.history import SettingsHistory
 
 EXAMPLES = resource("examples")
-STOPPED = ("brake", 127)
 
 
 class Example(Program):
-    """An example of the resources."""
+    """Example program that runs beside the test."""
 
     def __init__(self, runtime: VirtualRuntime, name: str, *arguments: str) -> None:
         self.output = io.StringIO()
         path = str(EXAMPLES / f"{name}.py")
 
         def run() -> None:
-            before, sys.argv = sys.argv, [path, *arguments]
+            saved, sys.argv = sys.argv, [path, *arguments]
             try:
                 with redirect_stdout(self.output):
                     runpy.run_path(path, run_name="__main__")
             finally:
-                sys.argv = before
+                sys.argv = saved
 
         super().__init__(runtime, run)
 
@@ -48,20 +47,19 @@ class Example(Program):
         return self.output.getvalue()
 
 
-def motor(simulator: SimulatedDevice, number: int = 1) -> tuple[str, int]:
-    state = simulator.show()["motors"][number - 1]
-    return state["direction"], state["speed"]
-
-
-def drives(simulator: SimulatedDevice, wanted: tuple[str, int]) -> bool:
-    return motor(simulator) == wanted
-
-
 def run(runtime: VirtualRuntime, name: str, *arguments: object) -> str:
     """Run an example to its end and return its output."""
     example = Example(runtime, name, *map(str, arguments))
     example.end()
     return example.text
+
+
+def run_to_exit(runtime: VirtualRuntime, name: str, *arguments: object) -> tuple[str, object]:
+    """Run an example that exits. Return its output and exit code."""
+    example = Example(runtime, name, *map(str, arguments))
+    with pytest.raises(SystemExit) as exit_:
+        example.end()
+    return example.text, exit_.value.code
 
 
 @pytest.fixture
@@ -80,24 +78,21 @@ def profile(virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice, tmp_
     return file
 
 
-def test_status_is_read(virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice) -> None:
+def test_status_is_printed(virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice) -> None:
     quick_simulator.do("channel 2 1250us")
     assert virtual_time.run_until(lambda: quick_simulator.show()["channels"][1]["raw"] == 3125, 1)
-    example = Example(virtual_time, "read_status", quick_simulator.url)
-    example.end()
-    assert example.text.startswith("TReX 1.2: Serial mode, with inputs read as RC pulses.\n")
-    assert "Currents: 0.00 A, 0.00 A\n" in example.text
-    assert "Channel 2: 1250.0, remapped -59" in example.text
-    assert "Errors: none\nSerial timeout: off\n" in example.text
+    text = run(virtual_time, "read_status", quick_simulator.url)
+    assert text.startswith("TReX 1.2: Serial mode, with inputs read as RC pulses.\n")
+    assert "Currents: 0.00 A, 0.00 A\n" in text
+    assert "Channel 2: 1250.0, remapped -59" in text
+    assert "Errors: none\nSerial timeout: off\n" in text
 
 
 def test_currents_are_logged(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("current 2 3.0")
-    example = Example(virtual_time, "log_currents", quick_simulator.url, "1")
-    example.end()
-    rows = example.text.splitlines()
+    rows = run(virtual_time, "log_currents", quick_simulator.url, 1).splitlines()
     assert rows[0] == "time_s,motor_1_current_A,motor_2_current_A"
     assert len(rows) > 20
     assert rows[-1].endswith(",0.0,3.0")
@@ -119,16 +114,13 @@ def test_channel_is_calibrated(
 def test_parameters_are_stored_after_a_snapshot(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:
-    example = Example(virtual_time, "set_parameters", quick_simulator.url)
-    example.end()
-    assert "serial_timeout: 0.5 s\n" in example.text
-    assert "2 changed." in example.text
+    text = run(virtual_time, "set_parameters", quick_simulator.url)
+    assert "serial_timeout: 0.5 s\n" in text
+    assert "2 changed." in text
     assert quick_simulator.show()["parameters"]["serial_timeout"] == 5
     (snapshot,) = SettingsHistory().snapshots()
     assert snapshot.reason == "library: serial_timeout, motor1_acceleration"
-    again = Example(virtual_time, "set_parameters", quick_simulator.url)
-    again.end()
-    assert again.text == "0 changed.\n"
+    assert run(virtual_time, "set_parameters", quick_simulator.url) == "0 changed.\n"
     assert len(SettingsHistory().snapshots()) == 1
 
 
@@ -137,14 +129,14 @@ def test_motor_is_driven_and_stopped(
 ) -> None:
     example = Example(virtual_time, "drive", quick_simulator.url, "60")
     example.until(lambda: motor(quick_simulator) == ("forward", 60))
-    began = virtual_time.now()
+    start = virtual_time.now()
     example.until(lambda: motor(quick_simulator) == STOPPED)
-    assert 1.8 < virtual_time.now() - began < 2.2
+    assert 1.8 < virtual_time.now() - start < 2.2
     example.end()
     assert example.text == "The board has confirmed the stop.\n"
 
 
-def test_profile_is_applied_once(
+def test_profile_is_applied_to_board_that_differs(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice, profile: Path
 ) -> None:
     text = run(virtual_time, "apply_profile", quick_simulator.url, profile)
@@ -161,22 +153,18 @@ def test_boards_are_audited(
     profile: Path,
 ) -> None:
     jr = start_simulator("--model", "trexjr")
-    example = Example(virtual_time, "audit", str(profile), quick_simulator.url, jr.url)
-    with pytest.raises(SystemExit) as ended:
-        example.end()
-    assert ended.value.code == 1
-    lines = example.text.splitlines()
+    text, code = run_to_exit(virtual_time, "audit", profile, quick_simulator.url, jr.url)
+    assert code == 1
+    lines = text.splitlines()
     assert lines[0] == f"{quick_simulator.url}: serial_timeout"
     assert lines[1].endswith("These settings are for a TReX, not a TReX Jr")
     run(virtual_time, "apply_profile", quick_simulator.url, profile)
-    example = Example(virtual_time, "audit", str(profile), quick_simulator.url)
-    with pytest.raises(SystemExit) as ended:
-        example.end()
-    assert ended.value.code == 0
-    assert example.text.endswith(": as the file\n")
+    text, code = run_to_exit(virtual_time, "audit", profile, quick_simulator.url)
+    assert code == 0
+    assert text.endswith(": as the file\n")
 
 
-def test_reasons_and_errors_are_explained(
+def test_stop_reasons_and_errors_are_explained(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:
     example = Example(virtual_time, "explain", quick_simulator.url)
@@ -202,7 +190,8 @@ def test_measurements_are_logged_as_mcap(
     quick_simulator.do("current 2 3.0")
     run(virtual_time, "log_mcap", quick_simulator.url, 1, tmp_path / "log.mcap")
     with (tmp_path / "log.mcap").open("rb") as stream:
-        rows = [json.loads(row.data) for _, _, row in make_reader(stream).iter_messages()]
+        messages = make_reader(stream).iter_messages()
+        rows = [json.loads(message.data) for _, _, message in messages]
     assert len(rows) > 20
     assert rows[-1]["motor_2_current_A"] == 3.0
 
@@ -244,7 +233,7 @@ def test_drive_is_replayed_from_csv(
     assert motor(quick_simulator) == STOPPED
 
 
-def test_keys_of_a_terminal_drive(
+def test_keys_of_a_terminal_drive_the_motors(
     virtual_time: VirtualRuntime,
     quick_simulator: SimulatedDevice,
     monkeypatch: pytest.MonkeyPatch,
@@ -252,27 +241,27 @@ def test_keys_of_a_terminal_drive(
     keys = SimpleQueue[str]()
     monkeypatch.setattr(click, "getchar", keys.get)
     example = Example(virtual_time, "teleoperate", quick_simulator.url)
-    for key, wanted in (("w", ("forward", 40)), ("a", ("reverse", 30)), (" ", STOPPED)):
+    for key, state in (("w", ("forward", 40)), ("a", ("reverse", 30)), (" ", STOPPED)):
         keys.put(key)
-        example.until(partial(drives, quick_simulator, wanted))
+        example.until(lambda state=state: motor(quick_simulator) == state)
     keys.put("wwwww q")
     keys.put("q")
     example.end()
     assert motor(quick_simulator) == STOPPED
 
 
-def test_line_in_use_is_waited_for(
+def test_example_waits_for_line_in_use(
     virtual_time: VirtualRuntime,
     quick_simulator: SimulatedDevice,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr(time, "sleep", virtual_time.sleep)
 
-    def use() -> None:
+    def hold_line() -> None:
         with Trex(quick_simulator.url) as trex:
             trex.wait(5)
 
-    other = Program(virtual_time, use)
+    other = Program(virtual_time, hold_line)
     virtual_time.run_until(lambda: False, 1)
     text = run(virtual_time, "wait_for_line", quick_simulator.url)
     assert "is in use by another program" in text.splitlines()[0]
@@ -283,14 +272,14 @@ def test_line_in_use_is_waited_for(
 @pytest.mark.realtime
 def test_program_is_tested_with_a_simulated_board() -> None:
     command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "-p", "no:randomly"]
-    done = subprocess.run(
+    result = subprocess.run(
         [*command, "--rootdir", str(EXAMPLES), str(EXAMPLES / "test_robot.py")],
         capture_output=True,
         text=True,
         timeout=120,
         check=False,
     )
-    assert "2 passed" in done.stdout, done.stdout + done.stderr
+    assert "2 passed" in result.stdout, result.stdout + result.stderr
 
 
 def test_every_example_is_tested() -> None:
@@ -301,16 +290,12 @@ def test_every_example_is_tested() -> None:
     assert [name for name in names if f'"{name}"' not in text and f"{name}.py" not in text] == []
 
 
-def test_two_boards_are_driven(
+def test_two_boards_are_driven_on_one_line(
     virtual_time: VirtualRuntime, start_simulator: StartSimulator
 ) -> None:
     boards = start_simulator("--unpaced", "--device", "7", "--device", "9")
     example = Example(virtual_time, "drive_two", boards.url, "40")
-
-    def speeds() -> list[int]:
-        return [boards.show(name)["motors"][0]["target_speed"] for name in ("@7", "@9")]
-
-    example.until(lambda: speeds() == [40, 40])
-    example.until(lambda: speeds() == [40, 0])
+    example.until(lambda: target_speeds(boards) == [40, 40])
+    example.until(lambda: target_speeds(boards) == [40, 0])
     example.end()
     assert "confirmed" in example.text

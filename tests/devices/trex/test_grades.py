@@ -1,4 +1,4 @@
-"""Marks of sentences that rest on inferred or twin facts."""
+"""Grades of evidence in sentences with inferred or twin facts."""
 
 import re
 from collections.abc import Iterator
@@ -34,16 +34,16 @@ FACTS = {
     "[Cc]urrents (wrong|may be off) by 20 %": "(twin)",
     "[^.]0 switches it off|limit to 0": "(twin)",
 }
-"""What such a sentence says, and the grade of the fact."""
+"""Pattern of such a sentence, and the grade of its fact."""
 
-_EXPLAINED = re.compile(
+_NOTATIONS = re.compile(
     r"inferred limits?|limits that are inferred|twin, inferred|\(inferred\)|\(twin\)", re.IGNORECASE
 )
 
 
 @cache
 def sentences() -> tuple[str, ...]:
-    """Return the sentences of the window, the help and `trexcmd --help`."""
+    """Return all sentences of the window, the help and `trexcmd --help`."""
     return tuple(sentence for text in _texts() for sentence in re.split(r"(?<=[.!?])\s+|\|", text))
 
 
@@ -59,11 +59,11 @@ def _texts() -> Iterator[str]:
 
 @pytest.mark.parametrize(("fact", "grade"), FACTS.items())
 def test_sentence_shows_the_grade_of_its_fact(fact: str, grade: str) -> None:
-    found = [sentence for sentence in sentences() if re.search(fact, sentence)]
-    assert found, "the sentence is worded in another way now"
-    assert [sentence for sentence in found if grade not in sentence] == []
+    matching = [sentence for sentence in sentences() if re.search(fact, sentence)]
+    assert matching, "the pattern matches no sentence"
+    assert [sentence for sentence in matching if grade not in sentence] == []
 
 
-def test_grades_are_shown_in_one_way_only() -> None:
-    rest = (_EXPLAINED.sub("", sentence) for sentence in sentences())
-    assert [sentence for sentence in rest if re.search("(?i)inferred|twin", sentence)] == []
+def test_grades_have_only_these_notations() -> None:
+    remainders = (_NOTATIONS.sub("", sentence) for sentence in sentences())
+    assert [sentence for sentence in remainders if re.search("(?i)inferred|twin", sentence)] == []

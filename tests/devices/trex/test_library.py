@@ -1,4 +1,4 @@
-"""Library and its examples on simulated boards."""
+"""Library on simulated boards."""
 
 import subprocess
 import sys
@@ -7,6 +7,7 @@ import pytest
 
 import trex_gui as public
 from tests.devices.trex.cli.conftest import comes_true
+from tests.devices.trex.conftest import STOPPED, motor, running_script
 from tests.support.library_program import Program
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_devices import VirtualSimulator
@@ -27,19 +28,10 @@ from trex_gui.core.files import data_folder
 from trex_gui.core.guardian.log import StopResult, logged_stops
 from trex_gui.core.transport.driven import driven_boards
 
-
-def motor(simulator: SimulatedDevice, number: int = 1) -> tuple[str, int]:
-    state = simulator.show()["motors"][number - 1]
-    return state["direction"], state["speed"]
-
-
-STOPPED = ("brake", 127)
-
-
 # --- Stops --------------------------------------------------------------------------------
 
 
-def test_end_of_the_block_stops_the_motors(
+def test_end_of_block_stops_the_motors(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:
     def run() -> None:
@@ -48,7 +40,7 @@ def test_end_of_the_block_stops_the_motors(
             trex.wait(0.3)
             assert motor(quick_simulator) == ("forward", 80)
             assert motor(quick_simulator, 2) == ("reverse", 30)
-            raise KeyError("a mistake of the program")
+            raise KeyError("an error of the program")
 
     program = Program(virtual_time, run)
     with pytest.raises(KeyError):
@@ -57,7 +49,7 @@ def test_end_of_the_block_stops_the_motors(
     assert quick_simulator.show()["aux"]["speed"] == 0
 
 
-def test_program_that_does_not_respond_is_stopped(
+def test_program_that_hangs_is_stopped(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:
     def run() -> None:
@@ -76,7 +68,7 @@ def test_program_that_does_not_respond_is_stopped(
     ("control_line", "error"),
     [("fault 1 on", "Motor 1 fault"), ("power off", "stopped responding")],
 )
-def test_drive_ends_with_its_cause(
+def test_drive_ends_with_error_of_the_board(
     virtual_time: VirtualRuntime,
     quick_simulator: SimulatedDevice,
     control_line: str,
@@ -93,7 +85,7 @@ def test_drive_ends_with_its_cause(
         Program(virtual_time, run).end()
 
 
-def test_logger_goes_on_when_the_board_is_back(
+def test_measurements_continue_after_return_of_board(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:
     def run() -> None:
@@ -109,7 +101,7 @@ def test_logger_goes_on_when_the_board_is_back(
     Program(virtual_time, run).end()
 
 
-def test_silent_board_is_not_driven_again(
+def test_silent_board_is_driven_only_after_its_return(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:
     def run() -> None:
@@ -144,7 +136,7 @@ def test_library_reports_motor_state_and_line_quality(
     Program(virtual_time, run).end()
 
 
-def test_program_sees_setpoints_and_serial_errors(
+def test_library_returns_setpoints_and_events(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:
     def run() -> None:
@@ -167,7 +159,7 @@ def test_program_sees_setpoints_and_serial_errors(
     Program(virtual_time, run).end()
 
 
-def test_errors_from_before_the_block_do_not_end_a_drive(
+def test_errors_before_the_block_do_not_end_a_drive(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:
     board = Trex(quick_simulator.url)
@@ -176,7 +168,7 @@ def test_errors_from_before_the_block_do_not_end_a_drive(
         with board:
             board.set_parameters(serial_timeout="0.5 s")
         virtual_time.sleep(2)
-        with board:  # once more: the board was silent for longer than its timeout
+        with board:  # the serial timeout of the board has expired
             assert board.parameter("serial_timeout") == 5
             board.drive(60)
             board.wait(1)
@@ -189,7 +181,7 @@ def test_errors_from_before_the_block_do_not_end_a_drive(
     Program(virtual_time, run).end()
 
 
-def test_nothing_is_done_outside_of_the_block(
+def test_calls_outside_the_block_are_rejected(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:
     def run() -> None:
@@ -212,7 +204,7 @@ def test_nothing_is_done_outside_of_the_block(
     Program(virtual_time, run).end()
 
 
-def test_inner_block_does_not_close_the_line(
+def test_inner_block_is_rejected_and_keeps_the_line_open(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:
     board = Trex(quick_simulator.url)
@@ -231,7 +223,7 @@ def test_inner_block_does_not_close_the_line(
     Program(virtual_time, run).end()
 
 
-def test_invalid_values_send_nothing(
+def test_invalid_values_are_rejected(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("jumper mode rc")
@@ -279,7 +271,7 @@ def test_missing_board_is_explained(
 # --- The package ----------------------------------------------------------------------------
 
 
-def test_library_is_imported_when_it_is_used_and_without_qt() -> None:
+def test_library_is_imported_on_first_use_without_qt() -> None:
     code = (
         "import sys, trex_gui as trex\n"
         "assert 'trex_gui.devices.trex.library' not in sys.modules\n"
@@ -293,14 +285,14 @@ def test_library_is_imported_when_it_is_used_and_without_qt() -> None:
         _ = public.nosuch  # type: ignore[attr-defined]
 
 
-def test_line_is_shared_with_other_devices_only_with_a_number() -> None:
+def test_shared_line_requires_a_free_device_number() -> None:
     Trex("COM3", device_number=7, reserved=[0, 1])
     for number in (None, 1):
         with pytest.raises(BadRequest):
             Trex("COM3", device_number=number, reserved=[0, 1])
 
 
-def test_reset_to_the_number_of_another_board_is_refused(
+def test_reset_to_number_of_another_board_is_rejected(
     virtual_time: VirtualRuntime, start_simulator: StartSimulator
 ) -> None:
     boards = start_simulator("--unpaced", "--device", "7", "--device", "9")
@@ -316,38 +308,35 @@ def test_reset_to_the_number_of_another_board_is_refused(
     assert boards.show("@9")["parameters"]["serial_timeout"] == 5
 
 
-_CLOSES_ALL = """
+_CLOSE_ALL = """
 import os, sys, time
 from trex_gui import Trex
 with Trex(sys.argv[1]) as trex:
     trex.drive(50)
     trex.wait(0.5)
     os.closerange(3, 64)
-    print("closed", flush=True)
+    print("ready", flush=True)
     time.sleep(60)
 """
 
 
+def stop_is_logged() -> bool:
+    """Return whether the guardian has logged one confirmed stop."""
+    return [result for _, result in logged_stops(0)[1]] == [StopResult.CONFIRMED]
+
+
 @pytest.mark.realtime
-def test_board_of_a_program_that_closes_every_descriptor_is_stopped(
+def test_program_that_closes_every_descriptor_is_stopped(
     start_simulator: StartSimulator,
 ) -> None:
     board = start_simulator()
-    command = [sys.executable, "-c", _CLOSES_ALL, board.url]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as program:
-        assert program.stdout is not None
-        assert program.stdout.readline() == b"closed\n"
-        try:
-            assert comes_true(lambda: motor(board) == ("brake", 127))
-            assert comes_true(
-                lambda: [how for _, how in logged_stops(0)[1]] == [StopResult.CONFIRMED]
-            )
-        finally:
-            program.kill()
+    with running_script(_CLOSE_ALL, board.url):
+        assert comes_true(lambda: motor(board) == STOPPED)
+        assert comes_true(stop_is_logged)
 
 
 @pytest.mark.realtime
-def test_board_stopped_by_the_end_of_the_block_is_not_left_running(
+def test_end_of_block_clears_record_of_driven_board(
     start_simulator: StartSimulator,
 ) -> None:
     with Trex(start_simulator().url) as trex:
@@ -358,7 +347,7 @@ def test_board_stopped_by_the_end_of_the_block_is_not_left_running(
 
 
 @pytest.mark.realtime
-def test_silence_ends_a_drive_although_commands_are_repeated(
+def test_silence_ends_a_drive_despite_repeated_commands(
     start_simulator: StartSimulator,
 ) -> None:
     """With the longer deadlines of real adapters, repeated setpoints must leave time for polls."""
@@ -378,24 +367,24 @@ def test_silence_ends_a_drive_although_commands_are_repeated(
 
 @pytest.fixture
 def two_boards(start_simulator: StartSimulator) -> VirtualSimulator:
-    started = start_simulator("--unpaced", "--device", "7", "--device", "9:trexjr")
-    assert isinstance(started, VirtualSimulator)
-    return started
+    line = start_simulator("--unpaced", "--device", "7", "--device", "9:trexjr")
+    assert isinstance(line, VirtualSimulator)
+    return line
 
 
 def speeds(line: VirtualSimulator) -> list[int]:
     """Return the speeds of both motors of both boards. A braking motor has 0."""
     motors = [motor for name in ("@7", "@9") for motor in line.show(name)["motors"]]
     signs = {"forward": 1, "reverse": -1, "brake": 0}
-    return [signs[one["direction"]] * one["speed"] for one in motors]
+    return [signs[motor["direction"]] * motor["speed"] for motor in motors]
 
 
-def test_boards_of_a_line_are_driven_together(
+def test_boards_of_one_line_are_driven_together(
     virtual_time: VirtualRuntime, two_boards: VirtualSimulator
 ) -> None:
     def run() -> None:
         with TrexLine(two_boards.url, boards=(7, 9)) as line:
-            assert [one.product for one in line.status().values()] == ["TReX", "TReX Jr"]
+            assert [status.product for status in line.status().values()] == ["TReX", "TReX Jr"]
             line.drive(40, -20)
             line.wait(0.3)
             assert speeds(two_boards) == [40, -20, 40, -20]
@@ -406,10 +395,7 @@ def test_boards_of_a_line_are_driven_together(
             line[7].stop()
             assert speeds(two_boards) == [0, 0, 0, 0]
             line[9].set_parameters(serial_timeout=5)
-            assert (line[7].parameter("serial_timeout"), line[9].parameter("serial_timeout")) == (
-                0,
-                5,
-            )
+            assert [line[number].parameter("serial_timeout") for number in (7, 9)] == [0, 5]
             line.drive(40)
             line.wait(0.3)
 
@@ -418,7 +404,7 @@ def test_boards_of_a_line_are_driven_together(
 
 
 @pytest.mark.parametrize("board", [7, 9])
-def test_board_that_is_lost_stops_the_others_and_is_named(
+def test_lost_board_stops_the_other_and_is_named(
     virtual_time: VirtualRuntime, two_boards: VirtualSimulator, board: int
 ) -> None:
     def run() -> None:
@@ -441,35 +427,32 @@ def test_board_that_is_lost_stops_the_others_and_is_named(
 
 
 @pytest.mark.parametrize("boards", [(), (7,), (7, 7), (7, 200)])
-def test_boards_of_a_line_have_numbers_of_their_own(boards: tuple[int, ...]) -> None:
+def test_boards_of_one_line_need_valid_unique_numbers(boards: tuple[int, ...]) -> None:
     with pytest.raises(BadRequest):
         TrexLine("/dev/ttyUSB0", boards=boards)
 
 
-DRIVES_TWO = """
+DRIVE_TWO = """
 import sys
 from trex_gui import TrexLine
 with TrexLine(sys.argv[1], boards=(7, 9)) as line:
     line.drive(60, -60)
     line.wait(0.5)
-    print("drives", flush=True)
+    print("ready", flush=True)
     line.wait(60)
 """
 
 
 @pytest.mark.realtime
-def test_every_board_of_a_program_that_is_killed_is_stopped(
+def test_kill_of_program_stops_every_board(
     start_simulator: StartSimulator,
 ) -> None:
     boards = start_simulator("--device", "7", "--device", "9")
-    command = [sys.executable, "-c", DRIVES_TWO, boards.url]
-    with subprocess.Popen(command, stdout=subprocess.PIPE) as program:
-        assert program.stdout is not None
-        assert program.stdout.readline() == b"drives\n"
+    with running_script(DRIVE_TWO, boards.url) as program:
         program.kill()
 
     def directions() -> set[str]:
         return {boards.show(name)["motors"][0]["direction"] for name in ("@7", "@9")}
 
     assert comes_true(lambda: directions() == {"brake"})
-    assert comes_true(lambda: [how for _, how in logged_stops(0)[1]] == [StopResult.CONFIRMED])
+    assert comes_true(stop_is_logged)

@@ -1,4 +1,4 @@
-"""Boards over the network in real time: Zenoh on the loopback, with a simulated board."""
+"""Simulated boards that are served over Zenoh on the loopback, in real time."""
 
 import json
 import os
@@ -8,7 +8,7 @@ import socket
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 from itertools import count
 from pathlib import Path
@@ -17,6 +17,8 @@ from typing import Any
 import pytest
 import zenoh
 
+from tests.devices.trex.cli.conftest import comes_true
+from tests.devices.trex.conftest import STOPPED, motor, running_script, target_speeds
 from tests.support.patient import PATIENT
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from trex_gui import Trex, TrexLine
@@ -34,22 +36,7 @@ from trex_gui.devices.trex.session.messages import AskLease
 
 pytestmark = pytest.mark.realtime
 
-STOPPED = ("brake", 127)
-_WAIT_S = 10.0
-
-
-def comes_true(happened: Callable[[], object], seconds: float = _WAIT_S) -> bool:
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
-        if happened():
-            return True
-        time.sleep(0.01)
-    return False
-
-
-def motor(simulator: SimulatedDevice) -> tuple[str, int]:
-    state = simulator.show()["motors"][0]
-    return state["direction"], state["speed"]
+_TIMEOUT = 10.0  # seconds
 
 
 def find_robots(hosts: list[str]) -> list[dict[str, Any]]:
@@ -62,18 +49,16 @@ def stop_robots(names: list[str]) -> dict[str, str]:
         return robots.stop(names)
 
 
-class ServerDriver:
+class ServerProcess:
     """`trexcmd serve` in a separate process."""
 
     def __init__(self, simulator: SimulatedDevice, *options: str) -> None:
         self.simulator = simulator
-        words = [sys.executable, "-m", "trex_gui.cli", "serve", "--port", simulator.url]
-        words += ["--name", "arm", "--listen", "127.0.0.1:0", *options]
-        words += ["--timeout", str(PATIENT.extra)]  # a late reply meets the next request
-        port = _free_port()
-        words[words.index("127.0.0.1:0")] = f"127.0.0.1:{port}"
-        self.address = Address("127.0.0.1", "arm", port=port)
-        self.process = subprocess.Popen(words, stderr=subprocess.PIPE, text=True)
+        self.address = Address("127.0.0.1", "arm", port=_free_port())
+        command = [sys.executable, "-m", "trex_gui.cli", "serve", "--port", simulator.url]
+        command += ["--name", "arm", "--listen", f"127.0.0.1:{self.address.port}", *options]
+        command += ["--timeout", str(PATIENT.extra)]  # for late replies
+        self.process = subprocess.Popen(command, stderr=subprocess.PIPE, text=True)
         assert self.process.stderr is not None
         assert "Serving" in self.process.stderr.readline()
 
@@ -88,20 +73,21 @@ class ServerDriver:
         assert comes_true(responds)
 
     def end(self) -> int:
+        """Terminate the process. Return its exit code."""
         self.process.send_signal(signal.SIGTERM)
-        return self.process.wait(_WAIT_S)
+        return self.process.wait(_TIMEOUT)
 
 
 def _free_port() -> int:
-    with socket.socket() as found:
-        found.bind(("127.0.0.1", 0))
-        port: int = found.getsockname()[1]
+    with socket.socket() as listener:
+        listener.bind(("127.0.0.1", 0))
+        port: int = listener.getsockname()[1]
         return port
 
 
 @contextmanager
-def served(simulator: SimulatedDevice, *options: str) -> Iterator[ServerDriver]:
-    server = ServerDriver(simulator, *options)
+def served(simulator: SimulatedDevice, *options: str) -> Iterator[ServerProcess]:
+    server = ServerProcess(simulator, *options)
     try:
         yield server
     finally:
@@ -112,10 +98,10 @@ def served(simulator: SimulatedDevice, *options: str) -> Iterator[ServerDriver]:
 
 
 @pytest.fixture
-def server(start_simulator: StartSimulator) -> Iterator[ServerDriver]:
-    with served(start_simulator()) as one:
-        one.wait_for_board()
-        yield one
+def server(start_simulator: StartSimulator) -> Iterator[ServerProcess]:
+    with served(start_simulator()) as server:
+        server.wait_for_board()
+        yield server
 
 
 @pytest.fixture
@@ -124,15 +110,23 @@ def secrets(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     file, roles = tmp_path / "users", {"alice": "drive", "bob": "own", "wanda": "watch"}
     for user, role in roles.items():
         secret = add_user(file, user, role)
-        known = Path(os.environ["TREX_STUDIO_DATA"]) / "secrets"
-        known.parent.mkdir(exist_ok=True, parents=True)
-        known.touch(mode=0o600)
-        with known.open("a", encoding="utf-8") as lines:
+        client_file = Path(os.environ["TREX_STUDIO_DATA"]) / "secrets"
+        client_file.parent.mkdir(exist_ok=True, parents=True)
+        client_file.touch(mode=0o600)
+        with client_file.open("a", encoding="utf-8") as lines:
             lines.write(f"{user}@127.0.0.1 {secret}\n")
     return file
 
 
-def test_library_reads_writes_and_drives_as_at_a_cable(server: ServerDriver) -> None:
+@pytest.fixture
+def user_server(start_simulator: StartSimulator, secrets: Path) -> Iterator[ServerProcess]:
+    """Server with the users alice, who drives, bob, who owns it, and wanda, who watches."""
+    with served(start_simulator(), "--users", str(secrets)) as server:
+        server.wait_for_board("alice")
+        yield server
+
+
+def test_library_reads_writes_and_drives_served_board(server: ServerProcess) -> None:
     with Trex(server.url()) as trex:
         assert trex.status().product == "TReX"
         trex.set_parameters(serial_timeout="0.5 s")
@@ -148,7 +142,7 @@ def test_library_reads_writes_and_drives_as_at_a_cable(server: ServerDriver) -> 
     assert comes_true(lambda: find_robots([server.url()])[0]["driver"] is None)
 
 
-def test_second_driver_is_refused_and_watches(server: ServerDriver) -> None:
+def test_second_driver_is_rejected_and_may_stop(server: ServerProcess) -> None:
     with Trex(server.url()) as first, Trex(server.url()) as second:
         first.drive(40)
         first.wait(0.2)
@@ -170,27 +164,21 @@ from trex_gui import Trex
 with Trex(sys.argv[1]) as trex:
     trex.drive(50)
     trex.wait(0.5)
-    print("drives", flush=True)
+    print("ready", flush=True)
     trex.wait(60)
 """
 
 
 @pytest.mark.parametrize("end", [signal.SIGKILL, signal.SIGSTOP], ids=["killed", "suspended"])
-def test_motors_stop_when_their_driver_ends(server: ServerDriver, end: signal.Signals) -> None:
-    command = [sys.executable, "-c", _DRIVES, server.url()]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as driver:
-        assert driver.stdout is not None
-        assert driver.stdout.readline() == b"drives\n"
+def test_motors_stop_when_their_driver_ends(server: ServerProcess, end: signal.Signals) -> None:
+    with running_script(_DRIVES, server.url()) as driver:
         assert motor(server.simulator) == ("forward", 50)
-        try:
-            driver.send_signal(end)
-            assert comes_true(lambda: motor(server.simulator) == STOPPED)
-            assert comes_true(lambda: find_robots([server.url()])[0]["driver"] is None)
-        finally:
-            driver.kill()
+        driver.send_signal(end)
+        assert comes_true(lambda: motor(server.simulator) == STOPPED)
+        assert comes_true(lambda: find_robots([server.url()])[0]["driver"] is None)
 
 
-def test_motors_stop_when_the_server_is_killed(server: ServerDriver) -> None:
+def test_motors_stop_when_the_server_is_killed(server: ServerProcess) -> None:
     def drive() -> None:
         with Trex(server.url()) as trex:
             trex.drive(50)
@@ -203,7 +191,7 @@ def test_motors_stop_when_the_server_is_killed(server: ServerDriver) -> None:
         drive()
 
 
-def test_end_of_the_server_stops_the_motors(server: ServerDriver) -> None:
+def test_end_of_the_server_stops_the_motors(server: ServerProcess) -> None:
     def drive() -> None:
         with Trex(server.url()) as trex:
             trex.drive(50)
@@ -216,19 +204,17 @@ def test_end_of_the_server_stops_the_motors(server: ServerDriver) -> None:
         drive()
 
 
-def test_script_subscribes_without_our_library(server: ServerDriver) -> None:
+def test_script_subscribes_without_the_library(server: ServerProcess) -> None:
     script = str(resource("examples") / "subscribe.py")
-    words = [sys.executable, "-S", script, f"127.0.0.1:{server.address.port}", "arm", "1"]
-    site = str(Path(zenoh.__file__).parents[1])
-    done = subprocess.run(
-        words, env={"PYTHONPATH": site}, capture_output=True, text=True, check=True
-    )
-    rows = [json.loads(line) for line in done.stdout.splitlines()]
+    command = [sys.executable, "-S", script, f"127.0.0.1:{server.address.port}", "arm", "1"]
+    environment = {"PYTHONPATH": str(Path(zenoh.__file__).parents[1])}
+    output = subprocess.check_output(command, env=environment, text=True)
+    rows = [json.loads(line) for line in output.splitlines()]
     assert len(rows) > 10
     assert rows[0]["channel_1_us"] == 1500.0
 
 
-def test_board_that_returns_is_served_again(server: ServerDriver) -> None:
+def test_returned_board_is_served_again(server: ServerProcess) -> None:
     server.simulator.do("power off")
     assert comes_true(lambda: not find_robots([server.url()])[0]["responds"])
     with pytest.raises(NoReply), Trex(server.url()) as trex:
@@ -239,8 +225,8 @@ def test_board_that_returns_is_served_again(server: ServerDriver) -> None:
         assert trex.status().product == "TReX"
 
 
-def test_robot_is_stopped_by_name_and_confirms(
-    server: ServerDriver, monkeypatch: pytest.MonkeyPatch
+def test_stop_by_name_is_confirmed_for_each_robot(
+    server: ServerProcess, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     with Trex(server.url()) as trex:
         trex.drive(40)
@@ -248,32 +234,29 @@ def test_robot_is_stopped_by_name_and_confirms(
         assert stop_robots([server.url()]) == {server.url(): ""}
         assert motor(server.simulator) == STOPPED
         trex.wait(0.5)
-        assert motor(server.simulator) == STOPPED, "heartbeats of the driver start nothing"
-    here = "trex_gui.devices.trex.serve.robots._addresses"
-    monkeypatch.setattr(here, lambda _hosts: [server.address])
-    found = stop_robots(["arm", "leg"])
-    assert found[server.url()] == ""
-    assert found["leg"], "one that is not found is not stopped"
+        assert motor(server.simulator) == STOPPED, "heartbeats of the driver start no motor"
+    monkeypatch.setattr(
+        "trex_gui.devices.trex.serve.robots._addresses", lambda _hosts: [server.address]
+    )
+    errors = stop_robots(["arm", "leg"])
+    assert errors[server.url()] == ""
+    assert errors["leg"], "this robot is not found"
     server.simulator.do("power off")
     (error,) = stop_robots([server.url()]).values()
     assert error
 
 
-def test_line_of_two_boards_is_driven_as_one(start_simulator: StartSimulator) -> None:
+def test_served_line_drives_two_boards_together(start_simulator: StartSimulator) -> None:
     simulator = start_simulator("--device", "7", "--device", "9")
-
-    def speeds() -> list[int]:
-        return [simulator.show(name)["motors"][0]["target_speed"] for name in ("@7", "@9")]
-
     with served(simulator, "--boards", "7,9") as server:
         server.wait_for_board()
         with TrexLine(server.url(), boards=(7, 9)) as line:
             line.drive(40)
             line.wait(0.3)
-            assert speeds() == [40, 40]
+            assert target_speeds(simulator) == [40, 40]
             line[9].drive(20)
             line.wait(0.3)
-            assert speeds() == [40, 20]
+            assert target_speeds(simulator) == [40, 20]
             assert line[9].status().product == "TReX"
             line.stop()
             for name in ("@7", "@9"):
@@ -285,98 +268,86 @@ def test_line_of_two_boards_is_driven_as_one(start_simulator: StartSimulator) ->
 # --- Users --------------------------------------------------------------------------------
 
 
-def test_user_drives_and_watcher_does_not(start_simulator: StartSimulator, secrets: Path) -> None:
-    with served(start_simulator(), "--users", str(secrets)) as server:
-        server.wait_for_board("alice")
-        with Trex(server.url("alice")) as trex:
-            trex.drive(40)
-            trex.wait(0.3)
-            assert motor(server.simulator) == ("forward", 40)
-        with Trex(server.url("wanda")) as trex:
-            assert trex.status().product == "TReX"
-            trex.drive(40)
-            with pytest.raises(MotorsStoppedError, match="watch"):
-                trex.wait(1)
-        assert motor(server.simulator) == STOPPED
+def test_user_drives_and_watcher_does_not(user_server: ServerProcess) -> None:
+    with Trex(user_server.url("alice")) as trex:
+        trex.drive(40)
+        trex.wait(0.3)
+        assert motor(user_server.simulator) == ("forward", 40)
+    with Trex(user_server.url("wanda")) as trex:
+        assert trex.status().product == "TReX"
+        trex.drive(40)
+        with pytest.raises(MotorsStoppedError, match="watch"):
+            trex.wait(1)
+    assert motor(user_server.simulator) == STOPPED
 
 
-def test_lease_is_handed_over_taken_and_released(
-    start_simulator: StartSimulator, secrets: Path
-) -> None:
-    with served(start_simulator(), "--users", str(secrets)) as server:
-        server.wait_for_board("alice")
-        with Trex(server.url("alice")) as alice, Trex(server.url("bob")) as owner:
-            alice.request_lease()
-            with pytest.raises(BadRequest, match="Another user drives"):
-                owner.request_lease()
-            assert owner.driver == "alice"
-            alice.release_lease("bob")  # who has asked
+def test_lease_is_handed_over_taken_and_released(user_server: ServerProcess) -> None:
+    with Trex(user_server.url("alice")) as alice, Trex(user_server.url("bob")) as owner:
+        alice.request_lease()
+        with pytest.raises(BadRequest, match="Another user drives"):
             owner.request_lease()
-            with pytest.raises(BadRequest, match="owner"):
-                alice.request_lease(take=True)
-            owner.release_lease()
-            alice.request_lease(1.0)
-            alice.drive(40)
-            alice.wait(0.3)
-            words = ["robots", server.url("bob").rpartition("/")[0], "--release", "arm"]
-            with subprocess.Popen([sys.executable, "-m", "trex_gui.cli", *words]) as command:
-                with pytest.raises(MotorsStoppedError, match="handed over"):
-                    alice.wait(_WAIT_S)
-                assert motor(server.simulator) == STOPPED
-            assert command.returncode == 0
+        assert owner.driver == "alice"
+        alice.release_lease("bob")  # who has requested the lease
+        owner.request_lease()
+        with pytest.raises(BadRequest, match="owner"):
+            alice.request_lease(take=True)
+        owner.release_lease()
+        alice.request_lease(1.0)
+        alice.drive(40)
+        alice.wait(0.3)
+        words = ["robots", user_server.url("bob").rpartition("/")[0], "--release", "arm"]
+        with subprocess.Popen([sys.executable, "-m", "trex_gui.cli", *words]) as command:
+            with pytest.raises(MotorsStoppedError, match="handed over"):
+                alice.wait(_TIMEOUT)
+            assert motor(user_server.simulator) == STOPPED
+        assert command.returncode == 0
 
 
 @pytest.mark.parametrize("user", ["", "mallory", "alice"])
-def test_stranger_and_wrong_secret_are_refused(
-    start_simulator: StartSimulator, secrets: Path, user: str, monkeypatch: pytest.MonkeyPatch
+def test_stranger_and_wrong_secret_are_rejected(
+    user_server: ServerProcess, user: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    with served(start_simulator(), "--users", str(secrets)) as server:
-        server.wait_for_board("bob")
-        monkeypatch.setenv("TREX_SECRET", "wrong")
-        with pytest.raises(PortUnavailable, match="No board is served"), Trex(server.url(user)):
-            pass
+    monkeypatch.setenv("TREX_SECRET", "wrong")
+    with pytest.raises(PortUnavailable, match="No board is served"), Trex(user_server.url(user)):
+        pass
 
 
-def test_user_cannot_speak_as_another_one(start_simulator: StartSimulator, secrets: Path) -> None:
-    with served(start_simulator(), "--users", str(secrets)) as server:
-        server.wait_for_board("wanda")
-        address, numbers = Address.of(server.url("wanda")), count(1)
-        with open_client(address) as session:
-            for user in ("alice", "*", "**", "wanda"):
-                name = key("arm", "from", user, "0123456789abcdef")
-                for request in (Hello(VERSION, "x"), AskLease(), Arm(), SetMotor(1, Drive.at(50))):
-                    session.put(name, encode_request(request, next(numbers), 1e9, 0.0))
-            time.sleep(0.5)
-        assert find_robots([address.url])[0]["driver"] is None
-        assert server.simulator.show()["motors"][0]["target_speed"] == 0
+def test_user_cannot_send_requests_as_another_user(user_server: ServerProcess) -> None:
+    address, numbers = Address.of(user_server.url("wanda")), count(1)
+    with open_client(address) as session:
+        for user in ("alice", "*", "**", "wanda"):
+            name = key("arm", "from", user, "0123456789abcdef")
+            for request in (Hello(VERSION, "x"), AskLease(), Arm(), SetMotor(1, Drive.at(50))):
+                session.put(name, encode_request(request, next(numbers), 1e9, 0.0))
+        time.sleep(0.5)
+    assert find_robots([address.url])[0]["driver"] is None
+    assert user_server.simulator.show()["motors"][0]["target_speed"] == 0
 
 
-def test_report_and_traffic_are_of_the_served_board_and_have_no_secret(
-    start_simulator: StartSimulator, secrets: Path, monkeypatch: pytest.MonkeyPatch
+def test_report_and_traffic_of_served_board_contain_no_secret(
+    user_server: ServerProcess, secrets: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     traffic = secrets.parent / "traffic.txt"
     lines = [line.split() for line in secrets.read_text("utf-8").splitlines()]
     (secret,) = (words[-1] for words in lines if words[:1] == ["alice"])
     monkeypatch.setenv("TREX_SECRET", secret)
-    with served(start_simulator(), "--users", str(secrets)) as server:
-        server.wait_for_board("alice")
-        words = ["report", "-", "--port", server.url("alice"), "--traffic", str(traffic)]
-        command = [sys.executable, "-m", "trex_gui.cli", *words]
-        found = subprocess.run(command, check=True, capture_output=True, text=True)
-        assert "TReX 1.2" in found.stdout, "the board was read"
-        assert "get signature" in traffic.read_text("utf-8")
-        assert secret not in found.stdout + found.stderr + traffic.read_text("utf-8")
+    words = ["report", "-", "--port", user_server.url("alice"), "--traffic", str(traffic)]
+    command = [sys.executable, "-m", "trex_gui.cli", *words]
+    report = subprocess.run(command, check=True, capture_output=True, text=True)
+    assert "TReX 1.2" in report.stdout, "the board was read"
+    assert "get signature" in traffic.read_text("utf-8")
+    assert secret not in report.stdout + report.stderr + traffic.read_text("utf-8")
 
 
 @pytest.mark.skipif(not shutil.which("openssl"), reason="needs openssl")
-def test_encrypted_board_needs_the_certificate(
+def test_encrypted_connection_requires_the_certificate(
     start_simulator: StartSimulator, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    page = (resource("help") / "remote.md").read_text("utf-8")
-    commands = [line for line in page.splitlines() if line.startswith(("openssl", "printf"))]
+    help_text = (resource("help") / "remote.md").read_text("utf-8")
+    commands = [line for line in help_text.splitlines() if line.startswith(("openssl", "printf"))]
     assert len(commands) == 4
-    text = "\n".join(commands).replace("DNS:robot.local", "IP:127.0.0.1")
-    subprocess.run(["sh", "-ec", text], cwd=tmp_path, check=True, capture_output=True)
+    script = "\n".join(commands).replace("DNS:robot.local", "IP:127.0.0.1")
+    subprocess.run(["sh", "-ec", script], cwd=tmp_path, check=True, capture_output=True)
     files = str(tmp_path / "robot.pem"), str(tmp_path / "robot.key")
     with served(start_simulator(), "--tls", *files) as server:
         with pytest.raises(PortUnavailable), Trex(server.url()):
@@ -387,34 +358,30 @@ def test_encrypted_board_needs_the_certificate(
             assert trex.status().product == "TReX"
 
 
-def test_every_user_stops_by_name(start_simulator: StartSimulator, secrets: Path) -> None:
-    with served(start_simulator(), "--users", str(secrets)) as server:
-        server.wait_for_board("wanda")
-        with Trex(server.url("alice")) as trex:
-            trex.drive(40)
-            trex.wait(0.3)
-            url = server.url("wanda")
-            assert stop_robots([url]) == {url: ""}
-            assert motor(server.simulator) == STOPPED
+def test_watcher_stops_robot_by_name(user_server: ServerProcess) -> None:
+    with Trex(user_server.url("alice")) as trex:
+        trex.drive(40)
+        trex.wait(0.3)
+        url = user_server.url("wanda")
+        assert stop_robots([url]) == {url: ""}
+        assert motor(user_server.simulator) == STOPPED
 
 
-def test_user_cannot_answer_for_the_server(start_simulator: StartSimulator, secrets: Path) -> None:
-    with served(start_simulator(), "--users", str(secrets)) as server:
-        server.wait_for_board("alice")
-        with open_client(Address.of(server.url("wanda"))) as session:
-            false = json.dumps({"name": "fake", "board": None, "driver": None, "problems": []})
-            name = key("arm", "info")
-            kept = session.declare_queryable(
-                name, lambda query: query.reply(name, false), complete=True
-            )
-            time.sleep(0.3)
-            (row,) = find_robots([server.url("alice")])
-            assert row["name"] == "arm"
-            del kept
+def test_user_cannot_reply_in_place_of_the_server(user_server: ServerProcess) -> None:
+    with open_client(Address.of(user_server.url("wanda"))) as session:
+        forged = json.dumps({"name": "fake", "board": None, "driver": None, "problems": []})
+        name = key("arm", "info")
+        queryable = session.declare_queryable(
+            name, lambda query: query.reply(name, forged), complete=True
+        )
+        time.sleep(0.3)
+        (row,) = find_robots([user_server.url("alice")])
+        assert row["name"] == "arm"
+        del queryable
 
 
 @pytest.mark.parametrize(
     "row", [b"[1]", b"{}", b"\xff", b'{"name": "a\\u001b", "board": null, "driver": null}']
 )
-def test_answer_that_is_none_is_no_robot(row: bytes) -> None:
+def test_malformed_reply_is_no_robot(row: bytes) -> None:
     assert _row_of(row) is None
