@@ -108,7 +108,7 @@ def test_quick_diagnosis_tries_no_other_polynomials() -> None:
 
 def test_board_that_responds_later_is_on_an_unreliable_line() -> None:
     cause = diagnosis_of(create_harness(NONE.line), NONE)
-    assert "only some of the time" in str(cause)
+    assert "responds on virtual, but not every time" in str(cause)
     assert remedies_for(cause) == (Remedy.RECONNECT,)
 
 
