@@ -241,9 +241,14 @@ def test_keys_of_a_terminal_drive_the_motors(
     keys = SimpleQueue[str]()
     monkeypatch.setattr(click, "getchar", keys.get)
     example = Example(virtual_time, "teleoperate", quick_simulator.url)
-    for key, state in (("w", ("forward", 40)), ("a", ("reverse", 30)), (" ", STOPPED)):
+
+    def press(key: str, state: tuple[str, int]) -> None:
         keys.put(key)
-        example.until(lambda state=state: motor(quick_simulator) == state)
+        example.until(lambda: motor(quick_simulator) == state)
+
+    press("w", ("forward", 40))
+    press("a", ("reverse", 30))
+    press(" ", STOPPED)
     keys.put("wwwww q")
     keys.put("q")
     example.end()

@@ -1,6 +1,7 @@
 """Helpers for session tests."""
 
 from collections.abc import Callable, Iterable
+from enum import Enum
 from typing import Any, TypeVar, cast
 
 from tests.devices.trex.simulator.ports import a_board
@@ -11,7 +12,7 @@ from trex_gui.devices.trex.client.telemetry import Sample
 from trex_gui.devices.trex.driving.requests import HEARTBEAT_INTERVAL, Heartbeat
 from trex_gui.devices.trex.protocol.commands import Command, ReplyT_co
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
-from trex_gui.devices.trex.protocol.errors import ErrorCode, TrexError
+from trex_gui.devices.trex.protocol.errors import TrexError
 from trex_gui.devices.trex.protocol.framing import Framing, Packet, PacketParser
 from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.protocol.raw_packets import packets_of
@@ -74,7 +75,7 @@ def outcomes(reports: Iterable[object]) -> dict[int, Outcome]:
     return by_id
 
 
-def error_code(reports: Iterable[object], request_id: int) -> ErrorCode | None:
+def error_code(reports: Iterable[object], request_id: int) -> Enum | None:
     """Return the code of the error of a request."""
     error = outcomes(reports)[request_id].error
     return error.code if isinstance(error, TrexError) else None
@@ -151,10 +152,10 @@ def on_write(
     """Call a function before or after each packet is sent."""
     send = harness.transport.write
 
-    def write(packet: bytes) -> None:
-        before(packet)
-        send(packet)
-        after(packet)
+    def write(data: bytes) -> None:
+        before(data)
+        send(data)
+        after(data)
 
     harness.transport.write = write  # type: ignore[method-assign]
 
