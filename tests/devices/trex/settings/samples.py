@@ -1,10 +1,10 @@
-"""Settings that several tests write and read."""
+"""Factory settings, and strategies for any valid settings."""
 
+from dataclasses import replace
 from functools import cache
 
 from hypothesis import strategies as st
 
-from trex_gui.core.files import SettingsError
 from trex_gui.devices.trex.protocol.calibration import (
     DEFAULT_CALIBRATION,
     HIGHEST_CODED,
@@ -14,7 +14,6 @@ from trex_gui.devices.trex.protocol.calibration import (
 from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.settings.document import Settings, specs_for
 from trex_gui.devices.trex.settings.notes import clean_note
-from trex_gui.devices.trex.settings.reader import read_settings
 
 TREX, TREX_JR = device_table().models
 
@@ -30,14 +29,13 @@ def factory(model_key: str = "trex", firmware: str | None = "1.2") -> Settings:
     )
 
 
-def refused(text: str | bytes) -> SettingsError:
-    """Return the errors of an unusable file."""
-    try:
-        read_settings(text)
-    except SettingsError as error:
-        return error
-    message = f"{text!r} was read"
-    raise AssertionError(message)
+def in_reverse_order(settings: Settings) -> Settings:
+    """Return equal settings whose dictionaries have the reverse order."""
+    return replace(
+        settings,
+        parameters=dict(reversed([*settings.parameters.items()])),
+        calibrations=dict(reversed([*settings.calibrations.items()])),
+    )
 
 
 _coded = st.integers(0, HIGHEST_CODED)
@@ -45,7 +43,6 @@ _coded = st.integers(0, HIGHEST_CODED)
 
 @st.composite
 def any_calibration(draw: st.DrawFn) -> Calibration:
-    """Valid calibration."""
     minimum = draw(st.integers(0, HIGHEST_CODED - 1))
     maximum = draw(st.integers(minimum + 1, HIGHEST_CODED))
     return Calibration(minimum, draw(st.integers(minimum, maximum)), maximum, draw(_coded))
@@ -58,7 +55,7 @@ any_note = st.text(max_size=30).map(clean_note).filter(bool)
 def _parameters_and_notes(
     model_key: str, firmware: str | None
 ) -> tuple[st.SearchStrategy[dict[str, int]], st.SearchStrategy[dict[str, str]]]:
-    """Return strategies for values and notes. Their creation is slow."""
+    """Return strategies for parameters and notes. Cached, because their creation is slow."""
     specs = specs_for(device_table().model(model_key), firmware).readable
     values = {spec.key: st.sampled_from(sorted(spec.valid)) for spec in specs}
     keys = st.sampled_from([*values, *CalibrationKey])
@@ -71,7 +68,7 @@ _calibrations = st.dictionaries(st.sampled_from(CalibrationKey), any_calibration
 
 @st.composite
 def any_settings(draw: st.DrawFn) -> Settings:
-    """Valid settings of any size."""
+    """Valid settings with any number of parameters, calibrations and notes."""
     model = draw(st.sampled_from([TREX, TREX_JR]))
     firmware = draw(st.none() | st.sampled_from(model.firmware))
     parameters, notes = _parameters_and_notes(model.key, firmware)

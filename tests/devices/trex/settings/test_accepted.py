@@ -1,12 +1,12 @@
-"""Saved values beyond inferred limits."""
+"""Accepted values beyond inferred limits."""
 
 from pathlib import Path
 
 import pytest
 
+from tests.devices.trex.settings.samples import TREX, TREX_JR
 from trex_gui.core.files import SettingsError, Severity
 from trex_gui.devices.trex.protocol.commands import Signature
-from trex_gui.devices.trex.protocol.device_table import device_table
 from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.settings.accepted import AcceptedValues
 from trex_gui.devices.trex.settings.document import Settings
@@ -14,10 +14,8 @@ from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.settings.rules import lint
 from trex_gui.devices.trex.settings.writer import write_settings
 
-TREX, JR = device_table().model("trex"), device_table().model("trexjr")
 
-
-def test_only_inferred_limits_are_open() -> None:
+def test_only_inferred_limits_may_be_exceeded() -> None:
     specs = parameters_of("trex", "1.2")
     assert {spec.key for spec in specs if spec.has_open_values} == {
         "required_channels",
@@ -35,10 +33,10 @@ def test_only_inferred_limits_are_open() -> None:
             assert not spec.is_open(wire), "a data byte has seven bits"
         assert not any(map(spec.is_open, spec.valid))
     assert specs["motor_mode"].problem(2, forced=True), "its upper limit is sourced"
-    assert specs["uart_settings"].problem(11, forced=True), "nobody could reach such a board"
+    assert specs["uart_settings"].problem(11, forced=True), "no host supports these settings"
 
 
-def test_accepted_values_are_kept_for_model_and_firmware(tmp_path: Path) -> None:
+def test_accepted_values_are_saved_by_model_and_firmware(tmp_path: Path) -> None:
     store = AcceptedValues(tmp_path / "new" / "accepted.json")
     board = Signature(TREX, "1.2")
     assert store.of(board) == {}
@@ -46,7 +44,7 @@ def test_accepted_values_are_kept_for_model_and_firmware(tmp_path: Path) -> None
     assert store.add(board, {"ignored_channels": 32}) == {"ignored_channels": frozenset({32, 63})}
     assert AcceptedValues(store.path).of(board) == {"ignored_channels": frozenset({32, 63})}
     assert store.of(Signature(TREX, "1.3")) == {}
-    assert store.of(Signature(JR, "1.2")) == {}
+    assert store.of(Signature(TREX_JR, "1.2")) == {}
 
 
 @pytest.mark.parametrize(
@@ -68,7 +66,7 @@ def test_accepted_values_that_cannot_be_saved_are_reported(tmp_path: Path) -> No
         store.add(Signature(TREX, "1.2"), {"ignored_channels": 63})
 
 
-def test_open_value_of_a_file_is_read_with_a_warning_and_kept() -> None:
+def test_value_beyond_inferred_limit_is_read_with_a_warning() -> None:
     settings = Settings(TREX, "1.2", {"motor1_pwm_prescaler": 5, "motor1_pwm_maximum": 63})
     text = write_settings(settings)
     assert "motor1_pwm_prescaler: 5" in text

@@ -17,8 +17,8 @@ STICK = Calibration(2500, 3750, 5000, 75)
 STICK_TEXT = "1000 / 1500 / 2000 µs, deadband 30 µs"
 
 
-def changed(given_settings: Settings, **parameters: int) -> Settings:
-    return replace(given_settings, parameters={**given_settings.parameters, **parameters})
+def changed(settings: Settings, **parameters: int) -> Settings:
+    return replace(settings, parameters={**settings.parameters, **parameters})
 
 
 def test_row_has_raw_and_readable_values() -> None:
@@ -125,7 +125,7 @@ def test_equal_settings_have_empty_report() -> None:
     assert compare(factory(), factory()).report() == ""
 
 
-# Other firmware, other product
+# --- Other firmware or model -------------------------------------------------------------
 
 
 def test_parameter_missing_in_older_firmware_is_left_out() -> None:
@@ -152,13 +152,13 @@ def test_value_with_other_meaning_on_other_model_is_left_out() -> None:
     assert "motor2_current_limit" not in {row.key for row in comparison.rows}
 
 
-def test_value_off_is_compared_across_models() -> None:
+def test_value_that_means_off_is_compared_across_models() -> None:
     before = Settings(TREX_JR, None, {"motor1_current_limit": 10})
     (row,) = compare(before, Settings(TREX, None, {"motor1_current_limit": 0})).rows
     assert (row.text_before, row.text_after) == ("0.8 A", "off")
 
 
-def test_notes_of_the_right_side_are_offered_and_reported() -> None:
+def test_notes_of_second_settings_are_offered_and_reported() -> None:
     values = {"motor_mode": 1, "serial_timeout": 5}
     before = Settings(
         TREX, None, values, notes={"motor_mode": "one", "serial_timeout": "slow\nnet"}
@@ -183,8 +183,8 @@ def test_notes_of_the_right_side_are_offered_and_reported() -> None:
 def test_every_setting_has_row_or_is_left_out(before: Settings, after: Settings) -> None:
     comparison = compare(before, after)
     keys = {*before.parameters, *after.parameters}
-    places = {*before.calibrations, *after.calibrations}
-    assert len(comparison.rows) + len(comparison.left_out) == len(keys) + len(places)
+    calibrations = {*before.calibrations, *after.calibrations}
+    assert len(comparison.rows) + len(comparison.left_out) == len(keys) + len(calibrations)
     missing = sum(row.is_missing for row in comparison.rows)
     assert comparison.changed + comparison.equal + missing == len(comparison.rows)
     for row in comparison.differing:

@@ -1,4 +1,4 @@
-"""Changes of values in settings files with the user's own text."""
+"""Changes of values in settings files that users wrote or edited."""
 
 from dataclasses import dataclass, replace
 
@@ -29,18 +29,18 @@ RC_1 = CalibrationKey.RC_CHANNEL_1
 
 
 def amended(text: str, **parameters: int) -> str:
-    """Return a text with other parameters."""
+    """Return a text with changed parameters."""
     read, _ = read_settings(text)
     return amend(text, replace(read, parameters={**read.parameters, **parameters}))
 
 
 def recalibrated(text: str, *points: int) -> str:
-    """Return a text with another calibration of RC channel 1."""
+    """Return a text with a changed calibration of RC channel 1."""
     read, _ = read_settings(text)
     return amend(text, replace(read, calibrations={RC_1: Calibration(*points)}))
 
 
-# What a person wrote stays
+# --- Text of the user -------------------------------------------------------------------
 
 
 def test_edit_changes_only_values_and_generated_comments() -> None:
@@ -87,12 +87,12 @@ def test_number_keeps_its_base_and_width(old: str, wire: int, new: str) -> None:
 
 
 @pytest.mark.parametrize("comment", ["#off", "# off, for the bench", "# Off", "#", "# 0 s"])
-def test_user_comment_is_left_alone(comment: str) -> None:
+def test_comment_of_user_is_unchanged(comment: str) -> None:
     text = amended(f"product: TReX\nserial_timeout: 0 {comment}\n", serial_timeout=5)
     assert text == f"product: TReX\nserial_timeout: 5 {comment}\n"
 
 
-def test_comment_on_its_own_line_is_left_alone() -> None:
+def test_comment_on_its_own_line_is_unchanged() -> None:
     before = "product: TReX\nserial_timeout: 0\n# off\n"
     assert amended(before, serial_timeout=5) == before.replace(": 0", ": 5")
 
@@ -146,7 +146,7 @@ def test_calibration_in_lines_keeps_its_layout() -> None:
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
 @pytest.mark.parametrize("mark", ["", "\ufeff"])
 @pytest.mark.parametrize("last", [True, False])
-def test_line_endings_and_byte_order_mark_are_kept(end: str, mark: str, last: bool) -> None:
+def test_line_endings_and_byte_order_mark_are_unchanged(end: str, mark: str, last: bool) -> None:
     before = mark + end.join(["product: TReX", "# µ", "serial_timeout: 0  # off"]) + end * last
     after = amended(before, serial_timeout=5, motor_mode=1)
     lines = ["product: TReX", "# µ", "serial_timeout: 5  # 0.5 s"]
@@ -154,7 +154,7 @@ def test_line_endings_and_byte_order_mark_are_kept(end: str, mark: str, last: bo
     assert after == mark + end.join([*lines, new]) + end * last
 
 
-# Product, firmware, and what comes and goes
+# --- Product, firmware, added and removed settings --------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -184,21 +184,21 @@ def test_generated_comment_follows_changed_product() -> None:
 
 def test_firmware_is_added_changed_and_commented_out() -> None:
     bare = "product: TReX  # mine\n"
-    given_one = amend(bare, Settings(TREX, "1.1"))
-    assert given_one == "product: TReX  # mine\nfirmware: 1.1\n"
-    assert amend(given_one, Settings(TREX, "1.3")) == given_one.replace("1.1", "1.3")
-    assert amend(given_one, Settings(TREX)) == "product: TReX  # mine\n# firmware: 1.1\n"
+    added = amend(bare, Settings(TREX, "1.1"))
+    assert added == "product: TReX  # mine\nfirmware: 1.1\n"
+    assert amend(added, Settings(TREX, "1.3")) == added.replace("1.1", "1.3")
+    assert amend(added, Settings(TREX)) == "product: TReX  # mine\n# firmware: 1.1\n"
 
 
 def test_missing_settings_are_appended_in_table_order() -> None:
     before = "  product: TReX\n  motor_mode: 0\n...\n# the end\n"
-    wanted = Settings(
+    settings = Settings(
         TREX,
         None,
         {"uart_settings": 5, "motor_mode": 0, "device_number": 9},
         {RC_1: Calibration(2500, 3750, 5000, 75)},
     )
-    assert amend(before, wanted) == (
+    assert amend(before, settings) == (
         "  product: TReX\n  motor_mode: 0\n"
         "  device_number: 9\n"
         "  uart_settings: 5                # 19200 baud, no error detection, 1 stop bit\n"
@@ -220,7 +220,7 @@ def test_removed_settings_become_comments() -> None:
     )
 
 
-def test_file_in_braces_gets_other_values_only() -> None:
+def test_file_in_braces_accepts_only_changed_values() -> None:
     before = "{product: TReX, serial_timeout: 0,  # off\n device_number: 7\n} # e\n"
     assert amended(before, serial_timeout=12, device_number=8) == (
         "{product: TReX, serial_timeout: 12,  # 1.2 s\n device_number: 8\n} # e\n"
@@ -231,16 +231,16 @@ def test_file_in_braces_gets_other_values_only() -> None:
 
 def test_invalid_value_becomes_comment_only_once() -> None:
     broken = Calibration(9, 9, 9, 9)
-    unexpected = Settings(TREX, None, {"uart_settings": 12, "motor_mode": 1}, {RC_1: broken})
-    after = amend("product: TReX\nuart_settings: 5\nmotor_mode: 0\n", unexpected)
+    invalid = Settings(TREX, None, {"uart_settings": 12, "motor_mode": 1}, {RC_1: broken})
+    after = amend("product: TReX\nuart_settings: 5\nmotor_mode: 0\n", invalid)
     lines = after.splitlines()
     assert lines[:3] == ["product: TReX", "# uart_settings: 5", "motor_mode: 1"]
     assert lines[3].startswith("# uart_settings: 12  # left out: ")
     assert lines[4].startswith("# rc_channel_1: {minimum: 9, ")
-    assert amend(after, unexpected) == after
+    assert amend(after, invalid) == after
 
 
-# Refusals
+# --- Rejected edits ---------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("text", ["", "product: Tic\n", "product: TReX\nserial_timeout: 300\n"])
@@ -256,13 +256,13 @@ def test_unknown_key_is_rejected() -> None:
 
 
 def test_edit_that_would_read_back_differently_is_rejected() -> None:
-    # The block of text ends where the file ends; with a line behind it, it would end in a break.
+    # The text block ends with the file. A line after the block would add a line break to the text.
     before = "product: TReX\nfirmware: |\n  1.2"
     with pytest.raises(SettingsError, match="cannot be changed in place"):
         amended(before, motor_mode=1)
 
 
-def test_product_on_two_lines_is_kept_or_rejected() -> None:
+def test_product_on_two_lines_cannot_be_changed() -> None:
     before = "product: TReX\n  Jr\nserial_timeout: 5\n"
     junior = Settings(TREX_JR, None, {"serial_timeout": 7})
     assert amend(before, junior) == before.replace("5", "7")
@@ -270,15 +270,15 @@ def test_product_on_two_lines_is_kept_or_rejected() -> None:
         amend(before, replace(junior, product=TREX, parameters={"serial_timeout": 5}))
 
 
-# Any file in any style
+# --- Any file in any style --------------------------------------------------------------
 
 
 @dataclass(frozen=True)
-class Written:
+class UserFile:
     """Settings file in the style of a user, with its parts by key."""
 
     text: str
-    pieces: dict[str, str]
+    parts: dict[str, str]
     comments: list[str]
 
 
@@ -297,8 +297,8 @@ def any_key(draw: st.DrawFn, key: str) -> str:
 
 
 @st.composite
-def any_trailer(draw: st.DrawFn, generated: str) -> str:
-    """Comment beside a value, from the program, the user or missing."""
+def any_trailing_comment(draw: st.DrawFn, generated: str) -> str:
+    """Comment after a value: from the program, from the user or missing."""
     gap = draw(st.sampled_from([" ", "  ", "      "]))
     kinds = ["", f"{gap}# {generated}", f"{gap}#{draw(words)}", f"{gap}# {draw(words)}", gap]
     return draw(st.sampled_from(kinds))
@@ -308,21 +308,21 @@ def any_trailer(draw: st.DrawFn, generated: str) -> str:
 def any_calibration_lines(draw: st.DrawFn, key: str, calibration: Calibration) -> list[str]:
     source = CALIBRATION_KEYS[key].source
     names = draw(st.permutations(["minimum", "neutral", "maximum", "deadband"]))
-    parts = [
+    fields = [
         f"{draw(any_key(name))}: {draw(any_number(getattr(calibration, name)))}" for name in names
     ]
-    trailer = draw(any_trailer(calibration_text(source, calibration)))
+    comment = draw(any_trailing_comment(calibration_text(source, calibration)))
     match draw(st.sampled_from(["flow", "lines in braces", "block"])):
         case "flow":
-            return [f"{draw(any_key(key))}: {{{', '.join(parts)}}}{trailer}"]
+            return [f"{draw(any_key(key))}: {{{', '.join(fields)}}}{comment}"]
         case "block":
             margin = " " * draw(st.integers(1, 4))
-            lines = [f"{margin}{part}{draw(any_trailer('x'))}" for part in parts]
+            lines = [f"{margin}{field}{draw(any_trailing_comment('x'))}" for field in fields]
             if draw(st.booleans()):
                 lines.insert(draw(st.integers(0, 4)), f"{margin}# {draw(words)}")
-            return [f"{draw(any_key(key))}:{trailer}", *lines]
-    lines = [f"  {part},{draw(any_trailer('x'))}" for part in parts]
-    return [f"{draw(any_key(key))}: {{", *lines, f" }}{trailer}"]
+            return [f"{draw(any_key(key))}:{comment}", *lines]
+    lines = [f"  {field},{draw(any_trailing_comment('x'))}" for field in fields]
+    return [f"{draw(any_key(key))}: {{", *lines, f" }}{comment}"]
 
 
 @st.composite
@@ -330,93 +330,91 @@ def any_parameter_lines(
     draw: st.DrawFn, spec: ParameterSpec, wire: int, settings: Settings
 ) -> list[str]:
     number = draw(any_number(wire))
-    trailer = draw(any_trailer(parameter_text(spec, wire, settings)))
+    comment = draw(any_trailing_comment(parameter_text(spec, wire, settings)))
     if draw(st.sampled_from([True, True, True, False])):
-        return [f"{draw(any_key(spec.key))}: {number}{trailer}"]
-    return [f"{draw(any_key(spec.key))}:", f"   {number}{trailer}"]
+        return [f"{draw(any_key(spec.key))}: {number}{comment}"]
+    return [f"{draw(any_key(spec.key))}:", f"   {number}{comment}"]
 
 
 @st.composite
-def any_written(draw: st.DrawFn, given_settings: Settings) -> Written:
-    """File with the given settings."""
-    groups = {"firmware": [f"firmware: {given_settings.firmware}"]}
-    if given_settings.firmware is None:
+def any_user_file(draw: st.DrawFn, settings: Settings) -> UserFile:
+    """File with these settings in the style of a user."""
+    groups = {"firmware": [f"firmware: {settings.firmware}"]}
+    if settings.firmware is None:
         groups = {}
-    for spec in given_settings.specs.readable:
-        if spec.key in given_settings.parameters:
-            wire = given_settings.parameters[spec.key]
-            groups[spec.key] = draw(any_parameter_lines(spec, wire, given_settings))
-    for key, place in CALIBRATION_KEYS.items():
-        if place in given_settings.calibrations:
-            groups[key] = draw(any_calibration_lines(key, given_settings.calibrations[place]))
+    for spec in settings.specs.readable:
+        if spec.key in settings.parameters:
+            wire = settings.parameters[spec.key]
+            groups[spec.key] = draw(any_parameter_lines(spec, wire, settings))
+    for name, channel in CALIBRATION_KEYS.items():
+        if channel in settings.calibrations:
+            groups[name] = draw(any_calibration_lines(name, settings.calibrations[channel]))
     margin = " " * draw(st.sampled_from([0, 0, 2]))
     end = draw(st.sampled_from(["\n", "\r\n", "\r"]))
     quote = draw(st.sampled_from(["", "'", '"']))
     head = draw(st.sampled_from([[], ["# head"], ["---"], ["%YAML 1.1", "---"], [""]]))
     order = draw(st.permutations(list(groups)))
-    lines = [*head, f"{margin}product: {quote}{given_settings.product.name}{quote}"]
-    notes = {key: lines_of_note(key, given_settings.notes) for key in given_settings.notes}
+    lines = [*head, f"{margin}product: {quote}{settings.product.name}{quote}"]
+    notes = {key: lines_of_note(key, settings.notes) for key in settings.notes}
     for key in [*order, *(key for key in notes if key not in groups)]:
         lines += draw(st.lists(st.just("") | words.map("# {}".format), max_size=2))
         lines += [margin + line for line in notes.get(key, [])]
         lines += [margin + line for line in groups.get(key, [])]
     lines += draw(st.sampled_from([[], [""], ["# end"], ["..."], ["...", "# end"]]))
     text = draw(st.sampled_from(["", "\ufeff"])) + end.join(lines)
-    pieces = {key: end.join(margin + line for line in group) for key, group in groups.items()}
+    parts = {key: end.join(margin + line for line in group) for key, group in groups.items()}
     comments = [line for line in lines if line.lstrip().startswith("#") and "Note" not in line]
-    return Written(text + draw(st.sampled_from(["", end])), pieces, comments)
+    return UserFile(text + draw(st.sampled_from(["", end])), parts, comments)
 
 
 @st.composite
-def any_amendment(draw: st.DrawFn) -> tuple[Settings, Written, Settings]:
-    """Settings, a file with them, and other settings with some equal values."""
+def any_amendment(draw: st.DrawFn) -> tuple[Settings, UserFile, Settings]:
+    """Settings, a file with these settings, and new settings with some equal values."""
     old, new = draw(any_settings()), draw(any_settings())
     known = {spec.key for spec in new.specs.readable}
-    alike = {key: wire for key, wire in old.parameters.items() if key in known}
-    kept = draw(st.sets(st.sampled_from(sorted(alike)))) if alike else set()
-    parameters = {**new.parameters, **{key: alike[key] for key in sorted(kept)}}
-    moved = {place: draw(any_calibration()) for place in old.calibrations}
-    calibrations = draw(st.sampled_from([old.calibrations, new.calibrations, moved]))
+    common = {key: wire for key, wire in old.parameters.items() if key in known}
+    equal = draw(st.sets(st.sampled_from(sorted(common)))) if common else set()
+    parameters = {**new.parameters, **{key: common[key] for key in sorted(equal)}}
+    changed = {key: draw(any_calibration()) for key in old.calibrations}
+    calibrations = draw(st.sampled_from([old.calibrations, new.calibrations, changed]))
     new = replace(new, parameters=parameters, calibrations=calibrations)
-    return old, draw(any_written(old)), new
+    return old, draw(any_user_file(old)), new
 
 
 @thorough
 @given(amendment=any_amendment())
-def test_edited_file_reads_as_new_settings_and_keeps_all_else(
-    amendment: tuple[Settings, Written, Settings],
+def test_edited_file_reads_as_new_settings_with_same_comments(
+    amendment: tuple[Settings, UserFile, Settings],
 ) -> None:
-    old, written, new = amendment
-    assert amend(written.text, old) == written.text
-    after = amend(written.text, new)
+    old, file, new = amendment
+    assert amend(file.text, old) == file.text
+    after = amend(file.text, new)
     assert read_settings(after)[0] == new
     assert amend(after, new) == after
     plain = after.removeprefix("\ufeff").replace("\r\n", "\n")
     lines = iter(plain.replace("\r", "\n").split("\n"))
-    assert all(any(comment == line for line in lines) for comment in written.comments)
+    assert all(any(comment == line for line in lines) for comment in file.comments)
     new = replace(new, product=old.product)
-    after = amend(written.text, new)
-    for key, piece in written.pieces.items():
+    after = amend(file.text, new)
+    for key, part in file.parts.items():
         if key in CALIBRATION_KEYS:
-            place = CALIBRATION_KEYS[key]
-            is_same = old.calibrations[place] == new.calibrations.get(place)
+            calibration = CALIBRATION_KEYS[key]
+            is_same = old.calibrations[calibration] == new.calibrations.get(calibration)
         elif key == "firmware":
             is_same = old.firmware == new.firmware
         else:
             wire = old.parameters[key]
-            # The comment of a PWM is about its frequency, which another parameter may change.
+            # The comment of a PWM contains its frequency, which depends on another parameter.
             is_same = wire == new.parameters.get(key) and (
                 parameter_text(old.specs[key], wire, old)
                 == parameter_text(new.specs[key], wire, new)
             )
-        assert not is_same or piece in after
+        assert not is_same or part in after
 
 
 @thorough
 @given(old=any_settings(), data=st.data())
-def test_edited_generated_file_equals_newly_written_file(
-    old: Settings, data: st.DataObject
-) -> None:
+def test_edited_generated_file_equals_a_new_file(old: Settings, data: st.DataObject) -> None:
     specs = [spec for spec in old.specs.readable if spec.key in old.parameters]
     wires = {spec.key: data.draw(st.sampled_from(sorted(spec.valid))) for spec in specs}
     new = replace(old, parameters=wires)

@@ -1,9 +1,10 @@
-"""Snapshots and their limit."""
+"""Snapshots of settings, and the limit of their number."""
 
 import errno
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
@@ -11,23 +12,19 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.devices.trex.settings.samples import factory
 from tests.support.matrix import examples
 from trex_gui.core.errors import BadRequest
 from trex_gui.core.files import SettingsError
-from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
-from trex_gui.devices.trex.protocol.device_table import device_table
-from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.history import DEFAULT_LIMIT, LIMIT_FILE, Limit, SettingsHistory
 
 NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
 
 
-def settings_of_a_board(**values: int) -> Settings:
-    model = device_table().model("trexjr")
-    parameters = {spec.key: spec.default for spec in parameters_of("trexjr", "1.2").readable}
-    calibrations = {CalibrationKey.RC_CHANNEL_1: Calibration(2600, 3700, 5100, 60)}
-    return Settings(model, "1.2", {**parameters, **values}, calibrations)
+def board_settings(**values: int) -> Settings:
+    settings = factory("trexjr")
+    return replace(settings, parameters={**settings.parameters, **values})
 
 
 @pytest.fixture
@@ -36,7 +33,7 @@ def history(tmp_path: Path) -> SettingsHistory:
 
 
 def save_snapshot(history: SettingsHistory, minutes: int = 0, **values: int) -> Path:
-    settings = settings_of_a_board(**values)
+    settings = board_settings(**values)
     now = NOON + timedelta(minutes=minutes)
     return history.save(settings, adapter="FT232R (ttyUSB0)", reason="Apply", now=now).path
 
@@ -47,7 +44,7 @@ def test_new_history_is_empty_and_creates_no_folder(history: SettingsHistory) ->
 
 
 def test_saved_snapshot_loads_as_same_settings(history: SettingsHistory) -> None:
-    settings = settings_of_a_board(serial_timeout=5)
+    settings = board_settings(serial_timeout=5)
     snapshot = history.save(settings, adapter="/dev/ttyUSB0", reason="Apply of 2 settings")
     assert history.load(snapshot) == settings
     assert history.snapshots() == (snapshot,)
@@ -69,7 +66,7 @@ def test_newest_snapshot_is_first_even_within_one_second(history: SettingsHistor
     assert len(set(paths)) == 5
 
 
-# --- How many are kept ------------------------------------------------------------------
+# --- Limit ------------------------------------------------------------------------------
 
 
 def test_limit_removes_oldest_snapshots(history: SettingsHistory) -> None:
@@ -78,19 +75,19 @@ def test_limit_removes_oldest_snapshots(history: SettingsHistory) -> None:
     assert {snapshot.path for snapshot in history.snapshots()} == set(paths[2:])
 
 
-def test_new_snapshot_is_kept_if_clock_went_back(history: SettingsHistory) -> None:
+def test_new_snapshot_is_retained_if_clock_goes_back(history: SettingsHistory) -> None:
     history.set_limit(2)
     for minutes in (10, 11):
-        os.utime(save_snapshot(history, minutes), (1, 1))  # saved before, by whatever clock
+        os.utime(save_snapshot(history, minutes), (1, 1))  # saved long ago by the time of the file
     newest = save_snapshot(history, -60)
     assert newest in {snapshot.path for snapshot in history.snapshots()}
     assert len(history.snapshots()) == 2
 
 
-def test_snapshot_saved_meanwhile_by_other_program_is_kept(history: SettingsHistory) -> None:
+def test_snapshot_saved_at_the_same_time_is_retained(history: SettingsHistory) -> None:
     history.set_limit(1)
     other = save_snapshot(history, 1)
-    os.utime(other, (2**32, 2**32))  # after anything saved now
+    os.utime(other, (2**32, 2**32))  # later than any snapshot of this program
     own = save_snapshot(history, 2)
     assert {snapshot.path for snapshot in history.snapshots()} == {own, other}
 
@@ -98,14 +95,14 @@ def test_snapshot_saved_meanwhile_by_other_program_is_kept(history: SettingsHist
 @pytest.mark.skipif(sys.platform == "win32", reason="links need a permission there")
 def test_dangling_snapshot_link_does_not_block_new_snapshot(history: SettingsHistory) -> None:
     history.set_limit(1)
-    gone = save_snapshot(history)
-    gone.unlink()
-    gone.symlink_to(history.folder / "elsewhere")
+    link = save_snapshot(history)
+    link.unlink()
+    link.symlink_to(history.folder / "missing")
     own = save_snapshot(history, 1)
     assert [snapshot.path for snapshot in history.snapshots()] == [own]
 
 
-def test_snapshot_with_a_name_is_kept_beyond_the_limit(history: SettingsHistory) -> None:
+def test_named_snapshot_is_retained_beyond_the_limit(history: SettingsHistory) -> None:
     history.set_limit(1)
     path = save_snapshot(history, 0)
     (first,) = history.snapshots()
@@ -118,18 +115,18 @@ def test_snapshot_with_a_name_is_kept_beyond_the_limit(history: SettingsHistory)
     assert [snapshot.path for snapshot in history.set_limit(1)] == [path]
 
 
-def test_name_and_note_change_nothing_else(history: SettingsHistory) -> None:
+def test_name_and_note_change_no_settings(history: SettingsHistory) -> None:
     path = save_snapshot(history)
     before = path.read_bytes()
     (snapshot,) = history.snapshots()
     history.label(snapshot, name=" new   tyres ", note="run 3\nas fast as run 2")
     (labelled,) = history.snapshots()
     assert (labelled.name, labelled.note) == ("new tyres", "run 3 as fast as run 2")
-    assert history.load(labelled) == settings_of_a_board()
+    assert history.load(labelled) == board_settings()
     assert labelled.reason == "Apply"
-    for bad in ({"name": "x" * 61}, {"note": "x" * 301}, {"name": " 2 "}):
+    for invalid in ({"name": "x" * 61}, {"note": "x" * 301}, {"name": " 2 "}):
         with pytest.raises(BadRequest):
-            history.label(labelled, **bad)
+            history.label(labelled, **invalid)
     save_snapshot(history, 1)
     with pytest.raises(BadRequest, match="Another snapshot"):
         history.label(history.snapshots()[0], name="new  tyres")
@@ -209,7 +206,7 @@ def test_unreadable_limit_is_reported_and_cannot_be_set(history: SettingsHistory
 @pytest.mark.skipif(sys.platform == "win32", reason="links need a permission there")
 def test_dangling_limit_link_is_reported(history: SettingsHistory) -> None:
     history.folder.mkdir()
-    (history.folder / LIMIT_FILE).symlink_to(history.folder / "elsewhere")
+    (history.folder / LIMIT_FILE).symlink_to(history.folder / "missing")
     assert "is missing" in history.limit().problem
 
 
@@ -225,15 +222,16 @@ def test_limit_that_cannot_be_saved_removes_nothing(
     assert history.limit() == Limit(DEFAULT_LIMIT)
 
 
-# --- Several at once, and the end in the middle -----------------------------------------
+# --- Concurrent and failed saves --------------------------------------------------------
 
 
 def no_space(*arguments: object) -> None:
     raise OSError(errno.ENOSPC, "No space left on device")
 
 
-_MANY = """
+_SAVE_MANY = """
 import sys
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 from trex_gui.devices.trex.protocol.device_table import device_table
@@ -251,7 +249,7 @@ for number in range(20):
 def test_programs_saving_in_same_second_lose_no_snapshot(history: SettingsHistory) -> None:
     programs = [
         subprocess.Popen(
-            [sys.executable, "-c", _MANY, str(history.folder), str(first)],
+            [sys.executable, "-c", _SAVE_MANY, str(history.folder), str(first)],
             stdin=subprocess.PIPE,
             text=True,
         )
@@ -262,8 +260,10 @@ def test_programs_saving_in_same_second_lose_no_snapshot(history: SettingsHistor
         program.stdin.write("now\n")
         program.stdin.close()
     assert [program.wait(50) for program in programs] == [0, 0]
-    taken = [history.load(found).parameters["serial_timeout"] for found in history.snapshots()]
-    assert sorted(taken) == [*range(1, 21), *range(51, 71)]
+    values = [
+        history.load(snapshot).parameters["serial_timeout"] for snapshot in history.snapshots()
+    ]
+    assert sorted(values) == [*range(1, 21), *range(51, 71)]
     assert len(list(history.folder.iterdir())) == 40
 
 
@@ -287,14 +287,14 @@ def test_failed_save_leaves_no_partial_snapshot(
 def test_snapshots_are_saved_without_hard_links(
     history: SettingsHistory, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def impossible(*arguments: object) -> None:
+    def fail(*arguments: object) -> None:
         raise PermissionError(errno.EPERM, "Operation not permitted")
 
-    monkeypatch.setattr("pathlib.Path.hardlink_to", impossible)
+    monkeypatch.setattr("pathlib.Path.hardlink_to", fail)
     first, second = save_snapshot(history), save_snapshot(history)
     assert first != second
     assert sorted(history.folder.iterdir()) == sorted([first, second])
-    assert all(history.load(found) == settings_of_a_board() for found in history.snapshots())
+    assert all(history.load(saved) == board_settings() for saved in history.snapshots())
 
 
 def test_leftover_temporary_file_is_not_listed(history: SettingsHistory) -> None:
@@ -303,10 +303,10 @@ def test_leftover_temporary_file_is_not_listed(history: SettingsHistory) -> None
     assert history.snapshots() == ()
 
 
-# --- What is there ----------------------------------------------------------------------
+# --- Files in the folder ----------------------------------------------------------------
 
 
-def test_limit_leaves_unrelated_files_alone(history: SettingsHistory) -> None:
+def test_limit_removes_no_unrelated_files(history: SettingsHistory) -> None:
     history.set_limit(1)
     save_snapshot(history)
     names = ["notes.txt", "20261121T115900Z.txt", "20261121T115900Z-trex-1.2.txt.bak", "x"]
@@ -317,13 +317,20 @@ def test_limit_leaves_unrelated_files_alone(history: SettingsHistory) -> None:
     assert len(history.snapshots()) == 1
 
 
-def test_damaged_snapshot_is_listed_with_its_problem(history: SettingsHistory) -> None:
-    path = save_snapshot(history)
-    path.write_bytes(b"\xff\x00 nothing of use")
+@pytest.mark.parametrize(
+    ("data", "product", "problem"),
+    [
+        (b"", "", "It is empty."),
+        (b"product: Jrk 12v12\n", "Jrk 12v12", "It does not name its board."),
+        (b"\xff\x00 no settings", "", "It does not name its board."),
+    ],
+)
+def test_damaged_snapshot_is_listed_with_its_problem(
+    history: SettingsHistory, data: bytes, product: str, problem: str
+) -> None:
+    save_snapshot(history).write_bytes(data)
     (snapshot,) = history.snapshots()
-    assert snapshot.taken == NOON
-    assert snapshot.product == ""
-    assert snapshot.problem == "It does not name its board."
+    assert (snapshot.taken, snapshot.product, snapshot.problem) == (NOON, product, problem)
     with pytest.raises(SettingsError):
         history.load(snapshot)
 
@@ -333,30 +340,18 @@ def test_pipe_among_the_snapshots_is_not_opened(history: SettingsHistory) -> Non
     history.folder.mkdir(parents=True, exist_ok=True)
     os.mkfifo(history.folder / "20260101T120000Z-trex-1.3.txt")
     os.mkfifo(history.folder / "history.txt")
-    (found,) = history.snapshots()
-    assert found.problem == "It cannot be read: it is not an ordinary file."
+    (snapshot,) = history.snapshots()
+    assert snapshot.problem == "It cannot be read: it is not an ordinary file."
     assert "cannot be read" in history.limit().problem
 
 
-@pytest.mark.parametrize(
-    ("text", "problem"),
-    [
-        ("", "It is empty."),
-        ("product: Jrk 12v12\n", "It does not name its board."),
-        ("product: TReX Jr  # mine\r\n\r\nfirmware: '1.2'\r\n", ""),
-    ],
-)
-def test_list_entry_is_read_from_file_header(
-    history: SettingsHistory, text: str, problem: str
-) -> None:
-    save_snapshot(history).write_bytes(text.encode())
+def test_product_and_firmware_are_read_in_any_notation(history: SettingsHistory) -> None:
+    save_snapshot(history).write_bytes(b"product: TReX Jr  # mine\r\n\r\nfirmware: '1.2'\r\n")
     (snapshot,) = history.snapshots()
-    assert snapshot.problem == problem
-    if not problem:
-        assert (snapshot.product, snapshot.firmware) == ("TReX Jr", "1.2")
+    assert (snapshot.product, snapshot.firmware, snapshot.problem) == ("TReX Jr", "1.2", "")
 
 
-def test_loading_removed_snapshot_reports_missing_file(history: SettingsHistory) -> None:
+def test_load_of_removed_snapshot_reports_missing_file(history: SettingsHistory) -> None:
     save_snapshot(history)
     (snapshot,) = history.snapshots()
     history.remove(snapshot)
@@ -394,13 +389,15 @@ def test_snapshot_accepts_any_adapter_and_reason(
     tmp_path_factory: pytest.TempPathFactory, adapter: str, reason: str
 ) -> None:
     history = SettingsHistory(tmp_path_factory.mktemp("history"))
-    settings = settings_of_a_board()
+    settings = board_settings()
     snapshot = history.save(settings, adapter=adapter, reason=reason)
     assert history.load(snapshot) == settings
-    assert [listed.path for listed in history.snapshots()] == [snapshot.path]
+    assert [saved.path for saved in history.snapshots()] == [snapshot.path]
 
 
-def test_default_folder_is_absolute_and_names_program(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_default_folder_is_absolute_and_names_program(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     monkeypatch.delenv("TREX_STUDIO_DATA", raising=False)
     assert SettingsHistory().folder.is_absolute()
     assert "TReX Studio" in str(SettingsHistory().folder)

@@ -1,4 +1,4 @@
-"""Rules with their findings and proposals."""
+"""Findings and proposals of the rules for settings."""
 
 from collections.abc import Mapping
 from dataclasses import replace
@@ -9,7 +9,13 @@ import pytest
 from hypothesis import Phase, given
 from hypothesis import strategies as st
 
-from tests.devices.trex.settings.samples import TREX, TREX_JR, any_calibration, factory
+from tests.devices.trex.settings.samples import (
+    TREX,
+    TREX_JR,
+    any_calibration,
+    factory,
+    in_reverse_order,
+)
 from tests.support.matrix import examples
 from trex_gui.devices.trex.protocol.calibration import CALIBRATION_KEYS, Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.framing import crc7
@@ -18,7 +24,7 @@ from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.rules import RULES, Context, LintFinding, lint
 
 thorough = examples(20, phases=[Phase.generate])
-NOTHING_ELSE = Context()
+NO_CONTEXT = Context()
 DRIVING = Context(drives_from_computer=True)
 
 
@@ -40,9 +46,9 @@ class Expected(NamedTuple):
     proposal: str = ""
 
 
-def only(given_settings: Settings, context: Context = NOTHING_ELSE) -> LintFinding:
-    (found,) = lint(given_settings, context)
-    return found
+def only_finding(settings: Settings, context: Context = NO_CONTEXT) -> LintFinding:
+    (finding,) = lint(settings, context)
+    return finding
 
 
 def accept(settings: Settings, finding: LintFinding) -> Settings:
@@ -53,12 +59,12 @@ def calibrated(key: str, *points: int) -> Settings:
     return Settings(TREX, None, {}, {CALIBRATION_KEYS[key]: Calibration(*points)})
 
 
-# One finding for each rule, in full
+# --- One complete finding for each rule --------------------------------------------------
 
 
 EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
-    found.rule: (given_settings, context, found)
-    for given_settings, context, found in [
+    expected.rule: (settings, context, expected)
+    for settings, context, expected in [
         (
             trex(serial_timeout=0),
             DRIVING,
@@ -73,7 +79,7 @@ EXAMPLES: Mapping[str, tuple[Settings, Context, Expected]] = {
         ),
         (
             trex(serial_timeout=5, uart_error_shutdown=0),
-            NOTHING_ELSE,
+            NO_CONTEXT,
             Expected(
                 "timeout_without_shutdown",
                 "Serial Timeout of 0.5 s may not stop the motors if the cable or the computer "
@@ -234,36 +240,38 @@ def test_every_rule_has_example() -> None:
 
 @pytest.mark.parametrize("rule", RULES)
 def test_rule_reports_expected_finding(rule: str) -> None:
-    given_settings, context, expected = EXAMPLES[rule]
-    found = only(given_settings, context)
-    shown = Expected(found.rule, found.message, found.keys, found.change, found.proposal)
-    assert shown == expected
+    settings, context, expected = EXAMPLES[rule]
+    finding = only_finding(settings, context)
+    assert expected == Expected(
+        finding.rule, finding.message, finding.keys, finding.change, finding.proposal
+    )
     if expected.change:
-        assert lint(accept(given_settings, found), context) == ()
+        assert lint(accept(settings, finding), context) == ()
 
 
 @pytest.mark.parametrize("rule", RULES)
 def test_rule_is_silent_if_required_setting_is_missing(rule: str) -> None:
-    given_settings, context, _ = EXAMPLES[rule]
-    for key in given_settings.parameters:
-        rest = {k: wire for k, wire in given_settings.parameters.items() if k != key}
-        found = lint(replace(given_settings, parameters=rest), context)
-        assert not [one for one in found if key in one.keys]
+    settings, context, _ = EXAMPLES[rule]
+    for key in settings.parameters:
+        parameters = {**settings.parameters}
+        del parameters[key]
+        findings = lint(replace(settings, parameters=parameters), context)
+        assert not [finding for finding in findings if key in finding.keys]
 
 
-# What sets rules off, and what does not
+# --- Conditions of single rules ----------------------------------------------------------
 
 
 @pytest.mark.parametrize("model", ["trex", "trexjr"])
 @pytest.mark.parametrize("firmware", [None, "1.0", "1.3"])
 def test_factory_settings_have_no_findings(model: str, firmware: str | None) -> None:
-    every = Context(port_rates=baud_rates(), active_line=LineSettings())
-    assert lint(factory(model, firmware), every) == ()
+    context = Context(port_rates=baud_rates(), active_line=LineSettings())
+    assert lint(factory(model, firmware), context) == ()
 
 
 def test_empty_settings_have_no_findings() -> None:
-    every = Context(drives_from_computer=True, port_rates=[], active_line=LineSettings(1200))
-    assert lint(Settings(TREX), every) == ()
+    context = Context(drives_from_computer=True, port_rates=[], active_line=LineSettings(1200))
+    assert lint(Settings(TREX), context) == ()
 
 
 def test_timeout_rule_applies_only_if_computer_drives() -> None:
@@ -272,15 +280,15 @@ def test_timeout_rule_applies_only_if_computer_drives() -> None:
 
 
 def test_joint_mode_finding_names_only_active_limit() -> None:
-    found = only(trex(motor_mode=1, motor1_current_limit=1, motor2_current_limit=0))
-    assert found.message.startswith("No effect in joint mode: Motor 1 Current Limit (0.3 A).")
-    assert found.proposal == "Set Motor 1 Current Limit to off"
+    finding = only_finding(trex(motor_mode=1, motor1_current_limit=1, motor2_current_limit=0))
+    assert finding.message.startswith("No effect in joint mode: Motor 1 Current Limit (0.3 A).")
+    assert finding.proposal == "Set Motor 1 Current Limit to off"
 
 
 def test_joint_mode_limit_needs_no_gain_or_ramp() -> None:
     parameters = {"motor1_current_limit": 1, "motor1_acceleration": 0, "motor1_current_limit_p": 0}
-    found = lint(Settings(TREX, None, {"motor_mode": 1, **parameters}))
-    assert [one.rule for one in found] == ["limit_in_joint_mode"]
+    settings = Settings(TREX, None, {"motor_mode": 1, **parameters})
+    assert only_finding(settings).rule == "limit_in_joint_mode"
 
 
 @pytest.mark.parametrize("prescaler", range(4))
@@ -289,12 +297,12 @@ def test_pwm_proposal_is_smallest_sufficient_prescaler(prescaler: int, maximum: 
     parameters = {"motor1_pwm_prescaler": prescaler, "motor1_pwm_maximum": maximum}
     divisors = (8, 64, 256, 1024)
     frequencies = [20e6 / (divisor * (2 * maximum + 2)) for divisor in divisors]
-    found = lint(Settings(TREX_JR, None, parameters))
+    findings = lint(Settings(TREX_JR, None, parameters))
     if frequencies[prescaler] <= 10_000:
-        assert found == ()
+        assert findings == ()
     else:
-        wanted = min(n for n, frequency in enumerate(frequencies) if frequency <= 10_000)
-        assert found[0].change == {"motor1_pwm_prescaler": wanted}
+        valid = (number for number, frequency in enumerate(frequencies) if frequency <= 10_000)
+        assert findings[0].change == {"motor1_pwm_prescaler": min(valid)}
 
 
 def test_pwm_of_driver_with_unknown_rating_is_not_checked() -> None:
@@ -314,7 +322,7 @@ def test_pwm_of_driver_with_unknown_rating_is_not_checked() -> None:
 def test_deadband_reaching_end_of_travel_is_reported(
     points: tuple[int, int, int, int], ends: list[str]
 ) -> None:
-    messages = [found.message for found in lint(calibrated("rc_channel_1", *points))]
+    messages = [finding.message for finding in lint(calibrated("rc_channel_1", *points))]
     assert len(messages) == len(ends)
     assert all(f"to its {end}: " in "".join(messages) for end in ends)
 
@@ -333,7 +341,7 @@ def test_deadband_reaching_end_of_travel_is_reported(
 def test_calibration_end_out_of_reach_is_reported(
     key: str, points: tuple[int, int, int, int], words: list[str]
 ) -> None:
-    messages = [found.message for found in lint(calibrated(key, *points))]
+    messages = [finding.message for finding in lint(calibrated(key, *points))]
     assert [message.split()[1] for message in messages] == words
 
 
@@ -347,12 +355,12 @@ def test_polynomial_0x80_always_gives_checksum_zero() -> None:
     assert {crc7(packet, 0x80) for packet in packets} == {0}
 
 
-@pytest.mark.parametrize(("baud", "real"), [(28800, 14400), (38400, 19200)])
-def test_old_firmware_is_checked_at_its_actual_baud_rate(baud: int, real: int) -> None:
+@pytest.mark.parametrize(("baud", "actual"), [(28800, 14400), (38400, 19200)])
+def test_old_firmware_is_checked_at_its_actual_baud_rate(baud: int, actual: int) -> None:
     old, new = trex("1.1", uart_settings=uart(baud)), trex("1.2", uart_settings=uart(baud))
-    in_use = Context(port_rates=[real], active_line=LineSettings(real))
-    assert [found.rule for found in lint(old, in_use)] == ["half_rate"]
-    assert [found.rule for found in lint(new, in_use)] == [
+    context = Context(port_rates=[actual], active_line=LineSettings(actual))
+    assert [finding.rule for finding in lint(old, context)] == ["half_rate"]
+    assert [finding.rule for finding in lint(new, context)] == [
         "rate_the_port_lacks",
         "line_will_change",
     ]
@@ -360,42 +368,43 @@ def test_old_firmware_is_checked_at_its_actual_baud_rate(baud: int, real: int) -
 
 
 @pytest.mark.parametrize(
-    ("rates", "used", "wanted"),
+    ("rates", "active", "proposed"),
     [
         ([], None, None),
         ([250_000], None, None),
         ([9600, 19200], None, 19200),
         ([115200], None, 115200),
         ([9600, 19200], LineSettings(9600), 9600),
-        ([9600, 19200], LineSettings(76800), "silent"),
+        ([9600, 19200], LineSettings(76800), "no finding"),
         ([19200, 38400, 57600], None, 57600),
     ],
 )
 def test_proposed_baud_rate_is_supported_by_port(
-    rates: list[int], used: LineSettings | None, wanted: int | str | None
+    rates: list[int], active: LineSettings | None, proposed: int | str | None
 ) -> None:
-    context = Context(port_rates=rates, active_line=used)
-    found = [
-        one
-        for one in lint(trex("1.0", uart_settings=uart(76800)), context)
-        if one.rule == "rate_the_port_lacks"
+    context = Context(port_rates=rates, active_line=active)
+    findings = [
+        finding
+        for finding in lint(trex("1.0", uart_settings=uart(76800)), context)
+        if finding.rule == "rate_the_port_lacks"
     ]
-    if wanted == "silent":
-        assert found == []
+    if proposed == "no finding":
+        assert findings == []
     else:
-        (one,) = found
-        assert one.change == ({} if wanted is None else {"uart_settings": uart(int(wanted))})
-        assert bool(one.proposal) == bool(one.change)
+        (finding,) = findings
+        change = {} if proposed is None else {"uart_settings": uart(int(proposed))}
+        assert finding.change == change
+        assert bool(finding.proposal) == bool(change)
 
 
 def test_next_faster_rate_is_proposed_without_slower_one() -> None:
     context = Context(port_rates=[115200, 9600, 19200])
-    (found,) = lint(trex(uart_settings=uart(2400)), context)
-    assert found.change == {"uart_settings": uart(9600)}
+    finding = only_finding(trex(uart_settings=uart(2400)), context)
+    assert finding.change == {"uart_settings": uart(9600)}
 
 
 def test_invalid_values_are_not_checked() -> None:
-    broken = Settings(
+    invalid = Settings(
         TREX_JR,
         "1.0",
         {
@@ -409,33 +418,33 @@ def test_invalid_values_are_not_checked() -> None:
         },
         {CalibrationKey.RC_CHANNEL_1: Calibration(9, 8, 7, 6)},
     )
-    assert lint(broken, Context(port_rates=[])) == ()
+    assert lint(invalid, Context(port_rates=[])) == ()
 
 
-# All rules, any settings
+# --- All rules, any settings -------------------------------------------------------------
 
 
-JUDGED = {key for found in EXAMPLES.values() for key in found[2].keys}
-JUDGED |= {key.replace("motor2", "motor1") for key in JUDGED}
-JUDGED |= {key.replace("motor1", "motor2") for key in JUDGED}
+CHECKED = {key for _, _, expected in EXAMPLES.values() for key in expected.keys}
+CHECKED |= {key.replace("motor2", "motor1") for key in CHECKED}
+CHECKED |= {key.replace("motor1", "motor2") for key in CHECKED}
 VALUES = {
-    # Small values and the ends are where the oddities are.
+    # Most findings concern small values.
     spec.key: st.sampled_from(sorted(spec.valid)[:3]) | st.sampled_from(sorted(spec.valid))
     for spec in factory().specs
-    if spec.key in JUDGED
+    if spec.key in CHECKED
 }
 
 
 @st.composite
 def any_unusual_settings(draw: st.DrawFn) -> Settings:
-    """Settings that often break rules."""
-    key = st.sampled_from(sorted(JUDGED & set(CALIBRATION_KEYS)))
+    """Settings that often have findings."""
+    key = st.sampled_from(sorted(CHECKED & set(CALIBRATION_KEYS)))
     calibrations = draw(st.dictionaries(key, any_calibration(), max_size=2))
     return Settings(
         product=draw(st.sampled_from([TREX, TREX_JR])),
         firmware=draw(st.sampled_from([None, "1.0", "1.2"])),
         parameters=draw(st.fixed_dictionaries({}, optional=VALUES)),
-        calibrations={CALIBRATION_KEYS[key]: found for key, found in calibrations.items()},
+        calibrations={CALIBRATION_KEYS[key]: value for key, value in calibrations.items()},
     )
 
 
@@ -452,32 +461,25 @@ def any_context(draw: st.DrawFn) -> Context:
     )
 
 
-def is_reported(found: LintFinding, after: tuple[LintFinding, ...]) -> bool:
-    """Return whether a finding is reported again."""
-    return any((one.rule, one.keys) == (found.rule, found.keys) for one in after)
-
-
 @thorough
-@given(given_settings=any_unusual_settings(), context=any_context())
-def test_any_proposal_is_valid_and_clears_its_finding(
-    given_settings: Settings, context: Context
+@given(settings=any_unusual_settings(), context=any_context())
+def test_any_proposal_is_valid_and_resolves_its_finding(
+    settings: Settings, context: Context
 ) -> None:
-    specs = given_settings.specs
-    findings, better = lint(given_settings, context), given_settings
-    order = [list(RULES).index(one.rule) for one in findings]
+    specs = settings.specs
+    findings, improved = lint(settings, context), settings
+    order = [list(RULES).index(finding.rule) for finding in findings]
     assert order == sorted(order)
-    for found in findings:
-        better = accept(better, found)
-        assert set(found.keys) <= {spec.key for spec in specs} | set(CALIBRATION_KEYS)
-        assert set(found.change) <= set(found.keys)
-        assert all(specs[key].problem(wire) is None for key, wire in found.change.items())
-        assert bool(found.change) == bool(found.proposal)
-        if found.change:
-            assert not is_reported(found, lint(accept(given_settings, found), context))
-    assert not any(found.change for found in lint(better, context))
-    turned = replace(
-        given_settings,
-        parameters=dict(reversed([*given_settings.parameters.items()])),
-        calibrations=dict(reversed([*given_settings.calibrations.items()])),
-    )
-    assert lint(turned, context) == findings
+    for finding in findings:
+        improved = accept(improved, finding)
+        assert set(finding.keys) <= {spec.key for spec in specs} | set(CALIBRATION_KEYS)
+        assert set(finding.change) <= set(finding.keys)
+        assert all(specs[key].problem(wire) is None for key, wire in finding.change.items())
+        assert bool(finding.change) == bool(finding.proposal)
+        if finding.change:
+            remaining = lint(accept(settings, finding), context)
+            assert (finding.rule, finding.keys) not in [
+                (other.rule, other.keys) for other in remaining
+            ]
+    assert not any(finding.change for finding in lint(improved, context))
+    assert lint(in_reverse_order(settings), context) == findings

@@ -1,10 +1,10 @@
-"""Reading of valid, mistaken and hostile files."""
+"""Reading of valid, invalid and hostile settings files."""
 
 import time
 
 import pytest
 
-from tests.devices.trex.settings.samples import TREX, TREX_JR, factory, refused
+from tests.devices.trex.settings.samples import TREX, TREX_JR, factory
 from trex_gui.core.files import LARGEST_FILE, SettingsError, Severity
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
 from trex_gui.devices.trex.protocol.device_table import device_table
@@ -17,22 +17,24 @@ EITHER_PRODUCT = "'product: TReX' or 'product: TReX Jr'"
 FOREIGN = "line 1: these are not settings of a TReX, which begin with 'product: TReX'"
 
 
-def only_finding(text: str | bytes) -> str:
-    """Return the only error of a file. Missing parameters do not count."""
-    errors = [f for f in refused(text).findings if f.severity is Severity.ERROR]
-    assert len(errors) == 1
-    return str(errors[0])
+def rejection_of(text: str | bytes) -> SettingsError:
+    """Return the error of a rejected file."""
+    with pytest.raises(SettingsError) as caught:
+        read_settings(text)
+    return caught.value
 
 
-def finding_of(setting: str) -> str:
-    """Return the finding on a setting in line 2."""
-    return only_finding(f"product: TReX\n{setting}\n")
+def only_error(text: str | bytes) -> str:
+    """Return the text of the only error. Warnings are ignored."""
+    findings = rejection_of(text).findings
+    (error,) = (finding for finding in findings if finding.severity is Severity.ERROR)
+    return str(error)
 
 
-# Good files
+# --- Valid files -------------------------------------------------------------------------
 
 
-def test_partial_file_is_read_and_missing_parameters_counted() -> None:
+def test_partial_file_is_read_with_count_of_missing_parameters() -> None:
     text = "product: TReX Jr\nfirmware: 1.2\nserial_timeout: 5\nmotor_mode: 1\n"
     settings, findings = read_settings(text)
     assert settings == Settings(TREX_JR, "1.2", {"serial_timeout": 5, "motor_mode": 1})
@@ -63,7 +65,7 @@ def test_unknown_firmware_gives_warning() -> None:
     assert str(findings[0]) == expected
 
 
-# Mistakes
+# --- Invalid files -----------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -151,12 +153,12 @@ def test_unknown_firmware_gives_warning() -> None:
     ],
 )
 def test_invalid_setting_is_reported_with_line_and_reason(setting: str, sentence: str) -> None:
-    assert finding_of(setting) == f"line 2: {sentence}"
+    assert only_error(f"product: TReX\n{setting}\n") == f"line 2: {sentence}"
 
 
 def test_repeated_setting_is_reported_with_first_line() -> None:
     text = "product: TReX\nserial_timeout: 5\n\nserial_timeout: 5\n"
-    assert only_finding(text) == "line 4: serial_timeout: was given in line 2 already"
+    assert only_error(text) == "line 4: serial_timeout: was given in line 2 already"
 
 
 @pytest.mark.parametrize(
@@ -189,7 +191,7 @@ def test_repeated_setting_is_reported_with_first_line() -> None:
     ],
 )
 def test_file_must_begin_with_known_product(text: str, sentence: str) -> None:
-    assert only_finding(text) == sentence
+    assert only_error(text) == sentence
 
 
 def test_tabs_that_yaml_allows_are_read() -> None:
@@ -204,7 +206,7 @@ def test_tabs_that_yaml_allows_are_read() -> None:
 
 def test_parameter_of_newer_firmware_is_reported() -> None:
     text = "product: TReX Jr\nfirmware: 1.1\nuart_response_delay: 0\n"
-    assert only_finding(text) == (
+    assert only_error(text) == (
         "line 3: uart_response_delay: a TReX Jr has it from firmware 1.2 on, these are for 1.1"
     )
 
@@ -213,7 +215,7 @@ def test_parameter_of_other_product_is_reported(monkeypatch: pytest.MonkeyPatch)
     rows = {row["key"]: row for row in device_table().rows}
     monkeypatch.setitem(rows["uart_response_delay"], "models", ["trex"])
     text = "product: TReX Jr\nfirmware: 1.1\nuart_response_delay: 0\n"
-    assert only_finding(text) == (
+    assert only_error(text) == (
         "line 3: uart_response_delay: a TReX Jr does not have it, whatever its firmware"
     )
 
@@ -223,17 +225,17 @@ def test_all_findings_are_reported_in_line_order() -> None:
         "firmware: 1.2\nproduct: trex\nspeed: 1\nserial_timeout: 300\nmotor_mode: 1\n"
         "motor_mode: 1\nrc_channel_1:\n  minimum: x\n  neutral: 2\n  maximum: y\n  deadband: 0"
     )
-    error = refused(text)
-    assert [found.line for found in error.findings] == [2, 2, 3, 4, 6, 8, 10, 11, None]
-    keys = [found.key for found in error.findings]
+    error = rejection_of(text)
+    assert [finding.line for finding in error.findings] == [2, 2, 3, 4, 6, 8, 10, 11, None]
+    keys = [finding.key for finding in error.findings]
     assert keys[2:7] == ["speed", "serial_timeout", "motor_mode", "rc_channel_1", "rc_channel_1"]
-    kinds = [found.severity for found in error.findings]
-    assert kinds == [Severity.ERROR] * 7 + [Severity.WARNING] * 2
+    severities = [finding.severity for finding in error.findings]
+    assert severities == [Severity.ERROR] * 7 + [Severity.WARNING] * 2
 
 
-def test_findings_carry_codes_for_programs() -> None:
+def test_findings_have_codes_for_programs() -> None:
     text = "product: TReX\nserial_timeot: 1\nserial_timeout: 300\nrc_channel_1: {minimum: 1}"
-    codes = [found.code for found in refused(text).findings]
+    codes = [finding.code for finding in rejection_of(text).findings]
     assert codes == [
         "key_unknown",
         "value_invalid",
@@ -253,7 +255,7 @@ def test_error_contains_file_name() -> None:
     assert str(caught.value).splitlines() == ["bench.txt:", *map(str, caught.value.findings)]
 
 
-# Hostile files
+# --- Hostile files -----------------------------------------------------------------------
 
 
 BOMB = "product: TReX\na: &a [1, 1]\nb: &b [*a, *a, *a]\nc: [*b, *b, *b]\n"
@@ -272,7 +274,7 @@ BOMB = "product: TReX\na: &a [1, 1]\nb: &b [*a, *a, *a]\nc: [*b, *b, *b]\n"
         ("product: TReX\n--- \nproduct: TReX\n", 2, "a second document"),
         ("[" * 5000, 1, "nested too deeply"),
         ("product: TReX\nx: " + "{a: " * 5000, 2, "nested too deeply"),
-        ("product: TReX\nx: [[[ 'no end\n", 2, "nested too deeply"),  # refused where it is found
+        ("product: TReX\nx: [[[ 'no end\n", 2, "nested too deeply"),  # the open quote comes later
         ("- " * 5000, 1, "nested too deeply"),
         ("? " * 5000, 1, "nested too deeply"),
         ("product: TReX\nx: [" + "1, " * 60000 + "]\n", 2, "more settings here than any board"),
@@ -295,14 +297,14 @@ BOMB = "product: TReX\na: &a [1, 1]\nb: &b [*a, *a, *a]\nc: [*b, *b, *b]\n"
 def test_unsupported_content_is_rejected_with_its_line(
     text: str | bytes, line: int, words: str
 ) -> None:
-    (found,) = refused(text).findings
-    assert words in found.message
-    assert found.line == line
+    (finding,) = rejection_of(text).findings
+    assert words in finding.message
+    assert finding.line == line
 
 
 @pytest.mark.parametrize("text", ["#" * (LARGEST_FILE + 1), b"#" * (LARGEST_FILE + 1)])
 def test_oversized_file_is_rejected_before_parsing(text: str | bytes) -> None:
-    assert only_finding(text) == "is larger than 256 KiB; settings are never that large"
+    assert only_error(text) == "is larger than 256 KiB; settings are never that large"
 
 
 def test_file_of_maximum_size_is_read() -> None:
@@ -311,22 +313,22 @@ def test_file_of_maximum_size_is_read() -> None:
     assert settings == Settings(TREX)
 
 
-def test_many_mistakes_are_reported_quickly_and_briefly() -> None:
+def test_many_errors_are_reported_quickly_and_briefly() -> None:
     count = 500
     text = "product: TReX\n" + "".join(f"serial_timeot_{n}: 1\n" for n in range(count))
-    begun = time.process_time()  # what others do with the computer does not count
-    error = refused(text)
-    assert time.process_time() - begun < 5
+    start = time.process_time()  # excludes the time of other processes
+    error = rejection_of(text)
+    assert time.process_time() - start < 5
     assert len(error.findings) <= MAX_FINDINGS + 2
     assert str(error.findings[-1]) == f"{count - MAX_FINDINGS} more errors are not listed"
 
 
 def test_long_names_and_values_are_shortened_in_messages() -> None:
     long = "x" * 50_000
-    error = refused(f"product: TReX\n? {long}\n: 1\nserial_timeout: {long}\n")
+    error = rejection_of(f"product: TReX\n? {long}\n: 1\nserial_timeout: {long}\n")
     assert len(str(error)) < 500
 
 
 def test_messages_contain_no_control_characters() -> None:
-    error = refused('product: TReX\n"\\e[2J": 1\nserial_timeout: "\\e[2J\\n"\n')
+    error = rejection_of('product: TReX\n"\\e[2J": 1\nserial_timeout: "\\e[2J\\n"\n')
     assert all(line.isprintable() for line in str(error).split("\n"))

@@ -14,7 +14,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 
 def state_of(mode: Mode = Mode.SERIAL_RC, **changes: int) -> DeviceState:
-    """Return the state of a new board with these other values."""
+    """Return the state of a new TReX Jr with changed values."""
     return DeviceState(
         signature=Signature(device_table().model("trexjr"), "1.2"),
         mode=mode,
@@ -43,5 +43,5 @@ def test_device_state_is_saved_and_read_back() -> None:
     assert read_settings(write_settings(settings)) == (settings, ())
 
 
-def test_snapshot_keeps_invalid_value() -> None:
+def test_invalid_value_of_board_is_retained() -> None:
     assert settings_of(state_of(uart_settings=15)).parameters["uart_settings"] == 15

@@ -1,4 +1,4 @@
-"""Text of settings files."""
+"""Text of written settings files."""
 
 from dataclasses import replace
 
@@ -20,9 +20,8 @@ def test_notes_are_comments_above_their_settings() -> None:
         "rc_channel_2": "new stick",
         "motor_mode": "two motors",
     }
-    given = factory()
-    parameters = {key: given.parameters[key] for key in ("device_number", "serial_timeout")}
-    settings = replace(given, parameters=parameters, notes=notes)
+    parameters = {"device_number": 7, "serial_timeout": 0}
+    settings = replace(factory(), parameters=parameters, notes=notes)
     text = write_settings(settings)
     assert "device_number: 7\n# Note on serial_timeout: radio drops out\n" in text
     assert "# Note on serial_timeout: see the log of 3 May\nserial_timeout: 0 " in text
@@ -31,15 +30,15 @@ def test_notes_are_comments_above_their_settings() -> None:
     assert read_settings(text)[0] == settings
 
     for line in ("# note on serial_timeout: x", "#Note on motor_mode: x", "# Note on speed: x"):
-        assert read_settings(f"{text}{line}\n")[0] == settings, "a comment like any other"
-    changed = replace(settings, notes={"serial_timeout": "no", "device_number": "left one"})
+        assert read_settings(f"{text}{line}\n")[0] == settings, "the line is an ordinary comment"
+    changed = replace(settings, notes={"serial_timeout": "no", "device_number": "left arm"})
     amended = amend(text, changed)
-    assert "# Note on device_number: left one\ndevice_number: 7" in amended
+    assert "# Note on device_number: left arm\ndevice_number: 7" in amended
     assert "# Note on serial_timeout: no\nserial_timeout: 0 " in amended
     assert amended.count("# Note on") == 2
 
 
-def test_file_without_firmware_and_settings_is_one_line() -> None:
+def test_file_without_firmware_and_settings_has_one_line() -> None:
     assert write_settings(Settings(TREX_JR)) == "product: TReX Jr\n"
 
 
@@ -56,7 +55,7 @@ def test_standard_yaml_parser_reads_same_values() -> None:
 
 
 @pytest.mark.parametrize("line", ["a\nproduct: Tic", "\x00\x1b[2J", "\ud800", "a\u2028b", "\t%"])
-def test_title_cannot_become_setting_or_damage_file(line: str) -> None:
+def test_title_is_written_only_as_comment(line: str) -> None:
     text = write_settings(factory(), title_lines=["bench", line, ""])
     assert text.startswith("product: TReX\n# bench\n")
     assert read_settings(text.encode("utf-8")) == (factory(), ())
@@ -66,16 +65,18 @@ def test_invalid_value_is_written_as_comment() -> None:
     settings = factory()
     broken = Calibration(0xFFFF, 0xFFFF, 0xFFFF, 0xFFFF)
     key = CalibrationKey.RC_CHANNEL_2
-    unexpected = replace(
+    invalid = replace(
         settings,
         parameters={**settings.parameters, "uart_settings": 12},
         calibrations={**settings.calibrations, key: broken},
     )
-    text = write_settings(unexpected)
+    text = write_settings(invalid)
     assert "\n# uart_settings: 12  # left out: " in text
     assert "\n# rc_channel_2: {minimum: 65535, " in text
     read, findings = read_settings(text)
-    assert [found.message for found in findings] == ["1 of 28 parameters is missing: uart_settings"]
+    assert [finding.message for finding in findings] == [
+        "1 of 28 parameters is missing: uart_settings"
+    ]
     assert "uart_settings" not in read.parameters
     assert key not in read.calibrations
     assert len(read.calibrations) == len(CALIBRATION_KEYS) - 1
