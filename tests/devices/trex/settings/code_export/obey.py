@@ -1,4 +1,7 @@
-"""Exported Python program that obeys lines on standard input: obey.py PROGRAM PORT."""
+"""Call functions of an exported Python program by lines on standard input.
+
+Usage: obey.py PROGRAM PORT
+"""
 
 import importlib.util
 import sys
@@ -39,14 +42,14 @@ def obey(module: Any, trex: Any, word: str, a: int, b: int) -> None:
         case "stop":
             trex.stop()
         case "status":
-            say(trex.status())
+            print_line(trex.status())
         case "currents":
-            say(*(round(ampere * 1000) for ampere in trex.currents()))
+            print_line(*(round(ampere * 1000) for ampere in trex.currents()))
 
 
-def say(*words: object) -> None:
-    """Print a line without buffering."""
-    sys.stdout.write(" ".join(map(str, words)) + "\n")
+def print_line(*values: object) -> None:
+    """Print a line at once."""
+    sys.stdout.write(" ".join(map(str, values)) + "\n")
     sys.stdout.flush()
 
 
@@ -58,5 +61,5 @@ if __name__ == "__main__":
         try:
             obey(module, trex, word, int(a), int(b))
         except module.TrexError as error:
-            say(error)
-        say("done")
+            print_line(error)
+        print_line("done")

@@ -1,4 +1,4 @@
-"""Exported programs, and simulated boards for them."""
+"""Exported programs, and simulated boards on which they run."""
 
 import functools
 import re
@@ -24,22 +24,16 @@ from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.simulator.memory import Eeprom
 
 HERE = Path(__file__).parent
-LANGUAGES = tuple(Language)
-LANGUAGE_NAMES = [language.value for language in LANGUAGES]
-SECONDS = 50
-"""How long a program may take on a busy machine."""
-
-LONG_TIMEOUT = 10
-"""Seconds for which a program that is made ready here waits for an answer: a simulator may stand
-still for longer than the second that a board never needs."""
+TIMEOUT = 50  # seconds for a program or compiler on a busy computer
+REPLY_TIMEOUT = 10  # seconds; a simulator on a busy computer may pause for over one second
 
 WARNINGS = ("-Wall", "-Wextra", "-Werror")
-# The oldest that cores for Arduino boards ask for.
+# The oldest standard of cores for Arduino boards.
 CPP = ("g++", "-std=gnu++11", *WARNINGS, f"-I{HERE / 'arduino'}")
 
 DEVICE = 11
 POLYNOMIAL = 0x91
-WANTED = {
+CHANGED = {
     "required_channels": 3,
     "serial_timeout": 120,
     "motor1_acceleration": 127,
@@ -47,7 +41,7 @@ WANTED = {
     "motor1_current_limit": 60,
     "motor_mode": 1,
 }
-"""What the exported settings have other than the factory's."""
+"""Exported parameters that differ from the defaults."""
 
 CALIBRATIONS = {
     CalibrationKey.RC_CHANNEL_2: Calibration(2511, 3661, 4999, 88),
@@ -67,24 +61,28 @@ def link(
     return ConnectionSettings("unused", line, device if expanded else None, POLYNOMIAL)
 
 
-def settings_for(link: ConnectionSettings, model: str = "trex", **wanted: int) -> Settings:
-    """Return settings with some values that are no defaults. The line does not change."""
-    as_new = factory(model)
+def settings_for(link: ConnectionSettings, model: str = "trex", **parameters: int) -> Settings:
+    """Return settings that differ from the defaults, with the line settings of the connection."""
+    defaults = factory(model)
     line = {
         "device_number": DEVICE if link.device_number is None else link.device_number,
         "crc7_polynomial": link.polynomial & 0x7F,
         "uart_settings": link.line.to_wire(),
     }
-    rc = {place: c for place, c in as_new.calibrations.items() if place.source is InputSource.RC}
+    rc = {
+        key: calibration
+        for key, calibration in defaults.calibrations.items()
+        if key.source is InputSource.RC
+    }
     return replace(
-        as_new,
-        parameters={**as_new.parameters, **line, **WANTED, **wanted},
+        defaults,
+        parameters={**defaults.parameters, **line, **CHANGED, **parameters},
         calibrations=rc | CALIBRATIONS,
     )
 
 
 class Board:
-    """Simulated board that several tests use in turn."""
+    """Simulated board that several tests reuse."""
 
     def __init__(self, memory: Path, *arguments: str) -> None:
         self._simulator = SimulatorProcess(*arguments, "--eeprom", str(memory))
@@ -124,19 +122,22 @@ class Board:
     def motors(self) -> tuple[int, int]:
         """Signed speeds of the motors. A braking motor has 0."""
         signs = {"forward": 1, "reverse": -1, "brake": 0}
-        first, second = (signs[m["direction"]] * m["speed"] for m in self.show()["motors"])
+        first, second = (
+            signs[motor["direction"]] * motor["speed"] for motor in self.show()["motors"]
+        )
         return first, second
 
     @property
     def braking(self) -> tuple[int, int]:
-        """Braking duty of each motor. -1 without braking."""
+        """Braking duty of each motor, or -1 for a motor that does not brake."""
         first, second = (
-            m["speed"] if m["direction"] == "brake" else -1 for m in self.show()["motors"]
+            motor["speed"] if motor["direction"] == "brake" else -1
+            for motor in self.show()["motors"]
         )
         return first, second
 
     def has(self, settings: Settings) -> bool:
-        """Return whether the board stores all these settings."""
+        """Return whether the board has stored all these settings."""
         stored = self.show()["parameters"]
         memory = Eeprom.open(self._memory, settings.product.key)
         return all(stored[key] == wire for key, wire in settings.parameters.items()) and all(
@@ -146,14 +147,14 @@ class Board:
 
 
 class Boards:
-    """Boards that tests share, because a start takes a third of a second."""
+    """Boards that tests share, because a simulator takes a third of a second to start."""
 
     def __init__(self, folder: Path) -> None:
         self._folder = folder
         self._boards: dict[tuple[str, ...], Board] = {}
 
     def board(self, link: ConnectionSettings, model: str = "trex", *arguments: str) -> Board:
-        """Return a new board with these line settings."""
+        """Return a board with default values and these line settings."""
         key = ("--model", model, *(arguments or ("--unpaced",)))
         if key not in self._boards:
             self._boards[key] = Board(self._folder / f"{len(self._boards)}.json", *key)
@@ -170,47 +171,50 @@ class Program:
     """Exported program with its command lines.
 
     Attributes:
-        command: runs the program, up to the name of the port.
-        drive: further arguments to drive.
-        obey: runs the program by lines on standard input, up to the name of the port.
-        behind: further arguments of `obey`.
+        command: command that runs the program, without the port.
+        interactive: command that runs the program by lines on standard input, without the port.
+        drive: arguments after the port that let the program drive.
+        interactive_options: arguments after the port of `interactive`.
     """
 
     command: tuple[str, ...]
-    obey: tuple[str, ...]
+    interactive: tuple[str, ...]
     drive: tuple[str, ...] = ()
-    behind: tuple[str, ...] = ()
+    interactive_options: tuple[str, ...] = ()
 
     def run(self, port: str, *, drive: bool = False) -> subprocess.CompletedProcess[str]:
-        """Run the program to its end. `stdout` also has the errors."""
+        """Run the program to its end. `stdout` includes the errors."""
         return subprocess.run(
             [*self.command, port, *(self.drive if drive else ())],
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,
-            timeout=SECONDS,
+            timeout=TIMEOUT,
             check=False,
         )
 
     def start(self, port: str) -> subprocess.Popen[str]:
-        """Start the program to drive."""
+        """Start the program, and let it drive."""
         command = [*self.command, port, *self.drive]
         return subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+
+
+every_language = pytest.mark.parametrize("language", list(Language), ids=lambda code: code.value)
 
 
 def compile_(command: Sequence[str]) -> None:
     """Run a compiler with warnings as errors. Skip the test without a compiler."""
     if shutil.which(command[0]) is None:
-        pytest.skip(f"{command[0]} is not installed, which compiles exported programs")
-    done = subprocess.run(command, capture_output=True, text=True, timeout=SECONDS, check=False)
-    assert done.returncode == 0, done.stderr
+        pytest.skip(f"the compiler {command[0]} is not installed")
+    result = subprocess.run(command, capture_output=True, text=True, timeout=TIMEOUT, check=False)
+    assert result.returncode == 0, result.stderr
 
 
-def exported(
-    folder: Path, settings: Settings, link: ConnectionSettings, language: Language, text: str = ""
+def export_to_file(
+    folder: Path, settings: Settings, link: ConnectionSettings, language: Language
 ) -> Path:
     path = folder / file_name(settings, language)
-    path.write_text(text or export_code(settings, link, language), encoding="ascii")
+    path.write_text(export_code(settings, link, language), encoding="ascii")
     return path
 
 
@@ -221,26 +225,26 @@ def prepared_program(
     language: Language,
     *,
     drive: bool = False,
-    extra_time: int = LONG_TIMEOUT,
+    timeout: int = REPLY_TIMEOUT,
 ) -> Program:
     """Export settings, and compile the program if necessary.
 
-    The text of an Arduino sketch is changed to drive. The timeout of every program is changed.
+    Changes the timeout of the program in seconds. Changes an Arduino sketch that is to drive.
     """
-    path = exported(folder, settings, link, language)
-    text, number = re.subn(
+    path = export_to_file(folder, settings, link, language)
+    text, count = re.subn(
         r"(?m)^(TIMEOUT = |#define TREX_TIMEOUT_MS )1(\.0|000) ",
-        rf"\g<1>{extra_time}\g<2> ",
+        rf"\g<1>{timeout}\g<2> ",
         path.read_text(encoding="ascii"),
     )
-    assert number == 1
+    assert count == 1
     path.write_text(text, encoding="ascii")
-    some = ["-DWITH_SETTINGS"] if settings.parameters and settings.calibrations else []
+    options = ["-DWITH_SETTINGS"] if settings.parameters and settings.calibrations else []
     match language:
         case Language.PYTHON:
             python = (sys.executable, "-W", "error")
-            obey = (*python, str(HERE / "obey.py"), str(path))
-            return Program((*python, str(path)), obey, ("--drive",))
+            interactive = (*python, str(HERE / "obey.py"), str(path))
+            return Program((*python, str(path)), interactive, ("--drive",))
         case Language.ARDUINO:
             text = path.read_text(encoding="ascii")
             assert "#define TREX_DRIVE_DEMO 0 " in text
@@ -249,13 +253,13 @@ def prepared_program(
                 path.write_text(text, encoding="ascii")
             program, core = str(folder / "program"), str(arduino_core(folder.parent))
             main = str(HERE / "arduino" / "main.cpp")
-            compile_([*CPP, f'-DSKETCH="{path}"', *some, main, core, "-o", program])
-            return Program((program,), (program,), behind=("--obey",))
+            compile_([*CPP, f'-DSKETCH="{path}"', *options, main, core, "-o", program])
+            return Program((program,), (program,), interactive_options=("--obey",))
 
 
 @functools.cache
 def arduino_core(folder: Path) -> Path:
-    """Compile the part of the stub that all sketches share."""
+    """Compile the stub of the Arduino core, which all sketches share."""
     core = folder / "core.o"
     compile_([*CPP, "-c", str(HERE / "arduino" / "core.cpp"), "-o", str(core)])
     return core
@@ -268,7 +272,7 @@ class InteractiveProgram:
         self._process = process
 
     def do(self, word: str, a: int = 0, b: int = 0) -> list[str]:
-        """Call a function and return its lines."""
+        """Call a function. Return the printed lines."""
         assert self._process.stdin is not None
         assert self._process.stdout is not None
         self._process.stdin.write(f"{word} {a} {b}\n")
@@ -283,8 +287,8 @@ class InteractiveProgram:
 @contextmanager
 def interactive_program(program: Program, port: str) -> Iterator[InteractiveProgram]:
     """Start a program that executes the calls of a test."""
-    command = [*program.obey, port, *program.behind]
-    # On leaving, its input ends, and so does it.
+    command = [*program.interactive, port, *program.interactive_options]
+    # The end of the block closes the input, which ends the program.
     with subprocess.Popen(
         command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
     ) as process:

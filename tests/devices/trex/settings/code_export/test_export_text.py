@@ -14,9 +14,8 @@ from hypothesis import strategies as st
 
 from tests.devices.trex.settings.code_export.programs import (
     HERE,
-    LANGUAGE_NAMES,
-    LANGUAGES,
     compile_,
+    every_language,
     link,
     settings_for,
 )
@@ -34,8 +33,6 @@ from trex_gui.devices.trex.protocol.parameters import parameters_of
 from trex_gui.devices.trex.settings.code_export import export_code, file_name
 from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.version import __version__
-
-every_language = pytest.mark.parametrize("language", LANGUAGES, ids=LANGUAGE_NAMES)
 
 LONGEST_LINE = 100
 
@@ -73,7 +70,7 @@ def test_exported_text_matches_golden_file(name: str, text: str, tmp_path: Path)
 
 @examples(15)
 @given(settings=any_settings(), line=any_link())
-def test_exported_text_is_short_ascii_lines_without_gaps(
+def test_exported_text_has_short_ascii_lines_without_gaps(
     settings: Settings, line: ConnectionSettings
 ) -> None:
     for language in Language:
@@ -99,7 +96,7 @@ def test_exported_python_parses_in_3_8_and_has_all_values(
             table[node.targets[0].id] = node.value
     specs = parameters_of(settings.product.key, settings.firmware or "1.3")
     exported = {
-        specs.number(number).key: wire  # type: ignore[union-attr]  # all of them are known
+        specs.number(number).key: wire  # type: ignore[union-attr]
         for number, wire, _ in ast.literal_eval(table.get("PARAMETERS", ast.List([])))
     }
     assert exported == settings.parameters
@@ -112,8 +109,8 @@ def test_exported_python_parses_in_3_8_and_has_all_values(
 
 
 def test_exported_python_passes_ruff(tmp_path: Path) -> None:
-    every = itertools.product((False, True), (False, True), (11, 12))
-    for index, (expanded, crc, number) in enumerate(every):
+    variants = itertools.product((False, True), (False, True), (11, 12))
+    for index, (expanded, crc, number) in enumerate(variants):
         line = link(expanded=expanded, crc=crc)
         text = export_code(settings_for(line, device_number=number), line, Language.PYTHON)
         (tmp_path / f"board_{index}.py").write_text(text, encoding="ascii")
@@ -123,15 +120,15 @@ def test_exported_python_passes_ruff(tmp_path: Path) -> None:
         [*ruff, "check", "--select", "A,B,C4,E,F,I,N,PIE,RET,RUF,SIM,UP,W", *style, str(tmp_path)],
         [*ruff, "format", "--diff", *style, str(tmp_path)],
     ):
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-        assert done.returncode == 0, done.stdout
+        result = subprocess.run(command, capture_output=True, text=True, check=False)
+        assert result.returncode == 0, result.stdout
 
 
-# --- What stands in it
+# --- Content -----------------------------------------------------------------------------
 
 
 @every_language
-def test_export_contains_only_what_framing_needs(language: Language) -> None:
+def test_export_contains_only_code_of_its_framing(language: Language) -> None:
     settings = settings_for(link())
     compact = export_code(settings, link(), language)
     assert "crc7" not in compact
@@ -165,32 +162,32 @@ def test_communication_parameters_are_exported_last(language: Language) -> None:
 
 @every_language
 def test_header_names_board_and_warns_of_running_motors(language: Language) -> None:
-    def head(**parameters: int) -> str:
+    def header(**parameters: int) -> str:
         text = export_code(Settings(TREX_JR, "1.2", parameters), link(), language)
-        words = re.sub(r"^[ *]+", "", text[:2200], flags=re.MULTILINE)
-        return re.sub(r"\s+", " ", words)
+        plain_text = re.sub(r"^[ *]+", "", text[:2200], flags=re.MULTILINE)
+        return re.sub(r"\s+", " ", plain_text)
 
-    assert f"Written by TReX Studio {__version__} for a TReX Jr with firmware 1.2" in head()
-    assert "mode jumper" in head()
-    assert "keep running" in head()
-    assert "unless Serial Timeout and UART-Error Shutdown (twin) are set on the board" in head()
-    off = head(serial_timeout=0)
-    assert "Serial Timeout (parameter 0x07) is off" in off
-    assert "UART-Error Shutdown (parameter 0x08; twin), it should stop them" in off
-    assert "it may need UART-Error Shutdown" in head(serial_timeout=15, uart_error_shutdown=0)
-    assert "received nothing for 1.5 s" in head(serial_timeout=15, uart_error_shutdown=1)
+    assert f"Written by TReX Studio {__version__} for a TReX Jr with firmware 1.2" in header()
+    assert "mode jumper" in header()
+    assert "keep running" in header()
+    assert "unless Serial Timeout and UART-Error Shutdown (twin) are set on the board" in header()
+    timeout_off = header(serial_timeout=0)
+    assert "switch Serial Timeout (parameter 0x07) off" in timeout_off
+    assert "UART-Error Shutdown (parameter 0x08; twin) should stop them" in timeout_off
+    assert "it may need UART-Error Shutdown" in header(serial_timeout=15, uart_error_shutdown=0)
+    assert "heard nothing for 1.5 s" in header(serial_timeout=15, uart_error_shutdown=1)
 
 
 @every_language
 def test_changed_line_settings_are_announced(language: Language) -> None:
     def announced(line: ConnectionSettings, **parameters: int) -> str:
         text = export_code(Settings(TREX, "1.2", parameters), line, language)
-        found = re.search(r"speaks at (.*)\.", text)
-        return found[1] if found else ""
+        match = re.search(r"speaks at (.*)\.", text)
+        return match[1] if match else ""
 
     fast = LineSettings(115200, Detection.CRC7)
     assert not announced(link(), uart_settings=5)
-    assert not announced(link(), crc7_polynomial=0x33)  # without CRC nobody minds
+    assert not announced(link(), crc7_polynomial=0x33)  # has no effect without CRC
     assert not announced(link(crc=True), uart_settings=0x25, crc7_polynomial=0x11)
     assert announced(link(), uart_settings=0x0A) == "115200 baud, no error detection, 1 stop bit"
     assert announced(link(crc=True), crc7_polynomial=0x09).endswith("polynomial 0x89")
@@ -198,7 +195,7 @@ def test_changed_line_settings_are_announced(language: Language) -> None:
 
 
 @every_language
-def test_invalid_values_are_reported_and_left_out(language: Language) -> None:
+def test_invalid_values_are_reported_and_omitted(language: Language) -> None:
     settings = Settings(
         TREX,
         "1.2",
@@ -227,32 +224,32 @@ def test_file_is_named_after_board_and_language() -> None:
 
 @pytest.mark.parametrize("model", [TREX, TREX_JR], ids=["trex", "trexjr"])
 def test_power_cycle_parameters_have_highest_numbers(model: Model) -> None:
-    waiting = [spec.needs_power_cycle for spec in Settings(model).specs]
-    assert waiting == sorted(waiting)
+    flags = [spec.needs_power_cycle for spec in Settings(model).specs]
+    assert flags == sorted(flags)
 
 
-# --- Odd characters
+# --- Special characters ------------------------------------------------------------------
 
-ODD = '*/ "??/ \\ µΩ\n# /* %d {x} """ \' \x00 \u202e @baud@ \\'
+SPECIAL = '*/ "??/ \\ µΩ\n# /* %d {x} """ \' \x00 \u202e @baud@ \\'
 
 
 @pytest.mark.parametrize(
-    "unexpected", ["*/", "/*", "a*/*b", "??/", "????=", "\\", '"', "\n", "\r", "\0"]
+    "unsafe", ["*/", "/*", "a*/*b", "??/", "????=", "\\", '"', "\n", "\r", "\0"]
 )
-def test_plain_removes_characters_unsafe_in_code(unexpected: str) -> None:
-    shown = plain(f"before{unexpected}after")
-    assert shown.isascii()
-    assert shown.isprintable()
-    assert not re.search(r'\*/|/\*|\?\?|"|\\', shown)
-    assert shown.startswith("before")
-    assert shown.endswith("after")
+def test_plain_removes_characters_unsafe_in_code(unsafe: str) -> None:
+    code = plain(f"before{unsafe}after")
+    assert code.isascii()
+    assert code.isprintable()
+    assert not re.search(r'\*/|/\*|\?\?|"|\\', code)
+    assert code.startswith("before")
+    assert code.endswith("after")
 
 
 @given(st.text())
 def test_plain_is_safe_and_idempotent_for_any_text(text: str) -> None:
-    shown = plain(text)
-    assert not re.search(r'[^ -~]|\*/|/\*|\?\?|"|\\', shown)
-    assert plain(shown) == shown
+    code = plain(text)
+    assert not re.search(r'[^ -~]|\*/|/\*|\?\?|"|\\', code)
+    assert plain(code) == code
 
 
 def test_plain_keeps_units_readable() -> None:
@@ -261,14 +258,14 @@ def test_plain_keeps_units_readable() -> None:
 
 @every_language
 def test_code_compiles_with_special_characters_in_names(language: Language, tmp_path: Path) -> None:
-    product = replace(TREX, name=ODD)
-    settings = replace(factory(), product=product, firmware=f"1.2.{ODD}")
+    product = replace(TREX, name=SPECIAL)
+    settings = replace(factory(), product=product, firmware=f"1.2.{SPECIAL}")
     text = export_code(settings, link(), language)
     path = tmp_path / file_name(settings, language)
     path.write_text(text, encoding="ascii")
     match language:
         case Language.PYTHON:
-            compile(text, "odd", "exec")
+            compile(text, file_name(settings, language), "exec")
         case Language.ARDUINO:
             includes = ["-I", str(HERE / "arduino"), "-include", "Arduino.h"]
             warnings = ["-Wall", "-Wextra", "-Werror"]

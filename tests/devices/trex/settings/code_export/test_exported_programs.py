@@ -1,6 +1,6 @@
 """Exported programs on a simulated board.
 
-The quick tests run each language once through all its functions. The other tests take long.
+The quick tests call each function once in each language. The other tests are slow.
 """
 
 import itertools
@@ -15,16 +15,15 @@ import pytest
 
 from tests.devices.trex.settings.code_export.programs import (
     CALIBRATIONS,
+    CHANGED,
     CPP,
     HERE,
-    LANGUAGE_NAMES,
-    LANGUAGES,
-    WANTED,
     Board,
     Boards,
     Program,
     compile_,
-    exported,
+    every_language,
+    export_to_file,
     interactive_program,
     link,
     prepared_program,
@@ -41,9 +40,7 @@ from trex_gui.devices.trex.settings.document import Settings
 pytestmark = pytest.mark.realtime
 
 if sys.platform == "win32":
-    pytest.skip("has no pseudo-terminals", allow_module_level=True)
-
-every_language = pytest.mark.parametrize("language", LANGUAGES, ids=LANGUAGE_NAMES)
+    pytest.skip("Windows has no pseudo-terminals", allow_module_level=True)
 
 
 @pytest.fixture(scope="module")
@@ -53,36 +50,36 @@ def boards(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Boards]:
     boards.end()
 
 
-def watched(program: Program, board: Board) -> tuple[set[tuple[int, int]], str]:
-    """Let a program drive. Return the speeds of the motors, and its output.
+def run_demonstration(program: Program, board: Board) -> tuple[set[tuple[int, int]], str]:
+    """Let a program drive. Return the speeds of the motors, and the output.
 
-    A busy computer may miss half a second of movement, so a second run is possible.
+    Repeats the run if a busy computer misses half a second of movement.
     """
-    seen = set()
+    speeds = set()
     for _ in range(10):
         with program.start(board.url) as process:
             while process.poll() is None:
-                seen.add(board.motors)
+                speeds.add(board.motors)
                 time.sleep(0.03)
             assert process.stdout is not None
-            said = process.stdout.read()
-        assert process.returncode == 0, said
-        if {(20, 0), (0, 20)} <= seen:
+            output = process.stdout.read()
+        assert process.returncode == 0, output
+        if {(20, 0), (0, 20)} <= speeds:
             break
-    return seen, said
+    return speeds, output
 
 
 def check_that_ctrl_c_stops_motors(program: Program, board: Board) -> None:
-    for _ in range(10):  # a busy computer may look away while it drives
+    for _ in range(10):  # a busy computer may miss the movement
         with program.start(board.url) as process:
-            while not (drives := board.motors == (20, 0)) and process.poll() is None:
+            while not (driven := board.motors == (20, 0)) and process.poll() is None:
                 time.sleep(0.01)
             process.send_signal(signal.SIGINT)
             process.communicate(timeout=30)
-        if drives:
+        if driven:
             break
-    assert drives
-    assert becomes(lambda: board.braking, (127, 127))  # it may hear of it behind the end
+    assert driven
+    assert becomes(lambda: board.braking, (127, 127))  # the stop may arrive after the end
 
 
 @pytest.mark.parametrize(
@@ -90,7 +87,7 @@ def check_that_ctrl_c_stops_motors(program: Program, board: Board) -> None:
     sampled(itertools.product((True, False), (True, False), ("trex", "trexjr")), every=8),
 )
 @every_language
-def test_program_applies_settings_once_and_has_every_drive_command(
+def test_program_applies_settings_once_and_sends_all_commands(
     language: Language, expanded: bool, crc: bool, model: str, boards: Boards, tmp_path: Path
 ) -> None:
     line = link(expanded=expanded, crc=crc)
@@ -101,26 +98,26 @@ def test_program_applies_settings_once_and_has_every_drive_command(
     process = program.run(board.url)
     assert process.returncode == 0, process.stdout
     assert board.has(settings)
-    assert process.stdout.count("->") == len(WANTED)
+    assert process.stdout.count("->") == len(CHANGED)
     assert process.stdout.count("stored") == len(CALIBRATIONS)
     assert process.stdout.count("switch the board off and on") == 1  # for the motor mode
 
-    written = board.writes
+    writes = board.writes
     with interactive_program(program, board.url) as trex:
-        said = trex.do("apply")
-        assert len(said) == 2, said  # the board is found, and has it all
-        assert board.writes == written
-        board.reset(line)  # without its current limits
+        output = trex.do("apply")
+        assert len(output) == 2, output  # signature, and no changes
+        assert board.writes == writes
+        board.reset(line)  # clears the current limits
         trex.do("set", 1, 127)
         trex.do("set", 2, -127)
-        assert trex.do("status") == ["0"]  # an answer: what was sent before has been obeyed
+        assert trex.do("status") == ["0"]  # the reply shows that earlier commands were executed
         assert board.motors == (127, -127)
         trex.do("both", -3, 4)
         trex.do("aux", 90)
         trex.do("status")
         assert board.motors == (-3, 4)
         assert board.show()["aux"]["speed"] == 90
-        trex.do("both", 200, -200)  # more than there is
+        trex.do("both", 200, -200)  # beyond full speed
         trex.do("status")
         assert board.motors == (127, -127)
         trex.do("brake", 2, 64)
@@ -129,7 +126,9 @@ def test_program_applies_settings_once_and_has_every_drive_command(
         trex.do("accelerate", 1, 101)
         trex.do("accelerate", 2, -102)
         trex.do("status")
-        targets = [(m["target_direction"], m["target_speed"]) for m in board.show()["motors"]]
+        targets = [
+            (motor["target_direction"], motor["target_speed"]) for motor in board.show()["motors"]
+        ]
         assert targets == [("forward", 101), ("reverse", 102)]
         trex.do("stop")
         trex.do("status")
@@ -139,21 +138,21 @@ def test_program_applies_settings_once_and_has_every_drive_command(
 
 
 @every_language
-def test_demonstration_turns_motors_slowly_and_ends_with_stop(
+def test_demonstration_drives_slowly_and_ends_with_stop(
     language: Language, boards: Boards, tmp_path: Path
 ) -> None:
     line = link(expanded=True, crc=True)
     board = boards.board(line)
     settings = settings_for(line)
     program = prepared_program(tmp_path, settings, line, language, drive=True)
-    seen, said = watched(program, board)
+    speeds, output = run_demonstration(program, board)
     assert board.has(settings)
-    assert {(20, 0), (0, 20)} <= seen
-    assert all(abs(speed) <= 20 for both in seen for speed in both)
+    assert {(20, 0), (0, 20)} <= speeds
+    assert all(abs(speed) <= 20 for pair in speeds for speed in pair)
     assert becomes(lambda: board.braking, (127, 127))
     assert board.show()["aux"]["speed"] == 0
     assert board.errors == 0
-    assert "status is 0" in said
+    assert "status is 0" in output
     if language is not Language.ARDUINO:
         check_that_ctrl_c_stops_motors(program, board)
 
@@ -188,21 +187,21 @@ def test_currents_and_faults_can_be_read(
     board.do("fault 1 on")
     with interactive_program(program, board.url) as trex:
         deadline = time.monotonic() + 30
-        while trex.do("currents") != ["2400 9920"]:  # they are an average
+        while trex.do("currents") != ["2400 9920"]:  # the board averages them
             assert time.monotonic() < deadline
         assert trex.do("status") == ["16"]
-        assert trex.do("status") in (["0"], ["16"])  # reading clears, while it lasts it returns
+        assert trex.do("status") in (["0"], ["16"])  # a lasting fault is latched again
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("ours", "theirs"), [("trex", "trexjr"), ("trexjr", "trex")])
+@pytest.mark.parametrize(("exported", "connected"), [("trex", "trexjr"), ("trexjr", "trex")])
 @every_language
 def test_settings_for_other_board_model_are_not_written(
-    language: Language, ours: str, theirs: str, boards: Boards, tmp_path: Path
+    language: Language, exported: str, connected: str, boards: Boards, tmp_path: Path
 ) -> None:
     line = link(crc=True)
-    board = boards.board(line, theirs)
-    settings = settings_for(line, ours)
+    board = boards.board(line, connected)
+    settings = settings_for(line, exported)
     program = prepared_program(tmp_path, settings, line, language, drive=True)
     process = program.run(board.url, drive=True)
     assert process.returncode == 1
@@ -214,7 +213,7 @@ def test_settings_for_other_board_model_are_not_written(
 
 @pytest.mark.slow
 @every_language
-def test_board_outside_serial_mode_is_left_unchanged(
+def test_board_outside_serial_mode_is_not_written(
     language: Language, boards: Boards, tmp_path: Path
 ) -> None:
     board = boards.board(link())
@@ -229,10 +228,10 @@ def test_board_outside_serial_mode_is_left_unchanged(
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("why", ["silent", "other framing", "other number"])
+@pytest.mark.parametrize("cause", ["silent", "other framing", "other number"])
 @every_language
 def test_missing_reply_is_reported_with_line_settings(
-    language: Language, why: str, boards: Boards, tmp_path: Path
+    language: Language, cause: str, boards: Boards, tmp_path: Path
 ) -> None:
     line = link(expanded=True, crc=True)
     board = boards.board(
@@ -240,13 +239,11 @@ def test_missing_reply_is_reported_with_line_settings(
             "silent": line,
             "other framing": link(expanded=True),
             "other number": link(expanded=True, crc=True, device=12),
-        }[why]
+        }[cause]
     )
-    if why == "silent":
+    if cause == "silent":
         board.do("line mute on")
-    program = prepared_program(
-        tmp_path, settings_for(line), line, language, drive=True, extra_time=1
-    )
+    program = prepared_program(tmp_path, settings_for(line), line, language, drive=True, timeout=1)
     process = program.run(board.url, drive=True)
     assert process.returncode == 1
     assert "No board responds" in process.stdout
@@ -259,23 +256,23 @@ def test_missing_reply_is_reported_with_line_settings(
 def test_unsupported_parameter_is_named(language: Language, boards: Boards, tmp_path: Path) -> None:
     board = boards.board(link(), "trex", "--unpaced", "--firmware", "1.0")
     settings = settings_for(link())
-    program = prepared_program(tmp_path, settings, link(), language, drive=True, extra_time=3)
+    program = prepared_program(tmp_path, settings, link(), language, drive=True, timeout=3)
     process = program.run(board.url, drive=True)
     assert process.returncode == 1
-    named = "0x17" if language is Language.ARDUINO else "Enable UART Response Delay"
-    assert named in process.stdout
+    name = "0x17" if language is Language.ARDUINO else "Enable UART Response Delay"
+    assert name in process.stdout
     assert "firmware" in process.stdout
     assert board.motors == (0, 0)
 
 
 @pytest.mark.slow
 @every_language
-def test_program_follows_new_device_number(
+def test_program_continues_with_new_device_number(
     language: Language, boards: Boards, tmp_path: Path
 ) -> None:
     line = link(expanded=True)
     settings = settings_for(line, device_number=42)
-    program = prepared_program(tmp_path, settings, line, language, extra_time=3)
+    program = prepared_program(tmp_path, settings, line, language, timeout=3)
     board = boards.board(line)
     for writes in (True, False):
         process = program.run(board.url)
@@ -289,9 +286,9 @@ def test_program_follows_new_device_number(
 def test_calibration_for_other_input_is_reported_as_skipped(
     language: Language, boards: Boards, tmp_path: Path
 ) -> None:
-    as_new = settings_for(link())
+    full = settings_for(link())
     analog = {CalibrationKey.ANALOG_CHANNEL_3: CALIBRATIONS[CalibrationKey.RC_CHANNEL_2]}
-    settings = Settings(as_new.product, as_new.firmware, calibrations=analog)
+    settings = Settings(full.product, full.firmware, calibrations=analog)
     board = boards.board(link())
     program = prepared_program(tmp_path, settings, link(), language)
     process = program.run(board.url)
@@ -306,25 +303,28 @@ def test_board_that_stops_replying_is_reported(
     language: Language, boards: Boards, tmp_path: Path
 ) -> None:
     board = boards.board(link())
-    program = prepared_program(tmp_path, settings_for(link()), link(), language, extra_time=3)
+    program = prepared_program(tmp_path, settings_for(link()), link(), language, timeout=3)
     with interactive_program(program, board.url) as trex:
         assert "serial mode" in trex.do("check")[0]
         board.do("line mute on")
-        said = trex.do("calibrate")
-        assert "no reply" in said[0].replace("does not respond", "no reply")
-        said = trex.do("parameter")
-        assert "no reply" in said[0]
+        output = trex.do("calibrate")[0]
+        assert "no reply" in output or "does not respond" in output
+        assert "no reply" in trex.do("parameter")[0]
     assert board.writes == 0
 
 
 @pytest.mark.slow
-def test_echo_is_not_taken_for_reply(boards: Boards, tmp_path: Path) -> None:
+def test_echo_is_not_read_as_reply(boards: Boards, tmp_path: Path) -> None:
     line = link(crc=True)
-    board = boards.board(line, "trex", "--echo")  # bytes without time would collide
+    board = boards.board(
+        line, "trex", "--echo"
+    )  # paced, because unpaced bytes would collide with the echo
     settings = settings_for(line)
-    seen, _ = watched(prepared_program(tmp_path, settings, line, Language.PYTHON), board)
+    speeds, _ = run_demonstration(
+        prepared_program(tmp_path, settings, line, Language.PYTHON), board
+    )
     assert board.has(settings)
-    assert {(20, 0), (0, 20)} <= seen
+    assert {(20, 0), (0, 20)} <= speeds
     assert becomes(lambda: board.braking, (127, 127))
 
 
@@ -355,19 +355,19 @@ def test_wrong_usage_and_missing_port_have_own_exit_codes(tmp_path: Path) -> Non
     assert "usage" in wrong.stderr
 
 
-# --- What compilers say of the text
+# --- Compilation -------------------------------------------------------------------------
 
 
 def check_that_sketch_compiles(folder: Path, settings: Settings, line: ConnectionSettings) -> None:
-    sketch = exported(folder, settings, line, Language.ARDUINO)
+    sketch = export_to_file(folder, settings, line, Language.ARDUINO)
     main = str(HERE / "arduino" / "main.cpp")
-    # The newest standard too, which newer cores ask for.
+    # Newer cores use newer standards.
     for standard in ("-std=gnu++11", "-std=gnu++20"):
         compile_([*CPP, standard, "-fsyntax-only", f'-DSKETCH="{sketch}"', main])
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("part", ["nothing", "parameters", "calibrations", "left out"])
+@pytest.mark.parametrize("part", ["nothing", "parameters", "calibrations", "invalid"])
 def test_partial_settings_compile(part: str, tmp_path: Path) -> None:
     full = settings_for(link())
     settings = Settings(
@@ -377,7 +377,7 @@ def test_partial_settings_compile(part: str, tmp_path: Path) -> None:
             "nothing": {},
             "parameters": {"serial_timeout": 5},
             "calibrations": {},
-            "left out": {"serial_timeout": 5, "uart_settings": 0x0F},
+            "invalid": {"serial_timeout": 5, "uart_settings": 0x0F},
         }[part],
         CALIBRATIONS if part == "calibrations" else {},
     )

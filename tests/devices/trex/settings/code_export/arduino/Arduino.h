@@ -1,5 +1,5 @@
-// As much of the Arduino core as an exported sketch uses, for a computer: `Serial` prints, `Serial1`
-// is a port of the system.
+// Stub of the Arduino core with all that exported sketches use. `Serial` prints to standard output,
+// and `Serial1` is a serial port of the computer.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// What Arduino.h promises, on a computer.
+// Implementation of Arduino.h on a computer.
 #include "Arduino.h"
 
 #include <fcntl.h>
@@ -38,7 +38,7 @@ static speed_t speed_of(unsigned long baud) {
     case 19200: return B19200;
     case 57600: return B57600;
     case 115200: return B115200;
-    default: fprintf(stderr, "no rate of this stub: %lu\n", baud); exit(3);
+    default: fprintf(stderr, "unsupported baud rate: %lu\n", baud); exit(3);
   }
 }
 
@@ -59,7 +59,7 @@ void Port::begin(unsigned long baud, SerialConfig config) {
 int Port::available() {
   pollfd port = {handle, POLLIN, 0};
   int waiting = 0;
-  poll(&port, 1, 1); // rather than keep a core busy
+  poll(&port, 1, 1); // waits, so that loops do not use all processor time
   ioctl(handle, FIONREAD, &waiting);
   return waiting;
 }

@@ -1,6 +1,6 @@
-// Runs the sketch SKETCH on a computer: `main PORT` as an Arduino does, ending with status 1 when
-// it did not get its settings onto the board; `main PORT --obey` by lines on standard input,
-// which may name settings if there are some (WITH_SETTINGS).
+// Runs the sketch SKETCH on a computer. `main PORT` runs it once like an Arduino, and exits with 1
+// when the settings were not applied. `main PORT --obey` calls functions by lines on standard input.
+// WITH_SETTINGS enables the functions of a sketch that has settings.
 #include "Arduino.h"
 
 #include SKETCH
