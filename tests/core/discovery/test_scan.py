@@ -219,7 +219,7 @@ def test_unsupported_baud_rates_are_reported() -> None:
     board = a_board()
     board.power_off()
     wire = wire_of(board)
-    wire.unable = frozenset({14400, 76800})
+    wire.unsupported_rates = frozenset({14400, 76800})
     (line,) = search(wire, {"trex": TREX_PROBER}).lines
     assert "cannot be set to 14400, 76800 baud" in line
 

@@ -21,7 +21,7 @@ from trex_gui.ui.notifier import Remedy
 SETTINGS = ConnectionSettings("/dev/ttyUSB0")
 
 
-def test_missing_reply_message_lists_checks_and_names_device_number() -> None:
+def test_missing_reply_error_lists_checks_and_device_number() -> None:
     error = explain(SETTINGS, echo=False, error=NoReply("No reply to 81."))
     assert isinstance(error, NoReply)
     assert "/dev/ttyUSB0 at 19200 baud, no error detection, 1 stop bit" in str(error)

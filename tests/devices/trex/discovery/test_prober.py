@@ -246,7 +246,7 @@ def executed_commands(probes: Sequence[Attempt], own: LineSettings, *, crc: bool
 
 @pytest.mark.slow
 @pytest.mark.timeout(900)
-def test_no_full_search_sequence_forms_a_motor_command() -> None:
+def test_no_sequence_of_full_scan_forms_a_motor_command() -> None:
     for own in BOARD_LINES:
         for crc in (False, True) if own.detection is Detection.NONE else (False,):
             assert not executed_commands(list(attempts(full=True)), own, crc=crc)
@@ -395,7 +395,7 @@ def test_line_settings_pending_power_cycle_are_reported() -> None:
     assert found.note.startswith("After a power cycle, it will run at 115200 baud")
 
 
-def test_other_polynomial_is_found_only_by_full_search() -> None:
+def test_other_polynomial_is_found_only_by_full_scan() -> None:
     line = LineSettings(19200, Detection.CRC7)
     for polynomial in (0x83, 0xFF):
         board = a_board(settings=line.to_wire(), crc7_polynomial=polynomial & 0x7F)
@@ -423,18 +423,14 @@ def test_boards_that_share_a_device_number_are_reported() -> None:
     assert "Several boards reply at once" in diagnosis
 
 
-def test_echo_without_reply_is_reported() -> None:
+@pytest.mark.parametrize(
+    ("echo", "words"), [(True, ["comes back"]), (False, ["No TReX responds on virtual", "power"])]
+)
+def test_missing_reply_is_explained(words: list[str], *, echo: bool) -> None:
     board = a_board()
     board.power_off()
-    assert "comes back" in diagnosis_of(wire_of(board, echo=True))
-
-
-def test_missing_reply_diagnosis_suggests_checking_power() -> None:
-    board = a_board()
-    board.power_off()
-    diagnosis = diagnosis_of(wire_of(board))
-    assert "No TReX responds on virtual" in diagnosis
-    assert "power" in diagnosis
+    diagnosis = diagnosis_of(wire_of(board, echo=echo))
+    assert all(word in diagnosis for word in words)
 
 
 @pytest.mark.parametrize("full", [False, True])
@@ -459,7 +455,7 @@ def test_unsupported_baud_rates_are_skipped() -> None:
     assert found_board(scan(wire)).settings.line == LineSettings(4800)
 
 
-def test_port_loss_ends_search() -> None:
+def test_port_loss_ends_scan() -> None:
     wire = wire_of(a_board())
     wire.fail = PortUnavailable("The port is lost.")
     assert isinstance(scan(wire).error, PortUnavailable)

@@ -210,7 +210,7 @@ def test_power_loss_while_reading_is_reported(harness: SessionHarness) -> None:
     assert of_type(harness.reports, Progress)
 
 
-def test_close_while_reading_is_no_error(harness: SessionHarness) -> None:
+def test_close_while_reading_reports_no_error(harness: SessionHarness) -> None:
     reports = run_for(harness, 0.05)
     assert reports[-1] == Closed(None)
     assert not of_type(reports, Connected)

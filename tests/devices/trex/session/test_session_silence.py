@@ -71,7 +71,7 @@ def test_board_that_loses_single_replies_counts_as_responding(harness: SessionHa
 # --- Return -----------------------------------------------------------------------------
 
 
-def test_returning_board_is_found_within_one_second_and_read_again(harness: SessionHarness) -> None:
+def test_returned_board_is_read_again_within_one_second(harness: SessionHarness) -> None:
     def set_jumper() -> None:
         harness.board.mode_jumper = "rc"
 
