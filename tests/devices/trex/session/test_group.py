@@ -92,7 +92,7 @@ def test_request_for_board_outside_the_group_is_rejected(harness: GroupHarness) 
 
 
 def test_stop_is_sent_to_both_boards_at_once_and_confirmed() -> None:
-    """Of 60 stops. The soak test has 100,000."""
+    """Check 60 stops. The soak test checks 100,000."""
     sent, confirmed = stop_delays(60, seed=1)
     assert max(sent) <= 0.020
     assert max(confirmed) <= 0.060

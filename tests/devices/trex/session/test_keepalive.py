@@ -43,7 +43,7 @@ def schedule_slow_heartbeats(harness: SessionHarness, start: float, count: int) 
 
 
 def timeouts(reports: Iterable[Report], start: float) -> list[LatchedStatus]:
-    """Return the serial timeouts of the board after a time."""
+    """Return the samples after `start` that report a serial timeout."""
     latched = samples(reports, LatchedStatus)
     return [sample for sample in latched if sample.uart & UartError.TIMEOUT and sample.time > start]
 
@@ -117,7 +117,7 @@ def test_reply_lost_after_arming_fires_no_timeout(lead: float) -> None:
 
     def run(seconds: float, armed_at: float = math.inf) -> SessionHarness:
         harness, settings = create_harness()
-        harness.transport.latency = 0.3  # as of a network
+        harness.transport.latency = 0.3  # the latency of a network
         set_timeout(harness, 5)
         assert survives_a_loss(settings.line, 0.5, harness.transport.latency)
         if armed_at < seconds:

@@ -211,7 +211,7 @@ def test_counters_continue_after_reconnect(motor_commands: list[str]) -> None:
 
 def test_round_of_reconnect_probes_takes_at_most_1500_ms() -> None:
     harness = ReconnectHarness().cut_power(replace(OLD, line=CRC), new=OLD)
-    harness.transport.latency = 0.06  # as of a local port
+    harness.transport.latency = 0.06  # the latency of a local port
     starts: list[float] = []
 
     def record(_packet: bytes) -> None:
@@ -406,7 +406,7 @@ CANDIDATES = (ConnectionSettings("virtual", LineSettings(57600)),)
 
 
 def silent_monitor(now: float) -> LivenessMonitor:
-    """Return the monitor of a board that stopped responding at a time."""
+    """Return the monitor of a board that stopped responding at `now`."""
     liveness = LivenessMonitor(Timeouts())
     assert [liveness.record_failure(now) for _ in range(3)] == [False, False, True]
     return liveness

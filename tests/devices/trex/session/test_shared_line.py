@@ -1,4 +1,4 @@
-"""Lines that a TReX shares with other devices, which must receive no command of their own.
+"""Lines that a TReX shares with other devices. No packet may be a command to another device.
 
 A qik obeys compact bytes from 81 on. Older Pololu controllers read `80 00 01 4C` as a speed of
 motor 0, and FF as the start of a position. So every packet must begin with 80 and the number of the

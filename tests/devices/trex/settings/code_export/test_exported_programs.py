@@ -316,13 +316,10 @@ def test_board_that_stops_replying_is_reported(
 @pytest.mark.slow
 def test_echo_is_not_read_as_reply(boards: Boards, tmp_path: Path) -> None:
     line = link(crc=True)
-    board = boards.board(
-        line, "trex", "--echo"
-    )  # paced, because unpaced bytes would collide with the echo
+    board = boards.board(line, "trex", "--echo")  # unpaced bytes would collide with the echo
     settings = settings_for(line)
-    speeds, _ = run_demonstration(
-        prepared_program(tmp_path, settings, line, Language.PYTHON), board
-    )
+    program = prepared_program(tmp_path, settings, line, Language.PYTHON)
+    speeds, _ = run_demonstration(program, board)
     assert board.has(settings)
     assert {(20, 0), (0, 20)} <= speeds
     assert becomes(lambda: board.braking, (127, 127))
