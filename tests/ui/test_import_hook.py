@@ -1,4 +1,4 @@
-"""PySide's import hook."""
+"""Import hook of PySide6."""
 
 import linecache
 import sys
@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-import trex_gui.ui  # noqa: F401 - what is tested
+import trex_gui.ui  # noqa: F401 - installs the hook
 
 
 def test_imported_modules_are_not_read_as_source(

@@ -25,9 +25,10 @@ class Messages(list[tuple[str, str]]):
             getattr(self.notifier, kind).connect(lambda text, kind=kind: self.append((kind, text)))
         self._qtbot = qtbot
 
-    def after(self, work: Callable[[Notifier], None]) -> list[tuple[str, str]]:
+    def of(self, report: Callable[[Notifier], None]) -> list[tuple[str, str]]:
+        """Run a function that reports. Return its messages."""
         self.clear()
-        work(self.notifier)
+        report(self.notifier)
         self._qtbot.waitUntil(lambda: not background)
         return list(self)
 
@@ -38,7 +39,7 @@ def messages(qtbot: QtBot) -> Messages:
 
 
 def log_stops(*stops: str) -> None:
-    """Write stops to the guardian's log. `stops`: time and result."""
+    """Write stops to the log of the guardian. `stops`: time and result of each."""
     log_file().parent.mkdir(parents=True, exist_ok=True)
     log_file().write_text("".join(f"2026-11-23 {stop}: Text.\n" for stop in stops))
 
@@ -52,11 +53,11 @@ def log_stops(*stops: str) -> None:
 )
 def test_stop_by_guardian_is_reported_once(messages: Messages, result: str, text: str) -> None:
     log_stops(f"12:03:05 {result}")
-    assert [text in each for _, each in messages.after(report_last_run)] == [True]
-    assert messages.after(report_last_run) == []
+    assert [text in message for _, message in messages.of(report_last_run)] == [True]
+    assert messages.of(report_last_run) == []
 
 
-def test_crash_is_reported_with_the_stop_or_without(window: WindowDriver) -> None:
+def test_crash_is_reported_with_and_without_a_stop(window: WindowDriver) -> None:
     window.program.report_last_run(has_crashed=True)
     window.wait_for_text("bannerText", "did not end properly last time")
     assert window.has("bannerReport")
@@ -69,15 +70,15 @@ def test_crash_is_reported_with_the_stop_or_without(window: WindowDriver) -> Non
     assert window.dialog("reportDialog").root.isVisible()
 
 
-def test_every_stop_is_reported_unconfirmed_ones_first(messages: Messages) -> None:
+def test_unconfirmed_stops_are_reported_before_confirmed_ones(messages: Messages) -> None:
     log_stops("12:00:01 unconfirmed", "12:00:02 unconfirmed", "12:00:03 confirmed")
-    [(_, text)] = messages.after(report_last_run)
+    [(_, text)] = messages.of(report_last_run)
     first, second = text.splitlines()
     assert "2026-11-23 12:00:01, 2026-11-23 12:00:02, which the board did not confirm" in first
     assert "2026-11-23 12:00:03, and the board confirmed" in second
 
 
-def test_running_board_is_reported_first_until_stopped(
+def test_running_board_is_reported_first_until_it_is_stopped(
     window: WindowDriver, quick_simulator: SimulatedDevice
 ) -> None:
     url = "/dev/ttyNONE"
@@ -85,7 +86,7 @@ def test_running_board_is_reported_first_until_stopped(
     danger = "Motors may still be turning: no stop of the TReX 1.2 at /dev/ttyNONE"
     window.program.report_last_run(has_crashed=True)
     window.wait_for_text("bannerText", danger)
-    window.connect(quick_simulator.url)  # another board
+    window.connect(quick_simulator.url)  # not the running board
     window.wait_for_files()
     assert window.text("bannerText").startswith(danger)
     window.click("bannerStop")
@@ -97,10 +98,10 @@ def test_running_board_is_reported_first_until_stopped(
     assert not window.has("bannerText")
 
 
-def test_each_running_board_is_tried_and_reported(messages: Messages) -> None:
+def test_stop_of_each_running_board_is_tried_and_reported(messages: Messages) -> None:
     left("/dev/ttyNONE1")
     left("/dev/ttyNONE2")
-    [(kind, text)] = messages.after(stop_running_boards)
+    [(kind, text)] = messages.of(stop_running_boards)
     assert kind == "danger"
     dangers, errors = text.splitlines()[:2], text.splitlines()[2:]
     for lines, start in ((dangers, "Motors may still be turning"), (errors, "There is no port")):
@@ -108,23 +109,23 @@ def test_each_running_board_is_tried_and_reported(messages: Messages) -> None:
         assert all(f"/dev/ttyNONE{number}" in "".join(lines) for number in (1, 2))
 
 
-def test_unconfirmed_stop_is_repeated_while_a_board_runs(messages: Messages) -> None:
+def test_unconfirmed_stop_is_reported_again_while_a_board_runs(messages: Messages) -> None:
     file = left("/dev/ttyNONE")
     log_stops("12:03:05 unconfirmed")
-    for _ in range(2):  # a new connection clears the first message
-        [(kind, text)] = messages.after(report_last_run)
+    for _ in range(2):  # because a new connection clears the first message
+        [(kind, text)] = messages.of(report_last_run)
         assert kind == "danger"
         assert text.splitlines()[1].endswith("If a motor is still turning, cut its power.")
     file.unlink()
-    [(kind, text)] = messages.after(report_last_run)
+    [(kind, text)] = messages.of(report_last_run)
     assert (kind, text.count("\n")) == ("error", 0)
-    assert messages.after(report_last_run) == []
+    assert messages.of(report_last_run) == []
 
 
 def test_proper_end_and_repeated_stop_are_not_reported(messages: Messages) -> None:
-    assert messages.after(report_last_run) == []
+    assert messages.of(report_last_run) == []
     log_stops("12:03:05 repeated")
-    assert messages.after(report_last_run) == []
+    assert messages.of(report_last_run) == []
 
 
 def test_stop_is_reported_after_the_running_board_is_connected(
@@ -140,13 +141,13 @@ def test_stop_is_reported_after_the_running_board_is_connected(
     assert [text in entry.text for entry in entries].count(True) == 1
 
 
-def test_stops_while_the_program_drives_are_not_reported(messages: Messages) -> None:
+def test_stops_after_the_start_of_the_program_are_not_reported(messages: Messages) -> None:
     log_stops("12:03:05 unconfirmed")
     log_file().write_text(log_file().read_text() + "2999-01-01 12:00:00 confirmed: Text.\n")
     file = left("/dev/ttyUSB0")
     file.write_text(file.read_text().replace("2026-11-28", "2999-01-01"))
-    ((_, text),) = messages.after(partial(report_last_run, until="2030"))
+    ((_, text),) = messages.of(partial(report_last_run, until="2030"))
     assert text.count("2026-11-23 12:03:05") == 1
     assert "2999" not in text
-    ((_, text),) = messages.after(partial(report_last_run, until="9999"))
+    ((_, text),) = messages.of(partial(report_last_run, until="9999"))
     assert text.count("2999") == 1

@@ -42,7 +42,7 @@ def lines(log: Log) -> list[str]:
     return [entry.line for entry in log.entries]
 
 
-def test_entries_have_the_time_at_which_they_happened(qtbot: QtBot, clocks: Clocks) -> None:
+def test_entries_have_the_times_of_their_events(qtbot: QtBot, clocks: Clocks) -> None:
     log, events = Log(), EventLog()
     log.follow(events)
     clocks.now = 103
@@ -66,7 +66,7 @@ def test_event_and_its_message_are_one_entry(qtbot: QtBot, clocks: Clocks) -> No
     assert [entry.time.second for entry in log.entries] == [0, 5]
 
 
-def test_messages_of_other_places_are_logged_and_not_shown(qtbot: QtBot) -> None:
+def test_messages_of_another_notifier_are_logged_but_not_shown(qtbot: QtBot) -> None:
     window, plot = Notifier(), Notifier()
     window.forward_log(plot)
     logged: list[tuple[str, bool]] = []
@@ -125,13 +125,13 @@ def test_lines_are_filtered_and_copied(qtbot: QtBot, clocks: Clocks) -> None:
 def test_stops_and_applied_settings_are_events(qtbot: QtBot) -> None:
     device = Device()
     device.motors.press_stop()
-    device.motors.stop("the pad was let go")
+    device.motors.stop("the gamepad was unplugged")
     results = [WriteResult(f"key{number}", number) for number in range(5)]
     results.append(WriteResult("key5", error=NoReply("silence")))
     device.writer.finished.emit(tuple(results))
     assert [(event.kind.value, event.text) for event in device.events.all] == [
         ("stop", "Stop"),
-        ("stop", "Stop: the pad was let go"),
+        ("stop", "Stop: the gamepad was unplugged"),
         ("apply", "Apply: key0, key1, key2 and 2 more (1 failed)"),
     ]
 

@@ -12,7 +12,7 @@ from PySide6.QtCore import QByteArray, QSettings
 
 from trex_gui.ui.preferences import Preferences
 
-posix = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no pipes with a path")
+posix = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no named pipes in folders")
 VALUES = (
     "99999999999999999999", "-1", "1, 2, 3", "@Invalid()", "@Size(1 2)", "nan", "1e999",
     "@ByteArray(abc)", "@Rect(1 2 3 4)", "\\x0", "9" * 5000, "true, false",
@@ -25,7 +25,7 @@ def store_file() -> Path:
     return path
 
 
-def test_values_are_read_as_they_were_set() -> None:
+def test_values_are_read_back_unchanged() -> None:
     for _ in range(2):
         store = Preferences()
         store.set("flag", value=True)
@@ -87,11 +87,11 @@ def test_pipe_in_place_of_a_configuration_file_is_not_opened(
         store = Preferences()
     assert f"{pipe} is not an ordinary file" in caplog.text
     store.set("key", 5)
-    assert Preferences().integer("key", 0, 0, 9) == 5, "until the program ends"
+    assert Preferences().integer("key", 0, 0, 9) == 5, "the value remains in memory"
     assert pipe.is_fifo()
 
 
-def test_folder_in_place_of_the_configuration_does_not_change() -> None:
+def test_folder_in_place_of_the_configuration_remains_empty() -> None:
     path = store_file()
     path.mkdir()
     Preferences().set("key", 5)

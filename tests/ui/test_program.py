@@ -41,8 +41,8 @@ assert program.close()
 
 def _objects() -> set[QObject]:
     """Return all Qt objects known to Python, except styles that Qt retains."""
-    found = (one for one in shiboken6.getAllValidWrappers() if isinstance(one, QObject))
-    return {one for one in found if not isinstance(one, QStyle)}
+    wrappers = shiboken6.getAllValidWrappers()
+    return {each for each in wrappers if isinstance(each, QObject) and not isinstance(each, QStyle)}
 
 
 def _use(qtbot: QtBot, url: str, settings: Path) -> None:
@@ -57,20 +57,20 @@ def _use(qtbot: QtBot, url: str, settings: Path) -> None:
     assert program.close()
 
 
-def test_close_leaves_no_qt_object(
+def test_close_destroys_every_qt_object(
     qtbot: QtBot, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     settings = tmp_path / "rover.txt"
     settings.write_text("product: TReX\n", encoding="utf-8")
     before = {theme(), units(), *_objects()}
     _use(qtbot, quick_simulator.url, settings)
-    gc.collect()  # preferences are Qt objects that Python owns
+    gc.collect()  # frees the preferences, which Python owns
     assert _objects() - before == set()
 
 
 @pytest.fixture
-def started(qtbot: QtBot) -> Iterator[Program]:
-    """Program whose window is not painted yet."""
+def new_program(qtbot: QtBot) -> Iterator[Program]:
+    """Program whose window has not been painted yet."""
     program = build()
     yield program
     assert program.close()
@@ -81,80 +81,80 @@ def _pages(program: Program) -> set[str]:
     return {name for name in names if program.window.findChild(QWidget, name) is not None}
 
 
-def test_pages_and_plots_are_created_when_first_shown(
-    started: Program,
-) -> None:
-    assert _pages(started) == {"boardPage"}
-    tabs = started.window.pages
+def test_pages_and_plots_are_created_when_first_shown(new_program: Program) -> None:
+    assert _pages(new_program) == {"boardPage"}
+    tabs = new_program.window.pages
     titles = [tabs.tabText(index) for index in range(tabs.count())]
     assert titles == ["Board", "Channels", "Motors", "Currents", "Parameters", "Diagnostics"]
     tabs.setCurrentIndex(2)
-    assert _pages(started) == {"boardPage", "motorsPage"}
-    started.connect_to_demo("trex")
-    assert _pages(started) == {"boardPage", "motorsPage"}
-    started.complete()
-    assert _pages(started) == {"boardPage", "motorsPage", "parametersPage"}
+    assert _pages(new_program) == {"boardPage", "motorsPage"}
+    new_program.connect_to_demo("trex")
+    assert _pages(new_program) == {"boardPage", "motorsPage"}
+    new_program.complete()
+    assert _pages(new_program) == {"boardPage", "motorsPage", "parametersPage"}
     assert [tabs.tabText(index) for index in range(tabs.count())] == titles
     assert tabs.currentIndex() == 2
-    assert started.window.findChild(QWidget, "curvePlot") is None
-    started.create_plots()
-    assert started.window.findChild(QWidget, "curvePlot") is not None
+    assert new_program.window.findChild(QWidget, "curvePlot") is None
+    new_program.create_plots()
+    assert new_program.window.findChild(QWidget, "curvePlot") is not None
 
 
-def test_unused_kind_of_device_is_found_with_all_its_pages(
-    started: Program, start_simulator: StartSimulator, qtbot: QtBot
+def test_unused_device_kind_is_found_and_gets_all_its_pages(
+    new_program: Program, start_simulator: StartSimulator, qtbot: QtBot
 ) -> None:
     robot = start_simulator("--aracna", "--unpaced")
-    port, scanner = started.ports.add_typed(robot.url), started.device_manager.scanner
+    port, scanner = new_program.ports.add_typed(robot.url), new_program.device_manager.scanner
     scanner.start([port])
     qtbot.waitUntil(lambda: not scanner.running, timeout=60_000)
     (finding,) = scanner.findings
     assert finding.device == "aracna"
-    assert "aracnaRobotPage" not in _pages(started)
-    started.connect_to_demo("aracna")
-    assert "aracnaRobotPage" in _pages(started)
-    assert started.window.pages is started.workspace("aracna").pages
+    assert "aracnaRobotPage" not in _pages(new_program)
+    new_program.connect_to_demo("aracna")
+    assert "aracnaRobotPage" in _pages(new_program)
+    assert new_program.window.pages is new_program.workspace("aracna").pages
 
 
-def test_file_of_an_unused_kind_of_device_is_opened(started: Program, tmp_path: Path) -> None:
-    path = tmp_path / "one.ppr"
+def test_file_of_an_unused_device_kind_is_opened(new_program: Program, tmp_path: Path) -> None:
+    path = tmp_path / "poses.ppr"
     path.write_text("", encoding="ascii")
-    started.window.files.open_file(path)
-    assert started.device_manager.current.plugin.key == "aracna"
+    new_program.window.files.open_file(path)
+    assert new_program.device_manager.current.plugin.key == "aracna"
 
 
 def _panel(program: Program, name: str) -> QDockWidget:
-    return next(one for one in program.window.findChildren(QDockWidget) if one.objectName() == name)
+    panel = program.window.findChild(QDockWidget, name)
+    assert isinstance(panel, QDockWidget)
+    return panel
 
 
-def test_first_use_of_another_kind_of_device_changes_nothing_shown(
-    started: Program, qtbot: QtBot
+def test_first_use_of_a_device_kind_retains_layout_and_message(
+    new_program: Program, qtbot: QtBot
 ) -> None:
-    window, left = started.window, Qt.DockWidgetArea.LeftDockWidgetArea
-    panel = _panel(started, "demoPanel")
+    window, left = new_program.window, Qt.DockWidgetArea.LeftDockWidgetArea
+    panel = _panel(new_program, "demoPanel")
     QSettings().setValue("window/state", window.saveState())
     window.addDockWidget(left, panel)
     banner = window.findChild(QLabel, "bannerText")
     assert isinstance(banner, QLabel)
-    started.device_manager.stop_because("The computer was suspended", (Remedy.REPORT,))
+    new_program.device_manager.stop_because("The computer was suspended", (Remedy.REPORT,))
     qtbot.waitUntil(lambda: "suspended" in banner.text())
-    assert len(started.workspaces) == 2
+    assert len(new_program.workspaces) == 2
     assert window.dockWidgetArea(panel) is left
     assert "suspended" in banner.text()
 
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     actions = window.findChildren(QAction, options=Qt.FindChildOption.FindDirectChildrenOnly)
     names = [action.objectName() for action in actions if action.objectName()]
-    assert len(names) == len(set(names)), "each entry of the menus has one action"
+    assert len(names) == len(set(names)), "each menu entry has one action"
     assert {"stopAction", "openAction", "aracna_openAction"} <= set(names)
 
 
-def test_panel_of_device_that_is_not_used_stays_where_it_was(qtbot: QtBot) -> None:
-    del qtbot
+@pytest.mark.usefixtures("qapp")
+def test_panel_of_an_unused_device_kind_retains_its_position() -> None:
     left = Qt.DockWidgetArea.LeftDockWidgetArea
-    for use in (True, False, True):
+    for is_used in (True, False, True):
         program = build()
-        if use:
+        if is_used:
             panel = _panel(program, "aracnaDemoPanel") if len(program.workspaces) == 2 else None
             assert panel is not None
             if not QSettings().contains("window/state"):
@@ -168,7 +168,7 @@ def test_panel_of_device_that_is_not_used_stays_where_it_was(qtbot: QtBot) -> No
 @pytest.mark.slow
 @pytest.mark.timeout(180)
 def test_embedding_processes_end_without_crash() -> None:
-    """Without `close`, one process in six crashes."""
+    """Without `close`, one of six processes crashes."""
     count = 12
 
     def embed(_: int) -> subprocess.CompletedProcess[str]:

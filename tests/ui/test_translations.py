@@ -31,20 +31,15 @@ GERMAN = """<?xml version="1.0" encoding="utf-8"?>
 """
 
 
-def run(tool: str, *arguments: object) -> None:
-    program = shutil.which(tool, path=str(Path(sys.executable).parent))
-    assert program is not None
-    words = [program, *map(str, arguments)]
-    subprocess.run(words, check=True, capture_output=True, text=True, timeout=50)
-
-
-HINT = "run packaging/bootstrap.py translations, translate what is new, and run it again"
-
-
+HINT = "run packaging/bootstrap.py translations, translate the new texts, and run it again"
 FILES = sorted(resource("translations").glob("*.ts"))
-
-
 program_texts = cache(translations.program_texts)
+
+
+def compile_file(file: Path) -> None:
+    program = shutil.which("pyside6-lrelease", path=str(Path(sys.executable).parent))
+    assert program is not None
+    subprocess.run([program, str(file)], check=True, capture_output=True, text=True, timeout=50)
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
@@ -53,24 +48,24 @@ def test_translation_file_is_complete_and_compiled(file: Path, tmp_path: Path) -
     shutil.copy(file, update)
     assert translations.update(update, program_texts()) == 0, HINT
     assert update.read_text("utf-8") == file.read_text("utf-8"), HINT
-    run("pyside6-lrelease", update)
+    compile_file(update)
     assert update.with_suffix(".qm").read_bytes() == file.with_suffix(".qm").read_bytes(), HINT
 
 
-_KEPT = re.compile(r"\{[^{}]*\}|%n|<[^>]*>|\*\.\w+|&(?=\w)|…$|\n")
+_FIXED_PARTS = re.compile(r"\{[^{}]*\}|%n|<[^>]*>|\*\.\w+|&(?=\w)|…$|\n")
 
 
 @pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
-def test_translation_keeps_places_tags_and_letter_for_alt(file: Path) -> None:
+def test_translation_contains_placeholders_tags_and_mnemonic(file: Path) -> None:
     for text, forms in translations.read(file).items():
-        kept = sorted(_KEPT.findall(text.source.replace("&&", "")))
+        fixed = sorted(_FIXED_PARTS.findall(text.source.replace("&&", "")))
         for form in forms:
-            found = sorted(_KEPT.findall(form.replace("&&", "")))
-            counted = [part for part in kept if part != "%n"]  # "once" for one time
-            assert found in ([kept] if len(forms) == 1 else [kept, counted]), (text, form)
+            found = sorted(_FIXED_PARTS.findall(form.replace("&&", "")))
+            uncounted = [part for part in fixed if part != "%n"]  # as in "once" for "%n times"
+            assert found in ([fixed] if len(forms) == 1 else [fixed, uncounted]), (text, form)
 
 
-def test_texts_are_found_in_every_kind_of_call() -> None:
+def test_translatable_texts_are_found_in_every_kind_of_call() -> None:
     module = """
 tr("page {0}").format(1)
 head = [tr("a" " list") for x in y if tr("in a loop", "comment")]
@@ -88,10 +83,10 @@ tr(variable)
 
 MARKS = translations.MARKS
 USER_TEXTS = {"Finding", "LintFinding", "of", "_error", "_report", "_report_damaged"}
-"""What takes a text for users, beside the classes of errors; `of` makes a `SettingsError`."""
+"""Callables, apart from error classes, that get texts for users. `of` creates an error."""
 WORD = re.compile(r"(?:^|(?<=[ '(]))[A-Za-z]+\b")
 ENGLISH_PARTS = {"cli", "simulator", "library.py", "open_board.py", "app.py"}
-"""Files and packages whose texts are for the command line and for programs."""
+"""Files and packages with texts that are not translated, for the command line and for programs."""
 
 
 def name_of(node: ast.expr) -> str:
@@ -101,12 +96,12 @@ def name_of(node: ast.expr) -> str:
 def user_errors(sources: Iterable[str]) -> set[str]:
     """Return the names of all subclasses of `StudioError`."""
     bases = {
-        name: set(re.findall(r"\w+", above))
+        name: set(re.findall(r"\w+", parents))
         for source in sources
-        for name, above in re.findall(r"^class (\w+)\(([^)]*)\)", source, re.MULTILINE)
+        for name, parents in re.findall(r"^class (\w+)\(([^)]*)\)", source, re.MULTILINE)
     }
     errors = {"StudioError"}
-    while more := {name for name, above in bases.items() if above & errors} - errors:
+    while more := {name for name, parents in bases.items() if parents & errors} - errors:
         errors |= more
     return errors
 
@@ -129,36 +124,36 @@ def unmarked(node: ast.AST) -> Iterator[str]:
 def untranslatable(module: ast.Module, errors: set[str]) -> Iterator[str]:
     """Yield unmarked texts of errors and tables, given directly or by name."""
     nodes = list(ast.walk(module))
-    given = [
+    values = [
         argument
         for node in nodes
         if isinstance(node, ast.Call) and name_of(node.func) in errors | USER_TEXTS
-        for argument in [*node.args, *(word.value for word in node.keywords)]
+        for argument in [*node.args, *(keyword.value for keyword in node.keywords)]
     ]
-    names = {node.id for value in given for node in ast.walk(value) if isinstance(node, ast.Name)}
-    given += [
+    names = {node.id for value in values for node in ast.walk(value) if isinstance(node, ast.Name)}
+    values += [
         node.value
         for node in nodes
         if isinstance(node, ast.Assign) and {*map(name_of, node.targets)} & names
     ]
     for node in module.body:
         if isinstance(node, ast.Assign | ast.AnnAssign) and isinstance(node.value, ast.Dict):
-            given += node.value.values
-    for value in given:
+            values += node.value.values
+    for value in values:
         yield from unmarked(value)
 
 
-def test_text_of_an_error_that_is_not_marked_is_found() -> None:
+def test_unmarked_text_of_an_error_is_found() -> None:
     module = """
-TABLE = {"a": "a table of texts", "b": tr_noop("a marked one, too")}
-class Mine(StudioError): ...
+TABLE = {"a": "a table of texts", "b": tr_noop("a marked text")}
+class SampleError(StudioError): ...
 def fail(path):
-    raise Mine(f"{path} is missing here")
+    raise SampleError(f"{path} is missing here")
 def fail_later(path):
     message = "given by its name"
     if path:
         message = tr("the file {0} is missing").format(path)
-    raise Mine(message, "two words")
+    raise SampleError(message, "two words")
 """
     found = list(untranslatable(ast.parse(module), user_errors([module])))
     assert found == ["{} is missing here", "given by its name", "a table of texts"]
@@ -181,12 +176,12 @@ def test_every_text_of_an_error_can_be_translated() -> None:
 
 
 @pytest.mark.realtime
-def test_language_is_one_translation_file(
+def test_translation_file_translates_texts_and_errors(
     qapp: QApplication, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     source = tmp_path / "trex_gui_de.ts"
     source.write_text(GERMAN, encoding="utf-8")
-    run("pyside6-lrelease", source)
+    compile_file(source)
     monkeypatch.setattr("trex_gui.ui.translations.resource", lambda _: tmp_path)
     translators = install_translations(qapp, QLocale("de_AT"))
     assert tr("&Stop motors") == "Motoren &stoppen"
@@ -216,7 +211,7 @@ def test_english_counts_have_plural_forms(qapp: QApplication, count: int, text: 
     assert tr("%n setting(s) written and verified.", "", count) == f"{text} written and verified."
 
 
-def test_letter_that_only_a_translation_repeats_is_found(
+def test_mnemonic_repeated_only_in_a_translation_is_found(
     qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     window = QWidget()
@@ -227,12 +222,12 @@ def test_letter_that_only_a_translation_repeats_is_found(
     for widget in (first, second, buttons):
         layout.addWidget(widget)
     window.show()
-    words = {"&Open": "&Kopieren", "&Paste": "&Einfügen"}
-    monkeypatch.setattr("tests.support.keyboard.translation", lambda _, text: words[text])
+    translated = {"&Open": "&Kopieren", "&Paste": "&Einfügen"}
+    monkeypatch.setattr("tests.support.keyboard.translation", lambda _, text: translated[text])
     check_keyboard(window)
-    words["&Paste"] = "&Klemmbrett"
+    translated["&Paste"] = "&Klemmbrett"
     with pytest.raises(AssertionError, match=r"de: Alt.K is &Kopieren and &Klemmbrett"):
         check_keyboard(window)
-    words["&Paste"] = "Ein&setzen"
+    translated["&Paste"] = "Ein&setzen"
     with pytest.raises(AssertionError, match=r"de: Alt.S is Ein&setzen and &Schließen"):
         check_keyboard(window)

@@ -1,7 +1,6 @@
-"""Automatic connections, only when the user can expect them."""
+"""Automatic connection at the start and after an adapter is plugged in."""
 
 import pytest
-from pytestqt.qtbot import QtBot
 from serial.tools.list_ports_common import ListPortInfo
 
 from tests.support.simulator import SimulatedDevice, StartSimulator
@@ -18,13 +17,13 @@ from trex_gui.ui.notifier import Remedy
 FACTORY = ConnectionSettings("")
 
 
-def adapter(url: str, number: str, socket: str = "1-2") -> ListPortInfo:
-    info = ListPortInfo(url, skip_link_detection=True)
-    info.vid, info.pid, info.serial_number, info.location = 0x0403, 0x6001, number, socket
-    return info
+def adapter(url: str, serial_number: str) -> ListPortInfo:
+    port = ListPortInfo(url, skip_link_detection=True)
+    port.vid, port.pid, port.serial_number, port.location = 0x0403, 0x6001, serial_number, "1-2"
+    return port
 
 
-class Bench:
+class ConnectionHarness:
     """Window without a connection, and two boards on known adapters."""
 
     def __init__(
@@ -36,7 +35,7 @@ class Bench:
     ) -> None:
         self.window = window
         self.device = window.device
-        self._computer = computer
+        self._ports = computer
         self._time = virtual_time
         self.boards = [start_simulator("--unpaced"), start_simulator("--unpaced")]
         self.adapters = [adapter(b.url, f"A500000{i}") for i, b in enumerate(self.boards)]
@@ -48,120 +47,121 @@ class Bench:
             ports.assign(port, "trex", FACTORY.packed)
 
     def plug(self, *adapters: ListPortInfo) -> None:
-        """Plug in only these adapters, and wait for the result."""
-        self._computer[:] = adapters
+        """Plug in only these adapters and unplug all others. Wait for the result."""
+        self._ports[:] = adapters
         self.window.program.ports.refresh()
-        self.settle()
+        self.wait()
 
     def start(self) -> None:
         self.window.program.auto_connect.start()
-        self.settle()
+        self.wait()
 
-    def settle(self) -> None:
+    def wait(self) -> None:
         self._time.advance(1.5)
 
     @property
     def url(self) -> str:
-        """Address of the connected board, or empty."""
+        """URL of the connected board. Empty without a connection."""
         settings = self.device.settings
         is_connected = self.device.link is ConnectionState.CONNECTED
         return settings.url if settings is not None and is_connected else ""
 
-    def listen(self, board: SimulatedDevice) -> list[bytes]:
-        """Return a list that collects the bytes received by a board."""
-        sent: list[bytes] = []
+    def record_packets(self, board: SimulatedDevice) -> list[bytes]:
+        """Return a list to which the packets for a board will be added."""
+        packets: list[bytes] = []
         assert isinstance(board, VirtualSimulator)
-        board.on_write = sent.append
-        return sent
+        board.on_write = packets.append
+        return packets
 
 
 @pytest.fixture
-def bench(
-    qtbot: QtBot,
-    window: WindowDriver,
+def harness(
     computer: list[ListPortInfo],
+    window: WindowDriver,
     start_simulator: StartSimulator,
     virtual_time: VirtualRuntime,
-) -> Bench:
-    return Bench(window, computer, start_simulator, virtual_time)
+) -> ConnectionHarness:
+    return ConnectionHarness(window, computer, start_simulator, virtual_time)
 
 
-def test_last_board_is_tried_first_at_the_start(bench: Bench) -> None:
-    first, second = bench.boards
-    sent = bench.listen(first)
-    bench.start()
-    assert bench.url == second.url
-    assert not sent
+def test_last_used_board_is_connected_at_the_start(harness: ConnectionHarness) -> None:
+    first, second = harness.boards
+    packets = harness.record_packets(first)
+    harness.start()
+    assert harness.url == second.url
+    assert not packets
 
 
-def test_other_known_board_is_connected_if_the_last_is_silent(bench: Bench) -> None:
-    first, second = bench.boards
+def test_other_known_board_is_connected_if_last_one_is_silent(harness: ConnectionHarness) -> None:
+    first, second = harness.boards
     second.do("power off")
-    sent = bench.listen(second)
-    bench.start()
-    assert bench.url == first.url
-    assert set(b"".join(sent)) == {0xFF, 0x81}, "one harmless probe, no error"
-    assert not bench.window.has("bannerText")
+    packets = harness.record_packets(second)
+    harness.start()
+    assert harness.url == first.url
+    assert set(b"".join(packets)) == {0xFF, 0x81}, "one probe that moves no motor"
+    assert not harness.window.has("bannerText")
 
 
-def test_board_is_found_at_the_settings_of_its_adapter(bench: Bench) -> None:
-    first, second = bench.boards
-    bench.plug(bench.adapters[0])
-    ports = bench.window.program.ports
+def test_board_is_connected_with_the_settings_of_its_adapter(harness: ConnectionHarness) -> None:
+    first, second = harness.boards
+    harness.plug(harness.adapters[0])
+    ports = harness.window.program.ports
     port = ports.find(first.url)
     assert port is not None
     ports.assign(port, "trex", ConnectionSettings("", LineSettings(57600)).packed)
-    bench.start()
-    assert bench.url == "", "it is at another rate"
-    bench.plug(*bench.adapters)
-    assert bench.url == second.url
-    assert bench.device.settings is not None
-    assert bench.device.settings.line == LineSettings()
+    harness.start()
+    assert harness.url == "", "the board uses another baud rate"
+    harness.plug(*harness.adapters)
+    assert harness.url == second.url
+    assert harness.device.settings is not None
+    assert harness.device.settings.line == LineSettings()
 
 
-def test_nothing_is_connected_if_two_known_boards_answer(bench: Bench) -> None:
-    bench.plug()
-    bench.start()
-    bench.plug(*bench.adapters)
-    assert bench.url == ""
-    bench.plug(bench.adapters[0])
-    bench.plug(*bench.adapters)
-    assert bench.url == bench.boards[1].url, "only one was plugged in now"
+def test_nothing_is_connected_if_two_known_boards_answer(harness: ConnectionHarness) -> None:
+    harness.plug()
+    harness.start()
+    harness.plug(*harness.adapters)
+    assert harness.url == ""
+    harness.plug(harness.adapters[0])
+    harness.plug(*harness.adapters)
+    assert harness.url == harness.boards[1].url, "only this board is new"
 
 
-def test_unsuitable_ports_are_not_opened(bench: Bench, monkeypatch: pytest.MonkeyPatch) -> None:
-    first, second = bench.boards
-    sent = [bench.listen(board) for board in bench.boards]
-    bench.plug()
-    ports = bench.window.program.ports
+def test_unsuitable_ports_are_not_opened(
+    harness: ConnectionHarness, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first, second = harness.boards
+    packets = [harness.record_packets(board) for board in harness.boards]
+    harness.plug()
+    ports = harness.window.program.ports
     ports.assign(ports.add_typed(first.url), "trex", FACTORY.packed)
     assert ports.last_used is not None
-    bench.start()
-    assert bench.url == ""
-    bench.plug(adapter(first.url, "B700000"), ListPortInfo(second.url, skip_link_detection=True))
+    harness.start()
+    assert harness.url == ""
+    harness.plug(adapter(first.url, "B700000"), ListPortInfo(second.url, skip_link_detection=True))
     monkeypatch.setattr(auto_connect, "holder_of", lambda _: "minicom (process 7)")
-    bench.plug()
-    bench.plug(bench.adapters[0])
-    assert bench.url == ""
-    assert sent == [[], []]
+    harness.plug()
+    harness.plug(harness.adapters[0])
+    assert harness.url == ""
+    assert packets == [[], []]
 
 
-def test_nothing_is_connected_against_the_users_wish(bench: Bench) -> None:
+def test_user_choice_or_problem_prevents_connection(harness: ConnectionHarness) -> None:
     set_automatic(False)
-    bench.start()
-    assert bench.url == "", "it is switched off"
+    harness.start()
+    assert harness.url == "", "automatic connection is switched off"
 
     set_automatic(True)
-    bench.plug()
-    bench.window.device.notifier.report("Something is wrong.", (Remedy.FIND,))
-    bench.plug(bench.adapters[0])
-    assert bench.url == "", "a problem is shown"
+    harness.plug()
+    harness.window.device.notifier.report("Something is wrong.", (Remedy.FIND,))
+    harness.plug(harness.adapters[0])
+    assert harness.url == "", "a problem is shown"
 
-    bench.window.click("bannerDismiss")
-    bench.plug()
-    bench.plug(bench.adapters[0])
-    assert bench.url == bench.boards[0].url
-    bench.window.disconnect()
-    bench.plug()
-    bench.plug(bench.adapters[0])
-    assert bench.url == "", "the user has disconnected"
+    harness.window.click("bannerDismiss")
+    harness.plug()
+    harness.plug(harness.adapters[0])
+    assert harness.url == harness.boards[0].url
+    harness.window.disconnect()
+    harness.plug()
+    harness.plug(harness.adapters[0])
+    assert harness.url == "", "the user has disconnected"

@@ -1,4 +1,4 @@
-"""One current device of several kinds."""
+"""Device manager: one current device among several kinds."""
 
 from typing import cast
 
@@ -15,7 +15,7 @@ from trex_gui.ui.notifier import Remedy
 
 
 class FakeDevice(QObject):
-    """Device whose connection state the test sets."""
+    """Device that records calls. The test sets its connection state."""
 
     changed = Signal()
     progressed = Signal(int, int, str)
@@ -27,47 +27,44 @@ class FakeDevice(QObject):
         self.link = ConnectionState.DISCONNECTED
         self.starting = False
         self.port: Port | None = None
-        self.done: list[str] = []
+        self.calls: list[str] = []
 
     status = line_text = unconfirmed_stop = ""
     demo_in_use = has_line_settings = is_busy = False
 
     def connect_to(self, port: Port) -> None:
-        self.done.append(f"connect {port.url}")
+        self.calls.append(f"connect {port.url}")
         self.port = port
-        self.become(ConnectionState.CONNECTED)
+        self.set_link(ConnectionState.CONNECTED)
 
     def connect_with(self, port: Port, settings: PortSettings) -> None:
-        self.done.append(f"with {settings.short}")
+        self.calls.append(f"with {settings.short}")
         self.connect_to(port)
 
     def disconnect_device(self) -> None:
-        self.done.append("leave")
+        self.calls.append("disconnect")
         if self.link is not ConnectionState.DISCONNECTED:
-            self.become(ConnectionState.DISCONNECTING)
+            self.set_link(ConnectionState.DISCONNECTING)
 
     def press_stop(self) -> None:
-        self.done.append("stop")
+        self.calls.append("stop")
 
     def stop_now(self, *, ending: bool = False) -> None:
-        self.done.append("end" if ending else "stop now")
+        self.calls.append("end" if ending else "stop now")
 
     def stop_because(self, reason: str) -> str:
-        self.done.append(f"stop: {reason}")
-        return (
-            f"{reason}, so {self.plugin.name} is told."
-            if self.link is not ConnectionState.DISCONNECTED
-            else ""
-        )
+        self.calls.append(f"stop: {reason}")
+        is_connected = self.link is not ConnectionState.DISCONNECTED
+        return f"{reason}, so {self.plugin.name} was stopped." if is_connected else ""
 
     def start_shutdown(self) -> None:
-        self.done.append("begin to shut down")
+        self.calls.append("start shutdown")
 
     def shut_down(self) -> bool:
-        self.done.append("shut down")
+        self.calls.append("shut down")
         return self.plugin.key != "first"
 
-    def become(self, link: ConnectionState) -> None:
+    def set_link(self, link: ConnectionState) -> None:
         self.link = link
         self.changed.emit()
 
@@ -77,21 +74,21 @@ def port(url: str, device: str) -> Port:
 
 
 class Devices:
-    """Manager of two devices, and its reports of unrequested stops."""
+    """Manager of two devices, with its reports of unrequested stops."""
 
     def __init__(self) -> None:
         self.first, self.second = FakeDevice("first"), FakeDevice("second")
         first, second = cast("list[Controller]", [self.first, self.second])
-        makers = {"first": lambda: first, "second": lambda: second}
-        self.manager = DeviceManager(makers, DeviceScanner())
-        assert list(self.manager.controllers) == [first], "the others are made when they are needed"
+        factories = {"first": lambda: first, "second": lambda: second}
+        self.manager = DeviceManager(factories, DeviceScanner())
+        assert list(self.manager.controllers) == [first], "the second is created on first use"
         assert self.manager.controller("second") is second
         self.reports: list[str] = []
         self.manager.stop_reported.connect(self.reports.append)
 
     @property
-    def done(self) -> list[list[str]]:
-        return [self.first.done, self.second.done]
+    def calls(self) -> list[list[str]]:
+        return [self.first.calls, self.second.calls]
 
 
 @pytest.fixture
@@ -99,14 +96,14 @@ def devices(qapp: QObject) -> Devices:
     return Devices()
 
 
-def test_creating_a_device_does_not_end_a_stop(
+def test_stop_continues_while_a_device_is_created(
     qapp: QObject, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """The stop comes from another thread."""
+    """The stop can come from another thread while the device is being created."""
     first, second = FakeDevice("first"), FakeDevice("second")
     controller = cast("Controller", first)
-    makers = {"first": lambda: controller, "second": lambda: cast("Controller", second)}
-    manager = DeviceManager(makers, DeviceScanner())
+    factories = {"first": lambda: controller, "second": lambda: cast("Controller", second)}
+    manager = DeviceManager(factories, DeviceScanner())
     stops: list[bool] = []
 
     def stop_now(*, ending: bool = False) -> None:
@@ -121,58 +118,56 @@ def test_creating_a_device_does_not_end_a_stop(
 def test_previous_device_disconnects_before_the_next_connects(devices: Devices) -> None:
     was_idle = devices.manager.is_idle
     devices.manager.connect_to(port("a", "first"))
-    assert devices.first.done == ["connect a"]
+    assert devices.first.calls == ["connect a"]
     assert (was_idle, devices.manager.is_idle) == (True, False)
     devices.manager.connect_to(port("b", "second"))
-    assert devices.first.done[-1] == "leave"
-    assert (devices.second.done, devices.manager.current.plugin.key) == ([], "first")
-    devices.first.become(ConnectionState.DISCONNECTED)
-    assert devices.second.done == ["connect b"]
+    assert devices.first.calls[-1] == "disconnect"
+    assert (devices.second.calls, devices.manager.current.plugin.key) == ([], "first")
+    devices.first.set_link(ConnectionState.DISCONNECTED)
+    assert devices.second.calls == ["connect b"]
     assert devices.manager.current.plugin.key == "second"
 
 
-def test_leaving_cancels_the_pending_connection(devices: Devices) -> None:
+def test_disconnect_cancels_the_pending_connection(devices: Devices) -> None:
     devices.manager.connect_to(port("a", "first"))
     devices.manager.connect_to(port("b", "second"))
     devices.manager.disconnect_device()
-    devices.first.become(ConnectionState.DISCONNECTED)
-    assert devices.second.done == []
+    devices.first.set_link(ConnectionState.DISCONNECTED)
+    assert devices.second.calls == []
 
 
-def test_last_chosen_port_is_connected(devices: Devices) -> None:
+def test_last_selected_port_is_connected(devices: Devices) -> None:
     devices.manager.connect_to(port("a", "first"))
     devices.manager.connect_to(port("b", "second"))
     devices.manager.connect_with(port("c", "second"), PortSettings(""))
-    assert not devices.manager.switch_to("second", lambda: None), "a file does not replace it"
-    devices.first.become(ConnectionState.DISCONNECTED)
-    assert devices.second.done == ["with 9600 baud", "connect c"]
+    assert not devices.manager.switch_to("second", lambda: None), "a connection is pending"
+    devices.first.set_link(ConnectionState.DISCONNECTED)
+    assert devices.second.calls == ["with 9600 baud", "connect c"]
 
 
 def test_switch_waits_for_disconnection(devices: Devices) -> None:
-    used: list[str] = []
+    devices_used: list[str] = []
 
-    def record_kind() -> None:
-        used.append(devices.manager.current.plugin.key)
+    def record_device() -> None:
+        devices_used.append(devices.manager.current.plugin.key)
 
     devices.manager.connect_to(port("a", "first"))
-    assert not devices.manager.switch_to("second", record_kind), (
-        "a connected device is not disconnected for it"
-    )
-    assert (used, devices.first.link) == ([], ConnectionState.CONNECTED)
+    assert not devices.manager.switch_to("second", record_device), "the first is connected"
+    assert (devices_used, devices.first.link) == ([], ConnectionState.CONNECTED)
     devices.manager.disconnect_device()
-    assert devices.manager.switch_to("second", record_kind)
-    assert used == []
-    devices.first.become(ConnectionState.DISCONNECTED)
-    assert used == ["second"]
-    assert devices.manager.switch_to("first", record_kind)
-    assert devices.manager.switch_to("first", record_kind)
-    assert used == ["second", "first", "first"]
+    assert devices.manager.switch_to("second", record_device)
+    assert devices_used == []
+    devices.first.set_link(ConnectionState.DISCONNECTED)
+    assert devices_used == ["second"]
+    assert devices.manager.switch_to("first", record_device)
+    assert devices.manager.switch_to("first", record_device)
+    assert devices_used == ["second", "first", "first"]
     assert devices.second.link is ConnectionState.DISCONNECTED
 
 
 def test_all_devices_are_shut_down_after_a_timeout(devices: Devices) -> None:
     assert not devices.manager.shut_down()
-    assert [done[-1] for done in devices.done] == ["shut down", "shut down"]
+    assert [calls[-1] for calls in devices.calls] == ["shut down", "shut down"]
 
 
 def test_shutdown_starts_on_all_devices_before_waiting(
@@ -181,12 +176,12 @@ def test_shutdown_starts_on_all_devices_before_waiting(
     reports: list[list[str]] = []
 
     def shut_down() -> bool:
-        reports.append(list(devices.second.done))
+        reports.append(list(devices.second.calls))
         return True
 
     monkeypatch.setattr(devices.first, "shut_down", shut_down)
     assert devices.manager.shut_down()
-    assert reports == [["begin to shut down"]]
+    assert reports == [["start shutdown"]]
 
 
 def test_unconfirmed_stops_of_all_devices_are_listed(devices: Devices) -> None:
@@ -197,30 +192,30 @@ def test_unconfirmed_stops_of_all_devices_are_listed(devices: Devices) -> None:
     assert devices.manager.unconfirmed_stop == "The first may turn.\nThe second may turn."
 
 
-def test_automatic_stop_reaches_all_and_current_device_reports(devices: Devices) -> None:
+def test_automatic_stop_reaches_all_and_current_device_reports_it(devices: Devices) -> None:
     devices.manager.connect_to(port("b", "second"))
-    assert devices.first.done == ["leave"], "it is left although it is idle"
-    devices.manager.stop_because("It rains")
-    assert [done[-1] for done in devices.done] == ["stop: It rains"] * 2
-    assert devices.reports == ["It rains, so Second is told."]
+    assert devices.first.calls == ["disconnect"], "although it is not connected"
+    devices.manager.stop_because("The screen was locked")
+    assert [calls[-1] for calls in devices.calls] == ["stop: The screen was locked"] * 2
+    assert devices.reports == ["The screen was locked, so Second was stopped."]
 
 
 def test_stop_report_is_forwarded_only_for_the_current_device(devices: Devices) -> None:
-    devices.second.stop_reported.emit("The second stands.")
+    devices.second.stop_reported.emit("The second has stopped.")
     assert devices.reports == []
-    devices.first.stop_reported.emit("The first stands.")
-    assert devices.reports == ["The first stands."]
+    devices.first.stop_reported.emit("The first has stopped.")
+    assert devices.reports == ["The first has stopped."]
 
 
 def test_unconnected_stop_is_reported_only_with_remedies(devices: Devices) -> None:
-    devices.manager.stop_because("It rains")
+    devices.manager.stop_because("The screen was locked")
     assert devices.reports == []
-    devices.manager.stop_because("The roof fell in", (Remedy.REPORT,))
-    assert devices.reports == ["The roof fell in."]
+    devices.manager.stop_because("An internal error occurred", (Remedy.REPORT,))
+    assert devices.reports == ["An internal error occurred."]
 
 
-def test_stop_of_the_user_and_of_the_system_reach_every_device(devices: Devices) -> None:
+def test_manual_and_system_stops_reach_every_device(devices: Devices) -> None:
     devices.manager.press_stop()
     devices.manager.stop_now()
     devices.manager.stop_now(ending=True)
-    assert devices.done == [["stop", "stop now", "end"]] * 2
+    assert devices.calls == [["stop", "stop now", "end"]] * 2

@@ -1,4 +1,4 @@
-"""The list of ports."""
+"""List of ports."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -24,14 +24,14 @@ CreatePorts = Callable[..., Ports]
 
 @pytest.fixture
 def create_ports(qtbot: QtBot, computer: list[ListPortInfo]) -> Iterator[CreatePorts]:
-    made: list[Ports] = []
+    created: list[Ports] = []
 
     def new(*plugins: DevicePlugin) -> Ports:
-        made.append(Ports(plugins or (TREX,)))
-        return made[-1]
+        created.append(Ports(plugins or (TREX,)))
+        return created[-1]
 
     yield new
-    for ports in made:
+    for ports in created:
         ports.deleteLater()
 
 
@@ -83,11 +83,11 @@ def test_typed_serial_port_selects_the_listed_port(
     assert urls(create_ports()) == ["/dev/ttyUSB0", ""]
 
 
-def test_typed_link_selects_the_port_of_its_adapter(
+def test_typed_link_selects_the_listed_port_of_its_target(
     create_ports: CreatePorts, computer: list[ListPortInfo], tmp_path: Path
 ) -> None:
-    device, other = tmp_path / "ttyUSB0", tmp_path / "pts7"
-    for path in (device, other):
+    device, terminal = tmp_path / "ttyUSB0", tmp_path / "pts7"
+    for path in (device, terminal):
         path.touch()
     by_id, link = tmp_path / "usb-FTDI_FT232R_A500001", tmp_path / "trex"
     by_id.symlink_to("ttyUSB0")
@@ -95,7 +95,7 @@ def test_typed_link_selects_the_port_of_its_adapter(
     computer.append(port(str(device)))
     ports = create_ports()
     assert ports.add_typed(str(by_id)) == ports.find(str(device))
-    assert ports.add_typed(str(link)).kind is PortKind.TYPED, "it leads to no listed port"
+    assert ports.add_typed(str(link)).kind is PortKind.TYPED, "the target of the link is not listed"
     assert len(ports.entries) == 3
 
 
@@ -119,10 +119,10 @@ def test_only_the_last_eight_typed_addresses_are_saved(create_ports: CreatePorts
     assert urls(create_ports()) == [*(f"/dev/pts/{number}" for number in range(4, 12)), ""]
 
 
-def test_only_usb_adapter_comes_first_and_is_preferred(
+def test_single_usb_adapter_is_first_and_preferred(
     create_ports: CreatePorts, computer: list[ListPortInfo]
 ) -> None:
-    """Many computers have built-in serial ports without a plug."""
+    """Many computers have built-in serial ports without a connector."""
     adapter = port("/dev/ttyUSB0")
     adapter.vid, adapter.pid = 0x10C4, 0xEA60
     computer += [port("/dev/ttyS0"), port("/dev/ttyS1"), adapter]
@@ -131,7 +131,7 @@ def test_only_usb_adapter_comes_first_and_is_preferred(
     assert ports.preferred == ports.find("/dev/ttyUSB0")
 
 
-def test_only_or_last_used_port_is_preferred(
+def test_single_or_last_used_port_is_preferred(
     create_ports: CreatePorts, computer: list[ListPortInfo]
 ) -> None:
     def preferred() -> str | None:
@@ -150,12 +150,12 @@ def test_only_or_last_used_port_is_preferred(
     assert preferred() == "/dev/ttyUSB0"
 
 
-# --- Kinds of devices -------------------------------------------------------------------
+# --- Device kinds -------------------------------------------------------------------------
 
 WALKER = new_plugin("walker", "Walker")
 
 
-def test_each_device_kind_has_a_demo_port_that_keeps_its_kind(create_ports: CreatePorts) -> None:
+def test_each_device_kind_has_a_demo_port_of_fixed_kind(create_ports: CreatePorts) -> None:
     ports = create_ports(TREX, WALKER)
     labels = [port.label for port in ports.entries if port.kind is PortKind.DEMO]
     assert labels == ["Demo TReX (no hardware)", "Demo Walker (no hardware)"]
@@ -171,9 +171,11 @@ def test_device_kind_of_a_port_is_saved_and_shown(create_ports: CreatePorts) -> 
     assert create_ports(TREX, WALKER).find("socket://robot:1") == port
     found = create_ports().find("socket://robot:1")
     assert found is not None
-    assert (found.device, found.label) == ("trex", "socket://robot:1"), "none that is known"
-    again = ports.assign(port, "trex")
-    assert (again.device, again.label) == ("trex", "socket://robot:1")
+    assert (found.device, found.label) == ("trex", "socket://robot:1"), (
+        "the kind walker is unknown here"
+    )
+    changed = ports.assign(port, "trex")
+    assert (changed.device, changed.label) == ("trex", "socket://robot:1")
     found = create_ports(TREX, WALKER).find("socket://robot:1")
     assert found is not None
     assert found.device == "trex"

@@ -1,7 +1,7 @@
 """Scans for boards."""
 
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
 
 import pytest
@@ -21,112 +21,105 @@ from trex_gui.ui.devices.scanner import DeviceScanner
 from trex_gui.ui.devices.simulator import Simulator
 from trex_gui.ui.runtime import now
 
-Until = Callable[[Callable[[], bool]], None]
-
 
 @pytest.fixture
-def until(qtbot: QtBot) -> Until:
-    return qtbot.waitUntil
-
-
-@pytest.fixture
-def finder(qtbot: QtBot) -> Iterator[DeviceScanner]:
+def scanner(qtbot: QtBot) -> Iterator[DeviceScanner]:
     simulator = Simulator(TREX)
-    finder = DeviceScanner([TREX])
-    finder.add_simulator("trex", simulator)
-    yield finder
-    assert finder.shut_down()
+    scanner = DeviceScanner([TREX])
+    scanner.add_simulator("trex", simulator)
+    yield scanner
+    assert scanner.shut_down()
     simulator.stop()
 
 
-def at(url: str) -> Port:
+def typed_port(url: str) -> Port:
     return Port(PortKind.TYPED, url, url, "trex")
 
 
 def test_found_board_is_listed_with_port_and_settings(
-    finder: DeviceScanner, quick_simulator: SimulatedDevice, until: Until
+    scanner: DeviceScanner, quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
-    port = at(quick_simulator.url)
-    finder.start([port])
-    assert finder.running
-    assert finder.is_searching(port)
-    until(lambda: not finder.running)
-    (finding,) = finder.findings
+    port = typed_port(quick_simulator.url)
+    scanner.start([port])
+    assert scanner.running
+    assert scanner.is_searching(port)
+    qtbot.waitUntil(lambda: not scanner.running)
+    (finding,) = scanner.findings
     assert finding.port == port
     assert finding.text == f"TReX 1.2, device 7 on {port.url} at 19200 baud."
     assert finding.found is not None
-    assert finder.summary == "1 board found."
-    assert not finder.is_searching(port)
+    assert scanner.summary == "1 board found."
+    assert not scanner.is_searching(port)
 
 
 @pytest.mark.realtime
 def test_progress_and_findings_arrive_in_gui_thread(
-    finder: DeviceScanner, quick_simulator: SimulatedDevice, until: Until
+    scanner: DeviceScanner, quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     threads: set[threading.Thread] = set()
-    for signal in (finder.progressed, finder.changed):
+    for signal in (scanner.progressed, scanner.changed):
         signal.connect(lambda: threads.add(threading.current_thread()))
-    finder.start([at(quick_simulator.url), at("/dev/ttyNothing9")])
-    until(lambda: not finder.running)
-    assert len(finder.findings) == 2
+    scanner.start([typed_port(quick_simulator.url), typed_port("/dev/ttyNothing9")])
+    qtbot.waitUntil(lambda: not scanner.running)
+    assert len(scanner.findings) == 2
     assert threads == {threading.main_thread()}
 
 
 def test_scan_reports_progress_until_cancelled(
-    finder: DeviceScanner, quick_simulator: SimulatedDevice, until: Until
+    scanner: DeviceScanner, quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     quick_simulator.do("power off")
-    seen: list[tuple[int, int, str]] = []
-    finder.progressed.connect(lambda: seen.append((finder.done, finder.total, finder.text)))
-    finder.start([at(quick_simulator.url), at("/dev/ttyNothing9")])
-    until(lambda: len(seen) >= 5)
-    begun = now()
-    finder.cancel()
-    assert finder.text == "Ending the search …"
-    until(lambda: not finder.running)
-    assert now() - begun < 1.0
+    reports: list[tuple[int, int, str]] = []
+    scanner.progressed.connect(lambda: reports.append((scanner.done, scanner.total, scanner.text)))
+    scanner.start([typed_port(quick_simulator.url), typed_port("/dev/ttyNothing9")])
+    qtbot.waitUntil(lambda: len(reports) >= 5)
+    start = now()
+    scanner.cancel()
+    assert scanner.text == "Ending the search …"
+    qtbot.waitUntil(lambda: not scanner.running)
+    assert now() - start < 1.0
     quick_simulator.do("power on")
-    texts = [text for _, _, text in seen]
+    texts = [text for _, _, text in reports]
     assert texts[0] == f"Opening {quick_simulator.url} …"
     assert f"Looking for TReX at 19200 baud on {quick_simulator.url} …" in texts
     assert f"Looking for TReX at 115200 baud on {quick_simulator.url} …" in texts
-    assert (1, 194) in [(done, total) for done, total, _ in seen]
-    assert finder.findings == ()
-    assert finder.summary == "Search cancelled."
-    assert finder.text == ""
+    assert (1, 194) in [(done, total) for done, total, _ in reports]
+    assert scanner.findings == ()
+    assert scanner.summary == "Search cancelled."
+    assert scanner.text == ""
 
 
-def test_findings_are_in_the_order_of_the_first_scan_that_was_started(
-    finder: DeviceScanner, start_simulator: StartSimulator, until: Until
+def test_findings_have_port_order_and_a_second_start_is_ignored(
+    scanner: DeviceScanner, start_simulator: StartSimulator, qtbot: QtBot
 ) -> None:
-    finder.start([])
-    assert not finder.running
+    scanner.start([])
+    assert not scanner.running
     trex, junior = (start_simulator("--unpaced", "--model", model) for model in ("trex", "trexjr"))
-    finder.start([at(trex.url), at("/dev/ttyNothing9"), at(junior.url)])
-    finder.start([at("/dev/ttyNothing8")])
-    until(lambda: not finder.running)
-    first, second, third = (finding.text for finding in finder.findings)
+    scanner.start([typed_port(trex.url), typed_port("/dev/ttyNothing9"), typed_port(junior.url)])
+    scanner.start([typed_port("/dev/ttyNothing8")])
+    qtbot.waitUntil(lambda: not scanner.running)
+    first, second, third = (finding.text for finding in scanner.findings)
     assert first.startswith("TReX 1.2, device 7 on")
     assert second.startswith("There is no port /dev/ttyNothing9.")
     assert third.startswith("TReX Jr 1.2, device 7 on")
 
 
 def test_scan_emits_nothing_after_shutdown(
-    finder: DeviceScanner,
+    scanner: DeviceScanner,
     quick_simulator: SimulatedDevice,
     qtbot: QtBot,
     virtual_time: VirtualRuntime,
 ) -> None:
     quick_simulator.do("power off")
-    finder.start([at(quick_simulator.url)])
-    with qtbot.assertNotEmitted(finder.finished):
-        assert finder.shut_down()
+    scanner.start([typed_port(quick_simulator.url)])
+    with qtbot.assertNotEmitted(scanner.finished):
+        assert scanner.shut_down()
         virtual_time.advance(0.05)
-    assert not finder.running
+    assert not scanner.running
 
 
 def test_connecting_to_a_scanned_port_ends_the_scan_first(
-    quick_simulator: SimulatedDevice, until: Until
+    quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
     ports = new_ports()
     connector = new_controller(ports)
@@ -134,28 +127,28 @@ def test_connecting_to_a_scanned_port_ends_the_scan_first(
     port = ports.add_typed(quick_simulator.url)
     quick_simulator.do("line mute on")
     scanner_of(connector).start([port])
-    until(lambda: scanner_of(connector).done > 0)
+    qtbot.waitUntil(lambda: scanner_of(connector).done > 0)
     quick_simulator.do("line mute off")
     connector.connect_to(port)
     assert connector.port is None
-    until(lambda: device.link is ConnectionState.CONNECTED)
+    qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED)
     assert not scanner_of(connector).running
     connector.shut_down()
 
 
-def test_simulated_board_can_be_found_and_connected(until: Until) -> None:
+def test_simulated_board_can_be_found_and_connected(qtbot: QtBot) -> None:
     ports = new_ports()
     connector = new_controller(ports)
     device = connector.device
     connector.simulator.start()
-    until(lambda: connector.simulator.url != "")
+    qtbot.waitUntil(lambda: connector.simulator.url != "")
     scanner_of(connector).start([ports.demo_of("trex")])
-    until(lambda: not scanner_of(connector).running)
+    qtbot.waitUntil(lambda: not scanner_of(connector).running)
     (finding,) = scanner_of(connector).findings
     assert finding.text == "TReX 1.2, device 7 on the Demo TReX at 19200 baud."
     assert finding.found is not None
     connector.connect_with(finding.port, finding.found.settings)
-    until(lambda: device.link is ConnectionState.CONNECTED)
+    qtbot.waitUntil(lambda: device.link is ConnectionState.CONNECTED)
     assert connector.demo_in_use
     assert device.settings is not None
     assert device.settings.line == LineSettings()
@@ -165,25 +158,25 @@ def test_simulated_board_can_be_found_and_connected(until: Until) -> None:
 # --- Internal errors --------------------------------------------------------------------
 
 
-def _unexpected(settings: PortSettings, *, full: bool, known: bool) -> Prober:
+def _create_faulty_prober(settings: PortSettings, *, full: bool, known: bool) -> Prober:
     raise ZeroDivisionError("on purpose")
 
 
-ODD = ProberInfo("Odd", _unexpected)
+FAULTY = ProberInfo("Faulty", _create_faulty_prober)
 
 
 @pytest.fixture
-def faulty(qtbot: QtBot) -> DeviceScanner:
-    odd = replace(TREX, key="odd", name="Odd", prober=Lazy(f"{__name__}:ODD"))
-    return DeviceScanner([TREX, odd])
+def faulty_scanner(qtbot: QtBot) -> DeviceScanner:
+    plugin = replace(TREX, key="faulty", name="Faulty", prober=Lazy(f"{__name__}:FAULTY"))
+    return DeviceScanner([TREX, plugin])
 
 
 def test_internal_error_is_listed_and_the_scan_continues(
-    faulty: DeviceScanner, quick_simulator: SimulatedDevice, qtbot: QtBot
+    faulty_scanner: DeviceScanner, quick_simulator: SimulatedDevice, qtbot: QtBot
 ) -> None:
-    faulty.start([at(quick_simulator.url), at("/dev/ttyNothing9")])
-    qtbot.waitUntil(lambda: not faulty.running)
-    first, second = faulty.findings
+    faulty_scanner.start([typed_port(quick_simulator.url), typed_port("/dev/ttyNothing9")])
+    qtbot.waitUntil(lambda: not faulty_scanner.running)
+    first, second = faulty_scanner.findings
     assert "(ZeroDivisionError: on purpose)" in first.text
     assert second.text.startswith("There is no port /dev/ttyNothing9.")
-    assert faulty.summary == "No board was found."
+    assert faulty_scanner.summary == "No board was found."

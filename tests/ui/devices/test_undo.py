@@ -1,4 +1,4 @@
-"""Undo of edits from all pages. Values from the board are no edits."""
+"""Undo of edits on all pages. Values that the board sends are not edits."""
 
 from dataclasses import replace
 
@@ -63,11 +63,13 @@ def test_edits_of_one_run_are_one_step(device: Device) -> None:
     )
 
 
-@pytest.mark.parametrize("between", ["another run", "another channel", "another kind", "no run"])
-def test_intervening_edit_splits_a_run(device: Device, between: str) -> None:
+@pytest.mark.parametrize(
+    "intervening", ["another run", "another channel", "another kind", "no run"]
+)
+def test_intervening_edit_splits_a_run(device: Device, intervening: str) -> None:
     run = object()
     device.calibrations.edit(CalibrationKey.RC_CHANNEL_1, NEW, run=run)
-    match between:
+    match intervening:
         case "another run":
             run = object()
         case "another channel":
@@ -81,7 +83,7 @@ def test_intervening_edit_splits_a_run(device: Device, between: str) -> None:
     assert device.draft.undo.count() == steps + 1
 
 
-def test_run_back_to_the_old_value_leaves_no_step(device: Device) -> None:
+def test_run_that_returns_to_the_old_value_leaves_no_step(device: Device) -> None:
     run = object()
     device.parameters.edit("serial_timeout", 5)
     device.calibrations.edit(CalibrationKey.RC_CHANNEL_1, NEW, run=run)
@@ -138,7 +140,7 @@ def test_undo_does_not_change_the_other_input_source(device: Device) -> None:
     assert device.calibrations.stored(1) == analog
 
 
-def test_undo_ignores_a_parameter_missing_in_firmware(device: Device) -> None:
+def test_undo_ignores_a_parameter_that_the_firmware_lacks(device: Device) -> None:
     device.parameters.edit("uart_response_delay", 1)
     older = parameters_of("trex", "1.0")
     stored = {spec.key: spec.default for spec in older.readable}
@@ -169,7 +171,7 @@ def test_undo_and_redo_pass_through_every_state(qtbot: QtBot, data: st.DataObjec
         assert dict(model.values.pending) == dict(state)
 
 
-def test_menu_entries_end_with_a_colon_in_no_language(qapp: QApplication) -> None:
+def test_menu_entry_without_a_name_has_no_colon(qapp: QApplication) -> None:
     assert undo_titles("Motor Mode", "") == ("&Undo Motor Mode", "&Redo")
     with in_language(qapp, QLocale("de")):
         assert undo_titles("", "Motormodus") == ("&Rückgängig", "&Wiederherstellen: Motormodus")

@@ -1,4 +1,4 @@
-"""Ports in the dialog Find."""
+"""Ports and results in the Find dialog."""
 
 from collections.abc import Iterator
 
@@ -22,21 +22,15 @@ from trex_gui.ui.devices.scanner import ScanFinding
 from trex_gui.ui.frame.find_dialog import FindDialog
 
 
-def port_of_this_computer(name: str, description: str) -> ListPortInfo:
+def serial_port(name: str, description: str) -> ListPortInfo:
     port = ListPortInfo(name)
     port.description = description
     return port
 
 
 @pytest.fixture
-def listed(monkeypatch: pytest.MonkeyPatch) -> list[ListPortInfo]:
-    found = [port_of_this_computer("/dev/ttyUSB0", "An adapter")]
-    monkeypatch.setattr("serial.tools.list_ports.comports", lambda: found)
-    return found
-
-
-@pytest.fixture
-def ports(qtbot: QtBot, listed: list[ListPortInfo]) -> Iterator[Ports]:
+def ports(qtbot: QtBot, computer: list[ListPortInfo]) -> Iterator[Ports]:
+    computer.append(serial_port("/dev/ttyUSB0", "An adapter"))
     ports = Ports([TREX])
     yield ports
     ports.deleteLater()
@@ -64,19 +58,19 @@ def test_network_addresses_are_listed_but_not_checked(
     }
 
 
-def test_check_marks_survive_a_port_refresh_and_a_chosen_port_is_first(
-    dialog: FindBoardDialog, ports: Ports, listed: list[ListPortInfo]
+def test_check_marks_survive_a_refresh_and_selected_port_is_first(
+    dialog: FindBoardDialog, ports: Ports, computer: list[ListPortInfo]
 ) -> None:
     dialog.ports()[0].setCheckState(Qt.CheckState.Unchecked)
     assert not dialog.is_enabled("findStartButton")
-    listed.append(port_of_this_computer("/dev/ttyUSB1", "n/a"))
+    computer.append(serial_port("/dev/ttyUSB1", "n/a"))
     ports.refresh()
     assert dialog.rows() == {"/dev/ttyUSB0  (An adapter)": False, "/dev/ttyUSB1": True}
     assert dialog.is_enabled("findStartButton")
     assert isinstance(dialog.root, FindDialog)
     dialog.root.open_dialog(ports.find("/dev/ttyUSB1"))
     assert list(dialog.rows()) == ["/dev/ttyUSB1", "/dev/ttyUSB0  (An adapter)"]
-    listed.clear()
+    computer.clear()
     ports.refresh()
     assert dialog.rows() == {}
     assert not dialog.is_enabled("findStartButton")
@@ -84,7 +78,7 @@ def test_check_marks_survive_a_port_refresh_and_a_chosen_port_is_first(
 
 def test_ports_with_boards_are_listed_first(dialog: FindBoardDialog, ports: Ports) -> None:
     port = ports.entries[0]
-    failed = ScanFinding(port, "No TReX responds.", command="sudo give me the port")
+    failed = ScanFinding(port, "No TReX responds.", command="sudo usermod -aG dialout ada")
     signature = Signature(device_table().model("trex"), "1.2")
     found = FoundBoard(ConnectionSettings("/dev/ttyUSB1"), signature)
     board = ScanFinding(port, "TReX 1.2", found, "trex")
@@ -99,5 +93,5 @@ def test_ports_with_boards_are_listed_first(dialog: FindBoardDialog, ports: Port
     assert dialog.text("findText1") == "No TReX responds."
     assert dialog.has("findText1")
     dialog.click("copyCommand1")
-    assert QGuiApplication.clipboard().text() == "sudo give me the port"
+    assert QGuiApplication.clipboard().text() == "sudo usermod -aG dialout ada"
     assert not dialog.root.findChild(QAbstractButton, "copyCommand0")

@@ -1,3 +1,5 @@
+"""Tab bar with the places of the window."""
+
 from collections.abc import Iterator
 
 import pytest
@@ -13,17 +15,17 @@ from trex_gui.ui.frame.places import Places
 def places(qtbot: QtBot) -> Iterator[Places]:
     window = QWidget()
     qtbot.addWidget(window)
-    made = Places(window)
+    places = Places(window)
     for name in ("Board", "Channels", "Motors"):
-        made.addTab(QWidget(made), name)
-    made.bar.icons = ("board", "channels", "motor")
-    made.setTabVisible(1, False)
+        places.addTab(QWidget(places), name)
+    places.bar.icons = ("board", "channels", "motor")
+    places.setTabVisible(1, False)
     window.show()
-    yield made
+    yield places
     window.close()
 
 
-def test_names_are_shown_if_the_space_suffices(places: Places) -> None:
+def test_narrow_bar_shows_icons_instead_of_names(places: Places) -> None:
     places.resize(1300, 400)
     wide = places.bar.tabRect(0).width()
     assert places.bar.tabToolTip(0) == ""
@@ -34,11 +36,11 @@ def test_names_are_shown_if_the_space_suffices(places: Places) -> None:
     assert len({picture.pixel(x, 18) for x in range(picture.width())}) > 2
 
 
-def test_places_are_reached_with_tab(places: Places) -> None:
+def test_tab_key_moves_the_focus_to_the_bar(places: Places) -> None:
     assert places.bar.focusPolicy() is Qt.FocusPolicy.TabFocus
 
 
-def test_arrow_keys_go_through_the_places_that_are_shown(places: Places) -> None:
+def test_arrow_keys_move_through_the_visible_places(places: Places) -> None:
     for key, index in (
         (Qt.Key.Key_Down, 2),
         (Qt.Key.Key_Down, 2),

@@ -1,4 +1,4 @@
-"""Preferences take effect at once and at the next start."""
+"""Preferences take effect at once and are restored at the next start."""
 
 from collections.abc import Iterator
 
@@ -18,14 +18,14 @@ from trex_gui.ui.units import units
 @pytest.fixture
 def dialog(qtbot: QtBot, qapp: QApplication) -> Iterator[WidgetDriver]:
     theme().install(qapp)
-    made = PreferencesDialog()
-    made.open_preferences()
-    yield WidgetDriver(made, qtbot)
-    made.close()
-    made.deleteLater()
+    dialog = PreferencesDialog()
+    dialog.open_preferences()
+    yield WidgetDriver(dialog, qtbot)
+    dialog.close()
+    dialog.deleteLater()
 
 
-def start_again() -> None:
+def restart_program() -> None:
     """Simulate the next start of the program."""
     theme().set_scheme("system")
     theme().set_font_size(100)
@@ -33,11 +33,11 @@ def start_again() -> None:
     units.cache_clear()
 
 
-def test_theme_and_font_size_change_at_once_and_stay(dialog: WidgetDriver) -> None:
+def test_theme_and_font_size_change_at_once_and_are_saved(dialog: WidgetDriver) -> None:
     label = QLabel("text")
     before = label.sizeHint().height()
     dialog.select("schemeBox", "high_contrast")
-    for percent in (90, 175):  # the dialog fits its own text
+    for percent in (90, 175):  # the dialog adapts to its own text size
         dialog.select("fontSizeBox", percent)
         for text in dialog.find_all(QLabel):
             assert text.height() >= text.heightForWidth(text.width()), text.text()
@@ -45,23 +45,23 @@ def test_theme_and_font_size_change_at_once_and_stay(dialog: WidgetDriver) -> No
             assert box.height() >= box.sizeHint().height()
     assert theme().scheme == "high_contrast"
     assert label.sizeHint().height() == pytest.approx(1.75 * before, abs=2)
-    start_again()
+    restart_program()
     assert (theme().choice, theme().font_size) == ("high_contrast", 175)
     assert dialog.combo("fontSizeBox").currentData() == 175
 
 
-def test_other_choices_stay(dialog: WidgetDriver) -> None:
+def test_other_preferences_are_saved(dialog: WidgetDriver) -> None:
     dialog.click("automaticBox")
     dialog.select("unitsBox", True)
     dialog.select("languageBox", "de")
-    start_again()
+    restart_program()
     assert units().own_first
     assert not connects_automatically()
     assert selected_language() == "de"
 
 
 @pytest.mark.usefixtures("qapp")
-def test_unusable_choices_count_as_none() -> None:
+def test_invalid_preferences_are_replaced_by_defaults() -> None:
     Preferences().set("window/scheme", "sepia")
     Preferences().set("window/font_size", 1000)
     restore_choices()

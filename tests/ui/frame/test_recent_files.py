@@ -1,3 +1,5 @@
+"""List of recent files."""
+
 from pathlib import Path
 
 import pytest
@@ -7,14 +9,14 @@ from trex_gui.ui.frame.files import RecentFiles
 from trex_gui.ui.preferences import Preferences
 
 pytestmark = pytest.mark.usefixtures("qapp")
-FOLDER = Path("/some where").absolute()
+FOLDER = Path("/my files").absolute()
 
 
 def names(recent: RecentFiles) -> list[str]:
     return [file.path.name for file in recent.entries]
 
 
-def test_newest_are_listed_first_and_once(qtbot: QtBot) -> None:
+def test_newest_file_is_listed_first_and_once(qtbot: QtBot) -> None:
     recent = RecentFiles()
     for name in ("a.txt", "b.trexrec", "a.txt"):
         with qtbot.waitSignal(recent.changed):
@@ -27,17 +29,17 @@ def test_newest_are_listed_first_and_once(qtbot: QtBot) -> None:
     assert names(recent) == [f"{number}.txt" for number in range(19, 11, -1)]
 
 
-def test_files_are_removed() -> None:
+def test_file_is_removed_from_the_list() -> None:
     recent = RecentFiles()
     for name in ("a & b.txt", "c.txt"):
         recent.add("aracna", "poses", FOLDER / name)
-    assert recent.entries[1].title == "a & b.txt  (some where)"
+    assert recent.entries[1].title == "a & b.txt  (my files)"
     recent.remove(recent.entries[0])
     assert names(recent) == ["a & b.txt"]
 
 
 @pytest.mark.parametrize("stored", ["", "trex", "trex settings", "\n\n", "@Invalid()"])
-def test_unusable_lines_are_ignored(stored: str) -> None:
+def test_invalid_lines_are_ignored(stored: str) -> None:
     Preferences().set("files/recent", f"{stored}\ntrex settings /a b.txt")
     assert names(RecentFiles()) == ["a b.txt"]
     RecentFiles().add("trex", "settings", FOLDER / "two\nlines.txt")

@@ -1,4 +1,4 @@
-"""Help window on its own: pages, links, history and pictures."""
+"""Help window: pages, links, history and pictures."""
 
 import pytest
 from PySide6.QtCore import QUrl
@@ -95,7 +95,7 @@ def test_external_link_opens_on_the_desktop(
     assert help_window.shown == "library.md"
 
 
-def test_example_is_shown_and_not_run(
+def test_example_is_shown_but_not_run(
     help_window: HelpDriver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(QDesktopServices, "openUrl", lambda url: pytest.fail(url.toString()))
@@ -107,8 +107,8 @@ def test_example_is_shown_and_not_run(
     assert help_window.shown == "library.md"
 
 
-def picture(browser: QTextBrowser, name: str) -> QColor:
-    """Return the colour at the corner of a picture."""
+def corner_color(browser: QTextBrowser, name: str) -> QColor:
+    """Return the colour near the corner of a picture."""
     url = browser.source().resolved(QUrl(f"pictures/{name}-light.png"))
     image = browser.loadResource(QTextDocument.ResourceType.ImageResource.value, url)
     assert 0 < image.width() <= browser.viewport().width()
@@ -118,9 +118,9 @@ def picture(browser: QTextBrowser, name: str) -> QColor:
 def test_pictures_and_text_follow_theme_and_font(help_window: HelpDriver) -> None:
     dialog, browser = help_window.dialog, help_window.text_browser
     dialog.show_topic("status.md")
-    assert picture(browser, "board").lightness() > 200
+    assert corner_color(browser, "board").lightness() > 200
     theme().set_scheme("dark")
-    assert picture(browser, "board").lightness() < 60
+    assert corner_color(browser, "board").lightness() < 60
     assert help_window.shown == "status.md"
     theme().set_scheme("light")
     before = browser.document().size().height()
@@ -129,6 +129,6 @@ def test_pictures_and_text_follow_theme_and_font(help_window: HelpDriver) -> Non
     theme().set_font_size(100)
 
 
-def test_every_control_is_reached_by_keyboard(help_window: HelpDriver) -> None:
+def test_every_control_can_be_reached_by_keyboard(help_window: HelpDriver) -> None:
     help_window.dialog.show_topic("safety.md")
     check_keyboard(help_window.dialog)

@@ -1,4 +1,4 @@
-"""Each coded message has a help section, and each section a message."""
+"""Each message has a help section, and each help section has a message."""
 
 import ast
 import inspect
@@ -20,18 +20,23 @@ from trex_gui.devices.trex.protocol.errors import ErrorCode, Rejected, ResultCod
 from trex_gui.devices.trex.settings import reader, rules
 from trex_gui.devices.trex.views import help as trex
 from trex_gui.ui.help.messages import heading_of, texts_of
-from trex_gui.ui.help.pages import MESSAGES, anchor_of, pages
+from trex_gui.ui.help.pages import MESSAGES, HelpPage, anchor_of, pages
 from trex_gui.ui.translations import CONTEXT, error_sentence
 
 
-def explained() -> set[str]:
-    """Return the headings of the sections on messages."""
+def messages_page() -> HelpPage:
     (page,) = (page for page in pages() if page.name == MESSAGES)
-    lines = page.text.splitlines()
+    return page
+
+
+def explained_headings() -> set[str]:
+    """Return the headings of the sections on messages."""
+    lines = messages_page().text.splitlines()
     return {line.removeprefix("### ") for line in lines if line.startswith("### ")}
 
 
-def coded() -> set[str]:
+def message_headings() -> set[str]:
+    """Return a heading for each message that needs a section."""
     texts = [*texts_of(ErrorCode), *texts_of(RobotErrorCode), *texts_of(PortFault)]
     texts += _messages_of_rules()
     texts += [blocker.text for blocker in DriveBlocker]
@@ -40,7 +45,7 @@ def coded() -> set[str]:
 
 
 def _messages_of_rules() -> Iterator[str]:
-    """Yield the sentences in the source of the rules. Shorter texts are parts of sentences."""
+    """Yield the texts of the rules that have more than 8 words. Shorter texts are fragments."""
     for node in ast.walk(ast.parse(inspect.getsource(rules))):
         if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "tr":
             text = str(ast.literal_eval(node.args[0]))
@@ -48,34 +53,29 @@ def _messages_of_rules() -> Iterator[str]:
                 yield text
 
 
-def test_messages_and_their_explanations_correspond() -> None:
-    assert explained() == coded()
+def test_each_message_has_a_section_and_each_section_a_message() -> None:
+    assert explained_headings() == message_headings()
 
 
-def test_problems_are_explained_as_on_their_cards() -> None:
-    (page,) = (page for page in pages() if page.name == MESSAGES)
-    texts = {section.title: section.text for section in page.sections}
+def test_problem_sections_begin_with_the_text_of_their_cards() -> None:
+    texts = {section.title: section.text for section in messages_page().sections}
     for entry in UNSEEN:
         assert texts[entry.name].startswith(f"{entry.meaning} {entry.remedy}")
 
 
 def test_every_code_of_settings_files_is_explained() -> None:
-    (page,) = (page for page in pages() if page.name == MESSAGES)
-    rows = [line.split("|")[1] for line in page.text.splitlines() if line.startswith("| `")]
+    lines = messages_page().text.splitlines()
+    rows = [line.split("|")[1] for line in lines if line.startswith("| `")]
     assert sorted(re.findall(r"`(\w+)`", " ".join(rows))) == sorted(reader._MESSAGES)
 
 
-def test_explanation_is_longer_than_some_words() -> None:
-    (page,) = (page for page in pages() if page.name == MESSAGES)
-    short = [
-        section.title
-        for section in page.sections
-        if section.title in explained() and len(section.text) < 30
-    ]
-    assert not short
+def test_every_explanation_has_at_least_30_characters() -> None:
+    headings = explained_headings()
+    explanations = [part for part in messages_page().sections if part.title in headings]
+    assert not [section.title for section in explanations if len(section.text) < 30]
 
 
-def test_heading_is_the_first_clause() -> None:
+def test_heading_is_the_first_clause_of_a_message() -> None:
     assert heading_of("{0}: the board rejects this (code 2)") == "The board rejects this (code 2)"
     assert heading_of("No reply to {0}.") == "No reply to …"
     assert heading_of("{name} is {now:.2f} V; reduce it.") == "… is … V"
@@ -113,25 +113,25 @@ def test_message_without_a_code_has_no_section(qtbot: QtBot) -> None:
     assert not topic("")
 
 
-def test_message_that_contains_another_leads_to_its_own_section(qtbot: QtBot) -> None:
+def test_message_that_quotes_another_leads_to_its_own_section(qtbot: QtBot) -> None:
     inner = TrexError(ErrorCode.NO_REPLY, "C1 02")
     outer = TrexError(ErrorCode.STRAY_WRITE, "Serial Timeout", inner)
     assert topic(error_sentence(outer)).startswith("messages.md#the-line-corrupted-bytes-while")
 
 
-class _Shouting(QTranslator):
-    """Language with all texts in capital letters."""
+class _UpperCaseTranslator(QTranslator):
+    """Translates every text of the program into capital letters."""
 
     def translate(self, context: str, text: str, comment: str | None = None, n: int = -1) -> str:
         return text.upper() if context == CONTEXT else ""
 
 
 def test_translated_message_leads_to_its_section(qtbot: QtBot, qapp: QApplication) -> None:
-    language = _Shouting()
-    assert QCoreApplication.installTranslator(language)
+    translator = _UpperCaseTranslator()
+    assert QCoreApplication.installTranslator(translator)
     try:
         text = error_sentence(TrexError(ErrorCode.OVERTAKEN_BY_STOP))
         assert text == "A STOP CAME FIRST; NOTHING WAS SENT."
         assert topic(text) == "messages.md#a-stop-came-first"
     finally:
-        QCoreApplication.removeTranslator(language)
+        QCoreApplication.removeTranslator(translator)

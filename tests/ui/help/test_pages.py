@@ -1,4 +1,4 @@
-"""Help pages: each link has a target, and each page is listed."""
+"""Help pages, their links and their pictures."""
 
 import json
 import re
@@ -16,10 +16,10 @@ PICTURES = HELP / "pictures"
 LINK = re.compile(r"\[[^\]]*\]\((?P<target>[^)]+)\)")
 
 
-def test_links_of_pages_lead_somewhere() -> None:
+def test_links_of_help_pages_have_targets() -> None:
     for page in pages():
         for file in check_links(page.text, HELP / page.name):
-            assert file.is_relative_to(ROOT / "resources"), "what else is there is not shipped"
+            assert file.is_relative_to(ROOT / "resources"), "the package contains no other folder"
 
 
 @pytest.mark.parametrize(
@@ -33,16 +33,16 @@ def test_links_of_pages_lead_somewhere() -> None:
         "trex_gui/devices/trex/README.md",
     ],
 )
-def test_links_of_document_lead_somewhere(name: str) -> None:
+def test_links_of_document_have_targets(name: str) -> None:
     check_links((ROOT / name).read_text(encoding="utf-8"), ROOT / name)
 
 
 def check_links(text: str, path: Path) -> list[Path]:
     """Check that files and anchors exist. Return the files."""
     files = []
-    anchors = {page.name: {one.anchor for one in page.sections} for page in pages()}
+    anchors = {page.name: {section.anchor for section in page.sections} for page in pages()}
     for target in LINK.findall(text):
-        if target.startswith(("http", "../../actions/", "../../releases")):  # pages of the host
+        if target.startswith(("http", "../../actions/", "../../releases")):  # pages on GitHub
             continue
         name, _, anchor = target.partition("#")
         file = (path.parent / name).resolve() if name else path
@@ -60,7 +60,7 @@ def test_index_lists_every_page_once() -> None:
     assert sorted(names) == sorted(path.name for path in HELP.glob("*.md"))
 
 
-def test_page_has_title_and_different_headings() -> None:
+def test_every_page_has_its_title_and_unique_headings() -> None:
     for page in pages():
         assert page.text.startswith(f"# {page.title}\n")
         anchors = [section.anchor for section in page.sections]
@@ -74,25 +74,25 @@ def test_command_line_page_names_every_command() -> None:
     assert named == COMMANDS.keys()
 
 
-def test_anchor_is_that_of_forges() -> None:
+def test_anchor_of_a_heading_equals_that_of_github() -> None:
     assert anchor_of("Edit, review, apply") == "edit-review-apply"
     assert anchor_of("1. Look at the LEDs") == "1-look-at-the-leds"
     assert anchor_of("No reply to …") == "no-reply-to-"
 
 
-def test_section_has_plain_text_and_no_heading_of_code() -> None:
+def test_sections_have_plain_text_and_ignore_comments_in_code() -> None:
     (library,) = (page for page in pages() if page.name == "library.md")
     titles = [section.title for section in library.sections]
     assert titles == [library.title, "Examples", "Tests of your own"]
     assert "**" not in library.sections[0].text
     (cli,) = (page for page in pages() if page.name == "command_line.md")
-    assert "snapshot, write, verify" in cli.sections[0].text, "a comment is no heading"
+    assert "snapshot, write, verify" in cli.sections[0].text, "a comment in code is not a heading"
 
 
-def test_each_picture_is_shown_and_has_both_schemes() -> None:
+def test_each_picture_is_used_and_has_both_schemes() -> None:
     texts = [path.read_text(encoding="utf-8") for path in (ROOT / "README.md", *HELP.glob("*.md"))]
-    shown = set(re.findall(r"pictures/(\S+?)\.png", "".join(texts)))
-    names = {name.removesuffix("-light") for name in shown}
+    used = set(re.findall(r"pictures/(\S+?)\.png", "".join(texts)))
+    names = {name.removesuffix("-light") for name in used}
     files = {path.name for path in PICTURES.glob("*.png")}
     assert files == {f"{name}-{scheme}.png" for name in names for scheme in ("light", "dark")}
     digests = json.loads((PICTURES / "digests.json").read_text(encoding="utf-8"))

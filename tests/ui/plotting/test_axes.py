@@ -1,3 +1,5 @@
+"""Ranges, ticks and labels of plot axes."""
+
 from itertools import pairwise
 
 import pytest
@@ -49,39 +51,39 @@ def test_labels_never_overlap(centres: list[float], width: float) -> None:
         assert width / 2 - 1e-6 <= centre <= 300 - width / 2 + 1e-6
 
 
-def fitted(axis: ValueAxis, low: float, high: float) -> tuple[float, float]:
+def fit(axis: ValueAxis, low: float, high: float) -> tuple[float, float]:
     axis.fit([(low, high)])
     return axis.ends
 
 
 def test_range_shrinks_only_when_data_fits_with_margin() -> None:
     axis = ValueAxis("A")
-    assert fitted(axis, 0, 7.2) == (0, 10)
-    assert fitted(axis, 0, 4.6) == (0, 10)
-    assert fitted(axis, 0, 3.9) == (0, 5)
+    assert fit(axis, 0, 7.2) == (0, 10)
+    assert fit(axis, 0, 4.6) == (0, 10)
+    assert fit(axis, 0, 3.9) == (0, 5)
 
 
 def test_range_does_not_oscillate_at_a_step() -> None:
     axis = ValueAxis("A")
     for high in (5.01, 4.99, 5.01, 4.9, 5.0, 5.02):
-        assert fitted(axis, 0, high) == (0, 10)
+        assert fit(axis, 0, high) == (0, 10)
 
 
 def test_range_includes_negative_values_and_never_collapses() -> None:
     axis = ValueAxis("A")
-    assert fitted(axis, -3, 3) == (-5, 5)
-    assert fitted(axis, 0.5, 3) == (0, 5)
-    assert fitted(ValueAxis("A"), 0, 0) == (0, 1)
+    assert fit(axis, -3, 3) == (-5, 5)
+    assert fit(axis, 0.5, 3) == (0, 5)
+    assert fit(ValueAxis("A"), 0, 0) == (0, 1)
 
 
-def test_axis_of_counts_has_fixed_ends_while_values_fit() -> None:
+def test_axis_of_counts_has_fixed_range_while_values_fit() -> None:
     axis = ValueAxis("")
-    assert fitted(axis, -20, 100) == (-127, 127)
-    assert fitted(axis, 0, 150) == (0, 200)
-    assert fitted(axis, 0, 127) == (-127, 127)
+    assert fit(axis, -20, 100) == (-127, 127)
+    assert fit(axis, 0, 150) == (0, 200)
+    assert fit(axis, 0, 127) == (-127, 127)
 
 
-def test_lower_end_of_a_low_plot_is_labelled_0() -> None:
+def test_lower_end_of_a_small_range_is_labelled_0() -> None:
     axis = ValueAxis("A")
     axis.fit([(0, 0.5)])
     assert [text for _, text in axis.labels(2)] == ["0", "1 A"]

@@ -50,7 +50,7 @@ def test_event_that_looks_like_a_formula_is_written_as_text() -> None:
     assert rows == [["0.0000", "-1", "0", "'=1+2"], ["1.0000", "", "", "'@a"]]
 
 
-def test_event_is_written_to_next_sample_row_or_its_own() -> None:
+def test_event_is_written_to_the_next_row_or_its_own() -> None:
     events = [(100.1, "Stop"), (100.15, 'Apply: "P", more'), (101.0, "Disconnected")]
     rows = table([(100.0, 0, 0), (100.2, 0, 0), (100.3, 0, 0)], events)
     assert [row[-1] for row in rows[1:]] == ["", 'Stop; Apply: "P", more', "", "Disconnected"]
@@ -69,19 +69,19 @@ def panel(qtbot: QtBot) -> TracePanel:
 
 
 @pytest.mark.realtime
-def test_interrupted_export_leaves_the_old_file(panel: TracePanel, tmp_path: Path) -> None:
+def test_interrupted_export_retains_the_old_file(panel: TracePanel, tmp_path: Path) -> None:
     path = tmp_path / "all.csv"
-    path.write_text("what was there")
+    path.write_text("old content")
     panel.export.save_table(path, -np.inf, np.inf)
     end_background(0)
-    assert path.read_text() == "what was there"
+    assert path.read_text() == "old content"
     assert list(tmp_path.iterdir()) == [path]
 
 
 def test_export_leaves_only_the_complete_file(
     panel: TracePanel, tmp_path: Path, qtbot: QtBot
 ) -> None:
-    path = tmp_path / "some.csv"
+    path = tmp_path / "part.csv"
     with qtbot.waitSignal(panel.notifier.info):
         panel.export.save_table(path, 0.0, 10.0)
     assert sum(line[:1].isdigit() for line in path.read_text().splitlines()) == 801

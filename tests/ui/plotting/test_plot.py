@@ -69,6 +69,10 @@ def source() -> Source:
 class TracePanelDriver(WidgetDriver):
     def __init__(self, panel: TracePanel, source: Source, qtbot: QtBot) -> None:
         super().__init__(panel, qtbot)
+        qtbot.addWidget(panel)
+        panel.resize(900, 500)
+        panel.set_source(source)
+        panel.grab()
         self._panel = panel
         self.source = source
         self.plot = panel.plot
@@ -95,13 +99,9 @@ class TracePanelDriver(WidgetDriver):
 def panel(qapp: QApplication, qtbot: QtBot, source: Source) -> TracePanelDriver:
     theme().install(qapp)
     theme().set_scheme("light")
-    panel = TracePanel()
-    qtbot.addWidget(panel)
-    panel.resize(900, 500)
-    panel.set_source(source)
-    panel.grab()
-    panel.refresh()
-    return TracePanelDriver(panel, source, qtbot)
+    driver = TracePanelDriver(TracePanel(), source, qtbot)
+    driver.refresh()
+    return driver
 
 
 @pytest.fixture
@@ -109,7 +109,7 @@ def plot(panel: TracePanelDriver) -> TracePlot:
     return panel.plot
 
 
-def count(plot: TracePlot, color: str) -> int:
+def count_pixels(plot: TracePlot, color: str) -> int:
     """Return the number of pixels in a colour of the theme."""
     box = plot._canvas.frame.toRect()
     box.translate(plot._canvas.pos())
@@ -122,18 +122,18 @@ def x_of(plot: TracePlot, time: float) -> int:
     return round(plot._canvas.x_of(time - plot.span.end))
 
 
-def mouse(
+def send_mouse(
     plot: TracePlot,
     kind: QEvent.Type,
     time: float,
     button: Qt.MouseButton = Qt.MouseButton.NoButton,
     modifiers: Qt.KeyboardModifier = Qt.KeyboardModifier.NoModifier,
 ) -> None:
-    """Send a mouse event at a time of the plot."""
-    at = QPointF(x_of(plot, time), 60)
+    """Send a mouse event to the plot, at a time of its axis."""
+    point = QPointF(x_of(plot, time), 60)
     view = plot._canvas.viewport
-    held = Qt.MouseButton.NoButton if kind == QEvent.Type.MouseButtonRelease else button
-    event = QMouseEvent(kind, at, QPointF(view.mapToGlobal(at)), button, held, modifiers)
+    buttons = Qt.MouseButton.NoButton if kind == QEvent.Type.MouseButtonRelease else button
+    event = QMouseEvent(kind, point, QPointF(view.mapToGlobal(point)), button, buttons, modifiers)
     QApplication.sendEvent(view, event)
 
 
@@ -145,15 +145,15 @@ def drag(plot: TracePlot, times: tuple[float, float], modifiers: Qt.KeyboardModi
         QEvent.Type.MouseButtonRelease,
     )
     left = Qt.MouseButton.LeftButton
-    mouse(plot, press, times[0], left, modifiers)
-    mouse(plot, move, times[1], left, modifiers)
-    mouse(plot, release, times[1], left, modifiers)
+    send_mouse(plot, press, times[0], left, modifiers)
+    send_mouse(plot, move, times[1], left, modifiers)
+    send_mouse(plot, release, times[1], left, modifiers)
 
 
 # --- Curves -----------------------------------------------------------------------------
 
 
-def test_points_drawn_are_limited_however_long_the_history(plot: TracePlot) -> None:
+def test_drawn_points_are_limited_in_a_long_history(plot: TracePlot) -> None:
     long = Source(seconds=0)
     for _ in range(10):
         long.add(1250)  # a million samples in total
@@ -170,19 +170,19 @@ def test_curve_is_shown_and_hidden_in_the_legend(panel: TracePanelDriver, plot: 
     checked = Qt.ItemDataRole.CheckStateRole
     assert view.model().setData(index, Qt.CheckState.Checked, checked)
     assert "setpoint1" in plot.shown
-    assert count(plot, "good") > 50  # dotted
+    assert count_pixels(plot, "good") > 50  # dotted
     keys = [view.model().index(row, 0).data(Qt.ItemDataRole.DecorationRole) for row in (0, 2)]
-    assert [key.hasAlphaChannel() for key in keys] == [False, True], "so is its key"
+    assert [key.hasAlphaChannel() for key in keys] == [False, True], "its key is dotted too"
     axis = plot._canvas._axes["right"]
     assert axis.isVisible()
     (shown,) = axis._tickLevels
     assert [text for _, text in shown] == ["−127", "−64", "0", "64", "127"]
     assert view.model().setData(index, Qt.CheckState.Unchecked, checked)
-    assert count(plot, "good") == 0
+    assert count_pixels(plot, "good") == 0
     assert not axis.isVisible()
 
 
-def test_value_near_its_limit_has_a_sign(panel: TracePanelDriver, source: Source) -> None:
+def test_value_near_its_limit_has_a_warning_sign(panel: TracePanelDriver, source: Source) -> None:
     roles = Qt.ItemDataRole
     cell = panel.table.model().index(1, TraceColumn.NOW)  # 3 A
     for limit, text, spoken, color in (
@@ -196,7 +196,7 @@ def test_value_near_its_limit_has_a_sign(panel: TracePanelDriver, source: Source
         assert cell.data(roles.ForegroundRole) == color
 
 
-# --- What part is shown -----------------------------------------------------------------
+# --- Visible span -----------------------------------------------------------------------
 
 
 def test_pause_freezes_the_plot_and_the_table(panel: TracePanelDriver) -> None:
@@ -214,7 +214,7 @@ def test_pause_freezes_the_plot_and_the_table(panel: TracePanelDriver) -> None:
     assert pause.text() == "Pa&use"
 
 
-def test_drag_selects_a_span_and_pause_button_goes_live(panel: TracePanelDriver) -> None:
+def test_drag_selects_a_span_and_pause_button_ends_it(panel: TracePanelDriver) -> None:
     drag(panel.plot, (40, 45), Qt.KeyboardModifier.NoModifier)
     assert panel.plot.span.start == pytest.approx(40, abs=0.1)
     assert panel.plot.span.end == pytest.approx(45, abs=0.1)
@@ -223,7 +223,7 @@ def test_drag_selects_a_span_and_pause_button_goes_live(panel: TracePanelDriver)
     assert pause.isChecked()
     pause.click()
     assert panel.plot.span.live
-    assert panel.plot.span.length == 30, "the zoom from before"
+    assert panel.plot.span.length == 30, "the length before the drag"
 
 
 def test_export_proposes_the_last_folder_and_a_name_with_the_date(
@@ -245,7 +245,7 @@ def test_export_proposes_the_last_folder_and_a_name_with_the_date(
     assert re.fullmatch(r"currents_\d{4}-\d\d-\d\d_\d\d-\d\d-\d\d\.csv", proposals[1].name)
 
 
-def test_choices_of_the_user_are_remembered(panel: TracePanelDriver, qtbot: QtBot) -> None:
+def test_user_choices_are_restored(panel: TracePanelDriver, qtbot: QtBot) -> None:
     model = panel.table.model()
     for row, state in ((0, Qt.CheckState.Unchecked), (2, Qt.CheckState.Checked)):
         model.setData(model.index(row, 0), state, Qt.ItemDataRole.CheckStateRole)
@@ -259,44 +259,35 @@ def test_choices_of_the_user_are_remembered(panel: TracePanelDriver, qtbot: QtBo
     for name in ("tracesSplitter", "figuresSplitter"):
         panel.find(QSplitter, name).moveSplitter(260, 1)
 
-    again = TracePanel()
-    qtbot.addWidget(again)
-    again.resize(panel.root.size())
-    again.set_source(Source())
-    again.grab()
-    later = TracePanelDriver(again, Source(), qtbot)
-    assert again.plot.shown == {"motor2", "setpoint1"}
-    assert again.plot.span.length == 30
-    assert later.combo("currentsTop").currentText() == "0–5 A"
-    assert again.plot.top == 5
+    restored = TracePanelDriver(TracePanel(), Source(), qtbot)
+    assert restored.plot.shown == {"motor2", "setpoint1"}
+    assert restored.plot.span.length == 30
+    assert restored.combo("currentsTop").currentText() == "0–5 A"
+    assert restored.plot.top == 5
     for name in ("tracesSplitter", "figuresSplitter"):
-        assert later.find(QSplitter, name).sizes() == panel.find(QSplitter, name).sizes()
+        assert restored.find(QSplitter, name).sizes() == panel.find(QSplitter, name).sizes()
 
 
-def test_layout_is_remembered_and_reset(panel: TracePanelDriver, qtbot: QtBot) -> None:
-    usual = panel.plot.source
-    assert usual is not None
-    before = [trace.color for trace in usual.traces]
+def test_layout_is_restored_and_reset(panel: TracePanelDriver, qtbot: QtBot) -> None:
+    source = panel.source
+    before = [trace.color for trace in source.traces]
     panel.combo("currentsWindow").activated.emit(0)
     panel.plot.set_shown("motor2", shown=False)
     (colors,) = panel.find(QToolButton, "layoutButton").menu().findChildren(QMenu)
     colors.aboutToShow.emit()
     first = colors.findChildren(QMenu)[0]
-    assert first.title() == usual.traces[0].label
+    assert first.title() == source.traces[0].label
     assert [entry.text() for entry in first.actions() if entry.isChecked()] == ["Blue"]
     panel.find(QAction, "color_motor1_pink").trigger()
-    assert usual.traces[0].color == "pink"
+    assert source.traces[0].color == "pink"
     assert curve_color(panel.plot) == theme().color("pink")
 
-    again = TracePanel()
-    qtbot.addWidget(again)
-    again.set_source(Source())
-    assert again.plot.source is not None
-    assert again.plot.source.traces[0].color == "pink"
-    assert again.plot.shown == {"motor1"}
+    restored = TracePanelDriver(TracePanel(), Source(), qtbot)
+    assert restored.source.traces[0].color == "pink"
+    assert restored.plot.shown == {"motor1"}
 
     panel.find(QAction, "layoutResetAction").trigger()
-    assert [trace.color for trace in usual.traces] == before
+    assert [trace.color for trace in source.traces] == before
     assert panel.plot.shown == {"motor1", "motor2"}
     assert panel.plot.span.length == 30
 
@@ -323,25 +314,25 @@ def test_mouse_pans_zooms_and_sets_cursor_and_mark(plot: TracePlot, qapp: QAppli
     assert plot.mark_time is None
 
     plot.show_span(20, 40)
-    at = QPointF(x_of(plot, 25), 60)
-    turn_wheel(plot._canvas.viewport, at)
+    pointer = QPointF(x_of(plot, 25), 60)
+    turn_wheel(plot._canvas.viewport, pointer)
     assert plot.span.length == pytest.approx(16)
-    assert x_of(plot, 25) == pytest.approx(at.x(), abs=2)
+    assert x_of(plot, 25) == pytest.approx(pointer.x(), abs=2)
 
-    twice = QPoint(x_of(plot, 30), 60)
-    QTest.mouseClick(plot._canvas.viewport, Qt.MouseButton.LeftButton, pos=twice)
-    QTest.mouseDClick(plot._canvas.viewport, Qt.MouseButton.LeftButton, pos=twice)
-    assert plot.mark_time == pytest.approx(30, abs=0.1), "a double click sets it once"
+    position = QPoint(x_of(plot, 30), 60)
+    QTest.mouseClick(plot._canvas.viewport, Qt.MouseButton.LeftButton, pos=position)
+    QTest.mouseDClick(plot._canvas.viewport, Qt.MouseButton.LeftButton, pos=position)
+    assert plot.mark_time == pytest.approx(30, abs=0.1), "a double click sets only one mark"
 
-    mouse(plot, QEvent.Type.MouseMove, 32)
+    send_mouse(plot, QEvent.Type.MouseMove, 32)
     assert plot.cursor_time == pytest.approx(32, abs=0.1)
-    for left in (plot._canvas.viewport, plot._canvas._plot):
-        qapp.sendEvent(left, QEvent(QEvent.Type.Leave))
+    for widget in (plot._canvas.viewport, plot._canvas._plot):
+        qapp.sendEvent(widget, QEvent(QEvent.Type.Leave))
     assert plot.cursor_time is None
 
 
 @pytest.mark.parametrize("is_navigable", [True, False])
-def test_wheel_over_a_fixed_plot_scrolls_the_page(qtbot: QtBot, *, is_navigable: bool) -> None:
+def test_wheel_zooms_only_a_navigable_plot(qtbot: QtBot, *, is_navigable: bool) -> None:
     canvas = PlotCanvas("Plot", is_navigable=is_navigable)
     qtbot.addWidget(canvas)
     canvas.resize(300, 200)
@@ -386,7 +377,7 @@ def test_empty_plot_shows_and_describes_its_text(qapp: QApplication, qtbot: QtBo
     assert WidgetDriver(plot, qtbot).text("emptyLabel") == "Choose a port."
 
 
-# --- Figures ----------------------------------------------------------------------------
+# --- Table ------------------------------------------------------------------------------
 
 
 def test_table_shows_mean_rms_and_charge_of_the_shown_span(panel: TracePanelDriver) -> None:
@@ -403,11 +394,11 @@ def test_table_shows_mean_rms_and_charge_of_the_shown_span(panel: TracePanelDriv
 def test_cursor_shows_values_and_difference_from_the_mark(panel: TracePanelDriver) -> None:
     panel.source.add(5, first=9)
     panel.refresh()
-    mouse(panel.plot, QEvent.Type.MouseMove, 50)
+    send_mouse(panel.plot, QEvent.Type.MouseMove, 50)
     assert panel.cell("motor1", TraceColumn.CURSOR) == "1.00 A"
-    mouse(panel.plot, QEvent.Type.MouseButtonPress, 50, Qt.MouseButton.LeftButton)
-    mouse(panel.plot, QEvent.Type.MouseButtonRelease, 50, Qt.MouseButton.LeftButton)
-    mouse(panel.plot, QEvent.Type.MouseMove, 63)
+    send_mouse(panel.plot, QEvent.Type.MouseButtonPress, 50, Qt.MouseButton.LeftButton)
+    send_mouse(panel.plot, QEvent.Type.MouseButtonRelease, 50, Qt.MouseButton.LeftButton)
+    send_mouse(panel.plot, QEvent.Type.MouseMove, 63)
     assert panel.cell("motor1", TraceColumn.CURSOR) == "9.00 A"
     assert panel.cell("motor1", TraceColumn.DIFFERENCE) == "8.00 A"
     assert "Motor 1: 9.00 A" in panel.text("cursorReadout")
@@ -416,19 +407,19 @@ def test_cursor_shows_values_and_difference_from_the_mark(panel: TracePanelDrive
 
 def test_optional_columns_are_hidden_until_needed(panel: TracePanelDriver) -> None:
     view = panel.table
-    waiting = (TraceColumn.LIMIT, TraceColumn.DIFFERENCE, TraceColumn.HELD)
-    assert all(view.isColumnHidden(column) for column in waiting)
+    optional = (TraceColumn.LIMIT, TraceColumn.DIFFERENCE, TraceColumn.HELD)
+    assert all(view.isColumnHidden(column) for column in optional)
     panel.source.limits["motor1"] = 5.0
     panel.plot.set_mark(20)
     hold = panel.button("holdPeaksButton")
     hold.click()
-    assert not any(view.isColumnHidden(column) for column in waiting)
+    assert not any(view.isColumnHidden(column) for column in optional)
     hold.click()
     assert view.isColumnHidden(TraceColumn.HELD)
 
 
 @pytest.mark.parametrize("language", ["en", "de", "fr"])
-def test_headings_of_the_table_are_whole(qapp: QApplication, qtbot: QtBot, language: str) -> None:
+def test_table_headings_are_not_cut_off(qapp: QApplication, qtbot: QtBot, language: str) -> None:
     with in_language(qapp, QLocale(language)):
         panel = TracePanel()
         qtbot.addWidget(panel)
@@ -437,7 +428,7 @@ def test_headings_of_the_table_are_whole(qapp: QApplication, qtbot: QtBot, langu
             assert header.sectionSize(column) >= header.sectionSizeHint(column)
 
 
-def test_held_peak_stays_after_its_sample_scrolls_out(panel: TracePanelDriver) -> None:
+def test_held_peak_remains_after_its_sample_scrolls_out(panel: TracePanelDriver) -> None:
     hold = panel.button("holdPeaksButton")
     hold.click()
     panel.source.add(1, first=7.5)
@@ -450,27 +441,27 @@ def test_held_peak_stays_after_its_sample_scrolls_out(panel: TracePanelDriver) -
 
 
 def test_trace_table_passes_the_model_tester(plot: TracePlot, qtmodeltester: ModelTester) -> None:
-    qtmodeltester.check(TraceTable(plot))  # type: ignore[no-untyped-call]  # it has no types
+    qtmodeltester.check(TraceTable(plot))  # type: ignore[no-untyped-call]
 
 
 # --- Events -----------------------------------------------------------------------------
 
 
 def test_events_are_marked_listed_and_navigable(panel: TracePanelDriver) -> None:
-    before = count(panel.plot, "danger")
-    listed = panel.events
-    assert "No events yet" in listed.accessibleDescription()
+    before = count_pixels(panel.plot, "danger")
+    view = panel.events
+    assert "No events yet" in view.accessibleDescription()
     panel.source.events += [
         Event(20.0, EventKind.LINK, "The board answers again"),
         Event(45.0, EventKind.STOP, "Stop: the window was closed"),
     ]
     panel.refresh()
-    assert count(panel.plot, "danger") > before + 50
-    assert [one.text for _, one in panel.plot._marks.marks] == ["Stop: the window was closed"]
-    assert "No events" not in listed.accessibleDescription()
-    texts = [str(listed.model().index(row, 0).data()) for row in range(2)]
+    assert count_pixels(panel.plot, "danger") > before + 50
+    assert [event.text for _, event in panel.plot._marks.marks] == ["Stop: the window was closed"]
+    assert "No events" not in view.accessibleDescription()
+    texts = [str(view.model().index(row, 0).data()) for row in range(2)]
     assert texts == ["0:20.000  The board answers again", "0:45.000  Stop: the window was closed"]
-    listed.activated.emit(listed.model().index(0, 0))
+    view.activated.emit(view.model().index(0, 0))
     assert panel.plot.span.start < 20 < panel.plot.span.end
     assert not panel.plot.span.live
     assert panel.plot.cursor_time == 20
@@ -499,9 +490,9 @@ def test_shown_span_or_whole_history_is_exported(
 
 
 def test_unwritable_file_is_reported(panel: TracePanelDriver, qtbot: QtBot, tmp_path: Path) -> None:
-    with qtbot.waitSignal(panel.notifier.error) as refused:
+    with qtbot.waitSignal(panel.notifier.error) as failed:
         panel.export.save_table(tmp_path / "none" / "all.csv", -math.inf, math.inf)
-    assert "cannot be written" in str(refused.args)
+    assert "cannot be written" in str(failed.args)
     with qtbot.waitSignal(panel.notifier.error):
         panel.export.save_picture(tmp_path / "none" / "picture.png")
     assert "there is no folder" in panel.text("pageState")

@@ -29,44 +29,45 @@ from trex_gui.ui.theme.theme import SCHEMES, Scheme, set_look, theme
 from trex_gui.ui.widgets import builders as ui
 from trex_gui.ui.widgets.sliders import StickSlider
 
-AROUND = 3
-"""Pixels beside a widget that show its focus, too."""
+FRAME_WIDTH = 3
+"""Pixels around a widget that also show its focus."""
 
 
-def controls(sheet: QWidget) -> Iterator[QWidget]:
-    """Create each kind of focusable widget. A tab bar is inside its tabs."""
-    default, flat, run, stop = (ui.button(sheet, name, name) for name in ("ok", "link", "go", "no"))
+def controls(parent: QWidget) -> Iterator[QWidget]:
+    """Create a widget of each focusable kind. The tab bar is a child of its tab widget."""
+    buttons = [ui.button(parent, name, name) for name in ("ok", "link", "go", "no")]
+    default, flat, run, stop = buttons
     default.setDefault(True)
     for button, look in ((flat, "link"), (run, "primary"), (stop, "stop")):
         set_look(button, look)
-    yield from (default, flat, run, stop)
-    yield ui.tool_button(sheet, "tool", icon="clear")
-    yield ui.check_box(sheet, "box", "Box")
-    yield ui.check_box(sheet, "boxOfRow")
-    yield QRadioButton("One of several", sheet)
-    yield ui.combo_box(sheet, "combo", "Choice", items=["first"])
-    yield ui.spin_box(sheet, "number", "Number", 0, 9)
-    yield QSlider(sheet)
-    yield SpeedSlider(-127, sheet)
-    yield StickSlider(0, 9, 5, "bar", sheet)
+    yield from buttons
+    yield ui.tool_button(parent, "tool", icon="clear")
+    yield ui.check_box(parent, "box", "Box")
+    yield ui.check_box(parent, "boxOfRow")
+    yield QRadioButton("Choice", parent)
+    yield ui.combo_box(parent, "combo", "Choice", items=["first"])
+    yield ui.spin_box(parent, "number", "Number", 0, 9)
+    yield QSlider(parent)
+    yield SpeedSlider(-127, parent)
+    yield StickSlider(0, 9, 5, "bar", parent)
     for rows in (0, 2):
-        yield ui.flat_table(QTableWidget(rows, 2, sheet), f"table{rows}", "Table")
-    yield QListWidget(sheet)
-    yield QPlainTextEdit(sheet)
-    yield DrivePad(sheet)
-    tabs = QTabWidget(sheet)
+        yield ui.flat_table(QTableWidget(rows, 2, parent), f"table{rows}", "Table")
+    yield QListWidget(parent)
+    yield QPlainTextEdit(parent)
+    yield DrivePad(parent)
+    tabs = QTabWidget(parent)
     tabs.setDocumentMode(True)
     tabs.addTab(QWidget(), "Page")
     yield tabs.tabBar()
 
 
-def colours(picture: QImage) -> Sequence[int]:
+def colors(picture: QImage) -> Sequence[int]:
     return memoryview(picture.convertToFormat(QImage.Format.Format_RGB32).constBits()).cast("I")
 
 
 def changed_pixels(before: QImage, after: QImage) -> int:
     """Count pixels that differ by a contrast of 3:1, as WCAG 2.2 requires."""
-    pairs = Counter(zip(colours(before), colours(after), strict=True))
+    pairs = Counter(zip(colors(before), colors(after), strict=True))
     return sum(
         count
         for (old, new), count in pairs.items()
@@ -75,57 +76,56 @@ def changed_pixels(before: QImage, after: QImage) -> int:
 
 
 @pytest.mark.parametrize("scheme", SCHEMES[1:])
-def test_focus_is_visible(scheme: Scheme, qtbot: QtBot, qapp: QApplication) -> None:
+def test_focus_is_visible_on_every_widget(scheme: Scheme, qtbot: QtBot, qapp: QApplication) -> None:
     theme().install(qapp)
     theme().set_scheme(scheme)
-    sheet = QWidget()
-    qtbot.addWidget(sheet)
-    shown = list(controls(sheet))
-    rest = QPushButton(sheet)
-    parts = (each.parentWidget() if each.parentWidget() is not sheet else each for each in shown)
-    ui.column(*(part for part in parts if part is not None), rest, into=sheet)
-    sheet.show()
-    sheet.activateWindow()
+    window = QWidget()
+    qtbot.addWidget(window)
+    widgets = list(controls(window))
+    button = QPushButton(window)
+    parts = (each if each.parentWidget() is window else each.parentWidget() for each in widgets)
+    ui.column(*(part for part in parts if part is not None), button, into=window)
+    window.show()
+    window.activateWindow()
     QTest.qWait(0)
-    for each in shown:
-        place = QRect(each.mapTo(sheet, QPoint()), each.size())
-        area = place.adjusted(-AROUND, -AROUND, AROUND, AROUND)
-        rest.setFocus()
-        before = sheet.grab(area).toImage()
-        each.setFocus()
-        assert each.hasFocus()
-        found = changed_pixels(before, sheet.grab(area).toImage())
-        framed = each.tabRect(0) if isinstance(each, QTabBar) else each
-        perimeter = 2 * (framed.width() + framed.height())
-        assert found >= 0.8 * perimeter, (
-            f"{type(each).__name__} {each.objectName()}: {found} pixels"
+    for widget in widgets:
+        area = QRect(widget.mapTo(window, QPoint()), widget.size()).adjusted(
+            -FRAME_WIDTH, -FRAME_WIDTH, FRAME_WIDTH, FRAME_WIDTH
         )
+        button.setFocus()
+        before = window.grab(area).toImage()
+        widget.setFocus()
+        assert widget.hasFocus()
+        changed = changed_pixels(before, window.grab(area).toImage())
+        framed = widget.tabRect(0) if isinstance(widget, QTabBar) else widget
+        perimeter = 2 * (framed.width() + framed.height())
+        assert changed >= 0.8 * perimeter, f"{widget!r}: {changed} pixels"
 
 
-def test_focus_is_framed_unless_it_comes_from_the_mouse(qtbot: QtBot, qapp: QApplication) -> None:
+def test_focus_has_a_frame_unless_the_mouse_has_set_it(qtbot: QtBot, qapp: QApplication) -> None:
     theme().install(qapp)
-    sheet = QWidget()
-    qtbot.addWidget(sheet)
-    first, second = QPushButton("First", sheet), QPushButton("Second", sheet)
-    ui.row(first, second, into=sheet)
-    sheet.show()
-    sheet.activateWindow()
+    window = QWidget()
+    qtbot.addWidget(window)
+    first, second = QPushButton("First", window), QPushButton("Second", window)
+    ui.row(first, second, into=window)
+    window.show()
+    window.activateWindow()
     QTest.qWait(0)
 
     def is_framed() -> bool:
-        return any(frame.isVisible() for frame in sheet.findChildren(QWidget, "focusFrame"))
+        return any(frame.isVisible() for frame in window.findChildren(QWidget, "focusFrame"))
 
-    window = sheet.windowHandle()
-    QTest.mouseClick(window, Qt.MouseButton.LeftButton, pos=second.geometry().center())
+    handle = window.windowHandle()
+    QTest.mouseClick(handle, Qt.MouseButton.LeftButton, pos=second.geometry().center())
     assert second.hasFocus()
     assert not is_framed()
     QTest.keyClick(second, Qt.Key.Key_Tab)
     assert first.hasFocus()
     assert is_framed()
     second.setEnabled(False)
-    first.hide()  # Qt finds no other place for the focus
+    first.hide()  # Qt finds no other widget for the focus
     assert not is_framed()
-    QTest.mouseClick(window, Qt.MouseButton.LeftButton, pos=second.geometry().center())
+    QTest.mouseClick(handle, Qt.MouseButton.LeftButton, pos=second.geometry().center())
     assert not is_framed()
 
 

@@ -1,22 +1,23 @@
-"""Icons of Qt's own dialogs and buttons come from the program."""
+"""Icons of dialogs, editors and docks that Qt provides."""
 
 import pytest
-from PySide6.QtGui import QAction, QColor, QPixmap
+from PySide6.QtGui import QAction, QColor, QIcon
 from PySide6.QtWidgets import QAbstractButton, QDockWidget, QMessageBox, QWidget
 from pytestqt.qtbot import QtBot
 
 from tests.support.window import WindowDriver
 from trex_gui.ui.theme.icons import icon
-from trex_gui.ui.theme.theme import theme
+from trex_gui.ui.theme.theme import Scheme, theme
 from trex_gui.ui.widgets.builders import search_field
 
 
-def picture(pixmap: QPixmap) -> list[QColor]:
-    image = pixmap.toImage()
+def middle_row(drawn: QIcon) -> list[QColor]:
+    """Return the pixels of the middle row."""
+    image = drawn.pixmap(16, 16).toImage()
     return [image.pixelColor(x, image.height() // 2) for x in range(image.width())]
 
 
-def test_message_box_has_no_icons_on_its_buttons(window: WindowDriver) -> None:
+def test_buttons_of_a_message_box_have_no_icons(window: WindowDriver) -> None:
     button = QMessageBox.StandardButton.Save
     box = QMessageBox(QMessageBox.Icon.Question, "", "Save?", button, window.window)
     box.open()
@@ -25,23 +26,23 @@ def test_message_box_has_no_icons_on_its_buttons(window: WindowDriver) -> None:
 
 
 @pytest.mark.parametrize("scheme", ["dark", "high_contrast"])
-def test_button_that_clears_an_editor_follows_the_theme(qtbot: QtBot, scheme: str) -> None:
+def test_clear_button_of_an_editor_follows_the_theme(qtbot: QtBot, scheme: Scheme) -> None:
     parent = QWidget()
     qtbot.addWidget(parent)
     editor = search_field(parent, "", "", "")
-    theme().set_scheme("dark" if scheme == "dark" else "high_contrast")
+    theme().set_scheme(scheme)
     (action,) = editor.findChildren(QAction)
-    assert picture(action.icon().pixmap(16, 16)) == picture(icon("clear").pixmap(16, 16))
+    assert middle_row(action.icon()) == middle_row(icon("clear"))
 
 
 @pytest.mark.qt_log_ignore("does not support raise")  # message of the offscreen platform
-def test_dock_has_our_icons_also_when_it_floats(window: WindowDriver) -> None:
+def test_docked_and_floating_panel_have_icons_of_the_program(window: WindowDriver) -> None:
     window.connect_to_demo()
     dock = window.find(QDockWidget, "demoPanel")
     for floating in (False, True, False):
         dock.setFloating(floating)
         window.wait_for_files()
-        for name, sign in (("float", "float"), ("close", "clear")):
+        for name, icon_name in (("float", "float"), ("close", "clear")):
             button = dock.findChild(QAbstractButton, f"qt_dockwidget_{name}button")
             assert button is not None
-            assert picture(button.icon().pixmap(16, 16)) == picture(icon(sign).pixmap(16, 16))
+            assert middle_row(button.icon()) == middle_row(icon(icon_name))

@@ -1,4 +1,4 @@
-"""Rows of the traffic model and their text."""
+"""Rows of the traffic model and their texts."""
 
 from functools import partial
 from pathlib import Path
@@ -16,12 +16,12 @@ from trex_gui.ui.traffic.model import MAX_ROWS, TrafficModel
 from trex_gui.ui.traffic.table import TrafficTable
 from trex_gui.ui.workers.session_thread import SessionThread
 
-POLL, ANSWER = b"\x8f", b"\x02\x00"
+POLL, REPLY = b"\x8f", b"\x02\x00"
 WRITE, STORED = b"\xaf\x07\x0f\x55\x2a", b"\x00"
 
 
-class TrafficSetup:
-    """Traffic model with a log that the test writes."""
+class TrafficHarness:
+    """Traffic model. The test writes its log."""
 
     def __init__(self) -> None:
         self.line = SessionThread()
@@ -44,103 +44,101 @@ class TrafficSetup:
 
 
 @pytest.fixture
-def setup(qtbot: QtBot) -> TrafficSetup:
+def harness(qtbot: QtBot) -> TrafficHarness:
     del qtbot
-    return TrafficSetup()
+    return TrafficHarness()
 
 
-def test_polls_are_separated_from_commands_and_not_decoded(setup: TrafficSetup) -> None:
-    setup.log(POLL, ANSWER)
-    setup.log(WRITE, STORED)
-    setup.log(POLL, ANSWER)
-    assert setup.texts == ["set Serial Timeout to 1.5 s (15) → stored"]
-    assert setup.traffic.everything.count == 3
-    assert setup.traffic.faults == 0
-    polls = [row for row in setup.traffic.everything.rows if row.sent == POLL]
-    assert [row.cached_meaning for row in polls] == [None] * 2, (
-        "they are decoded when they are shown"
-    )
+def test_polls_are_hidden_and_decoded_only_when_shown(harness: TrafficHarness) -> None:
+    harness.log(POLL, REPLY)
+    harness.log(WRITE, STORED)
+    harness.log(POLL, REPLY)
+    assert harness.texts == ["set Serial Timeout to 1.5 s (15) → stored"]
+    assert harness.traffic.everything.count == 3
+    assert harness.traffic.faults == 0
+    polls = [row for row in harness.traffic.everything.rows if row.sent == POLL]
+    assert [row.cached_meaning for row in polls] == [None] * 2
 
 
-def test_typed_poll_is_shown_once(setup: TrafficSetup) -> None:
-    setup.traffic.expect_typed(POLL)
+def test_typed_poll_is_shown_once(harness: TrafficHarness) -> None:
+    harness.traffic.expect_typed(POLL)
     for _ in range(3):
-        setup.log(POLL, ANSWER)
-    assert len(setup.texts) == 1
-    assert setup.traffic.everything.count == 3
+        harness.log(POLL, REPLY)
+    assert len(harness.texts) == 1
+    assert harness.traffic.everything.count == 3
 
 
-def test_failed_poll_is_listed_once_in_order(setup: TrafficSetup) -> None:
-    setup.log(WRITE, STORED)
-    setup.log(POLL)
-    assert len(setup.texts) == 1
-    setup.log(POLL, ANSWER)
-    assert setup.texts[1:] == ["get currents of both motors → no reply"]
-    setup.log(POLL, ANSWER)
-    setup.log(WRITE, STORED)
-    assert [text.startswith("set") for text in setup.texts] == [True, False, True]
-    assert setup.traffic.faults == 1
+def test_failed_poll_is_listed_once_in_order(harness: TrafficHarness) -> None:
+    harness.log(WRITE, STORED)
+    harness.log(POLL)
+    assert len(harness.texts) == 1
+    harness.log(POLL, REPLY)
+    assert harness.texts[1:] == ["get currents of both motors → no reply"]
+    harness.log(POLL, REPLY)
+    harness.log(WRITE, STORED)
+    assert [text.startswith("set") for text in harness.texts] == [True, False, True]
+    assert harness.traffic.faults == 1
 
 
-def test_telemetry_does_not_displace_a_write(setup: TrafficSetup) -> None:
-    setup.log(WRITE, STORED)
+def test_telemetry_does_not_displace_a_write(harness: TrafficHarness) -> None:
+    harness.log(WRITE, STORED)
     for count in range(MAX_ROWS):
-        setup.log(POLL, ANSWER)
+        harness.log(POLL, REPLY)
         if count % 100 == 0:
-            setup.traffic.pull()
-    assert setup.texts == ["set Serial Timeout to 1.5 s (15) → stored"]
-    everything = setup.traffic.everything
+            harness.traffic.pull()
+    assert harness.texts == ["set Serial Timeout to 1.5 s (15) → stored"]
+    everything = harness.traffic.everything
     assert everything.count == MAX_ROWS + 1
-    assert len(everything.rows) == 0.9 * MAX_ROWS, "many rows are dropped at a time"
+    assert len(everything.rows) == 0.9 * MAX_ROWS, "the oldest tenth is dropped at once"
     newest = [row.number for row in everything.since(MAX_ROWS - 1)]
     assert newest == [MAX_ROWS, MAX_ROWS + 1]
     assert len(everything.since(0)) == len(everything.rows)
 
 
-def test_faults_are_listed_with_polling_as_without(setup: TrafficSetup) -> None:
-    setup.log(POLL)
-    setup.log(POLL, ANSWER)
-    setup.traffic.pull()
-    setup.traffic.everything.clear()  # as if many polls had displaced it
-    table = TrafficTable(setup.traffic)
+def test_faults_are_listed_with_and_without_polling(harness: TrafficHarness) -> None:
+    harness.log(POLL)
+    harness.log(POLL, REPLY)
+    harness.traffic.pull()
+    harness.traffic.everything.clear()  # as if many polls had displaced the row
+    table = TrafficTable(harness.traffic)
     for polling in (False, True):
         table.set_filter(polling=polling, faults=True, text="")
         assert table.rowCount() == 1
     assert table.row_near(99, "no such text") == 0
 
 
-def test_units_follow_the_identified_board(setup: TrafficSetup) -> None:
-    setup.log(POLL, ANSWER)
-    setup.log(POLL, ANSWER)
-    setup.traffic.pull()
-    row = setup.traffic.everything.rows[0]
-    assert "2 counts" in setup.traffic.decoder.decoded(row).text
-    setup.decoder.board = Signature(device_table().model("trex"), "1.2")
-    setup.traffic.decode_again()
-    assert " A," in setup.traffic.decoder.decoded(row).text
+def test_units_follow_the_identified_board(harness: TrafficHarness) -> None:
+    harness.log(POLL, REPLY)
+    harness.log(POLL, REPLY)
+    harness.traffic.pull()
+    row = harness.traffic.everything.rows[0]
+    assert "2 counts" in harness.traffic.decoder.decoded(row).text
+    harness.decoder.board = Signature(device_table().model("trex"), "1.2")
+    harness.traffic.decode_again()
+    assert " A," in harness.traffic.decoder.decoded(row).text
 
 
-def test_clear_drops_every_row(setup: TrafficSetup, qtbot: QtBot) -> None:
-    setup.log(POLL)
-    setup.log(WRITE, STORED)
-    setup.traffic.pull()
-    with qtbot.waitSignal(setup.traffic.cleared):
-        setup.traffic.clear()
-    assert setup.texts == []
-    assert setup.traffic.faults == 0
-    setup.log(WRITE, STORED)
-    assert len(setup.texts) == 1
+def test_clear_drops_every_row(harness: TrafficHarness, qtbot: QtBot) -> None:
+    harness.log(POLL)
+    harness.log(WRITE, STORED)
+    harness.traffic.pull()
+    with qtbot.waitSignal(harness.traffic.cleared):
+        harness.traffic.clear()
+    assert harness.texts == []
+    assert harness.traffic.faults == 0
+    harness.log(WRITE, STORED)
+    assert len(harness.texts) == 1
 
 
 def test_saved_rows_include_bytes_and_meaning(
-    setup: TrafficSetup, qtbot: QtBot, tmp_path: Path
+    harness: TrafficHarness, qtbot: QtBot, tmp_path: Path
 ) -> None:
-    setup.log(WRITE, STORED)
-    setup.log(POLL)
-    setup.log(POLL, ANSWER)
-    setup.traffic.pull()
+    harness.log(WRITE, STORED)
+    harness.log(POLL)
+    harness.log(POLL, REPLY)
+    harness.traffic.pull()
     notifier, path = Notifier(), tmp_path / "line.txt"
-    write = partial(setup.traffic.write, rows=setup.traffic.everything.rows)
+    write = partial(harness.traffic.write, rows=harness.traffic.everything.rows)
     with qtbot.waitSignal(notifier.info) as saved:
         write_in_background(notifier, path, write, notifier, str)
     assert saved.args == ["3"]
@@ -154,13 +152,13 @@ def test_saved_rows_include_bytes_and_meaning(
     assert len(body) == 4
 
 
-def test_failed_save_is_reported_and_leaves_no_file(
-    setup: TrafficSetup, qtbot: QtBot, tmp_path: Path
+def test_failed_save_is_reported_and_creates_no_file(
+    harness: TrafficHarness, qtbot: QtBot, tmp_path: Path
 ) -> None:
-    setup.log(WRITE, STORED)
-    setup.traffic.pull()
+    harness.log(WRITE, STORED)
+    harness.traffic.pull()
     notifier, path = Notifier(), tmp_path / "no such folder" / "line.txt"
-    write = partial(setup.traffic.write, rows=setup.traffic.everything.rows)
+    write = partial(harness.traffic.write, rows=harness.traffic.everything.rows)
     with qtbot.waitSignal(notifier.error) as failed:
         write_in_background(notifier, path, write, notifier, str)
     assert failed.args == ["line.txt: It cannot be written: No such file or directory."]

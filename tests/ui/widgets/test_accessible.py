@@ -1,4 +1,4 @@
-"""Painted widgets for screen readers."""
+"""Accessible names, values and announcements of painted widgets."""
 
 import gc
 
@@ -18,12 +18,12 @@ Role, Text = QAccessible.Role, QAccessible.Text
 
 
 def interface_of(widget: QWidget) -> QAccessibleInterface:
-    found = QAccessible.queryAccessibleInterface(widget)
-    assert found is not None
-    return found
+    interface = QAccessible.queryAccessibleInterface(widget)
+    assert interface is not None
+    return interface
 
 
-def test_slider_is_read_and_set_in_the_unit_that_is_shown(qtbot: QtBot) -> None:
+def test_slider_is_read_and_set_in_its_visible_unit(qtbot: QtBot) -> None:
     slider = StickSlider(40, 160, 40, "bar")
     qtbot.addWidget(slider)
     slider.positions_per_unit = 10
@@ -41,7 +41,7 @@ def test_slider_is_read_and_set_in_the_unit_that_is_shown(qtbot: QtBot) -> None:
     assert slider.value() == 135
 
 
-def test_live_label_is_read_with_its_name(qtbot: QtBot) -> None:
+def test_live_label_is_announced_with_its_name(qtbot: QtBot) -> None:
     label = LiveLabel("value", "Input 1")
     qtbot.addWidget(label)
     label.setText("1500 µs")
@@ -49,7 +49,7 @@ def test_live_label_is_read_with_its_name(qtbot: QtBot) -> None:
     assert interface_of(label).role() is Role.StaticText
 
 
-def test_sign_is_read_while_visible(qtbot: QtBot) -> None:
+def test_sign_has_a_name_while_it_is_visible(qtbot: QtBot) -> None:
     sign = Sign()
     qtbot.addWidget(sign)
     sign.show_sign("warning", "warning")
@@ -68,34 +68,34 @@ def test_other_interfaces_are_absent(has_value: bool, qtbot: QtBot) -> None:
     assert (interface.valueInterface() is not None) is has_value
 
 
-def test_interfaces_outlive_neither_widgets_nor_garbage(qtbot: QtBot) -> None:
+def test_interface_lives_exactly_as_long_as_its_widget(qtbot: QtBot) -> None:
     parent = QWidget()
     qtbot.addWidget(parent)
-    lasting = Lamp("led_red", parent)
-    interface_of(lasting)
+    permanent = Lamp("led_red", parent)
+    interface_of(permanent)
     for _ in range(5):
-        passing = Lamp("led_red", parent)
-        interface_of(passing)
-        passing.deleteLater()
-        del passing
+        temporary = Lamp("led_red", parent)
+        interface_of(temporary)
+        temporary.deleteLater()
+        del temporary
         QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
         gc.collect()
-        assert interface_of(lasting).role() is Role.Graphic
-    assert parent.findChildren(Lamp) == [lasting]
+        assert interface_of(permanent).role() is Role.Graphic
+    assert parent.findChildren(Lamp) == [permanent]
 
 
 def test_tab_announces_each_link(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) -> None:
-    said: list[str] = []
+    announced: list[str] = []
 
     def update(event: object) -> None:
         assert isinstance(event, QAccessibleAnnouncementEvent)
-        said.append(event.message())
+        announced.append(event.message())
 
     monkeypatch.setattr(QAccessible, "updateAccessibility", update)
     window = QWidget()
     qtbot.addWidget(window)
     before, label, after = QPushButton(window), LinkLabel("links", window), QPushButton(window)
-    label.setText('<a href="1">one</a> and <a href="2">two</a>')
+    label.setText('<a href="1">first</a> and <a href="2">second</a>')
     ui.column(before, label, after, into=window)
     window.show()
     window.activateWindow()
@@ -106,6 +106,6 @@ def test_tab_announces_each_link(qtbot: QtBot, monkeypatch: pytest.MonkeyPatch) 
         assert focused is not None
         QTest.keyClick(focused, Qt.Key.Key_Tab)
     assert label.hasFocus()
-    assert said == ["one", "two"]
+    assert announced == ["first", "second"]
     QTest.keyClick(label, Qt.Key.Key_Tab)
     assert after.hasFocus()

@@ -1,4 +1,4 @@
-"""Messages with buttons."""
+"""Banner with messages and their buttons."""
 
 import pytest
 from PySide6.QtCore import QPoint
@@ -14,41 +14,41 @@ from trex_gui.ui.runtime import runtime
 from trex_gui.ui.widgets.builders import column
 from trex_gui.ui.widgets.messages import Banner
 
-FIND, AGAIN = Remedy.FIND, Remedy.RECONNECT
+FIND, RECONNECT = Remedy.FIND, Remedy.RECONNECT
 
 
-def test_buttons_act_and_end_with_their_message(qtbot: QtBot) -> None:
+def test_buttons_act_and_disappear_with_their_message(qtbot: QtBot) -> None:
     notifier = Notifier()
     banner = Banner(None, notifier)
     qtbot.addWidget(banner)
     driver = WidgetDriver(banner, qtbot)
-    chosen: list[Remedy] = []
-    banner.chosen.connect(chosen.append)
+    selected: list[Remedy] = []
+    banner.chosen.connect(selected.append)
 
-    notifier.report("Permission denied.", (CopyCommand("sudo make me"), AGAIN, FIND))
+    notifier.report("Permission denied.", (CopyCommand("sudo usermod"), RECONNECT, FIND))
     QTest.mouseClick(driver.button("bannerReconnect"), LEFT, pos=QPoint(8, 8))
-    assert not chosen, "the button has just appeared under the pointer"
+    assert not selected, "the button has just appeared under the pointer"
     driver.click("bannerReconnect")
     driver.click("bannerFind")
-    assert chosen == [AGAIN, FIND]
+    assert selected == [RECONNECT, FIND]
     driver.click("bannerCopy")
-    assert QGuiApplication.clipboard().text() == "sudo make me"
+    assert QGuiApplication.clipboard().text() == "sudo usermod"
     assert driver.button("bannerCopy").text() == "Copied"
 
-    for following in (notifier.error, notifier.info):
-        notifier.report("Gone.", (AGAIN,))
+    for signal in (notifier.error, notifier.info):
+        notifier.report("Gone.", (RECONNECT,))
         assert not driver.has("bannerFind")
-        following.emit("Something else.")
+        signal.emit("Something else.")
         assert not driver.has("bannerReconnect")
         assert banner.text == "Something else."
 
 
-def test_message_that_offers_a_report_outlives_a_connection(qtbot: QtBot) -> None:
+def test_message_with_a_report_button_survives_a_connection(qtbot: QtBot) -> None:
     notifier = Notifier()
     banner = Banner(None, notifier)
     qtbot.addWidget(banner)
     driver = WidgetDriver(banner, qtbot)
-    for remedies, text in (((AGAIN,), ""), ((Remedy.REPORT,), "It failed.")):
+    for remedies, text in (((RECONNECT,), ""), ((Remedy.REPORT,), "It failed.")):
         notifier.report("It failed.", remedies)
         notifier.cleared.emit()
         assert banner.text == text
@@ -57,7 +57,7 @@ def test_message_that_offers_a_report_outlives_a_connection(qtbot: QtBot) -> Non
     assert not driver.has("bannerReport")
 
 
-def test_only_news_disappear_automatically(qtbot: QtBot) -> None:
+def test_only_information_disappears_automatically(qtbot: QtBot) -> None:
     window, notifier = QWidget(), Notifier()
     qtbot.addWidget(window)
     banner, editor = Banner(window, notifier), QLineEdit(window)
@@ -78,8 +78,8 @@ def test_only_news_disappear_automatically(qtbot: QtBot) -> None:
 @pytest.mark.parametrize(
     ("error", "may_be_found", "remedies"),
     [
-        (PortUnavailable("gone"), False, (AGAIN,)),
-        (PortUnavailable("denied", command="sudo"), False, (CopyCommand("sudo"), AGAIN)),
+        (PortUnavailable("gone"), False, (RECONNECT,)),
+        (PortUnavailable("denied", command="sudo"), False, (CopyCommand("sudo"), RECONNECT)),
         (BadReply("not like a TReX"), True, (FIND,)),
         (StudioError("other"), False, ()),
         (InternalError("internal"), True, (Remedy.REPORT,)),

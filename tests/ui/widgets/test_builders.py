@@ -9,7 +9,7 @@ from pytestqt.qtbot import QtBot
 from trex_gui.ui.widgets import builders
 
 
-def test_created_widgets_carry_names_and_handlers(qtbot: QtBot) -> None:
+def test_created_widgets_have_names_values_and_handlers(qtbot: QtBot) -> None:
     page = QWidget()
     qtbot.addWidget(page)
     clicks: list[str] = []
@@ -20,7 +20,7 @@ def test_created_widgets_carry_names_and_handlers(qtbot: QtBot) -> None:
         page, "onBox", "On", checked=True, on_toggle=lambda _on: clicks.append("on")
     )
     count = builders.spin_box(page, "countBox", "Count", 1, 9, value=4, suffix=" s")
-    combo = builders.combo_box(page, "whichCombo", "Which", items=[("one", 1), "two"])
+    combo = builders.combo_box(page, "whichCombo", "Which", items=[("first", 1), "second"])
 
     push.click()
     box.click()
@@ -28,11 +28,11 @@ def test_created_widgets_carry_names_and_handlers(qtbot: QtBot) -> None:
     assert clicks == ["go", "on"]
     assert (push.objectName(), push.toolTip(), push.autoDefault()) == ("goButton", "Starts", False)
     assert (count.value(), count.accessibleName(), count.keyboardTracking()) == (4, "Count", False)
-    assert (combo.itemData(0), combo.itemText(1), combo.accessibleName()) == (1, "two", "Which")
+    assert (combo.itemData(0), combo.itemText(1), combo.accessibleName()) == (1, "second", "Which")
 
 
 @pytest.mark.parametrize("language", ["en", "de"])
-def test_spin_box_reads_no_separator_as_that_of_thousands(qtbot: QtBot, language: str) -> None:
+def test_spin_box_ignores_separators_in_every_language(qtbot: QtBot, language: str) -> None:
     page = QWidget()
     qtbot.addWidget(page)
     before = QLocale()
@@ -44,7 +44,7 @@ def test_spin_box_reads_no_separator_as_that_of_thousands(qtbot: QtBot, language
         QTest.keyClicks(box, typed)
         QTest.keyClick(box, Qt.Key.Key_Return)
         assert box.value() == expected
-        assert box.text() == f"{expected} = 0.7 °/s", "what is read is what is shown"
+        assert box.text() == f"{expected} = 0.7 °/s", "the displayed number has no separator"
 
 
 @pytest.mark.parametrize("language", ["en", "de"])

@@ -17,7 +17,7 @@ def window(qtbot: QtBot) -> QWidget:
 
 
 @pytest.mark.parametrize(
-    ("typed", "required", "saved"),
+    ("entered", "required", "saved"),
     [
         ("a", False, "a.txt"),
         ("a.TXT", True, "a.TXT"),
@@ -25,22 +25,22 @@ def window(qtbot: QtBot) -> QWidget:
         ("a.log", True, "a.log.txt"),
     ],
 )
-def test_name_is_completed_with_suffix(
+def test_entered_name_is_completed_with_the_suffix(
     window: QWidget,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
-    typed: str,
+    entered: str,
     required: bool,
     saved: str,
 ) -> None:
-    chosen = str(tmp_path / typed)
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (chosen, ""))
+    selected = str(tmp_path / entered)
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (selected, ""))
     path = prompt_to_save(window, "Save", tmp_path, suffix=".txt", required=required)
     assert path == tmp_path / saved
 
 
 @pytest.mark.parametrize("replace", [True, False])
-def test_completed_name_is_replaced_only_on_consent(
+def test_file_of_completed_name_is_replaced_only_on_consent(
     window: QWidget, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, replace: bool
 ) -> None:
     existing = tmp_path / "a.txt"

@@ -1,4 +1,4 @@
-"""Question across a window."""
+"""Question above the pages of a window."""
 
 import pytest
 from PySide6.QtCore import Qt
@@ -24,23 +24,24 @@ def driver(question: InlinePrompt, qtbot: QtBot) -> WidgetDriver:
     return WidgetDriver(question, qtbot)
 
 
-def test_answer_runs_its_action_and_may_ask_another_question(
+def test_answer_runs_its_action_and_can_open_a_new_question(
     question: InlinePrompt, driver: WidgetDriver
 ) -> None:
     done: list[str] = []
-    again = Answer("again", "Again", lambda: question.prompt("Again?", other))
-    other = Answer("other", "Other", lambda: done.append("other"))
-    question.prompt("How?", Answer("one", "One", lambda: done.append("one")), again)
-    driver.click("again")
-    assert question.text == "Again?"
+    save = Answer("save", "Save", lambda: done.append("save"))
+    discard = Answer("discard", "Discard", lambda: question.prompt("Sure?", confirm))
+    confirm = Answer("confirm", "Confirm", lambda: done.append("confirm"))
+    question.prompt("Close?", save, discard)
+    driver.click("discard")
+    assert question.text == "Sure?"
     assert question.isVisible()
-    driver.click("other")
-    assert done == ["other"]
+    driver.click("confirm")
+    assert done == ["confirm"]
     assert not question.isVisible()
 
 
 @pytest.mark.parametrize("key", [None, Qt.Key.Key_Escape, Qt.Key.Key_Space])
-def test_cancel_runs_only_the_otherwise_action(
+def test_cancel_runs_only_the_action_for_no_answer(
     question: InlinePrompt, driver: WidgetDriver, key: Qt.Key | None
 ) -> None:
     done: list[str] = []
@@ -74,12 +75,12 @@ def test_new_question_cancels_the_previous_one(
 
 def test_outdated_answer_is_not_run(question: InlinePrompt, driver: WidgetDriver) -> None:
     done: list[str] = []
-    sense = [True]
+    is_valid = True
     yes = Answer("yes", "Yes", lambda: done.append("yes"))
-    question.prompt("Sure?", yes, still=lambda: sense[0])
+    question.prompt("Sure?", yes, still=lambda: is_valid)
     question.reconsider()
     assert question.isVisible()
-    sense[0] = False
+    is_valid = False
     driver.click("yes")
     assert done == []
     assert not question.isVisible()

@@ -1,4 +1,4 @@
-"""Windows fit the screen and reopen at their last position."""
+"""Windows fit on the screen and reopen at their last position."""
 
 import pytest
 from PySide6.QtCore import QPoint, QRect, QSize
@@ -9,25 +9,25 @@ from pytestqt.qtbot import QtBot
 from trex_gui.ui.widgets.placement import fit_on_screen, fitted, restore_geometry, save_geometry
 
 NETBOOK = QRect(0, 0, 1024, 600)
-BESIDE = QRect(1920, 30, 1366, 738)  # a second screen, below a panel
+SECOND_SCREEN = QRect(1920, 30, 1366, 738)  # right of the first screen, below a panel
 
 
-@pytest.mark.parametrize("screen", [NETBOOK, BESIDE, QRect(0, 0, 1920, 1080)])
+@pytest.mark.parametrize("screen", [NETBOOK, SECOND_SCREEN, QRect(0, 0, 1920, 1080)])
 @pytest.mark.parametrize("size", [QSize(300, 200), QSize(1100, 760), QSize(2500, 1500)])
 @pytest.mark.parametrize("corner", [QPoint(-500, -500), QPoint(1000, 300), QPoint(9999, 9999)])
 def test_window_and_frame_fit_screen(screen: QRect, size: QSize, corner: QPoint) -> None:
-    place = fitted(QRect(corner, size), screen)
-    assert screen.contains(place.adjusted(-8, -31, 8, 8)), "the widest frame: Windows 11"
-    assert place.width() == min(size.width(), screen.width() - 16)
-    assert place.height() == min(size.height(), screen.height() - 48)
-    assert fitted(place, screen) == place, "one that fits is not moved"
+    geometry = fitted(QRect(corner, size), screen)
+    assert screen.contains(geometry.adjusted(-8, -31, 8, 8)), "with the frame of Windows 11"
+    assert geometry.width() == min(size.width(), screen.width() - 16)
+    assert geometry.height() == min(size.height(), screen.height() - 48)
+    assert fitted(geometry, screen) == geometry, "a window that fits is not moved"
 
 
 def _screen() -> QRect:
     return QGuiApplication.primaryScreen().availableGeometry()
 
 
-def test_dialog_opens_again_where_it_was_closed(qtbot: QtBot) -> None:
+def test_dialog_reopens_where_it_was_closed(qtbot: QtBot) -> None:
     parent = QWidget()
     qtbot.addWidget(parent)
     parent.setGeometry(200, 150, 800, 600)
@@ -70,7 +70,7 @@ def test_stored_position_is_restored_within_the_screen(qtbot: QtBot) -> None:
     window.close()
 
 
-def test_full_screen_stays(qtbot: QtBot) -> None:
+def test_window_can_fill_the_whole_screen(qtbot: QtBot) -> None:
     window = QMainWindow()
     qtbot.addWidget(window)
     fit_on_screen(window)

@@ -1,4 +1,4 @@
-"""Thin lines at the resolution of the screen."""
+"""Strokes of thin lines, by the resolution of the screen."""
 
 from collections.abc import Iterator
 
@@ -19,6 +19,6 @@ def test_line_has_one_stroke_at_normal_resolution(painter: QPainter) -> None:
     assert len(list(strokes(painter))) == 1
 
 
-def test_device_without_height_gets_no_stroke(painter: QPainter) -> None:
+def test_line_has_no_stroke_on_a_device_without_height(painter: QPainter) -> None:
     painter.scale(1, 0)
     assert list(strokes(painter)) == []

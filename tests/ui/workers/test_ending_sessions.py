@@ -1,4 +1,4 @@
-"""Last report of a session, and requests while it ends."""
+"""Final report of a session, and requests while a session ends."""
 
 import threading
 from collections.abc import Callable, Iterator
@@ -45,11 +45,11 @@ class Gate:
 
 
 class RecordingSession:
-    """Session that records its requests and ends with a given report."""
+    """Session that records its requests. It ends with a given report."""
 
-    def __init__(self, last: object = None, until: Gate | None = None) -> None:
+    def __init__(self, final_report: object = None, gate: Gate | None = None) -> None:
         self.requests: list[object] = []
-        self._last, self._until = last, until
+        self._final_report, self._gate = final_report, gate
 
     def create(self, inbox: RequestQueue, emit: Emit) -> "RecordingSession":
         self._inbox, self._emit = inbox, emit
@@ -60,13 +60,13 @@ class RecordingSession:
             self.requests.append(request)
             if isinstance(request, Close):
                 break
-        if self._until is not None:
-            self._until.wait()
-        if self._last is not None:
-            self._emit(self._last)
+        if self._gate is not None:
+            self._gate.wait()
+        if self._final_report is not None:
+            self._emit(self._final_report)
 
 
-# --- The last word ----------------------------------------------------------------------
+# --- Final report -----------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("may_move", [True, False])
@@ -81,7 +81,7 @@ def test_shutdown_records_whether_motors_may_still_move(
     assert line.last == Closed(None, may_move)
 
 
-def test_session_without_final_report_keeps_may_move(qtbot: QtBot) -> None:
+def test_may_move_remains_set_without_a_final_report(qtbot: QtBot) -> None:
     line = SessionThread()
     line.start(RecordingSession().create, may_move=True)
     qtbot.waitUntil(line.shut_down)
@@ -137,7 +137,7 @@ def test_only_confirmed_stop_clears_may_move_after_shutdown(
     assert device.may_move is is_mute
 
 
-# --- Who waits for whom -----------------------------------------------------------------
+# --- Order of the shutdown --------------------------------------------------------------
 
 
 @pytest.fixture
@@ -148,7 +148,7 @@ def manager(qtbot: QtBot) -> Iterator[DeviceManager]:
     qtbot.waitUntil(manager.shut_down)
 
 
-def test_shutdown_closes_the_line_before_waiting_for_a_scan(
+def test_shutdown_closes_the_line_before_it_waits_for_a_scan(
     manager: DeviceManager,
     quick_simulator: SimulatedDevice,
     qtbot: QtBot,
@@ -176,7 +176,7 @@ def test_shutdown_closes_the_line_before_waiting_for_a_scan(
 
 def test_request_is_accepted_while_the_session_ends() -> None:
     class EndingSessionThread(SessionThread):
-        """Line whose session ends while a request is submitted."""
+        """Thread whose session ends while a request is submitted."""
 
         def moves(self, request: object) -> bool:
             self._worker = None
@@ -186,15 +186,15 @@ def test_request_is_accepted_while_the_session_ends() -> None:
     line.start(session.create, may_move=False)
     worker = line._worker
     assert worker is not None
-    assert line.submit("something")
+    assert line.submit("request")
     assert worker.close(15_000)
-    assert session.requests == ["something", Close()]
+    assert session.requests == ["request", Close()]
 
 
 def test_halt_from_another_thread_also_closes_the_session(
     qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def end_meanwhile(line: Robot, request: object) -> bool:
+    def end_session(line: Robot, request: object) -> bool:
         line._worker = None
         return False
 
@@ -202,10 +202,10 @@ def test_halt_from_another_thread_also_closes_the_session(
     robot.start(session.create, may_move=False)
     worker = robot._worker
     assert worker is not None
-    monkeypatch.setattr(Robot, "moves", end_meanwhile)
+    monkeypatch.setattr(Robot, "moves", end_session)
     thread = threading.Thread(target=robot.halt_now, kwargs={"ending": True})
     thread.start()
     thread.join(15)
-    worker.submit(None)  # after a failure, so that the thread ends
+    worker.submit(None)  # so that the thread ends after a failure too
     assert worker.wait(15_000)
     assert session.requests == [Halt(), Close()]

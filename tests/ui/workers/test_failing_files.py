@@ -34,7 +34,7 @@ def test_internal_error_in_a_worker_is_reported_and_logged(
     assert "ZeroDivisionError: on purpose" in caplog.text
 
 
-@pytest.mark.skipif(os.name == "nt", reason="names there are text")
+@pytest.mark.skipif(os.name == "nt", reason="file names are Unicode on Windows")
 def test_undecodable_port_name_is_saved_in_the_transcript(qtbot: QtBot, tmp_path: Path) -> None:
     device = Device()
     device.connect_to(ConnectionSettings(os.fsdecode(b"/dev/pts/\xe9")))
@@ -56,7 +56,7 @@ class MarkerRecorder(RecordThread[Marker]):
 
 
 @pytest.mark.parametrize("method", ["_create", "finish"])
-def test_internal_error_fails_the_recording(
+def test_internal_error_ends_the_recording_with_a_failure(
     qtbot: QtBot,
     tmp_path: Path,
     caplog: pytest.LogCaptureFixture,

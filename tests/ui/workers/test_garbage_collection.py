@@ -1,4 +1,4 @@
-"""Python's collector runs in the GUI thread only."""
+"""Garbage collection of Python in the GUI thread only."""
 
 import gc
 from collections.abc import Iterator
@@ -10,7 +10,7 @@ from trex_gui.ui.workers.threads import GuiThreadCollector
 
 
 class Cycle:
-    """Object that only the collector can free."""
+    """Object that only the garbage collector can free."""
 
     alive = 0
 
@@ -29,7 +29,7 @@ def collector(qtbot: QtBot) -> Iterator[GuiThreadCollector]:
     gc.collect()
 
 
-def test_cycles_stay_until_collected_in_gui_thread(collector: GuiThreadCollector) -> None:
+def test_cycles_remain_until_collected_in_the_gui_thread(collector: GuiThreadCollector) -> None:
     assert not gc.isenabled()
     gc.collect()
     for _ in range(2000):
@@ -42,7 +42,7 @@ def test_cycles_stay_until_collected_in_gui_thread(collector: GuiThreadCollector
 def test_full_collection_ignores_frozen_objects(collector: GuiThreadCollector) -> None:
     collector.freeze()
     assert len(gc.get_objects()) < gc.get_freeze_count() / 10
-    kept = Cycle.alive
+    alive = Cycle.alive
     Cycle()
     gc.collect()
-    assert Cycle.alive == kept
+    assert Cycle.alive == alive

@@ -1,4 +1,4 @@
-"""Line worker in virtual time, and in a real thread on a pseudo-terminal."""
+"""Line worker in virtual time and in a real thread."""
 
 import sys
 import threading
@@ -22,11 +22,11 @@ from trex_gui.ui.runtime import now, open_transport
 from trex_gui.ui.workers.session_thread import LineWorker
 
 if sys.platform == "win32":
-    pytest.skip("has no pseudo-terminals", allow_module_level=True)
+    pytest.skip("Windows has no pseudo-terminals", allow_module_level=True)
 
 
 class WorkerHarness:
-    """Worker and its reports."""
+    """Worker with its reports."""
 
     def __init__(self, url: str, qtbot: QtBot) -> None:
         self.reports: list[Report] = []
@@ -52,9 +52,9 @@ class WorkerHarness:
 
     def close(self) -> float:
         """Close the line. Return the seconds until its thread ended."""
-        begun = now()
+        start = now()
         assert self.worker.close(15_000)
-        took = now() - begun
+        took = now() - start
         self.wait(Closed)
         assert self.end == Closed(None)
         return took
@@ -62,11 +62,12 @@ class WorkerHarness:
     def outcome(self, number: int) -> Outcome:
         """Wait for the outcome of a request."""
 
-        def found() -> list[Outcome]:
-            return [one for one in self.reports if isinstance(one, Outcome) and one.id == number]
+        def outcomes() -> list[Outcome]:
+            reports = [report for report in self.reports if isinstance(report, Outcome)]
+            return [report for report in reports if report.id == number]
 
-        self.qtbot.waitUntil(lambda: bool(found()))
-        (outcome,) = found()
+        self.qtbot.waitUntil(lambda: bool(outcomes()))
+        (outcome,) = outcomes()
         return outcome
 
     @property
@@ -77,48 +78,48 @@ class WorkerHarness:
         return closed
 
 
-Watch = Callable[[str], WorkerHarness]
+CreateWorker = Callable[[str], WorkerHarness]
 
 
 @pytest.fixture
-def watch(qtbot: QtBot) -> Iterator[Watch]:
-    """Yield a function that creates workers. All workers must have ended after the test."""
-    watched: list[WorkerHarness] = []
+def create_worker(qtbot: QtBot) -> Iterator[CreateWorker]:
+    """Yield a function that creates workers. All workers must end after the test."""
+    created: list[WorkerHarness] = []
 
     def create(url: str) -> WorkerHarness:
-        watched.append(WorkerHarness(url, qtbot))
-        return watched[-1]
+        created.append(WorkerHarness(url, qtbot))
+        return created[-1]
 
     yield create
-    for one in watched:
-        assert one.worker.close(15_000), "the thread lives on"
+    for harness in created:
+        assert harness.worker.close(15_000), "the thread still runs"
 
 
-def connected(watch: Watch, url: str) -> WorkerHarness:
+def connected(create_worker: CreateWorker, url: str) -> WorkerHarness:
     """Return a worker that is connected to a simulated board."""
-    watched = watch(url)
-    watched.worker.start()
-    watched.qtbot.waitUntil(lambda: watched.has(Connected) or watched.has(Closed))
-    assert watched.has(Connected), watched.end
-    return watched
+    harness = create_worker(url)
+    harness.worker.start()
+    harness.qtbot.waitUntil(lambda: harness.has(Connected) or harness.has(Closed))
+    assert harness.has(Connected), harness.end
+    return harness
 
 
 @pytest.fixture
-def line(quick_simulator: SimulatedDevice, watch: Watch) -> WorkerHarness:
+def line(quick_simulator: SimulatedDevice, create_worker: CreateWorker) -> WorkerHarness:
     """Worker on a simulated board without transmission time."""
-    return connected(watch, quick_simulator.url)
+    return connected(create_worker, quick_simulator.url)
 
 
 @pytest.fixture
-def paced_line(simulator: SimulatedDevice, watch: Watch) -> WorkerHarness:
+def paced_line(simulator: SimulatedDevice, create_worker: CreateWorker) -> WorkerHarness:
     """Worker on a simulated board with real transmission time."""
-    return connected(watch, simulator.url)
+    return connected(create_worker, simulator.url)
 
 
 @pytest.mark.realtime
-def test_reports_arrive_in_gui_thread_and_requests_from_any(line: WorkerHarness) -> None:
+def test_reports_reach_gui_thread_and_any_thread_sends_requests(line: WorkerHarness) -> None:
     line.wait(Batch)
-    (connected,) = [one for one in line.reports if isinstance(one, Connected)]
+    (connected,) = [report for report in line.reports if isinstance(report, Connected)]
     assert str(connected.state.signature) == "TReX 1.2"
     threads = [
         threading.Thread(target=line.worker.submit, args=(packet(number, GetParameter(0)),))
@@ -133,23 +134,23 @@ def test_reports_arrive_in_gui_thread_and_requests_from_any(line: WorkerHarness)
 
 
 def test_closing_during_connect_ends_within_a_second(
-    simulator: SimulatedDevice, watch: Watch
+    simulator: SimulatedDevice, create_worker: CreateWorker
 ) -> None:
-    watched = watch(simulator.url)
-    watched.worker.start()
-    watched.wait(Progress)
-    assert watched.close() < 1.0
-    assert not watched.has(Connected)
+    harness = create_worker(simulator.url)
+    harness.worker.start()
+    harness.wait(Progress)
+    assert harness.close() < 1.0
+    assert not harness.has(Connected)
 
 
 @pytest.mark.realtime
-def test_closing_right_after_start_ends_thread(
-    quick_simulator: SimulatedDevice, watch: Watch
+def test_closing_immediately_after_start_ends_the_thread(
+    quick_simulator: SimulatedDevice, create_worker: CreateWorker
 ) -> None:
-    watched = watch(quick_simulator.url)
-    watched.worker.start()
-    watched.close()
-    assert watched.worker.isFinished()
+    harness = create_worker(quick_simulator.url)
+    harness.worker.start()
+    harness.close()
+    assert harness.worker.isFinished()
 
 
 def test_closing_brakes_running_motor(

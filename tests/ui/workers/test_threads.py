@@ -1,4 +1,4 @@
-"""Threads that outlive their owner."""
+"""Threads that outlive their owners."""
 
 import threading
 import weakref
@@ -17,39 +17,39 @@ from trex_gui.ui.workers.threads import (
 pytestmark = pytest.mark.realtime
 
 
-class HeldThread(WorkerThread):
-    """Thread that runs until `go` is set."""
+class BlockedThread(WorkerThread):
+    """Thread that runs until `released` is set."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self.go = threading.Event()
+        self.released = threading.Event()
 
     def run(self) -> None:
-        self.go.wait(60)
+        self.released.wait(60)
 
 
 def test_orphaned_thread_outlives_parent_until_finished(qtbot: QtBot) -> None:
-    qtbot.waitUntil(have_orphans_ended)  # of earlier tests
+    qtbot.waitUntil(have_orphans_ended)  # orphans of earlier tests
     owner = QObject()
-    thread = HeldThread(owner)
+    thread = BlockedThread(owner)
     thread.start()
     adopt_orphan(thread)
     adopt_orphan(thread)
-    go = thread.go
+    released = thread.released
     del owner, thread
     assert not have_orphans_ended()
-    go.set()
+    released.set()
     qtbot.waitUntil(have_orphans_ended)
 
 
 def test_orphaned_thread_can_be_released(qtbot: QtBot) -> None:
-    thread = HeldThread()
+    thread = BlockedThread()
     thread.start()
     adopt_orphan(thread)
-    thread.go.set()
+    thread.released.set()
     assert thread.wait(15_000)
     release_orphan(thread)
     release_orphan(thread)
-    kept = weakref.ref(thread)
+    reference = weakref.ref(thread)
     del thread
-    assert kept() is None
+    assert reference() is None
