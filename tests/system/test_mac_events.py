@@ -14,48 +14,48 @@ pytestmark = pytest.mark.usefixtures("qapp")
 
 
 class FakeMac(NativeMac):
-    """Simulated macOS that records the answered power messages."""
+    """Simulated macOS that records which power changes were allowed."""
 
     def __init__(self) -> None:
         self.lock: Callable[[], object] = lambda: None
-        self.tell_power: Callable[[int, int], object] = lambda _message, _argument: None
+        self.notify_power: Callable[[int, int], object] = lambda _message, _argument: None
         self.allowed: list[int] = []
 
     def listen(
         self, on_locked: Callable[[], object], on_power: Callable[[int, int], object]
     ) -> None:
-        self.lock, self.tell_power = on_locked, on_power
+        self.lock, self.notify_power = on_locked, on_power
 
     def allow_power_change(self, argument: int) -> None:
         self.allowed.append(argument)
 
 
-def test_lock_and_sleep_are_reasons_to_stop_and_waking_up_is_none() -> None:
+def test_lock_and_sleep_are_stop_reasons_but_waking_up_is_not() -> None:
     mac, reasons = FakeMac(), list[str]()
     events = MacEvents(mac, lambda: False, timeout=1.0)
     events.leaving.connect(reasons.append)
-    mac.tell_power(HAS_POWERED_ON, 3)
+    mac.notify_power(HAS_POWERED_ON, 3)
     assert reasons == []
     mac.lock()
-    mac.tell_power(WILL_SLEEP, 5)
+    mac.notify_power(WILL_SLEEP, 5)
     assert reasons == ["The screen was locked", "The computer is going to sleep"]
 
 
-def test_sleep_waits_for_the_stop_but_not_for_ever(qtbot: QtBot) -> None:
+def test_sleep_waits_for_the_stop_until_a_timeout(qtbot: QtBot) -> None:
     mac, may_move = FakeMac(), True
     _events = MacEvents(mac, lambda: may_move, timeout=1.0)
-    mac.tell_power(CAN_SLEEP, 4)
-    assert mac.allowed == [4], "an idle computer may sleep: it is told again when it does"
-    mac.tell_power(WILL_SLEEP, 5)
-    begun = now()
+    mac.notify_power(CAN_SLEEP, 4)
+    assert mac.allowed == [4], "an idle computer may sleep: another message follows before it does"
+    mac.notify_power(WILL_SLEEP, 5)
+    start = now()
     assert mac.allowed == [4]
     qtbot.waitUntil(lambda: mac.allowed == [4, 5])
-    assert now() - begun == pytest.approx(1.0, abs=0.1)
+    assert now() - start == pytest.approx(1.0, abs=0.1)
     may_move = False
-    mac.tell_power(WILL_SLEEP, 6)
-    begun = now()
+    mac.notify_power(WILL_SLEEP, 6)
+    start = now()
     qtbot.waitUntil(lambda: mac.allowed == [4, 5, 6])
-    assert now() - begun < 0.1
+    assert now() - start < 0.1
 
 
 class FakeLibrary:
@@ -74,7 +74,7 @@ class FakeLibrary:
         return function
 
 
-def test_libraries_are_called_with_as_many_arguments_as_declared() -> None:
+def test_libraries_are_called_with_the_declared_arguments() -> None:
     calls: dict[str, list[tuple[Any, ...]]] = {}
     loaded: list[str] = []
 
@@ -83,19 +83,19 @@ def test_libraries_are_called_with_as_many_arguments_as_declared() -> None:
         return FakeLibrary(calls)
 
     native = NativeMac(load, lambda _library, name: name)
-    seen: list[object] = []
-    native.listen(lambda: seen.append("locked"), lambda *message: seen.append(message))
+    events: list[object] = []
+    native.listen(lambda: events.append("locked"), lambda *message: events.append(message))
     assert [path.rpartition("/")[2] for path in loaded] == ["CoreFoundation", "IOKit"]
     assert [call[1] for call in calls["CFStringCreateWithCString"]] == [
         b"com.apple.screenIsLocked",
         b"com.apple.screensaver.didstart",
     ]
-    for _center, observer, notified, *_rest in calls["CFNotificationCenterAddObserver"]:
-        notified(0, observer, 0, 0, 0)  # as macOS calls it from C
-        assert seen.pop() == "locked"
+    for _center, observer, callback, *_rest in calls["CFNotificationCenterAddObserver"]:
+        callback(0, observer, 0, 0, 0)  # as macOS calls it from C
+        assert events.pop() == "locked"
     (call,) = calls["IORegisterForSystemPower"]
     call[2](0, 0, WILL_SLEEP, 5)
-    assert seen == [(WILL_SLEEP, 5)]
+    assert events == [(WILL_SLEEP, 5)]
     assert calls["CFRunLoopAddSource"] == [(7, 7, "kCFRunLoopCommonModes")]
     native.allow_power_change(5)
     assert calls["IOAllowPowerChange"] == [(7, 5)]

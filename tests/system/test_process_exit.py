@@ -1,4 +1,4 @@
-"""End of the process when a C library calls `exit`."""
+"""End of the process after a C library has called `exit`."""
 
 import subprocess
 import sys
@@ -18,6 +18,6 @@ skip_exit_handlers()
 @pytest.mark.realtime
 @pytest.mark.skipif(sys.platform != "linux", reason="needs glibc")
 @pytest.mark.parametrize(("ending", "code"), [("libc.exit(3)", 3), ("raise SystemExit(4)", 4)])
-def test_handlers_of_exit_cannot_hang_the_process(ending: str, code: int) -> None:
+def test_exit_handlers_cannot_block_the_end_of_the_process(ending: str, code: int) -> None:
     command = [sys.executable, "-c", HANGING_HANDLER + ending]
     assert subprocess.run(command, timeout=50, check=False).returncode == code

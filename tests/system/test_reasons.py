@@ -1,6 +1,7 @@
-"""Reasons of stops, as each device receives them."""
+"""Reasons of stops by each operating system, sleep and internal errors."""
 
 import sys
+from contextlib import closing
 
 import pytest
 from PySide6.QtDBus import QDBusConnection
@@ -21,10 +22,10 @@ from trex_gui.system.windows_events import (
 pytestmark = pytest.mark.usefixtures("qapp")
 
 
-def said_by_the_desktop(*, is_starting: bool) -> list[str]:
-    """All signals of a Linux desktop, at the start and at the end of each event."""
-    nowhere = QDBusConnection("there is none")
-    events = SessionEvents(nowhere, nowhere)
+def desktop_reasons(*, is_starting: bool) -> list[str]:
+    """Return the reasons after each signal of a Linux desktop, at the start or end of an event."""
+    bus = QDBusConnection("no bus")
+    events = SessionEvents(bus, bus)
     reports: list[str] = []
     events.leaving.connect(reports.append)
     events._on_sleep(is_starting=is_starting)
@@ -33,8 +34,8 @@ def said_by_the_desktop(*, is_starting: bool) -> list[str]:
     return reports
 
 
-def said_by_windows() -> list[str]:
-    """All messages of Windows about the session."""
+def windows_reasons() -> list[str]:
+    """Return the reasons after each message of Windows about the session."""
     messages = [
         (WM_POWERBROADCAST, PBT_APMSUSPEND),
         (WM_WTSSESSION_CHANGE, WTS_SESSION_LOCK),
@@ -43,48 +44,45 @@ def said_by_windows() -> list[str]:
     return [stop_reason(*message) or "" for message in messages]
 
 
-def said_by_a_mac() -> list[str]:
-    """All notifications of macOS."""
+def mac_reasons() -> list[str]:
+    """Return the reasons after each notification of macOS."""
     mac, reports = FakeMac(), list[str]()
     events = MacEvents(mac, lambda: False, timeout=1.0)
     events.leaving.connect(reports.append)
     mac.lock()
-    mac.tell_power(WILL_SLEEP, 5)
+    mac.notify_power(WILL_SLEEP, 5)
     return reports
 
 
-def said_of_a_sleep_that_is_over() -> list[str]:
+def wake_reasons() -> list[str]:
     slept = 0.0
-    watch = SuspendDetector(lambda: slept)
+    detector = SuspendDetector(lambda: slept)
     reports: list[str] = []
-    watch.woke.connect(reports.append)
+    detector.woke.connect(reports.append)
     slept = 60.0
-    watch.poll()
+    detector.poll()
     return reports
 
 
-def said_of_a_mistake(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+def exception_reasons(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     reports: list[str] = []
     monkeypatch.setattr(sys, "excepthook", lambda *_: None)
-    watch = ExceptionWatch(reports.append)
-    try:
+    with closing(ExceptionWatch(reports.append)):
         sys.excepthook(ValueError, ValueError("x"), None)
-    finally:
-        watch.close()
     return reports
 
 
 def test_stop_reasons_are_clauses_without_stop_or_motor(monkeypatch: pytest.MonkeyPatch) -> None:
     reasons = [
-        *said_by_the_desktop(is_starting=True),
-        *said_by_windows(),
-        *said_by_a_mac(),
-        *said_of_a_sleep_that_is_over(),
-        *said_of_a_mistake(monkeypatch),
+        *desktop_reasons(is_starting=True),
+        *windows_reasons(),
+        *mac_reasons(),
+        *wake_reasons(),
+        *exception_reasons(monkeypatch),
     ]
     assert len(reasons) == 10
     for reason in reasons:
-        assert reason, "each of them is one"
+        assert reason
         assert not reason.endswith("."), reason
         assert "stop" not in reason, reason
         assert "motor" not in reason, reason
@@ -95,7 +93,7 @@ def test_stop_reasons_are_clauses_without_stop_or_motor(monkeypatch: pytest.Monk
 
 
 def test_waking_up_and_unlocking_give_no_stop_reason() -> None:
-    assert said_by_the_desktop(is_starting=False) == []
+    assert desktop_reasons(is_starting=False) == []
     assert stop_reason(WM_POWERBROADCAST, 0x12) is None  # wake-up
     assert stop_reason(WM_WTSSESSION_CHANGE, 8) is None  # unlock
     assert stop_reason(0x0200, 0) is None  # mouse move

@@ -1,4 +1,4 @@
-"""Sleep waits up to a second for the motors if logind grants a delay."""
+"""Sleep waits up to a second until the motors stop if logind grants a delay."""
 
 import shutil
 import time
@@ -20,26 +20,26 @@ pytestmark = [
 
 @pytest.fixture
 def buses() -> Iterator[tuple[QDBusConnection, QDBusConnection]]:
-    """Connections of the system and of the program to a bus."""
-    with message_bus() as (address, theirs), connection_to(address) as ours:
-        yield theirs, ours
+    """Connections of logind and of the program to a bus."""
+    with message_bus() as (address, logind), connection_to(address) as program:
+        yield logind, program
 
 
 class SleepHarness:
-    """Computer that may sleep, with a program whose motors may move."""
+    """Computer that can sleep, and a program whose motors may move."""
 
-    def __init__(self, theirs: QDBusConnection, ours: QDBusConnection, qtbot: QtBot) -> None:
+    def __init__(self, logind: QDBusConnection, program: QDBusConnection, qtbot: QtBot) -> None:
         self.may_move = True
         self.qtbot = qtbot
-        self.logind = Logind(theirs)
-        self.delay = SleepDelay(lambda: self.may_move, ours, timeout=1.0)
-        self.events = SessionEvents(ours, ours)
+        self.logind = Logind(logind)
+        self.delay = SleepDelay(lambda: self.may_move, program, timeout=1.0)
+        self.events = SessionEvents(program, program)
         self.events.sleeping.connect(self.delay.on_sleeping)
         qtbot.waitUntil(lambda: self.delay.holds)
 
     @property
     def waited_ms(self) -> int:
-        """Return the time in which the program polled the motors."""
+        """Milliseconds in which the program has polled the motors."""
         return self.delay._wait._polls * self.delay._wait._timer.interval()
 
     def start_sleep(self) -> None:
@@ -68,14 +68,14 @@ def test_sleep_is_delayed_only_until_motors_stop(harness: SleepHarness, qtbot: Q
     assert harness.logind.held == 1
     harness.may_move = False
     qtbot.waitUntil(lambda: harness.logind.held == 0, timeout=15_000)
-    assert harness.waited_ms < 500, "not for its second"
+    assert harness.waited_ms < 500, "the delay ends before its timeout of a second"
 
 
 def test_sleep_delay_times_out_if_motors_keep_moving(harness: SleepHarness, qtbot: QtBot) -> None:
     harness.start_sleep()
-    begun = time.monotonic()
+    start = time.monotonic()
     qtbot.waitUntil(lambda: harness.logind.held == 0, timeout=15_000)
-    assert time.monotonic() - begun > 0.8
+    assert time.monotonic() - start > 0.8
     assert harness.waited_ms == 1000
 
 
@@ -105,7 +105,7 @@ def test_sleep_delay_without_logind_holds_nothing(
 
 
 def test_sleep_delay_without_bus_holds_nothing() -> None:
-    delay = SleepDelay(lambda: False, QDBusConnection("there is none"), timeout=1.0)
+    delay = SleepDelay(lambda: False, QDBusConnection("no bus"), timeout=1.0)
     delay.on_sleeping(is_starting=True)
     delay.on_sleeping(is_starting=False)
     assert not delay.holds

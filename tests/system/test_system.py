@@ -5,6 +5,7 @@ import signal
 import sys
 import threading
 from collections.abc import Iterator
+from contextlib import closing
 from types import SimpleNamespace
 from typing import Any
 
@@ -26,23 +27,23 @@ pytestmark = pytest.mark.realtime
 
 
 def test_stop_is_sent_in_calling_thread_and_reported_in_gui(qtbot: QtBot) -> None:
-    sent_from: list[int] = []
-    stopper = StopBroadcaster(lambda: sent_from.append(threading.get_ident()))
-    thread = threading.Thread(target=lambda: stopper.stop("why"))
+    senders: list[int] = []
+    stopper = StopBroadcaster(lambda: senders.append(threading.get_ident()))
+    thread = threading.Thread(target=lambda: stopper.stop("reason"))
     with qtbot.waitSignal(stopper.stopped) as reports:
         thread.start()
         thread.join()
-        assert sent_from, "before the window has heard of it"
-    assert sent_from != [threading.get_ident()]
-    assert reports.args == ["why"]
+        assert senders, "the stop is sent before the window is notified"
+    assert senders != [threading.get_ident()]
+    assert reports.args == ["reason"]
 
 
-def test_board_that_is_left_running_counts_as_an_unconfirmed_stop() -> None:
+def test_running_board_counts_as_an_unconfirmed_stop() -> None:
     manager = SimpleNamespace(unconfirmed_stop="")
-    watching: Any = SimpleNamespace(_program=SimpleNamespace(device_manager=manager))
-    assert not SafetySupervisor.report_unconfirmed_stop(watching)
+    supervisor: Any = SimpleNamespace(_program=SimpleNamespace(device_manager=manager))
+    assert not SafetySupervisor.report_unconfirmed_stop(supervisor)
     left("/dev/ttyNONE")
-    assert SafetySupervisor.report_unconfirmed_stop(watching)
+    assert SafetySupervisor.report_unconfirmed_stop(supervisor)
 
 
 def test_stop_raised_by_a_report_is_sent_but_not_reported(
@@ -50,7 +51,7 @@ def test_stop_raised_by_a_report_is_sent_but_not_reported(
 ) -> None:
     sent: list[int] = []
     reports: list[str] = []
-    reported: list[BaseException] = []
+    errors: list[BaseException] = []
     stopper = StopBroadcaster(lambda: sent.append(1))
 
     def fail(reason: str) -> None:
@@ -58,139 +59,134 @@ def test_stop_raised_by_a_report_is_sent_but_not_reported(
         raise ValueError("always")
 
     stopper.stopped.connect(fail)
-    monkeypatch.setattr(sys, "excepthook", lambda _kind, error, _trace: reported.append(error))
-    watch = ExceptionWatch(stopper.stop)
-    try:
-        stopper.stop("why")
-        assert reports == [], "whoever stops is not held up"
-        qtbot.waitUntil(lambda: bool(reported))
-        assert (len(sent), reports, len(reported)) == (2, ["why"], 1)
-        stopper.stop("again")  # reported after all queued reports
-        qtbot.waitUntil(lambda: len(reported) == 2)
-        assert (len(sent), reports) == (4, ["why", "again"])
-    finally:
-        watch.close()
+    monkeypatch.setattr(sys, "excepthook", lambda _kind, error, _trace: errors.append(error))
+    with closing(ExceptionWatch(stopper.stop)):
+        stopper.stop("first")
+        assert reports == [], "the caller does not wait for the report"
+        qtbot.waitUntil(lambda: bool(errors))
+        assert (len(sent), reports, len(errors)) == (2, ["first"], 1)
+        stopper.stop("second")  # reported after all queued reports
+        qtbot.waitUntil(lambda: len(errors) == 2)
+        assert (len(sent), reports) == (4, ["first", "second"])
 
 
-def test_stop_from_other_thread_during_report_is_reported(qtbot: QtBot) -> None:
+def test_stop_of_another_thread_during_a_report_is_reported(qtbot: QtBot) -> None:
     reports: list[str] = []
     stopper = StopBroadcaster(lambda: None)
 
-    def stop_elsewhere(reason: str) -> None:
+    def stop_in_thread(reason: str) -> None:
         reports.append(reason)
         if len(reports) == 1:
-            thread = threading.Thread(target=lambda: stopper.stop("elsewhere"))
+            thread = threading.Thread(target=lambda: stopper.stop("thread"))
             thread.start()
             thread.join()
 
-    stopper.stopped.connect(stop_elsewhere)
-    stopper.stop("here")
-    qtbot.waitUntil(lambda: reports == ["here", "elsewhere"])
+    stopper.stopped.connect(stop_in_thread)
+    stopper.stop("test")
+    qtbot.waitUntil(lambda: reports == ["test", "thread"])
 
 
 # --- Signals ----------------------------------------------------------------------------
 
 
 class RecordingSignalWatch:
-    """Signal watch that records its actions."""
+    """Signal watch, with records of its actions."""
 
     def __init__(self, grace: float = 0.05) -> None:
-        self.acted = threading.Event()
-        self.acts = 0
+        self.stopped = threading.Event()
+        self.stops = 0
         self.fails = False
-        self.ended_with: list[int] = []
+        self.exit_codes: list[int] = []
         self.ended = threading.Event()
-        self.stops: list[str] = []
-        self.stood_still = threading.Event()
+        self.steps: list[str] = []
+        self.suspended = threading.Event()
         self.watch = SignalWatch(
-            self._act, self._rest, grace=grace, end=self._end, suspend=self._stand_still
+            self._stop,
+            lambda: self.steps.append("stop"),
+            grace=grace,
+            end=self._end,
+            suspend=self._suspend,
         )
 
-    def _rest(self) -> None:
-        self.stops.append("rest")
+    def _suspend(self) -> None:
+        self.steps.append("suspend")
+        self.suspended.set()
 
-    def _stand_still(self) -> None:
-        self.stops.append("stand still")
-        self.stood_still.set()
-
-    def _act(self) -> None:
-        self.acts += 1
-        self.acted.set()
+    def _stop(self) -> None:
+        self.stops += 1
+        self.stopped.set()
         if self.fails:
             raise RuntimeError("on purpose")
 
     def _end(self, code: int) -> None:
-        self.ended_with.append(code)
+        self.exit_codes.append(code)
         self.ended.set()
 
 
 @pytest.fixture
-def ending() -> Iterator[RecordingSignalWatch]:
-    ending = RecordingSignalWatch()
-    yield ending
-    ending.watch.close()
+def recorder() -> Iterator[RecordingSignalWatch]:
+    recorder = RecordingSignalWatch()
+    yield recorder
+    recorder.watch.close()
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
-def test_signal_acts_while_gui_thread_is_blocked(ending: RecordingSignalWatch) -> None:
+def test_signal_stops_motors_while_gui_thread_is_blocked(recorder: RecordingSignalWatch) -> None:
     os.kill(os.getpid(), signal.SIGTERM)
-    assert ending.acted.wait(15), "this thread waits and returns to no event loop"
+    assert recorder.stopped.wait(15), "the GUI thread runs no event loop here"
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 @pytest.mark.parametrize("fails", [False, True])
-def test_signals_end_window_that_does_not_close_even_if_their_action_fails(
-    ending: RecordingSignalWatch, qtbot: QtBot, *, fails: bool
+def test_signals_end_an_open_window_even_if_the_stop_fails(
+    recorder: RecordingSignalWatch, qtbot: QtBot, *, fails: bool
 ) -> None:
-    ending.fails = fails
+    recorder.fails = fails
     for number in (signal.SIGTERM, signal.SIGHUP):
-        ending.ended.clear()
-        with qtbot.waitSignal(ending.watch.caught) as reports:
+        recorder.ended.clear()
+        with qtbot.waitSignal(recorder.watch.caught) as reports:
             os.kill(os.getpid(), number)
         assert reports.args == [number]
-        assert ending.ended.wait(15)
-    assert ending.ended_with == [128 + signal.SIGTERM, 128 + signal.SIGHUP]
+        assert recorder.ended.wait(15)
+    assert recorder.exit_codes == [128 + signal.SIGTERM, 128 + signal.SIGHUP]
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
 def test_second_ctrl_c_stops_again_and_ends_closing_window(qtbot: QtBot) -> None:
-    ending = RecordingSignalWatch(grace=60)
+    recorder = RecordingSignalWatch(grace=60)
 
-    def pass_one_on(
-        _: int,
-    ) -> None:  # in the watching thread, because a second signal at once counts as the first
+    def send_ctrl_c(_: int) -> None:
         os.kill(os.getpid(), signal.SIGINT)
 
-    ending.watch.caught.connect(pass_one_on, Qt.ConnectionType.DirectConnection)
-    try:
-        with qtbot.waitSignal(ending.watch.caught):
+    # Sent by the watching thread: a second signal at the same time counts as the first one.
+    recorder.watch.caught.connect(send_ctrl_c, Qt.ConnectionType.DirectConnection)
+    with closing(recorder.watch):
+        with qtbot.waitSignal(recorder.watch.caught):
             os.kill(os.getpid(), signal.SIGTERM)
-        assert not ending.ended.wait(0.4)
-        assert ending.acts == 1
-        os.kill(os.getpid(), signal.SIGTERM)  # not from a key
-        assert not ending.ended.wait(0.4)
+        assert not recorder.ended.wait(0.4)
+        assert recorder.stops == 1
+        os.kill(os.getpid(), signal.SIGTERM)  # no key sends this signal
+        assert not recorder.ended.wait(0.4)
         os.kill(os.getpid(), signal.SIGINT)
-        assert ending.ended.wait(15)
-        assert (ending.acts, ending.ended_with) == (2, [128 + signal.SIGINT])
-    finally:
-        ending.watch.close()
+        assert recorder.ended.wait(15)
+        assert (recorder.stops, recorder.exit_codes) == (2, [128 + signal.SIGINT])
 
 
-def test_closing_restores_sigint_handler(ending: RecordingSignalWatch) -> None:
-    ending.watch.close()
+def test_close_restores_the_sigint_handler(recorder: RecordingSignalWatch) -> None:
+    recorder.watch.close()
     assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
-    ending.watch = SignalWatch(lambda: None, lambda: None)
+    recorder.watch = SignalWatch(lambda: None, lambda: None)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
-def test_ctrl_z_stops_motors_before_it_suspends(ending: RecordingSignalWatch) -> None:
-    for _ in range(2):  # again after the process was resumed
-        ending.stops.clear()
-        ending.stood_still.clear()
+def test_ctrl_z_stops_motors_before_it_suspends(recorder: RecordingSignalWatch) -> None:
+    for _ in range(2):  # the second time after the process was resumed
+        recorder.steps.clear()
+        recorder.suspended.clear()
         os.kill(os.getpid(), signal.SIGTSTP)
-        assert ending.stood_still.wait(15)
-        assert ending.stops == ["rest", "stand still"]
-    assert ending.acts == 0, "it does not end"
+        assert recorder.suspended.wait(15)
+        assert recorder.steps == ["stop", "suspend"]
+    assert recorder.stops == 0, "the program does not end"
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="POSIX signals")
@@ -205,17 +201,14 @@ def test_ignored_signal_stays_ignored() -> None:
         signal.signal(signal.SIGHUP, before)
 
 
-# --- Mistakes ---------------------------------------------------------------------------
+# --- Internal errors --------------------------------------------------------------------
 
 
 def test_exception_stops_before_it_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     order: list[str] = []
     monkeypatch.setattr(sys, "excepthook", lambda *_: order.append("reported"))
-    watch = ExceptionWatch(order.append)
-    try:
+    with closing(ExceptionWatch(order.append)):
         sys.excepthook(ValueError, ValueError("x"), None)
-    finally:
-        watch.close()
     assert order[1] == "reported"
     assert "ValueError" in order[0]
 
@@ -227,12 +220,8 @@ def test_exception_is_reported_even_if_stop_fails(monkeypatch: pytest.MonkeyPatc
     def fail(_: str) -> None:
         raise RuntimeError
 
-    watch = ExceptionWatch(fail)
-    try:
-        with pytest.raises(RuntimeError):
-            sys.excepthook(ValueError, ValueError("x"), None)
-    finally:
-        watch.close()
+    with closing(ExceptionWatch(fail)), pytest.raises(RuntimeError):
+        sys.excepthook(ValueError, ValueError("x"), None)
     assert reported
 
 
@@ -241,16 +230,16 @@ def test_exception_is_reported_even_if_stop_fails(monkeypatch: pytest.MonkeyPatc
 
 def test_wake_after_sleep_is_reported_once(qtbot: QtBot) -> None:
     slept = 100.0
-    watch = SuspendDetector(lambda: slept)
+    detector = SuspendDetector(lambda: slept)
     reports: list[str] = []
-    watch.woke.connect(reports.append)
-    watch.poll()
+    detector.woke.connect(reports.append)
+    detector.poll()
     slept = 100.3
-    watch.poll()
+    detector.poll()
     assert reports == []
     slept = 130.0
-    watch.poll()
-    watch.poll()
+    detector.poll()
+    detector.poll()
     assert len(reports) == 1
     assert "asleep" in reports[0]
 
