@@ -2,7 +2,6 @@
 
 import json
 import os
-import selectors
 import signal
 import socket
 import subprocess
@@ -26,7 +25,7 @@ needs_pty = pytest.mark.skipif(sys.platform == "win32", reason="has no pseudo-te
 
 
 class RunningSimulator:
-    """Running trex-sim."""
+    """Process that runs trex-sim."""
 
     def __init__(self, arguments: list[str], stdin: Any = subprocess.PIPE) -> None:
         self.process = subprocess.Popen(
@@ -34,35 +33,25 @@ class RunningSimulator:
             stdin=stdin,
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
-            bufsize=0,
+            text=True,
         )
-        self._rest = b""
         word, _, self.url = self.line().partition(" ")
         assert word == "ready", self.errors()
 
     def line(self) -> str:
         """Return the next printed line. Empty at the end."""
         assert self.process.stdout is not None
-        end = time.monotonic() + LONG_TIMEOUT
-        with selectors.DefaultSelector() as selector:
-            selector.register(self.process.stdout, selectors.EVENT_READ)
-            while b"\n" not in self._rest:
-                assert selector.select(max(0.0, end - time.monotonic())), "nothing was printed"
-                data = os.read(self.process.stdout.fileno(), 65536)
-                if not data:
-                    break
-                self._rest += data
-        line, _, self._rest = self._rest.partition(b"\n")
-        return line.decode()
+        return self.process.stdout.readline().removesuffix("\n")
 
     def control(self, text: str) -> str:
         assert self.process.stdin is not None
-        self.process.stdin.write(text.encode() + b"\n")
+        self.process.stdin.write(f"{text}\n")
+        self.process.stdin.flush()
         return self.line()
 
     def show(self, name: str = "") -> dict[str, Any]:
-        shown: dict[str, Any] = json.loads(self.control(f"{name} show").removeprefix("ok "))
-        return shown
+        state: dict[str, Any] = json.loads(self.control(f"{name} show").removeprefix("ok "))
+        return state
 
     def wait(self) -> int:
         return self.process.wait(LONG_TIMEOUT)
@@ -70,7 +59,7 @@ class RunningSimulator:
     def errors(self) -> str:
         assert self.process.stderr is not None
         self.wait()
-        return self.process.stderr.read().decode()
+        return self.process.stderr.read()
 
     def close(self) -> None:
         self.process.kill()
@@ -85,15 +74,15 @@ Start = Callable[..., RunningSimulator]
 
 @pytest.fixture
 def start() -> Iterator[Start]:
-    running: list[RunningSimulator] = []
+    simulators: list[RunningSimulator] = []
 
-    def starter(*arguments: str, stdin: Any = subprocess.PIPE) -> RunningSimulator:
-        running.append(RunningSimulator(list(arguments), stdin))
-        return running[-1]
+    def start_simulator(*arguments: str, stdin: Any = subprocess.PIPE) -> RunningSimulator:
+        simulators.append(RunningSimulator(list(arguments), stdin))
+        return simulators[-1]
 
-    yield starter
-    for sim in running:
-        sim.close()
+    yield start_simulator
+    for simulator in simulators:
+        simulator.close()
 
 
 def request(url: str, packet: str, size: int, **settings: Any) -> bytes:
@@ -108,7 +97,7 @@ def request(url: str, packet: str, size: int, **settings: Any) -> bytes:
 def is_silent(sim: RunningSimulator, packet: str, **settings: Any) -> bool:
     """Send a packet. Return whether no reply arrives."""
 
-    def carried() -> bool:
+    def is_sent() -> bool:
         sent: int = sim.show()["counters"]["line"]["sent"]
         return sent >= before + len(data)
 
@@ -116,13 +105,13 @@ def is_silent(sim: RunningSimulator, packet: str, **settings: Any) -> bool:
     before: int = sim.show()["counters"]["line"]["sent"]
     with serial.serial_for_url(sim.url, timeout=0.1, **{"baudrate": 19200, **settings}) as port:
         port.write(data)
-        assert becomes(carried, True)
-        answer: bytes = port.read(1)
-        return answer == b""
+        assert becomes(is_sent, True)
+        reply: bytes = port.read(1)
+        return reply == b""
 
 
-def refused(*arguments: str) -> str:
-    """Start trex-sim with wrong options. Return its message."""
+def error_message(*arguments: str) -> str:
+    """Start trex-sim with invalid options. Return its message."""
     result = CliRunner().invoke(main, arguments)
     assert (result.exit_code, result.stdout) == (1, "")
     return result.stderr
@@ -132,10 +121,10 @@ class TestCommandLine:
     def test_version_and_help_are_printed(self) -> None:
         version = CliRunner().invoke(main, ["--version"])
         assert (version.exit_code, __version__ in version.output) == (0, True)
-        helped = CliRunner().invoke(main, ["--help"])
-        assert helped.exit_code == 0
+        help_result = CliRunner().invoke(main, ["--help"])
+        assert help_result.exit_code == 0
         for option in ("--model", "--link", "--tcp", "--rfc2217", "--eeprom", "--device", "--demo"):
-            assert option in helped.output
+            assert option in help_result.output
 
     @pytest.mark.parametrize(
         "arguments",
@@ -155,44 +144,46 @@ class TestCommandLine:
             ["--warp"],
         ],
     )
-    def test_wrong_usage_exits_2(self, arguments: list[str]) -> None:
+    def test_invalid_arguments_exit_with_status_2(self, arguments: list[str]) -> None:
         assert CliRunner().invoke(main, arguments).exit_code == 2
 
-    def test_damaged_eeprom_file_exits_1_with_message(self, tmp_path: Path) -> None:
+    def test_damaged_eeprom_file_is_reported_with_status_1(self, tmp_path: Path) -> None:
         path = tmp_path / "eeprom.json"
         path.write_text("{", encoding="utf-8")
-        said = refused("--eeprom", str(path))
-        assert str(path) in said
-        assert len(said.splitlines()) == 1
+        message = error_message("--eeprom", str(path))
+        assert str(path) in message
+        assert len(message.splitlines()) == 1
 
     @pytest.mark.realtime
-    def test_port_in_use_exits_1_with_message(self) -> None:
-        with socket.create_server(("127.0.0.1", 0)) as other:
-            address = f"127.0.0.1:{other.getsockname()[1]}"
-            assert address in refused("--tcp", address)
+    def test_port_in_use_is_reported_with_status_1(self) -> None:
+        with socket.create_server(("127.0.0.1", 0)) as server:
+            address = f"127.0.0.1:{server.getsockname()[1]}"
+            assert address in error_message("--tcp", address)
 
 
 @needs_pty
 @pytest.mark.realtime
 class TestPseudoTerminal:
-    def test_pty_is_a_serial_port_until_it_is_unplugged(self, start: Start, tmp_path: Path) -> None:
+    def test_pty_works_as_a_serial_port_until_it_is_unplugged(
+        self, start: Start, tmp_path: Path
+    ) -> None:
         link = tmp_path / "trex"
         link.symlink_to("/dev/pts/nothing")
         sim = start("--link", str(link))
         assert sim.url == str(link)
         assert link.readlink() != Path("/dev/pts/nothing")
-        host = os.open(sim.url, os.O_RDWR | os.O_NOCTTY)  # does not set up the line
+        host = os.open(sim.url, os.O_RDWR | os.O_NOCTTY)  # without settings of the serial line
         os.write(host, b"\x82")
         assert os.read(host, 1) == b"r"
         os.close(host)
         assert request(sim.url, "80 07 01", 7) == b"TReX1.2"
         with serial.Serial(sim.url, 19200, timeout=LONG_TIMEOUT) as port:
-            begin = time.monotonic()
+            start_time = time.monotonic()
             for _ in range(20):
                 port.write(bytes.fromhex("86 1F"))
                 assert len(port.read(10)) == 10
-            taken = time.monotonic() - begin
-            assert taken >= 20 * 12 * 10 / 19200 * 0.999
+            duration = time.monotonic() - start_time
+            assert duration >= 20 * 12 * 10 / 19200 * 0.999
             assert sim.control("line unplug") == "ok unplugged"
             with pytest.raises(serial.SerialException):
                 port.write(b"\x81")
@@ -204,24 +195,25 @@ class TestPseudoTerminal:
         assert not link.is_symlink()
 
     @pytest.mark.parametrize(
-        ("baud", "noticed"), sampled([(76800, b"\x10"), (1200, b"\0"), (115200, b"\x10")], every=3)
+        ("baud", "errors"), sampled([(76800, b"\x10"), (1200, b"\0"), (115200, b"\x10")], every=3)
     )
     def test_pty_follows_host_baud_rate(
-        self, start: Start, tmp_path: Path, baud: int, noticed: bytes
+        self, start: Start, tmp_path: Path, baud: int, errors: bytes
     ) -> None:
         path = tmp_path / "eeprom.json"
         Eeprom.open(path).write("uart_settings", {1200: 0, 76800: 9, 115200: 10}[baud])
         sim = start("--eeprom", str(path))
         assert request(sim.url, "82", 1, baudrate=baud) == b"r"
         assert is_silent(sim, "82", baudrate=19200)
-        assert request(sim.url, "85", 1, baudrate=baud) == noticed  # 1200 baud is too slow for this
+        # At 1200 baud, the board is too slow to detect errors.
+        assert request(sim.url, "85", 1, baudrate=baud) == errors
 
-    def test_existing_file_is_not_replaced_by_link(self, tmp_path: Path) -> None:
+    def test_existing_file_is_not_replaced_by_the_link(self, tmp_path: Path) -> None:
         link = tmp_path / "trex"
-        link.write_text("mine", encoding="utf-8")
-        assert str(link) in refused("--link", str(link))
+        link.write_text("old content", encoding="utf-8")
+        assert str(link) in error_message("--link", str(link))
         assert list(tmp_path.iterdir()) == [link]
-        assert link.read_text(encoding="utf-8") == "mine"
+        assert link.read_text(encoding="utf-8") == "old content"
 
 
 @pytest.mark.realtime
@@ -229,21 +221,21 @@ class TestTcp:
     def test_tcp_server_accepts_successive_hosts_until_it_is_unplugged(self, start: Start) -> None:
         sim = start("--tcp", "127.0.0.1:0", "--demo", "--unpaced")
         host, _, port = sim.url.removeprefix("socket://").partition(":")
-        where = (host, int(port))
+        address = (host, int(port))
         assert host == "127.0.0.1"
-        assert where[1]
+        assert address[1]
         for _ in range(2):
             assert request(sim.url, "81", 7) == b"TReX1.2"
-        sticks: set[bytes] = set()
-        while len(sticks) < 5:
-            sticks.add(request(sim.url, "86 1F", 10))
-        with socket.create_connection(where, LONG_TIMEOUT) as connection:
+        replies: set[bytes] = set()
+        while len(replies) < 5:  # the sticks of the demo move
+            replies.add(request(sim.url, "86 1F", 10))
+        with socket.create_connection(address, LONG_TIMEOUT) as connection:
             connection.sendall(b"\x82")
             assert connection.recv(1) == b"r"
             sim.control("line unplug")
             assert connection.recv(1) == b""
         with pytest.raises(ConnectionRefusedError):
-            socket.create_connection(where, LONG_TIMEOUT)
+            socket.create_connection(address, LONG_TIMEOUT)
         assert sim.control("line plug") == f"ok plugged {sim.url}"
         assert request(sim.url, "82", 1) == b"r"
 
@@ -273,7 +265,7 @@ class TestRfc2217:
 
 
 @pytest.mark.realtime
-class TestEnd:
+class TestInputAndEnd:
     @needs_pty
     @pytest.mark.parametrize("end", [*sampled(["SIGTERM", "SIGINT", "SIGHUP"], every=3), "input"])
     def test_signal_or_closed_input_ends_simulator_cleanly(
@@ -301,15 +293,15 @@ class TestEnd:
         script.write_text("channel 1 4000\nbogus\nchannel 2 4001", encoding="utf-8")
         with script.open("rb") as file:
             sim = start("--tcp", "127.0.0.1:0", stdin=file)
-        answers = [sim.line() for _ in range(3)]
-        assert answers[0] == "ok channel 1 gets 1600us"
-        assert answers[1].startswith("error 'bogus' is not a command")
-        assert answers[2] == "ok channel 2 gets 1600.4us"
+        replies = [sim.line() for _ in range(3)]
+        assert replies[0] == "ok channel 1 gets 1600us"
+        assert replies[1].startswith("error 'bogus' is not a command")
+        assert replies[2] == "ok channel 2 gets 1600.4us"
         assert becomes(lambda: request(sim.url, "86 03", 4), bytes.fromhex("A0 0F A1 0F"))
         assert sim.process.poll() is None
 
     @needs_pty
-    def test_simulator_survives_end_of_terminal_input(self, start: Start) -> None:
+    def test_simulator_continues_after_end_of_terminal_input(self, start: Start) -> None:
         master, slave = os.openpty()
         try:
             sim = start("--tcp", "127.0.0.1:0", stdin=slave)

@@ -1,6 +1,6 @@
 """Commands, library and examples run without the packages of the window.
 
-Only the help of slow commands and of Aracna commands is loaded.
+Of slow commands and of Aracna commands, only the help is printed.
 """
 
 import json
@@ -13,7 +13,7 @@ import pytest
 from tests.support.simulator import StartSimulator
 from trex_gui.cli.program import COMMANDS
 
-_RUN = """
+_SCRIPT = """
 import json, runpy, sys
 for package in ("PySide6", "shiboken6", "numpy", "pyqtgraph"):
     sys.modules[package] = None  # importing it fails
@@ -23,9 +23,9 @@ from trex_gui.cli import main
 from trex_gui.core.resource_files import resource
 
 lines, examples, port = json.loads(sys.argv[1])
-for words in lines:
-    done = CliRunner().invoke(main, words.split(), input="y", env={"TREX_PORT": port})
-    print(words.split()[0], done.exit_code, done.output if done.exit_code else "", flush=True)
+for line in lines:
+    result = CliRunner().invoke(main, line.split(), input="y", env={"TREX_PORT": port})
+    print(line.split()[0], result.exit_code, result.output if result.exit_code else "", flush=True)
 for name, *words in examples:
     sys.argv = [name, port, *words]
     runpy.run_path(str(resource(f"examples/{name}.py")), run_name="__main__")
@@ -45,7 +45,7 @@ _LINES = [
     "diff board.txt",
     "audit board.txt",
     "history",
-    "provision board.txt",  # ends with the input
+    "provision board.txt",  # ends at the end of its input
     "calibration get",
     "export board.txt --as python",
     "restore-defaults",
@@ -78,19 +78,19 @@ def test_every_command_and_example_runs(start_simulator: StartSimulator, tmp_pat
     assert {line.split()[0] for line in _LINES} == set(COMMANDS)
     port = start_simulator("--unpaced").url
     root = Path(__file__).parents[2]
-    done = subprocess.run(
-        [sys.executable, "-c", _RUN, json.dumps([_LINES, _EXAMPLES, port])],
+    process = subprocess.run(
+        [sys.executable, "-c", _SCRIPT, json.dumps([_LINES, _EXAMPLES, port])],
         cwd=tmp_path,
         env={"HOME": str(tmp_path), "PYTHONPATH": str(root), "PATH": ""},
         capture_output=True,
         text=True,
         check=False,
     )
-    rows = [line.split(maxsplit=2) for line in done.stdout.splitlines()]
+    rows = [line.split(maxsplit=2) for line in process.stdout.splitlines()]
     failed = [row for row in rows if row and row[0] in COMMANDS and row[1:] != ["0"]]
-    assert not failed, done.stdout
-    assert "The board has confirmed the stop." in done.stdout
-    assert done.stderr.endswith(
+    assert not failed, process.stdout
+    assert "The board has confirmed the stop." in process.stdout
+    assert process.stderr.endswith(
         'The window needs more packages: install "trex-gui[gui]" with pip or pipx.\n'
     )
-    assert done.returncode == 1
+    assert process.returncode == 1

@@ -1,4 +1,4 @@
-"""SDL with a virtual gamepad."""
+"""Gamepads that SDL reads, with a virtual gamepad."""
 
 import importlib
 import os
@@ -24,7 +24,7 @@ def source() -> Iterator[SdlPads]:
     source.close()
 
 
-def test_source_without_gamepad_lists_none(source: SdlPads) -> None:
+def test_source_lists_no_pad_without_a_gamepad(source: SdlPads) -> None:
     assert source.pads() == ()
 
 
@@ -60,7 +60,7 @@ def test_unplugged_gamepad_is_removed_at_once(source: SdlPads) -> None:
     assert source.read(pad) is None
 
 
-def test_replugged_gamepad_has_new_ident_and_same_guid(source: SdlPads) -> None:
+def test_replugged_gamepad_has_a_new_ident_and_the_same_guid(source: SdlPads) -> None:
     first = VirtualPad()
     (before,) = source.pads()
     first.unplug()
@@ -72,7 +72,7 @@ def test_replugged_gamepad_has_new_ident_and_same_guid(source: SdlPads) -> None:
     second.unplug()
 
 
-def test_gamepad_known_to_sdl_has_named_parts(source: SdlPads) -> None:
+def test_parts_of_a_gamepad_known_to_sdl_have_names(source: SdlPads) -> None:
     virtual = VirtualPad()
     (pad,) = source.pads()
     assert pad.parts["lefty"] == "a1"
@@ -119,13 +119,14 @@ def test_gamepad_closed_in_sdl_is_removed_when_read(source: SdlPads) -> None:
     virtual.unplug()
 
 
-def test_open_leaves_environment_and_signals_alone() -> None:
+def test_open_changes_neither_environment_nor_signal_handlers() -> None:
     environment = dict(os.environ)
-    handlers = [signal.getsignal(each) for each in (signal.SIGINT, signal.SIGTERM)]
+    numbers = signal.SIGINT, signal.SIGTERM
+    handlers = list(map(signal.getsignal, numbers))
     source = SdlPads()
     source.open()
     assert dict(os.environ) == environment
-    assert [signal.getsignal(each) for each in (signal.SIGINT, signal.SIGTERM)] == handlers
+    assert list(map(signal.getsignal, numbers)) == handlers
     source.close()
 
 
@@ -133,13 +134,13 @@ def test_sigterm_ends_program_that_reads_gamepads() -> None:
     script = (
         "import os, signal; from trex_gui.gamepad.pads import SdlPads; "
         "source = SdlPads(); source.open(); source.pads(); "
-        "os.kill(os.getpid(), signal.SIGTERM); source.pads(); print('goes on')"
+        "os.kill(os.getpid(), signal.SIGTERM); source.pads(); print('still runs')"
     )
-    ended = subprocess.run(
+    process = subprocess.run(
         [sys.executable, "-c", script], capture_output=True, text=True, timeout=30, check=False
     )
-    assert ended.stdout == ""
-    assert ended.returncode == -signal.SIGTERM
+    assert process.stdout == ""
+    assert process.returncode == -signal.SIGTERM
 
 
 def test_missing_pygame_is_reported_with_install_hint(monkeypatch: pytest.MonkeyPatch) -> None:

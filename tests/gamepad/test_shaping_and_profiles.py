@@ -1,4 +1,4 @@
-"""Commands of stick positions, and profiles of gamepads."""
+"""Setpoints of stick positions, and profiles of gamepads."""
 
 import pytest
 from hypothesis import given
@@ -20,7 +20,7 @@ PARTS = st.floats(0, 1)
 
 
 @given(value=st.floats(-1.1, 1.1), dead_zone=ZONES, expo=PARTS)
-def test_setpoint_stays_in_range_and_keeps_sign_of_stick(
+def test_setpoint_is_in_range_and_has_the_sign_of_the_stick(
     value: float, dead_zone: float, expo: float
 ) -> None:
     setpoint = shape(value, dead_zone, expo)
@@ -62,7 +62,7 @@ AXES = st.builds(Axis, st.integers(0, 20), st.booleans())
 @given(
     style=st.sampled_from(Style), first=AXES, second=AXES, zone=ZONES, expo=PARTS, button=BUTTONS
 )
-def test_stored_profile_is_read_back_equal(
+def test_saved_profile_is_read_back_unchanged(
     style: Style, first: Axis, second: Axis, zone: float, expo: float, button: int | None
 ) -> None:
     profile = GamepadProfile(
@@ -79,7 +79,7 @@ def test_stored_profile_is_read_back_equal(
 )  # fmt: skip
 def test_profile_with_one_invalid_value_is_rejected(corrupted: str) -> None:
     good = GamepadProfile().to_text()
-    assert read_profile(good[:-1] + f", {corrupted}" + "}") is None  # the later value counts
+    assert read_profile(f"{good[:-1]}, {corrupted}}}") is None  # the last value of a key counts
 
 
 def test_default_profile_uses_left_stick_and_left_shoulder() -> None:

@@ -11,10 +11,10 @@ _GAMEPAD = 1  # SDL_JOYSTICK_TYPE_GAMECONTROLLER
 def _library() -> ctypes.CDLL:
     """Return the SDL library that pygame has loaded from its wheel."""
     if sys.platform == "win32":
-        found = importlib.util.find_spec("pygame")
-        assert found is not None
-        assert found.origin is not None
-        return ctypes.CDLL(str(Path(found.origin).parent / "SDL2.dll"))
+        spec = importlib.util.find_spec("pygame")
+        assert spec is not None
+        assert spec.origin is not None
+        return ctypes.CDLL(str(Path(spec.origin).parent / "SDL2.dll"))
     maps = Path("/proc/self/maps").read_text(encoding="utf-8").splitlines()
     return ctypes.CDLL(next(line.split()[-1] for line in maps if "libSDL2-" in line))
 
