@@ -1,7 +1,7 @@
-"""Benchmarks run in real time.
+"""Benchmarks, which run in real time.
 
-Each reports its results with the fixture `figure`. A figure is printed as a line of JSON, and again
-in a table at the end of the run. On request the table compares figures to an earlier run.
+Each benchmark reports its results with the fixture `figure`. A figure is printed as a line of JSON,
+and again in a table at the end of the run. The table can compare figures to an earlier run.
 """
 
 import json
@@ -18,7 +18,7 @@ from trex_gui.devices.trex.simulator.memory import Eeprom
 
 @dataclass(frozen=True)
 class Figure:
-    """Measured value. Its name is unique within a run and constant across runs."""
+    """Measured value. Its name, `figure`, is unique within a run and constant across runs."""
 
     figure: str
     value: float
@@ -28,8 +28,8 @@ class Figure:
 
     @property
     def is_within_bounds(self) -> bool:
-        is_too_great = self.at_most is not None and self.value > self.at_most
-        return not (is_too_great or (self.at_least is not None and self.value < self.at_least))
+        is_too_high = self.at_most is not None and self.value > self.at_most
+        return not (is_too_high or (self.at_least is not None and self.value < self.at_least))
 
     @property
     def bounds(self) -> str:
@@ -37,8 +37,7 @@ class Figure:
         return ", ".join(f"{word} {limit:g}" for word, limit in limits if limit is not None)
 
     def to_json(self) -> str:
-        given = {name: value for name, value in asdict(self).items() if value is not None}
-        return json.dumps(given)
+        return json.dumps({key: value for key, value in asdict(self).items() if value is not None})
 
     def row(self, earlier: float | None) -> str:
         """Return a line of the table, with the ratio to an earlier value if available."""
@@ -47,7 +46,7 @@ class Figure:
 
 
 class ReportFigure(Protocol):
-    """Prints a figure. A figure outside its bounds fails the test at its end."""
+    """Function that prints a figure. A figure outside its bounds fails the test at its end."""
 
     def __call__(
         self,
@@ -79,7 +78,7 @@ def pytest_configure(config: pytest.Config) -> None:
     try:
         config.stash[_EARLIER] = earlier_values(path) if path else {}
     except (OSError, ValueError) as error:
-        message = f"{path} cannot be compared to: {error}"
+        message = f"cannot compare to {path}: {error}"
         raise pytest.UsageError(message) from error
 
 
@@ -95,15 +94,15 @@ def pytest_terminal_summary(
     figures, earlier = config.stash[_FIGURES], config.stash[_EARLIER]
     if figures:
         terminalreporter.section("figures" + (" and ratios to the earlier run" if earlier else ""))
-        for one in figures:
-            terminalreporter.line(one.row(earlier.get(one.figure)))
+        for figure in figures:
+            terminalreporter.line(figure.row(earlier.get(figure.figure)))
 
 
 def fast_board(folder: Path, baud: int) -> tuple[str, str]:
     """Return simulator options for a board with this baud rate."""
-    board = folder / "board.json"
-    Eeprom.open(board, "trex").write("uart_settings", LineSettings(baud).to_wire())
-    return ("--eeprom", str(board))
+    eeprom = folder / "board.json"
+    Eeprom.open(eeprom, "trex").write("uart_settings", LineSettings(baud).to_wire())
+    return ("--eeprom", str(eeprom))
 
 
 @pytest.fixture
@@ -121,16 +120,18 @@ def figure(
         at_most: float | None = None,
         at_least: float | None = None,
     ) -> None:
-        assert all(one.figure != name for one in figures), f"two figures are called {name!r}"
-        one = Figure(name, float(f"{value:.5g}"), unit, at_most, at_least)
-        figures.append(one)
+        assert all(earlier.figure != name for earlier in figures), (
+            f"two figures are called {name!r}"
+        )
+        figure = Figure(name, float(f"{value:.5g}"), unit, at_most, at_least)
+        figures.append(figure)
         with capsys.disabled():
-            # The first one follows what pytest wrote about the test.
-            print("" if reported else "\n", one.to_json(), sep="", flush=True)
-        reported.append(one)
+            # The first figure of a test begins a new line after the output of pytest.
+            print("" if reported else "\n", figure.to_json(), sep="", flush=True)
+        reported.append(figure)
 
     yield report
-    if missed := [one.row(None) for one in reported if not one.is_within_bounds]:
+    if missed := [figure.row(None) for figure in reported if not figure.is_within_bounds]:
         pytest.fail("\n".join(missed), pytrace=False)
 
 
@@ -144,5 +145,5 @@ def earlier_values(path: Path) -> dict[str, float]:
     lines = path.read_text(encoding="utf-8", errors="replace").splitlines()
     figures = [json.loads(line) for line in lines if line.startswith('{"figure":')]
     if not figures:
-        raise ValueError("there are no figures in it")
-    return {one["figure"]: one["value"] for one in figures}
+        raise ValueError("the file has no figures")
+    return {figure["figure"]: figure["value"] for figure in figures}

@@ -1,4 +1,4 @@
-"""Cost of the program's window in a separate process, with a connected board.
+"""Cost of the window in a separate process, with a connected board.
 
 `python -m tests.benchmarks.loaded_window load|gaps|dialogs|memory URL SECONDS` prints one JSON
 object.
@@ -31,8 +31,8 @@ from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.workers.threads import GuiThreadCollector
 
 BAUD = 115_200
-_SETTLE = 2.0  # seconds for a page to be laid out and painted before its cost is measured
-_TURN = 1.0  # seconds for which each page is shown in turn
+_LAYOUT_S = 2.0  # time to lay out and paint a page before its cost is measured
+_STEP_S = 1.0  # time for which each page or pair of dialogs is shown
 _TICK_MS = 5
 _DIALOGS = (
     ("bench", "history"),
@@ -42,7 +42,7 @@ _DIALOGS = (
     ("find", "check_board"),
 )
 _SENT, _RECEIVED = TrafficDirection.SENT, TrafficDirection.RECEIVED
-_RECORDED = 4.0  # seconds of telemetry that are replayed to fill an hour
+_RECORDED_S = 4.0  # telemetry that is repeated to fill an hour
 
 
 def _run_loop(seconds: float) -> None:
@@ -65,64 +65,61 @@ def _connected(url: str, collector: GuiThreadCollector) -> Program:
 
 
 def _cpu(program: Program, seconds: float) -> dict[str, float]:
-    """Return percent of a core for each page and without a window, in all threads."""
+    """Return the load of all threads, in percent of a core, by page and state of the window."""
     window, tabs = program.window, program.window.pages
     states: dict[str, Callable[[], None]] = {
         tabs.tabText(index): partial(tabs.setCurrentIndex, index) for index in range(tabs.count())
     }
     states["minimised"] = window.showMinimized
     states["hidden"] = window.hide
-    found = {}
-    for name, enter in states.items():
-        enter()
-        _run_loop(_SETTLE)
-        began, used = time.monotonic(), time.process_time()
+    load = {}
+    for name, set_state in states.items():
+        set_state()
+        _run_loop(_LAYOUT_S)
+        start, used = time.monotonic(), time.process_time()
         _run_loop(seconds)
-        found[name] = 100 * (time.process_time() - used) / (time.monotonic() - began)
-    return found
+        load[name] = 100 * (time.process_time() - used) / (time.monotonic() - start)
+    return load
 
 
 def _gaps(program: Program, seconds: float) -> dict[str, float]:
-    """Return the longest gaps in the event loop, in ms, with all pages in turn.
+    """Return the longest gap of the event loop in ms while the pages are shown in turn.
 
-    `worked` is the longest gap in processor time of this thread, without other processes.
+    `longest` is measured in real time, `worked` in processor time of this thread.
     """
     tabs = program.window.pages
 
     def show_next() -> None:
         tabs.setCurrentIndex((tabs.currentIndex() + 1) % tabs.count())
 
-    return _longest([show_next] * round(seconds / _TURN))
+    return _longest_gaps([show_next] * round(seconds / _STEP_S))
 
 
 def _dialogs(program: Program, seconds: float) -> dict[str, float]:
-    """Return the longest gap while dialogs open, two at a time."""
+    """Return the longest gaps in ms while dialogs open, two at a time."""
     del seconds
     window = program.window
     trex(program).device.parameters.edit("serial_timeout", 9)
 
     def open_two(first: str, second: str) -> None:
         actions = window.findChildren(QAction)
-        one, other = (
-            next(each for each in actions if each.objectName() == f"{key}Action")
-            for key in (first, second)
-        )
-        one.trigger()
-        QTimer.singleShot(_TICK_MS, other.trigger)
+        triggers = {action.objectName(): action.trigger for action in actions}
+        triggers[f"{first}Action"]()
+        QTimer.singleShot(_TICK_MS, triggers[f"{second}Action"])
 
-    return _longest([partial(open_two, *each) for each in _DIALOGS])
+    return _longest_gaps([partial(open_two, *names) for names in _DIALOGS])
 
 
-def _longest(steps: Sequence[Callable[[], object]]) -> dict[str, float]:
-    turns = [(time.monotonic(), time.thread_time())]
+def _longest_gaps(steps: Sequence[Callable[[], object]]) -> dict[str, float]:
+    last = time.monotonic(), time.thread_time()
     longest, worked = 0.0, 0.0
 
     def record_gap() -> None:
-        nonlocal longest, worked
+        nonlocal last, longest, worked
         now = time.monotonic(), time.thread_time()
-        longest = max(longest, now[0] - turns[0][0] - _TICK_MS / 1000)
-        worked = max(worked, now[1] - turns[0][1])
-        turns[0] = now
+        longest = max(longest, now[0] - last[0] - _TICK_MS / 1000)
+        worked = max(worked, now[1] - last[1])
+        last = now
 
     timer = QTimer()
     timer.setTimerType(Qt.TimerType.PreciseTimer)
@@ -130,26 +127,26 @@ def _longest(steps: Sequence[Callable[[], object]]) -> dict[str, float]:
     timer.start(_TICK_MS)
     for step in steps:
         step()
-        _run_loop(_TURN)
+        _run_loop(_STEP_S)
     return {"longest": 1000 * longest, "worked": 1000 * worked}
 
 
 def _memory(program: Program, seconds: float) -> dict[str, float]:
-    """Return the resident MiB at the start and after some seconds, and the growth afterwards.
+    """Return the resident memory in MiB at the start and after some seconds, and its later growth.
 
-    The telemetry of an hour is a few seconds of a real connection, replayed.
+    The telemetry consists of repeated samples from a few seconds of a real connection.
     """
     device = trex(program).device
     batches: list[Batch] = []
     traffic = device.connection.traffic
-    begin = _resident()
+    start = _resident()
     traffic.clear()
     device.sampled.connect(batches.append)
-    _run_loop(_RECORDED)
+    _run_loop(_RECORDED_S)
     device.sampled.disconnect(batches.append)
     device.disconnect_line()
     _run_loop(1.0)
-    heard = [
+    events = [
         TrafficEvent(row.time, direction, data)
         for row in traffic.everything.rows
         for direction, data in ((_SENT, row.sent), (_RECEIVED, row.received))
@@ -157,22 +154,23 @@ def _memory(program: Program, seconds: float) -> dict[str, float]:
     ]
 
     def replay(first: int, last: int) -> float:
-        for turn in range(first, last):
-            later = turn * _RECORDED
+        for repetition in range(first, last):
+            offset = repetition * _RECORDED_S
             for batch in batches:
-                samples = tuple(replace(one, time=one.time + later) for one in batch.samples)
+                samples = tuple(replace(each, time=each.time + offset) for each in batch.samples)
                 device.connection.sampled.emit(replace(batch, samples=samples))
-            for event in heard:
-                device.connection.log.record(replace(event, time=event.time + later))
+            for event in events:
+                device.connection.log.record(replace(event, time=event.time + offset))
             traffic.pull()
             QCoreApplication.processEvents()
         return _resident()
 
-    turns = round(seconds / _RECORDED)
-    quarter = turns // 4
-    found = {"start": begin, "end": replay(1, turns)}
-    full = replay(turns, turns + quarter)  # the plot is, and drops its first samples
-    return {**found, "growth": replay(turns + quarter, turns + 2 * quarter) - full}
+    count = round(seconds / _RECORDED_S)
+    quarter = count // 4
+    end = replay(1, count)
+    full = replay(count, count + quarter)  # the plot is full and drops its first samples
+    growth = replay(count + quarter, count + 2 * quarter) - full
+    return {"start": start, "end": end, "growth": growth}
 
 
 def _resident() -> float:
@@ -180,22 +178,20 @@ def _resident() -> float:
     return pages * os.sysconf("SC_PAGE_SIZE") / 2**20
 
 
-def main(what: str, url: str, seconds: float) -> None:
+def main(kind: str, url: str, seconds: float) -> None:
     app = QApplication([])
     QCoreApplication.setOrganizationName("TReX Studio benchmark")
     QSettings().clear()
     theme().install(app)
     program = _connected(url, GuiThreadCollector(app))
     supervisor = SafetySupervisor(program, app)
-    found = {"load": _cpu, "gaps": _gaps, "dialogs": _dialogs, "memory": _memory}[what](
-        program, seconds
-    )
-    sys.stdout.write(json.dumps(found) + "\n")
+    measure = {"load": _cpu, "gaps": _gaps, "dialogs": _dialogs, "memory": _memory}[kind]
+    sys.stdout.write(json.dumps(measure(program, seconds)) + "\n")
     sys.stdout.flush()
     program.window.hide()
     program.shut_down()
     supervisor.close()
-    os._exit(0)  # Qt may crash on what is left at the interpreter's end
+    os._exit(0)  # Qt may crash on objects that remain at the end of the interpreter
 
 
 if __name__ == "__main__":

@@ -2,7 +2,7 @@
 
     python -m tests.benchmarks.relay LISTEN_PORT TARGET_PORT DELAY_S LOSS
 
-A lost TCP packet and its successors arrive a retransmission timeout later.
+A lost TCP packet and all later packets are delayed by a retransmission timeout.
 """
 
 import asyncio
@@ -12,11 +12,11 @@ import time
 
 from trex_gui.devices.trex.protocol.commands import STOP
 
-_RETRANSMISSION = 0.2  # seconds; minimum of Linux
+_RETRANSMISSION_S = 0.2  # minimum of Linux
 _STOP = STOP[0].opcode
 
 
-async def _pump(
+async def _forward(
     reader: asyncio.StreamReader, writer: asyncio.StreamWriter, delay: float, loss: float
 ) -> None:
     queue: asyncio.Queue[tuple[float, bytes]] = asyncio.Queue()
@@ -24,8 +24,8 @@ async def _pump(
 
     async def send() -> None:
         while True:
-            due, data = await queue.get()
-            await asyncio.sleep(max(0.0, due - loop.time()))
+            time_to_send, data = await queue.get()
+            await asyncio.sleep(max(0.0, time_to_send - loop.time()))
             writer.write(data)
             await writer.drain()
 
@@ -34,8 +34,8 @@ async def _pump(
     while data := await reader.read(65536):
         if not delay and data[0] == _STOP:
             print(f"stop {time.monotonic():.6f}", flush=True)
-        late = _RETRANSMISSION if random.random() < loss else 0.0
-        last = max(last, loop.time() + delay + late)
+        extra = _RETRANSMISSION_S if random.random() < loss else 0.0
+        last = max(last, loop.time() + delay + extra)
         queue.put_nowait((last, data))
     sender.cancel()
     writer.close()
@@ -43,8 +43,10 @@ async def _pump(
 
 async def _serve(listen: int, target: int, delay: float, loss: float) -> None:
     async def relay(reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        there, back = await asyncio.open_connection("127.0.0.1", target)
-        await asyncio.gather(_pump(reader, back, delay, loss), _pump(there, writer, delay, loss))
+        replies, requests = await asyncio.open_connection("127.0.0.1", target)
+        await asyncio.gather(
+            _forward(reader, requests, delay, loss), _forward(replies, writer, delay, loss)
+        )
 
     server = await asyncio.start_server(relay, "127.0.0.1", listen)
     print("ready", flush=True)

@@ -1,7 +1,7 @@
-"""Time to read a whole board and to write a whole settings file, compared to the wire.
+"""Time to read all values of a board and to write a settings file, compared to the wire.
 
 The simulated board is a separate process behind a pseudo-terminal, at the pace of the wire. The
-time on the wire includes each byte in both directions and the EEPROM.
+time on the wire is that of all bytes in both directions and of the writes to EEPROM.
 """
 
 import statistics
@@ -25,17 +25,17 @@ from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.devices.trex.simulator.memory import CALIBRATION_WRITE_S, PARAMETER_WRITE_S
 
 _ROUNDS = 25
-_IN_EEPROM: dict[type[object], float] = {
+_EEPROM_WRITE_S: dict[type[object], float] = {
     SetParameter: PARAMETER_WRITE_S,
     SetCalibration: CALIBRATION_WRITE_S,
 }
-_MOST = {19200: 1.10, 115200: None}
-"""Greatest ratio to the time on the wire. At 115200 baud a byte takes less time than two processes
-need to hand it over."""
+_MAX_RATIO = {19200: 1.10, 115200: None}
+"""Highest ratio to the time on the wire. At 115200 baud, two processes need more time to transfer a
+byte than the wire."""
 
 
 @pytest.mark.parametrize("baud", [19200, 115200])
-def test_whole_board_takes_little_more_than_wire_time(
+def test_read_and_write_take_little_more_than_wire_time(
     baud: int, start_simulator: StartSimulator, tmp_path: Path, figure: ReportFigure
 ) -> None:
     line = LineSettings(baud)
@@ -57,31 +57,31 @@ def test_whole_board_takes_little_more_than_wire_time(
         assert not any(result.error for result in results)
 
     for name, work in (("board read", read), ("settings file written", write)):
-        took, on_wire = _seconds(client, work)
-        figure(f"whole {name} at {baud} baud", took, "s")
+        duration, wire_time = _seconds(client, work)
+        figure(f"whole {name} at {baud} baud", duration, "s")
         figure(
             f"whole {name} at {baud} baud to wire time",
-            took / on_wire,
+            duration / wire_time,
             "ratio",
-            at_most=_MOST[baud],
+            at_most=_MAX_RATIO[baud],
         )
     client.close()
 
 
 def _seconds(client: TrexClient, work: Callable[[Requester], None]) -> tuple[float, float]:
-    """Return the seconds of some work, and the seconds of wire and EEPROM.
+    """Return the seconds of some work, and the seconds of its bytes on the wire and in EEPROM.
 
-    The first is a sum of medians, one for each transaction with the pause after it, because other
-    processes add milliseconds to some transactions.
+    The first value is the sum of the median durations of each transaction and the pause after it,
+    because other processes add milliseconds to some transactions.
     """
     rounds: list[list[float]] = []
-    on_wire = 0.0
+    wire_time = 0.0
 
     def request(command: Command[ReplyT_co]) -> ReplyT_co:
-        nonlocal on_wire
+        nonlocal wire_time
         rounds[-1].append(time.perf_counter())
         size = len(client.settings.framing.encode(command)) + command.reply_size()
-        on_wire += client.settings.line.seconds(size) + _IN_EEPROM.get(type(command), 0.0)
+        wire_time += client.settings.line.seconds(size) + _EEPROM_WRITE_S.get(type(command), 0.0)
         return client.request(command)
 
     for _ in range(_ROUNDS):
@@ -89,6 +89,6 @@ def _seconds(client: TrexClient, work: Callable[[Requester], None]) -> tuple[flo
         work(request)
         rounds[-1].append(time.perf_counter())
     transactions = zip(
-        *([end - begin for begin, end in pairwise(one)] for one in rounds), strict=True
+        *([end - begin for begin, end in pairwise(times)] for times in rounds), strict=True
     )
-    return sum(map(statistics.median, transactions)), on_wire / _ROUNDS
+    return sum(map(statistics.median, transactions)), wire_time / _ROUNDS

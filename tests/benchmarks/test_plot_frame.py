@@ -1,6 +1,6 @@
 """Time of a frame of the plot, by the length of its history.
 
-All lengths take turns within one run, so that other processes affect them alike.
+The lengths alternate within a run, so that other processes affect all lengths equally.
 """
 
 import time
@@ -32,23 +32,15 @@ def traces_of(count: int) -> Traces:
     )
 
 
-def points(panel: TracePanel) -> None:
-    panel.plot.draw()
-
-
-def points_and_paint(panel: TracePanel) -> None:
+def draw_and_paint(panel: TracePanel) -> None:
     panel.plot.draw()
     panel.plot.grab()
 
 
-def texts(panel: TracePanel) -> None:
-    panel.refresh()
-
-
-def milliseconds(work: Callable[[TracePanel], None], panel: TracePanel) -> float:
-    begun = time.perf_counter()
+def milliseconds(work: Callable[[TracePanel], object], panel: TracePanel) -> float:
+    start = time.perf_counter()
     work(panel)
-    return (time.perf_counter() - begun) * 1000
+    return (time.perf_counter() - start) * 1000
 
 
 def test_frame_time_does_not_depend_on_history_length(
@@ -64,18 +56,22 @@ def test_frame_time_does_not_depend_on_history_length(
         panel.plot.show_span(0, count / _RATE)
         panel.show()
         panels[count] = panel
-    kinds = {"points": points, "points and paint": points_and_paint, "texts": texts}
+    kinds: dict[str, Callable[[TracePanel], object]] = {
+        "points": lambda panel: panel.plot.draw(),
+        "points and paint": draw_and_paint,
+        "texts": lambda panel: panel.refresh(),
+    }
     for name, work in kinds.items():
-        spent: dict[int, list[float]] = {count: [] for count in LENGTHS}
+        durations: dict[int, list[float]] = {count: [] for count in LENGTHS}
         for _ in range(_ROUNDS):
             for count, panel in panels.items():
-                spent[count].append(milliseconds(work, panel))
-        medians = {count: float(np.median(taken)) for count, taken in spent.items()}
-        # A thousand samples are drawn one by one; more are two points for each part of the width.
+                durations[count].append(milliseconds(work, panel))
+        medians = {count: float(np.median(times)) for count, times in durations.items()}
+        # A thousand samples are drawn individually. More samples are reduced to points.
         reduced = medians[LENGTHS[1]]
         for count, median in medians.items():
             figure(f"plot frame, {name}, {count:,} samples, median", median, "ms")
-            figure(f"plot frame, {name}, {count:,} samples, worst", max(spent[count]), "ms")
+            figure(f"plot frame, {name}, {count:,} samples, worst", max(durations[count]), "ms")
         figure(
             f"plot frame, {name}, {LENGTHS[-1]:,} to {LENGTHS[1]:,} samples",
             medians[LENGTHS[-1]] / reduced,
@@ -84,14 +80,14 @@ def test_frame_time_does_not_depend_on_history_length(
         )
 
 
-def test_append_time_is_measured_for_each_history_length(figure: ReportFigure) -> None:
+def test_duration_of_append_is_measured_for_each_length(figure: ReportFigure) -> None:
     for count in LENGTHS:
         history = SampleHistory(9)
         history.extend(np.arange(count) / _RATE, [np.zeros(count)] * 9)
-        row, spent = [1.0] * 9, []
-        for time_of_row in count / _RATE + np.arange(20_000) / _RATE:
-            begun = time.perf_counter()
-            history.append(time_of_row, *row)
-            spent.append((time.perf_counter() - begun) * 1e6)
-        figure(f"append to {count:,} samples, mean", float(np.mean(spent)), "us")
-        figure(f"append to {count:,} samples, worst", max(spent) / 1000, "ms")
+        row, times = [1.0] * 9, []
+        for sample_time in count / _RATE + np.arange(20_000) / _RATE:
+            start = time.perf_counter()
+            history.append(sample_time, *row)
+            times.append((time.perf_counter() - start) * 1e6)
+        figure(f"append to {count:,} samples, mean", float(np.mean(times)), "us")
+        figure(f"append to {count:,} samples, worst", max(times) / 1000, "ms")

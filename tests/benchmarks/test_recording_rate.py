@@ -15,9 +15,9 @@ from trex_gui.devices.trex.model.playback import Playback
 
 def seconds(work: Callable[[], object]) -> float:
     """Return the processor time of some work."""
-    begin = time.process_time()
+    start = time.process_time()
     work()
-    return time.process_time() - begin
+    return time.process_time() - start
 
 
 def test_hour_is_written_loaded_and_exported(tmp_path: Path, figure: ReportFigure) -> None:
@@ -26,7 +26,7 @@ def test_hour_is_written_loaded_and_exported(tmp_path: Path, figure: ReportFigur
     recording = open_recording(path)
     tables = [kind.name for kind in recording.kinds]
 
-    def fetch() -> None:
+    def read_tables() -> None:
         with contextlib.closing(sqlite3.connect(path)) as database:
             for table in tables:
                 database.execute(f"SELECT * FROM {table}").fetchall()
@@ -38,7 +38,7 @@ def test_hour_is_written_loaded_and_exported(tmp_path: Path, figure: ReportFigur
     loader = Playback(open_recording(path)).loader()
     figure("recorded hour, size", path.stat().st_size / 1e6, "MB", at_most=18)
     figure("recorded hour, written", writing / len(records) * 1e6, "us/record")
-    figure("recorded hour, tables read", seconds(fetch), "s")
+    figure("recorded hour, tables read", seconds(read_tables), "s")
     figure("recorded hour, loaded for playback", seconds(lambda: loader(lambda _share: None)), "s")
     figure("recorded hour, exported as CSV", export(".csv"), "s")
     figure("recorded hour, exported as MCAP", export(".mcap"), "s")

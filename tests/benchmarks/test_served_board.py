@@ -1,7 +1,7 @@
 """Stops, samples and processor time of boards over the network.
 
-Simulated board, server and relays are separate processes. A relay before the board records when a
-stop reaches the wire. All processes of a computer share the clock of `time.monotonic`.
+Simulated board, server and relays are separate processes. A relay in front of the board records
+when a stop reaches the wire. All processes of a computer share the clock of `time.monotonic`.
 """
 
 import os
@@ -34,15 +34,33 @@ _SAMPLING_S = 10.0
 
 
 def free_ports(count: int) -> list[int]:
-    with ExitStack() as held:
-        sockets = [held.enter_context(socket.socket()) for _ in range(count)]
-        for found in sockets:
-            found.bind(("127.0.0.1", 0))
-        return [found.getsockname()[1] for found in sockets]
+    with ExitStack() as stack:
+        sockets = [stack.enter_context(socket.socket()) for _ in range(count)]
+        for each in sockets:
+            each.bind(("127.0.0.1", 0))
+        return [each.getsockname()[1] for each in sockets]
 
 
 def free_port() -> int:
     return free_ports(1)[0]
+
+
+def start(stack: ExitStack, module: str, *arguments: str) -> "subprocess.Popen[str]":
+    """Start a program. The stack ends it."""
+    process = subprocess.Popen(
+        [sys.executable, "-m", module, *arguments],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL,
+        text=True,
+    )
+
+    def end() -> None:
+        process.kill()
+        process.communicate()
+
+    stack.callback(end)
+    return process
 
 
 class Robot:
@@ -51,40 +69,27 @@ class Robot:
     def __init__(self, stack: ExitStack, folder: Path, baud: int) -> None:
         self._stack, wire, board = stack, free_port(), free_port()
         options = fast_board(folder, baud)
-        self.start("trex_gui.cli.simulator", "--tcp", f"127.0.0.1:{board}", *options)
+        self.start_ready("trex_gui.cli.simulator", "--tcp", f"127.0.0.1:{board}", *options)
         self.stops: list[float] = []
-        tap = self.start("tests.benchmarks.relay", str(wire), str(board), "0", "0")
-        threading.Thread(target=self._read_stops, args=(tap,), daemon=True).start()
+        relay = self.start_ready("tests.benchmarks.relay", str(wire), str(board), "0", "0")
+        threading.Thread(target=self._read_stops, args=(relay,), daemon=True).start()
         self.line = f"socket://127.0.0.1:{wire}"
         self.port = free_port()
-        words = ["--port", self.line, "--baud", str(baud), "--name", "arm"]
-        self.server = self.start(
-            "trex_gui.cli", "serve", *words, "--listen", f"127.0.0.1:{self.port}"
-        )
+        options = ("--port", self.line, "--baud", str(baud), "--name", "arm")
+        address = f"127.0.0.1:{self.port}"
+        self.server = start(stack, "trex_gui.cli", "serve", *options, "--listen", address)
         time.sleep(2.0)
 
-    def start(self, module: str, *words: str) -> "subprocess.Popen[str]":
-        process = subprocess.Popen(
-            [sys.executable, "-m", module, *words],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-            text=True,
-        )
-
-        def end() -> None:
-            process.kill()
-            process.communicate()
-
-        self._stack.callback(end)
-        if module != "trex_gui.cli":
-            assert process.stdout is not None
-            process.stdout.readline()  # ready
+    def start_ready(self, module: str, *arguments: str) -> "subprocess.Popen[str]":
+        """Start a program and wait until it prints that it is ready."""
+        process = start(self._stack, module, *arguments)
+        assert process.stdout is not None
+        process.stdout.readline()
         return process
 
-    def _read_stops(self, tap: "subprocess.Popen[str]") -> None:
-        assert tap.stdout is not None
-        for line in tap.stdout:
+    def _read_stops(self, relay: "subprocess.Popen[str]") -> None:
+        assert relay.stdout is not None
+        for line in relay.stdout:
             self.stops.append(float(line.split()[1]))
 
     def processor_seconds(self) -> float:
@@ -93,7 +98,7 @@ class Robot:
 
 
 class Client:
-    """Session and its reports."""
+    """Session in a thread. Counts its samples and records its outcomes."""
 
     def __init__(self, create: Callable[..., Any]) -> None:
         self.inbox, self.samples, self.outcomes = RequestQueue(), 0, set[int]()
@@ -122,12 +127,12 @@ class Client:
 
 
 @contextmanager
-def client(create: Callable[..., Any]) -> Iterator[Client]:
-    opened = Client(create)
+def connect(create: Callable[..., Any]) -> Iterator[Client]:
+    client = Client(create)
     try:
-        yield opened
+        yield client
     finally:
-        opened.close()
+        client.close()
 
 
 def remote(port: int) -> Callable[..., RemoteSession]:
@@ -135,132 +140,120 @@ def remote(port: int) -> Callable[..., RemoteSession]:
     return lambda inbox, emit: RemoteSession(settings, inbox, emit, time.monotonic)
 
 
-def measure_stops(robot: Robot, one: Client) -> list[float]:
-    """Return the time of each stop from its request to the wire, in ms."""
-    took = []
+def measure_stops(robot: Robot, client: Client) -> list[float]:
+    """Return the sorted times from the request of a stop to the wire, in ms."""
+    delays = []
     for number in range(1, _STOPS + 1):
-        one.inbox.put(Arm())
-        time.sleep(0.03 + number % 17 / 1000)  # anywhere between two polls
+        client.inbox.put(Arm())
+        time.sleep(0.03 + number % 17 / 1000)  # at any time between two polls
         robot.stops.clear()
-        pressed = time.monotonic()
-        one.inbox.put(Stop(number))
-        one.wait_for(number)
-        first = next((at for at in robot.stops if at >= pressed), None)
+        requested = time.monotonic()
+        client.inbox.put(Stop(number))
+        client.wait_for(number)
+        first = next((at for at in robot.stops if at >= requested), None)
         assert first is not None
-        took.append(1000 * (first - pressed))
-    return sorted(took)
+        delays.append(1000 * (first - requested))
+    return sorted(delays)
 
 
 @pytest.fixture
 def stack() -> Iterator[ExitStack]:
-    with ExitStack() as made:
-        yield made
+    with ExitStack() as stack:
+        yield stack
 
 
 @pytest.mark.timeout(600)
 @pytest.mark.parametrize("network", ["loopback", "20 ms, 1 % loss"])
-def test_stop_over_the_network(
+def test_stop_over_the_network_reaches_the_wire_in_time(
     network: str, stack: ExitStack, tmp_path: Path, figure: ReportFigure
 ) -> None:
     robot, delay = Robot(stack, tmp_path, 19200), 0.0
     port = robot.port
     if network != "loopback":
         port, delay = free_port(), 0.02
-        robot.start("tests.benchmarks.relay", str(port), str(robot.port), str(delay), "0.01")
-    with client(remote(port)) as one:
-        took = measure_stops(robot, one)
-    transaction = 1000 * LineSettings(19200).seconds(1 + 11) + 5  # the longest poll, and its board
-    figure(f"stop over the {network}: median", statistics.median(took), "ms")
+        robot.start_ready("tests.benchmarks.relay", str(port), str(robot.port), str(delay), "0.01")
+    with connect(remote(port)) as client:
+        delays = measure_stops(robot, client)
+    transaction = (
+        1000 * LineSettings(19200).seconds(1 + 11) + 5
+    )  # the longest poll, and time of the board
+    figure(f"stop over the {network}: median", statistics.median(delays), "ms")
     bound = 1000 * 2 * delay + 2 * transaction + 10
-    figure(f"stop over the {network}: 99 %", took[round(0.99 * _STOPS) - 1], "ms", at_most=bound)
+    figure(f"stop over the {network}: 99 %", delays[round(0.99 * _STOPS) - 1], "ms", at_most=bound)
 
 
 @pytest.mark.timeout(600)
-def test_stop_beside_busy_processes(stack: ExitStack, tmp_path: Path, figure: ReportFigure) -> None:
+def test_delay_of_stop_beside_busy_processes_is_measured(
+    stack: ExitStack, tmp_path: Path, figure: ReportFigure
+) -> None:
     robot = Robot(stack, tmp_path, 19200)
     for _ in range(4):
         busy = subprocess.Popen([sys.executable, "-c", "while True: pass"])
         stack.callback(busy.wait)
         stack.callback(busy.kill)
-    with client(remote(robot.port)) as one:
-        took = measure_stops(robot, one)
-    figure(
-        "stop through a server beside four busy processes: median", statistics.median(took), "ms"
-    )
-    figure(
-        "stop through a server beside four busy processes: 99 %",
-        took[round(0.99 * _STOPS) - 1],
-        "ms",
-    )
+    with connect(remote(robot.port)) as client:
+        delays = measure_stops(robot, client)
+    name = "stop through a server beside four busy processes"
+    figure(f"{name}: median", statistics.median(delays), "ms")
+    figure(f"{name}: 99 %", delays[round(0.99 * _STOPS) - 1], "ms")
 
 
 @pytest.mark.timeout(600)
-def test_samples_of_four_clients(stack: ExitStack, tmp_path: Path, figure: ReportFigure) -> None:
+def test_four_clients_receive_almost_all_samples(
+    stack: ExitStack, tmp_path: Path, figure: ReportFigure
+) -> None:
     robot = Robot(stack, tmp_path, 115200)
-    with ExitStack() as clients:
-        some = [clients.enter_context(client(remote(robot.port))) for _ in range(4)]
-        some[0].inbox.put(Arm())
+    with ExitStack() as connections:
+        clients = [connections.enter_context(connect(remote(robot.port))) for _ in range(4)]
+        clients[0].inbox.put(Arm())
         time.sleep(1.0)
-        before, used = [one.samples for one in some], robot.processor_seconds()
+        before, used = [client.samples for client in clients], robot.processor_seconds()
         time.sleep(_SAMPLING_S)
-        seen = [one.samples - start for one, start in zip(some, before, strict=True)]
+        received = [client.samples - first for client, first in zip(clients, before, strict=True)]
         share = (robot.processor_seconds() - used) / _SAMPLING_S
     robot.server.terminate()
     robot.server.wait()
     settings = ConnectionSettings(robot.line, LineSettings(115200))
-    with client(lambda inbox, emit: TrexSession(settings, inbox, emit)) as cable:
+    with connect(lambda inbox, emit: TrexSession(settings, inbox, emit)) as cable:
         time.sleep(1.0)
-        start = cable.samples
+        first = cable.samples
         time.sleep(_SAMPLING_S)
-        at_cable = cable.samples - start
-    figure("samples of the slowest of four clients", 100 * min(seen) / at_cable, "%", at_least=99)
+        at_cable = cable.samples - first
+    figure(
+        "samples of the slowest of four clients", 100 * min(received) / at_cable, "%", at_least=99
+    )
     figure("processor of the server with four clients", 100 * share, "%", at_most=15)
 
 
-_MANY = 100
+_ROBOTS = 100
 
 
 @pytest.mark.timeout(600)
-def test_many_robots(stack: ExitStack, figure: ReportFigure) -> None:
-    """Each board has a simulator and a server."""
-    ports = free_ports(2 * _MANY)
+def test_100_robots_are_listed_and_stopped_in_time(stack: ExitStack, figure: ReportFigure) -> None:
+    """Each robot has its own simulator and server."""
+    ports = free_ports(2 * _ROBOTS)
     hosts = []
-    for wire, port in zip(ports[:_MANY], ports[_MANY:], strict=True):
-        _start(stack, "trex_gui.cli.simulator", "--tcp", f"127.0.0.1:{wire}", "--unpaced")
-        words = ["--port", f"socket://127.0.0.1:{wire}", "--name", f"robot{port}"]
-        _start(stack, "trex_gui.cli", "serve", *words, "--listen", f"127.0.0.1:{port}")
+    for wire, port in zip(ports[:_ROBOTS], ports[_ROBOTS:], strict=True):
+        start(stack, "trex_gui.cli.simulator", "--tcp", f"127.0.0.1:{wire}", "--unpaced")
+        options = ["--port", f"socket://127.0.0.1:{wire}", "--name", f"robot{port}"]
+        start(stack, "trex_gui.cli", "serve", *options, "--listen", f"127.0.0.1:{port}")
         hosts.append(f"127.0.0.1:{port}")
-    robots = stack.enter_context(Robots())  # as the window with the list has them
+    robots = stack.enter_context(Robots())  # as in the window with the list of robots
     end = time.monotonic() + 300
     rows: list[dict[str, Any]] = []
     while time.monotonic() < end:
-        begun = time.monotonic()
+        start_time = time.monotonic()
         rows = robots.find(hosts)
-        took = time.monotonic() - begun
+        duration = time.monotonic() - start_time
         print(len(rows), "robots,", sum(row["responds"] for row in rows), "respond", flush=True)
-        if len(rows) == _MANY and all(row["responds"] for row in rows):
+        if len(rows) == _ROBOTS and all(row["responds"] for row in rows):
             break
         time.sleep(1.0)
-    assert len(rows) == _MANY
-    figure(f"list of {_MANY} served boards", took, "s", at_most=3.0)
+    assert len(rows) == _ROBOTS
+    figure(f"list of {_ROBOTS} served boards", duration, "s", at_most=3.0)
     urls = [row["url"] for row in rows]
-    begun = time.monotonic()
+    start_time = time.monotonic()
     results = robots.stop(urls)
-    took = time.monotonic() - begun
+    duration = time.monotonic() - start_time
     assert not any(results.values()), results
-    figure(f"stop of {_MANY} served boards, all confirmed", 1000 * took, "ms")
-
-
-def _start(stack: ExitStack, module: str, *words: str) -> None:
-    process = subprocess.Popen(
-        [sys.executable, "-m", module, *words],
-        stdin=subprocess.PIPE,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-    )
-
-    def end() -> None:
-        process.kill()
-        process.communicate()
-
-    stack.callback(end)
+    figure(f"stop of {_ROBOTS} served boards, all confirmed", 1000 * duration, "ms")

@@ -1,6 +1,6 @@
 """Reference count of None over thousands of frames of a window.
 
-PySide6 6.12 loses references on Python 3.11, and ends the process after some hundred frames.
+With Python 3.11, PySide6 6.12 loses references and ends the process after some hundred frames.
 """
 
 import resource
@@ -17,7 +17,7 @@ from trex_gui.ui.program import Program
 _FRAMES = 20_000
 
 
-def test_20000_frames_keep_references_to_none(
+def test_20000_frames_lose_no_references_to_none(
     program: Program, qtbot: QtBot, figure: ReportFigure
 ) -> None:
     trex(program).controller.connect_to(program.ports.demo_of("trex"))
@@ -26,7 +26,7 @@ def test_20000_frames_keep_references_to_none(
     motors.arm()
     motors.set_speed(1, 100)
     tabs = program.window.pages
-    before, begun, memory = sys.getrefcount(None), time.perf_counter(), _memory()
+    before, start, memory = sys.getrefcount(None), time.perf_counter(), _memory()
     for frame in range(_FRAMES):
         if frame % 50 == 0:
             tabs.setCurrentIndex(frame // 50 % tabs.count())
@@ -35,7 +35,7 @@ def test_20000_frames_keep_references_to_none(
         trex(program).device.telemetry.updated.emit()
         page.repaint()
     drift = sys.getrefcount(None) - before
-    seconds = time.perf_counter() - begun
+    seconds = time.perf_counter() - start
     motors.stop()
     figure(f"{_FRAMES} frames", seconds, "s")
     figure(f"references to None after {_FRAMES} frames", drift, "", at_least=-1000)

@@ -1,7 +1,7 @@
-"""Seconds from the command to a painted window, and to a window with a live board.
+"""Seconds from the start to a painted window, and to a window with a live board.
 
-The reference is a bare window with one plot, the minimum for a program with these libraries. Both
-take turns in one run, with compiled bytecode. Their processor times are compared, since other
+The reference is an empty window with one plot, the minimum for a program with these libraries. Both
+windows start alternately, with compiled bytecode. Their processor times are compared because other
 processes affect these least.
 """
 
@@ -14,7 +14,7 @@ from tests.benchmarks.conftest import ReportFigure
 
 _BARE = """
 import time
-begun, used = time.perf_counter(), time.process_time()
+start, used = time.perf_counter(), time.process_time()
 from PySide6.QtWidgets import QApplication, QMainWindow
 from pyqtgraph import PlotWidget
 app = QApplication([])
@@ -25,12 +25,12 @@ window.setCentralWidget(plot)
 window.resize(1100, 760)
 window.show()
 app.processEvents()
-print(time.perf_counter() - begun, time.process_time() - used)
+print(time.perf_counter() - start, time.process_time() - used)
 """
 
 _PROBE = """
 import time
-begun, used = time.perf_counter(), time.process_time()
+start, used = time.perf_counter(), time.process_time()
 from PySide6.QtWidgets import QApplication
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.workers.threads import GuiThreadCollector
@@ -50,7 +50,7 @@ while device.telemetry.raw is None:
     app.processEvents()
 live = time.perf_counter()
 assert program.close()
-print(shown - begun, used, live - begun)
+print(shown - start, used, live - start)
 """
 
 _RUNS = 8  # of each window, after one run that writes the bytecode
@@ -74,7 +74,7 @@ def test_start_to_window_and_to_live_board_is_measured(
     _run(_BARE, tmp_path)
     _run(_PROBE, tmp_path)
     runs = [(*_run(_BARE, tmp_path), *_run(_PROBE, tmp_path)) for _ in range(_RUNS)]
-    bare, bare_used, window, used, live = (min(taken) for taken in zip(*runs, strict=True))
+    bare, bare_used, window, used, live = (min(times) for times in zip(*runs, strict=True))
     figure("start to bare window with a plot", bare, "s")
     figure("start to window", window, "s")
     figure("processor time to window, to bare window", used / bare_used, "ratio", at_most=1.2)

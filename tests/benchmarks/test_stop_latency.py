@@ -1,8 +1,8 @@
 """Time from the press of a button or the move of a slider to its bytes on the wire.
 
 The window paints, telemetry runs at full rate, and the simulated board is a separate process at the
-pace of the wire. Each figure has a minimum beside it: the remaining time of the transaction at the
-moment of the press. A board does not listen while it replies.
+pace of the wire. Each figure is compared to its minimum: the remaining time of the transaction at
+the moment of the press. A board does not listen while it replies.
 """
 
 import random
@@ -30,12 +30,11 @@ from trex_gui.ui.devices.connection import ConnectionState
 _PRESSES = 1000
 _STOP_BYTES = STOP[0].opcode.to_bytes()
 _ADDED_MS = 10.0
-"""What the program may add to the least possible, in the median; more is a bug, however busy the
-computer is."""
+"""Highest median delay that the program may add to the minimum, even on a busy computer."""
 
 
-class Wiretap:
-    """Sent bytes and transactions with their times, on `time.perf_counter`."""
+class WireRecorder:
+    """Records sent bytes and transactions with their times on `time.perf_counter`."""
 
     def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
         self.writes: list[tuple[float, bytes]] = []
@@ -49,11 +48,11 @@ class Wiretap:
         def record_transaction(
             client: TrexClient, command: Command[ReplyT_co], framing: Framing
         ) -> Reply[ReplyT_co]:
-            begun = time.perf_counter()
+            start = time.perf_counter()
             try:
                 return transact(client, command, framing)
             finally:
-                self.transactions.append((begun, time.perf_counter()))
+                self.transactions.append((start, time.perf_counter()))
 
         monkeypatch.setattr(SerialTransport, "write", record_write)
         monkeypatch.setattr(TrexClient, "_transact", record_transaction)
@@ -62,13 +61,13 @@ class Wiretap:
         self.writes.clear()
         self.transactions.clear()
 
-    def first_after(self, moment: float, is_wanted: Callable[[bytes], bool]) -> float | None:
+    def first_after(self, moment: float, matches: Callable[[bytes], bool]) -> float | None:
         """Return the time of the first matching bytes after a moment."""
-        return next((at for at, data in self.writes if at >= moment and is_wanted(data)), None)
+        return next((at for at, data in self.writes if at >= moment and matches(data)), None)
 
-    def rest_of_the_transaction_at(self, moment: float) -> float:
-        """Return the remaining time of the transaction at a moment."""
-        return next((end - moment for begun, end in self.transactions if begun <= moment < end), 0)
+    def remaining_transaction_time(self, moment: float) -> float:
+        """Return the seconds from a moment to the end of its transaction."""
+        return next((end - moment for start, end in self.transactions if start <= moment < end), 0)
 
 
 def is_stop(data: bytes) -> bool:
@@ -80,7 +79,7 @@ def speed_of(number: int) -> int:
 
 
 def is_drive(data: bytes, number: int) -> bool:
-    """Return whether this is the setpoint of the move, not a repeated older setpoint."""
+    """Return whether this is the setpoint of a move and not a repeated older setpoint."""
     return 0xC0 <= data[0] <= 0xEF and data[1] == speed_of(number)
 
 
@@ -94,7 +93,7 @@ def test_delay_from_press_to_wire_stays_below_limit(
     monkeypatch: pytest.MonkeyPatch,
     figure: ReportFigure,
 ) -> None:
-    tap = Wiretap(monkeypatch)
+    recorder = WireRecorder(monkeypatch)
     line = LineSettings(baud)
     simulator = start_simulator(*fast_board(tmp_path, baud))
     device, qtbot = window.device, window.qtbot
@@ -107,28 +106,28 @@ def test_delay_from_press_to_wire_stays_below_limit(
     window.window.pages.setCurrentIndex(3)
     stop = window.button("stopButton")
     slider = window.find(QSlider, "motor1Slider")
-    chance = random.Random(1)
+    pauses = random.Random(1)
 
     def measure(
-        act: Callable[[int], object], is_wanted: Callable[[bytes, int], bool]
+        action: Callable[[int], object], matches: Callable[[bytes, int], bool]
     ) -> tuple[list[float], list[float]]:
-        took, least = [], []
+        delays, minimums = [], []
         for number in range(_PRESSES):
             device.motors.arm()
-            qtbot.wait(chance.randint(25, 45))  # anywhere between two polls
+            qtbot.wait(pauses.randint(25, 45))  # at any time between two polls
             assert device.motors.armed, device.motors.stop_reason or device.status
-            tap.clear()
+            recorder.clear()
             pressed = time.perf_counter()
-            act(number)
+            action(number)
             sent: float | None = None
             end = pressed + 2
             while sent is None and time.perf_counter() < end:
                 qtbot.wait(1)
-                sent = tap.first_after(pressed, lambda data: is_wanted(data, number))  # noqa: B023
+                sent = recorder.first_after(pressed, lambda data: matches(data, number))  # noqa: B023
             assert sent is not None, device.motors.stop_reason or device.status
-            took.append(1000 * (sent - pressed))
-            least.append(1000 * tap.rest_of_the_transaction_at(pressed))
-        return took, least
+            delays.append(1000 * (sent - pressed))
+            minimums.append(1000 * recorder.remaining_transaction_time(pressed))
+        return delays, minimums
 
     def press_stop(_: int) -> None:
         QTest.mouseClick(stop, Qt.MouseButton.LeftButton)
@@ -137,13 +136,13 @@ def test_delay_from_press_to_wire_stays_below_limit(
         "slider": measure(lambda number: slider.setValue(speed_of(number)), is_drive),
         "stop": measure(press_stop, lambda data, _: is_stop(data)),
     }
-    for name, (took, least) in measured.items():
-        ordered = sorted(took)
-        added = [all_in_all - needed for all_in_all, needed in zip(took, least, strict=True)]
-        figure(f"{name} to wire at {baud} baud, median", statistics.median(took), "ms")
-        figure(f"{name} to wire at {baud} baud, 99 %", ordered[len(took) * 99 // 100], "ms")
+    for name, (delays, minimums) in measured.items():
+        ordered = sorted(delays)
+        added = [delay - minimum for delay, minimum in zip(delays, minimums, strict=True)]
+        figure(f"{name} to wire at {baud} baud, median", statistics.median(delays), "ms")
+        figure(f"{name} to wire at {baud} baud, 99 %", ordered[len(delays) * 99 // 100], "ms")
         figure(f"{name} to wire at {baud} baud, worst", ordered[-1], "ms")
-        figure(f"least possible for {name} at {baud} baud", statistics.median(least), "ms")
+        figure(f"least possible for {name} at {baud} baud", statistics.median(minimums), "ms")
         figure(
             f"added for {name} at {baud} baud, median",
             statistics.median(added),

@@ -1,7 +1,6 @@
-"""Rate at which each value is read, compared to the rates of the board and the wire.
+"""Rate at which each value is read, compared to the possible rate.
 
-Each ratio compares the measured rate to that of the schedule in virtual time, in which only the
-wire takes time.
+The possible rate is that of the schedule in virtual time, in which only the wire takes time.
 """
 
 from pathlib import Path
@@ -33,20 +32,21 @@ def _count(reports: list[Report]) -> dict[str, int]:
 
 
 def _possible(settings: ConnectionSettings) -> dict[str, float]:
-    """Return the rates of the schedule if only the wire takes time."""
+    """Return the rates that the schedule reaches if only the wire takes time."""
     eeprom = Eeprom()
     eeprom.write("uart_settings", settings.line.to_wire())
     harness = SessionHarness(Board(eeprom=eeprom))
     harness.script.at(_SECONDS, lambda: None)
     harness.run(settings)
-    times = [s.time for r in harness.reports if isinstance(r, Batch) for s in r.samples]
+    batches = [report for report in harness.reports if isinstance(report, Batch)]
+    times = [sample.time for batch in batches for sample in batch.samples]
     span = times[-1] - times[0]
     return {name: count / span for name, count in _count(harness.reports).items()}
 
 
 @pytest.mark.parametrize("painting", [False, True], ids=["idle", "all pages painting"])
 @pytest.mark.parametrize("baud", [9600, 19200, 115200])
-def test_telemetry_rate_is_positive_for_every_sample_kind(
+def test_samples_of_every_kind_are_read(
     baud: int,
     painting: bool,
     program: Program,
@@ -60,7 +60,7 @@ def test_telemetry_rate_is_positive_for_every_sample_kind(
     settings = ConnectionSettings(simulator.url, line)
     program.complete()
     if painting:
-        _show_every_page(program)
+        _show_all_pages(program)
     else:
         program.window.hide()
         trex(program).device.connection.watch("benchmark", True)
@@ -81,8 +81,8 @@ def test_telemetry_rate_is_positive_for_every_sample_kind(
     assert all(rate > 0 for rate in read.values())
 
 
-def _show_every_page(program: Program) -> None:
-    """Show all pages at once, each in a window."""
+def _show_all_pages(program: Program) -> None:
+    """Show all pages at once, each in its own window."""
     tabs = program.window.pages
     pages = [tabs.widget(index) for index in range(tabs.count())]
     for page in pages:

@@ -10,7 +10,7 @@ hidden = tuple(sys.argv[1:])
 
 
 class Finder:
-    """Import finder that hides these modules."""
+    """Import finder that does not find the hidden modules."""
 
     def __init__(self, finder: Any) -> None:
         self._finder = finder

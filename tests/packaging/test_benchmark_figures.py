@@ -1,4 +1,4 @@
-"""Figures of the benchmarks, and their comparison with another run."""
+"""Figures of benchmarks, and their comparison with an earlier run."""
 
 from pathlib import Path
 
@@ -21,7 +21,7 @@ def test_output_without_figures_is_rejected(tmp_path: Path) -> None:
         earlier_values(tmp_path / "run.txt")
 
 
-def test_row_shows_ratio_to_earlier_value_if_there_is_one() -> None:
+def test_row_shows_the_ratio_to_an_earlier_value() -> None:
     row = Figure("start", 1.5, "s", at_most=2).row(1.0)
     assert row.split() == ["start", "1.5", "s", "1.50", "at", "most", "2"]
     for earlier in (None, 0.0):
@@ -31,5 +31,5 @@ def test_row_shows_ratio_to_earlier_value_if_there_is_one() -> None:
 @pytest.mark.parametrize(
     ("value", "is_within"), [(0.9, False), (1, True), (1.5, True), (2, True), (2.1, False)]
 )
-def test_bounds_include_their_limits(value: float, is_within: bool) -> None:
+def test_figure_at_a_limit_is_within_its_bounds(value: float, is_within: bool) -> None:
     assert Figure("pace", value, "ratio", at_least=1, at_most=2).is_within_bounds is is_within

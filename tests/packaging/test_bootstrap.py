@@ -1,4 +1,4 @@
-"""Decisions of the set-up script. `Script` replaces the commands that it runs."""
+"""Decisions of the set-up script. Fakes replace the commands that it runs."""
 
 import ast
 import re
@@ -11,16 +11,13 @@ from typing import Any
 
 import pytest
 
-from tests.support.scripts import load_script
-
-ROOT = Path(__file__).resolve().parents[2]
-SOURCE = ROOT / "packaging" / "bootstrap.py"
+from tests.support.scripts import PACKAGING, load_script
 
 bootstrap = load_script("bootstrap")
 
 
 class FakeMachine:
-    """Replaces the machine. Answers commands by keyword and records the commands."""
+    """Replaces the computer. Records commands and returns an outcome for the words in them."""
 
     def __init__(self, **outcomes: Any) -> None:
         self.outcomes = outcomes
@@ -38,15 +35,15 @@ class FakeMachine:
         return [command for command in self.commands if "apt-get" in command]
 
 
-def listing(*lines: tuple[str, str, str]) -> Any:
+def package_list(*lines: tuple[str, str, str]) -> Any:
     return bootstrap.Outcome(0, "".join("\t".join(line) + "\n" for line in lines))
 
 
-REFUSED = bootstrap.Outcome(1, errors="sudo: a password is required")
-LIBEGL_ONLY = listing(("installed", "libegl1", ""))
+SUDO_DENIED = bootstrap.Outcome(1, errors="sudo: a password is required")
+LIBEGL_ONLY = package_list(("installed", "libegl1", ""))
 
 
-# --- Debian's packages
+# --- Debian packages
 
 
 def test_installed_packages_are_listed_under_each_name() -> None:
@@ -55,49 +52,52 @@ def test_installed_packages_are_listed_under_each_name() -> None:
     assert bootstrap.packages_in(lines) == {"libglib2.0-0t64", "libglib2.0-0", "libglib2.0-x"}
 
 
-def test_packages_are_missing_if_dpkg_fails_and_only_missing_ones_are_installed() -> None:
+def test_package_is_missing_if_dpkg_fails() -> None:
     debian = bootstrap.Debian(FakeMachine(dpkg_query=bootstrap.Outcome(127)), is_root=True)
     assert debian.missing(["libegl1"]) == ["libegl1"]
-    script = FakeMachine(dpkg_query=LIBEGL_ONLY)
-    bootstrap.Debian(script, is_root=True).supply(["libegl1"])
-    assert script.apt_commands == []
+
+
+def test_installed_package_is_not_installed_again() -> None:
+    machine = FakeMachine(dpkg_query=LIBEGL_ONLY)
+    bootstrap.Debian(machine, is_root=True).supply(["libegl1"])
+    assert machine.apt_commands == []
 
 
 def test_root_updates_apt_once_and_installs_missing_packages() -> None:
-    script = FakeMachine(dpkg_query=LIBEGL_ONLY)
-    bootstrap.Debian(script, is_root=True).supply(["libegl1", "libgl1", "libdbus-1-3"])
+    machine = FakeMachine(dpkg_query=LIBEGL_ONLY)
+    bootstrap.Debian(machine, is_root=True).supply(["libegl1", "libgl1", "libdbus-1-3"])
     apt = ["env", "DEBIAN_FRONTEND=noninteractive", "apt-get", "--quiet"]
-    assert script.apt_commands == [
+    assert machine.apt_commands == [
         [*apt, "update"],
         [*apt, "install", "--yes", "--no-install-recommends", "libgl1", "libdbus-1-3"],
     ]
 
 
 def test_passwordless_sudo_is_used_without_root() -> None:
-    script = FakeMachine(dpkg_query=LIBEGL_ONLY)
-    bootstrap.Debian(script, is_root=False).supply(["libgl1"])
-    assert [command[:3] for command in script.apt_commands] == [["sudo", "-n", "env"]] * 2
+    machine = FakeMachine(dpkg_query=LIBEGL_ONLY)
+    bootstrap.Debian(machine, is_root=False).supply(["libgl1"])
+    assert [command[:3] for command in machine.apt_commands] == [["sudo", "-n", "env"]] * 2
 
 
-def test_install_command_is_printed_without_rights(capsys: pytest.CaptureFixture[str]) -> None:
-    script = FakeMachine(dpkg_query=LIBEGL_ONLY, sudo=REFUSED)
-    bootstrap.Debian(script, is_root=False).supply(["libgl1", "libegl1", "libdbus-1-3"])
-    said = capsys.readouterr().out
-    assert said.count("\n") == 1
-    assert "sudo apt-get install libgl1 libdbus-1-3\n" in said
-    assert script.apt_commands == []
+def test_install_command_is_printed_if_sudo_is_denied(capsys: pytest.CaptureFixture[str]) -> None:
+    machine = FakeMachine(dpkg_query=LIBEGL_ONLY, sudo=SUDO_DENIED)
+    bootstrap.Debian(machine, is_root=False).supply(["libgl1", "libegl1", "libdbus-1-3"])
+    output = capsys.readouterr().out
+    assert output.count("\n") == 1
+    assert "sudo apt-get install libgl1 libdbus-1-3\n" in output
+    assert machine.apt_commands == []
 
 
 def test_failed_installation_reports_cause_and_command(capsys: pytest.CaptureFixture[str]) -> None:
     failed = bootstrap.Outcome(100, errors="E: Unable to locate package libgl1")
-    script = FakeMachine(dpkg_query=LIBEGL_ONLY, install=failed)
-    bootstrap.Debian(script, is_root=True).supply(["libgl1"])
-    said = capsys.readouterr().out
-    assert "Unable to locate package libgl1" in said
-    assert "sudo apt-get install libgl1" in said
+    machine = FakeMachine(dpkg_query=LIBEGL_ONLY, install=failed)
+    bootstrap.Debian(machine, is_root=True).supply(["libgl1"])
+    output = capsys.readouterr().out
+    assert "Unable to locate package libgl1" in output
+    assert "sudo apt-get install libgl1" in output
 
 
-# --- Does Qt start?
+# --- Start of Qt
 
 
 def test_qt_start_reports_platform_and_fonts() -> None:
@@ -128,7 +128,7 @@ def test_failed_start_of_qt_has_a_reason(status: int, errors: str, reason: str) 
     assert start.reason == reason
 
 
-def test_setup_needs_qt_and_reports_missing_fonts(capsys: pytest.CaptureFixture[str]) -> None:
+def test_setup_requires_qt_and_reports_missing_fonts(capsys: pytest.CaptureFixture[str]) -> None:
     errors = "ImportError: libGL.so.1: cannot open shared object file: No such file"
     with pytest.raises(bootstrap.BootstrapError, match=r"libGL\.so\.1"):
         bootstrap.require_qt(FakeMachine(**{"-c": bootstrap.Outcome(1, errors=errors)}))
@@ -148,22 +148,23 @@ def test_setup_needs_qt_and_reports_missing_fonts(capsys: pytest.CaptureFixture[
         ({}, "win32", True),
     ],
 )
-def test_display_is_expected_by_environment_and_system(
+def test_display_is_expected_as_environment_and_system_say(
     environment: dict[str, str], system: str, expected: bool
 ) -> None:
     assert bootstrap.may_have_display(environment, system) is expected
 
 
-def test_unopenable_display_is_explained(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_display_that_cannot_be_opened_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("DISPLAY", ":77")
     monkeypatch.delenv("QT_QPA_PLATFORM", raising=False)
     monkeypatch.setattr(bootstrap, "find_debian", lambda: None)
-    script = FakeMachine(**{"-c": bootstrap.Outcome(-6, errors="could not connect to display :77")})
-    assert "cannot be opened" in bootstrap.why_no_window(script)
+    machine = FakeMachine(
+        **{"-c": bootstrap.Outcome(-6, errors="could not connect to display :77")}
+    )
+    assert "cannot be opened" in bootstrap.why_no_window(machine)
 
 
-# --- The stamp of the environment
-
+# --- Stamp of the environment
 
 STAMP = bootstrap.Stamp("3.11 /usr", "/home/ada/trex", "f00d")
 
@@ -182,7 +183,7 @@ def test_damaged_stamp_is_ignored(tmp_path: Path, text: str) -> None:
         bootstrap.Stamp("3.11 /usr", "/home/ada/moved", "f00d"),
     ],
 )
-def test_changed_python_or_folder_needs_new_environment(earlier: Any) -> None:
+def test_changed_python_or_folder_requires_a_new_environment(earlier: Any) -> None:
     assert not STAMP.can_keep_venv(earlier)
 
 
@@ -197,10 +198,10 @@ def test_stamp_changes_with_constraints(tmp_path: Path, monkeypatch: pytest.Monk
 
 
 class Project:
-    """Project in a temporary folder. Its set-up only prints the installations."""
+    """Project in a temporary folder. Its set-up only counts the installations."""
 
     def __init__(self, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-        self.script = FakeMachine()
+        self.machine = FakeMachine()
         self.installations = 0
         self.venv = folder / ".venv"
         self.stamp_file = self.venv / "bootstrap.json"
@@ -215,15 +216,15 @@ class Project:
         return result
 
     @property
-    def venvs_made(self) -> int:
-        return sum("--clear" in command for command in self.script.commands)
+    def created_venvs(self) -> int:
+        return sum("--clear" in command for command in self.machine.commands)
 
     def _run(self, command: Sequence[str], extra_env: Mapping[str, str]) -> Any:
         if "--clear" in command:
             python = bootstrap.venv_python()
             python.parent.mkdir(parents=True, exist_ok=True)
             python.touch()
-        return self.script(command, extra_env)
+        return self.machine(command, extra_env)
 
     def _install(self) -> None:
         self.installations += 1
@@ -236,9 +237,9 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Project:
 
 def test_second_setup_does_nothing(project: Project) -> None:
     assert project.set_up()
-    commands = len(project.script.commands)
+    commands = len(project.machine.commands)
     assert not project.set_up()
-    assert (project.installations, len(project.script.commands)) == (1, commands)
+    assert (project.installations, len(project.machine.commands)) == (1, commands)
 
 
 def test_changed_requirements_are_installed_in_same_environment(
@@ -248,56 +249,57 @@ def test_changed_requirements_are_installed_in_same_environment(
     (tmp_path / "other.txt").touch()
     monkeypatch.setattr(bootstrap, "CONSTRAINTS", tmp_path / "other.txt")
     assert project.set_up()
-    assert (project.venvs_made, project.installations) == (1, 2)
+    assert (project.created_venvs, project.installations) == (1, 2)
 
 
 def test_environment_without_python_is_recreated(project: Project) -> None:
     project.set_up()
     bootstrap.venv_python().unlink()
     assert project.set_up()
-    assert project.venvs_made == 2
+    assert project.created_venvs == 2
+
+
+def interrupt() -> None:
+    raise KeyboardInterrupt
 
 
 def test_interrupted_setup_resumes_in_same_environment(
     project: Project, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def interrupted() -> None:
-        raise KeyboardInterrupt
-
     with monkeypatch.context() as patch:
-        patch.setattr(bootstrap, "install_packages", interrupted)
+        patch.setattr(bootstrap, "install_packages", interrupt)
         with pytest.raises(KeyboardInterrupt):
             project.set_up()
     assert project.set_up()
-    assert (project.venvs_made, project.installations) == (1, 1)
+    assert (project.created_venvs, project.installations) == (1, 1)
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="links need a permission there")
-def test_environment_behind_a_link_is_not_emptied(project: Project, tmp_path: Path) -> None:
+@pytest.mark.skipif(sys.platform == "win32", reason="links need a permission on Windows")
+def test_environment_behind_a_link_is_not_deleted(project: Project, tmp_path: Path) -> None:
     other = tmp_path / "other"
     other.mkdir()
     project.venv.symlink_to(other, target_is_directory=True)
     with pytest.raises(bootstrap.BootstrapError, match=f"empty the folder .* {other}"):
         project.set_up()
-    assert not project.script.commands
+    assert not project.machine.commands
     assert not list(other.iterdir())
 
 
 def test_missing_venv_package_is_named(project: Project) -> None:
-    project.script.outcomes["-c"] = bootstrap.Outcome(1, errors="No module named 'ensurepip'")
+    project.machine.outcomes["-c"] = bootstrap.Outcome(1, errors="No module named 'ensurepip'")
     version = f"python{sys.version_info[0]}.{sys.version_info[1]}-venv"
     with pytest.raises(bootstrap.BootstrapError, match=version):
         project.set_up()
 
 
-# --- The commands
+# --- Commands
 
 
 def test_pip_installs_build_backend_first_and_pins_versions() -> None:
-    backend, project_itself = bootstrap.pip_commands(["pip"])
+    backend, package = bootstrap.pip_commands(["pip"])
     assert backend[-2:] == ["hatchling", "editables"]
-    assert "--no-build-isolation" in project_itself
-    for command in (backend, project_itself):
+    assert "--no-build-isolation" in package
+    for command in (backend, package):
         assert command[command.index("--constraint") + 1] == str(bootstrap.CONSTRAINTS)
 
 
@@ -310,7 +312,7 @@ def test_pytest_checks_run_last_and_receive_arguments() -> None:
     assert "realtime" in real
 
 
-def test_all_option_runs_slow_tests_with_random_seeds() -> None:
+def test_option_all_runs_slow_tests_with_random_seeds() -> None:
     for every in (False, True):
         for check in bootstrap.checks([], every=every):
             if check.is_tests:
@@ -320,7 +322,7 @@ def test_all_option_runs_slow_tests_with_random_seeds() -> None:
 
 @dataclass
 class Programs:
-    """Replaces visible commands: exit codes (default 0) and test counts of reports."""
+    """Replaces commands whose output is visible. `statuses`: exit codes by command, else 0."""
 
     statuses: dict[str, int] = field(default_factory=dict)
     tests: int = 12
@@ -346,13 +348,13 @@ def programs(monkeypatch: pytest.MonkeyPatch) -> Programs:
     return programs
 
 
-def closing_lines(capsys: pytest.CaptureFixture[str]) -> list[list[str]]:
+def last_lines(capsys: pytest.CaptureFixture[str]) -> list[list[str]]:
     return [line.split() for line in capsys.readouterr().out.splitlines()[-6:]]
 
 
 def test_passing_checks_exit_0(programs: Programs, capsys: pytest.CaptureFixture[str]) -> None:
     assert bootstrap.main(["test"]) == 0
-    assert [line[3] for line in closing_lines(capsys)[-2:]] == ["12", "12"]
+    assert [line[3] for line in last_lines(capsys)[-2:]] == ["12", "12"]
     assert programs.environment["QT_QPA_PLATFORM"] == "offscreen"
 
 
@@ -361,17 +363,17 @@ def test_checks_continue_after_failure(
 ) -> None:
     programs.statuses["mypy"] = 1
     assert bootstrap.main(["test"]) == 1
-    first = [line[0] for line in closing_lines(capsys)]
-    assert first == ["ok", "ok", "FAILED", "ok", "ok", "ok"]
+    results = [line[0] for line in last_lines(capsys)]
+    assert results == ["ok", "ok", "FAILED", "ok", "ok", "ok"]
 
 
 @pytest.mark.parametrize(("tests", "status"), [(12, 0), (0, 1)])
-def test_selection_needs_a_test_of_one_kind(programs: Programs, tests: int, status: int) -> None:
+def test_checks_fail_if_no_test_is_selected(programs: Programs, tests: int, status: int) -> None:
     programs.statuses["pytest"], programs.tests = 5, tests
     assert bootstrap.main(["test"]) == status
 
 
-def test_soak_passes_minutes_seed_and_status_on(programs: Programs) -> None:
+def test_soak_gets_minutes_and_seed_and_returns_its_status(programs: Programs) -> None:
     programs.statuses["python"] = 1
     assert bootstrap.main(["soak"]) == 1
     assert bootstrap.main(["soak", "--minutes", "0.5", "--seed", "7"]) == 1
@@ -382,13 +384,10 @@ def test_soak_passes_minutes_seed_and_status_on(programs: Programs) -> None:
     assert programs.environment == {"QT_QPA_PLATFORM": "offscreen"}
 
 
-def test_ctrl_c_ends_quietly(
+def test_ctrl_c_ends_without_output(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    def interrupted() -> bool:
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(bootstrap, "set_up", interrupted)
+    monkeypatch.setattr(bootstrap, "set_up", interrupt)
     assert bootstrap.main(["setup"]) == 130
     assert capsys.readouterr() == ("", "")
 
@@ -396,10 +395,12 @@ def test_ctrl_c_ends_quietly(
 @pytest.mark.parametrize(
     "arguments", [[], ["launch"], ["setup", "--", "-k"], ["test", "-k"], ["soak", "--minutes", "0"]]
 )
-def test_wrong_usage_exits_2(arguments: list[str], capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit) as ended:
+def test_invalid_arguments_exit_with_status_2(
+    arguments: list[str], capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit) as exit_info:
         bootstrap.main(arguments)
-    assert ended.value.code == 2
+    assert exit_info.value.code == 2
 
 
 def test_benchmarks_are_compared_to_file_in_current_folder(
@@ -414,7 +415,7 @@ def test_benchmarks_are_compared_to_file_in_current_folder(
     assert not any(word.startswith("--compare") for word in plain)
 
 
-def test_packages_that_are_named_are_made_and_checked(programs: Programs) -> None:
+def test_named_packages_are_created_and_checked(programs: Programs) -> None:
     assert bootstrap.main(["package", "deb", "--check"]) == 0
     assert bootstrap.main(["package"]) == 0
     named, default = programs.commands
@@ -430,26 +431,26 @@ def test_demo_without_display_lists_its_screenshots(
 ) -> None:
     folder = tmp_path / "demo-screenshots"
     folder.mkdir()
-    (folder / "left-from-before.png").touch()
+    (folder / "of-an-earlier-run.png").touch()
 
-    def tour(command: Sequence[str], extra_env: Mapping[str, str]) -> int:
+    def save_picture(command: Sequence[str], extra_env: Mapping[str, str]) -> int:
         (folder / "boardPage.png").touch()
         return programs.run(command, extra_env)
 
     monkeypatch.setattr(bootstrap, "ROOT", tmp_path)
     monkeypatch.setattr(bootstrap, "SCREENSHOTS", folder)
-    monkeypatch.setattr(bootstrap, "why_no_window", lambda run: "There is no display here")
-    monkeypatch.setattr(bootstrap, "run_in_sight", tour)
+    monkeypatch.setattr(bootstrap, "why_no_window", lambda run: "There is no display")
+    monkeypatch.setattr(bootstrap, "run_in_sight", save_picture)
     assert bootstrap.main(["demo"]) == 0
     assert list(programs.commands[0][-2:]) == ["--tour", "demo-screenshots"]
     assert programs.environment == {"QT_QPA_PLATFORM": "offscreen"}
-    said = capsys.readouterr().out
-    assert "There is no display here" in said
-    assert "demo-screenshots/boardPage.png" in said.replace("\\", "/")
-    assert "left-from-before" not in said
+    output = capsys.readouterr().out
+    assert "There is no display" in output
+    assert "demo-screenshots/boardPage.png" in output.replace("\\", "/")
+    assert "of-an-earlier-run" not in output
 
 
-def test_pictures_are_made_offscreen_with_no_settings_of_the_user(
+def test_pictures_are_created_offscreen_without_user_settings(
     monkeypatch: pytest.MonkeyPatch, programs: Programs
 ) -> None:
     def run(command: Sequence[str], extra_env: Mapping[str, str]) -> int:
@@ -465,11 +466,11 @@ def test_pictures_are_made_offscreen_with_no_settings_of_the_user(
     assert bootstrap.main(["pictures"]) == 3
 
 
-# --- The files
+# --- Files
 
 
 def test_script_parses_in_python_3_7() -> None:
-    ast.parse(SOURCE.read_text(encoding="utf-8"), feature_version=(3, 7))
+    ast.parse((PACKAGING / "bootstrap.py").read_text(encoding="utf-8"), feature_version=(3, 7))
 
 
 def test_constraints_are_sorted_exact_versions() -> None:

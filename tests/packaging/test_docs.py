@@ -1,4 +1,4 @@
-"""Every program in the guide for engineers runs."""
+"""Programs in the guide for engineers."""
 
 import re
 
@@ -20,12 +20,14 @@ def test_program_of_the_guide_runs(
     capsys: pytest.CaptureFixture[str],
     number: int,
 ) -> None:
-    text = PROGRAMS[number].replace("/dev/ttyUSB0", quick_simulator.url)
-    assert text != PROGRAMS[number]
-    Program(virtual_time, lambda: exec(text, {})).end()
+    program = PROGRAMS[number].replace("/dev/ttyUSB0", quick_simulator.url)
+    assert program != PROGRAMS[number]
+    Program(virtual_time, lambda: exec(program, {})).end()
     printed = capsys.readouterr().out
-    assert printed or ".stop()" in text
-    assert quick_simulator.show()["motors"][0]["speed"] in {0, 127}, "braked, or never driven"
+    assert printed or ".stop()" in program
+    assert quick_simulator.show()["motors"][0]["speed"] in {0, 127}, (
+        "the program has stopped the motor or never driven it"
+    )
 
 
 def test_guide_has_programs() -> None:

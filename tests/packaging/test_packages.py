@@ -10,42 +10,35 @@ import subprocess
 import sys
 from io import BytesIO
 from pathlib import Path, PurePath
-from types import ModuleType
 from typing import Any
 from xml.etree import ElementTree
 
 import pytest
 
+from tests.packaging.loading import import_script
+from tests.support.scripts import PACKAGING
 from trex_gui.version import __version__
 
-ROOT = Path(__file__).resolve().parents[2]
-PACKAGING = ROOT / "packaging"
+ROOT = PACKAGING.parent
 LINUX = PACKAGING / "linux"
 
-
-@pytest.fixture(scope="module")
-def packages() -> ModuleType:
-    sys.path.insert(0, str(PACKAGING))
-    try:
-        return __import__("packages")
-    finally:
-        sys.path.remove(str(PACKAGING))
+packages = import_script("packages")
 
 
 # --- The version
 
 
-def test_version_is_written_in_one_place(packages: ModuleType) -> None:
+def test_version_is_written_in_one_place() -> None:
     assert packages.version() == __version__
-    texts = [ROOT / "pyproject.toml", *PACKAGING.rglob("*.*")]
-    places = [
+    files = [ROOT / "pyproject.toml", *PACKAGING.rglob("*.*")]
+    copies = [
         path.name
-        for path in texts
+        for path in files
         if path.name != "constraints.txt"
         and path.suffix in {".toml", ".py", ".spec", ".xml", ".desktop"}
         and f'"{__version__}"' in path.read_text(encoding="utf-8")
     ]
-    assert places == []
+    assert copies == []
 
 
 # --- The frozen folder
@@ -60,25 +53,25 @@ def spec_value(spec: ast.Module, name: str, **known: Any) -> Any:
     """Return the value that the spec assigns to a name."""
     for statement in spec.body:
         if isinstance(statement, ast.Assign) and ast.unparse(statement.targets[0]) == name:
-            return eval(ast.unparse(statement.value), {"re": re, **known})  # our own file
+            return eval(ast.unparse(statement.value), {"re": re, **known})  # part of this project
     raise KeyError(name)
 
 
-def test_modules_that_are_imported_by_name_are_frozen(spec: ast.Module) -> None:
+def test_modules_imported_by_name_are_frozen(spec: ast.Module) -> None:
     hidden = spec_value(spec, "HIDDEN", collect_submodules=lambda package: [package])
     assert {"trex_gui", "serial.urlhandler", "mcap", "pygame.joystick"} <= set(hidden)
 
 
-def test_program_does_without_the_modules_that_are_left_out(spec: ast.Module) -> None:
+def test_program_runs_without_the_excluded_modules(spec: ast.Module) -> None:
     script = Path(__file__).with_name("import_without.py")
     command = [sys.executable, "-W", "error", str(script), *spec_value(spec, "EXCLUDED")]
     environment = {**os.environ, "PYTHONPATH": str(ROOT), "QT_QPA_PLATFORM": "offscreen"}
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stderr) == (0, "")
+    process = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    assert (process.returncode, process.stderr) == (0, "")
 
 
 @pytest.mark.parametrize(
-    ("plugin", "is_kept"),
+    ("plugin", "is_frozen"),
     [
         ("platforms/libqxcb.so", True),
         ("platforms/libqoffscreen.so", True),
@@ -93,19 +86,21 @@ def test_program_does_without_the_modules_that_are_left_out(spec: ast.Module) ->
         ("imageformats/libqtiff.so", False),
     ],
 )
-def test_plugins_of_a_desktop_are_frozen(spec: ast.Module, plugin: str, is_kept: bool) -> None:
-    assert (spec_value(spec, "PLUGINS").match(plugin) is not None) is is_kept
+def test_only_plugins_that_a_desktop_needs_are_frozen(
+    spec: ast.Module, plugin: str, is_frozen: bool
+) -> None:
+    assert (spec_value(spec, "PLUGINS").match(plugin) is not None) is is_frozen
 
 
 def spec_function(spec: ast.Module, name: str, **known: Any) -> Any:
     """Return a function of the spec, with the functions that it calls."""
     functions = [part for part in spec.body if isinstance(part, ast.FunctionDef)]
     names = {"re": re, "PurePath": PurePath, "PYZ": object, **known}
-    exec(compile(ast.Module([*functions], []), "spec", "exec"), names)  # our own file
+    exec(compile(ast.Module([*functions], []), "spec", "exec"), names)  # part of this project
     return names[name]
 
 
-def test_libraries_that_nothing_imports_are_left_out(spec: ast.Module) -> None:
+def test_libraries_that_nothing_imports_are_excluded(spec: ast.Module) -> None:
     imports = {
         "python": ["VCRUNTIME140.dll"],
         "joystick": ["sdl2.DLL", "KERNEL32.dll"],
@@ -131,7 +126,7 @@ def test_libraries_that_nothing_imports_are_left_out(spec: ast.Module) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "is_kept"),
+    ("name", "is_frozen"),
     [
         ("pygame/freesansbold.ttf", False),
         ("numpy/_core/tests/data.csv", False),
@@ -139,18 +134,20 @@ def test_libraries_that_nothing_imports_are_left_out(spec: ast.Module) -> None:
         ("pygame/joystick.so", True),
     ],
 )
-def test_files_that_nothing_opens_are_left_out(spec: ast.Module, name: str, is_kept: bool) -> None:
-    assert spec_function(spec, "is_used")(name) is is_kept
+def test_files_that_nothing_opens_are_excluded(
+    spec: ast.Module, name: str, is_frozen: bool
+) -> None:
+    assert spec_function(spec, "is_used")(name) is is_frozen
 
 
-def test_programs_started_by_frozen_ones_get_the_users_libraries(
+def test_child_processes_get_the_libraries_of_the_user(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     hook = str(PACKAGING / "frozen" / "clean_environment.py")
     monkeypatch.setenv("LD_LIBRARY_PATH", "/bundle")
-    monkeypatch.setenv("LD_LIBRARY_PATH_ORIG", "/users")
+    monkeypatch.setenv("LD_LIBRARY_PATH_ORIG", "/user")
     environment = runpy.run_path(hook)["os"].environ
-    assert environment["LD_LIBRARY_PATH"] == "/users"
+    assert environment["LD_LIBRARY_PATH"] == "/user"
     assert "LD_LIBRARY_PATH_ORIG" not in environment
     runpy.run_path(hook)
     assert "LD_LIBRARY_PATH" not in environment
@@ -159,7 +156,7 @@ def test_programs_started_by_frozen_ones_get_the_users_libraries(
 # --- Licences
 
 
-def test_every_bundled_package_has_a_licence(packages: ModuleType) -> None:
+def test_every_bundled_package_has_a_licence() -> None:
     bundled = packages.bundled_distributions()
     names = {package.metadata["Name"] for package in bundled}
     assert {"PySide6_Essentials", "pygame-ce", "zstandard", "click"} <= names
@@ -174,20 +171,20 @@ def test_every_bundled_package_has_a_licence(packages: ModuleType) -> None:
     assert [name for name in names if name.lower().replace("-", "_") not in debian] == []
 
 
-def test_named_licences_are_there_or_copied(packages: ModuleType) -> None:
+def test_licence_files_named_in_documents_exist() -> None:
     folder = PACKAGING / "licences"
     named = set(re.findall(r"`([\w.-]+\.txt)`", (folder / "README.md").read_text()))
     debian = re.findall(r"licences/([\w.-]+\.txt)", (LINUX / "copyright").read_text())
     packaged = {f"{package.metadata['Name']}.txt" for package in packages.bundled_distributions()}
     copied = {"NAME.txt", "Debian-NAME.txt", "Python.txt", "PyInstaller.txt", "TReX-Studio.txt"}
-    there = {path.name for path in folder.iterdir()}
-    assert {*named, *debian} <= there | packaged | copied | {"versions.txt"}
+    existing = {path.name for path in folder.iterdir()}
+    assert {*named, *debian} <= existing | packaged | copied | {"versions.txt"}
 
 
 # --- The files of a Linux desktop
 
 
-def test_desktop_file_starts_the_window() -> None:
+def test_desktop_file_starts_the_window_and_has_an_icon() -> None:
     desktop = configparser.ConfigParser(interpolation=None)
     desktop.read(LINUX / "trex-studio.desktop", encoding="utf-8")
     entry = desktop["Desktop Entry"]
@@ -201,7 +198,7 @@ def test_desktop_file_starts_the_window() -> None:
     assert 'setDesktopFileName("trex-studio")' in app  # name of the desktop file
 
 
-def test_metadata_name_the_programs_and_the_version(packages: ModuleType) -> None:
+def test_metadata_contain_the_programs_and_the_version() -> None:
     text = packages.linux_file(packages.METADATA)
     component = ElementTree.fromstring(text)
     assert f"{component.findtext('id')}.metainfo.xml" == packages.METADATA
@@ -226,9 +223,7 @@ def test_udev_rules_are_well_formed() -> None:
 # --- Manual pages and names
 
 
-def test_manual_page_of_a_program_has_its_commands(
-    packages: ModuleType, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_manual_page_contains_the_help_of_every_command(monkeypatch: pytest.MonkeyPatch) -> None:
     def help_text(*words: str) -> str:
         return (
             "Usage: trexcmd\n\nCommands:\n  status  Show it.\n  find    Find it.\n"
@@ -245,8 +240,8 @@ def test_manual_page_of_a_program_has_its_commands(
     assert packages.roff(".start\n'a-b\\n") == "\\&.start\n\\&'a\\-b\\en"
 
 
-def test_archive_is_the_same_for_the_same_content(
-    packages: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+def test_archives_of_equal_content_are_identical(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("SOURCE_DATE_EPOCH", "1700000000")
     folder = tmp_path / "program"
@@ -261,7 +256,7 @@ def test_archive_is_the_same_for_the_same_content(
 
 
 def test_checksums_list_files_of_this_version(
-    packages: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(packages, "DIST", tmp_path)
     (tmp_path / f"trex_gui-{__version__}.tar.gz").write_bytes(b"abc")
@@ -276,54 +271,46 @@ def test_checksums_list_files_of_this_version(
     ]
 
 
-# --- The check
+# --- Checks of packages
 
 
-def test_failed_step_is_reported_and_the_next_follows(
-    packages: ModuleType, capsys: pytest.CaptureFixture[str]
-) -> None:
-    steps, left_out = packages.Steps(), True
+def test_failed_step_is_reported_and_the_next_step_runs(capsys: pytest.CaptureFixture[str]) -> None:
+    steps, is_skipped = packages.Steps(), True
     with steps.place("here"):
         with steps.step("read"):
             packages.require(False, "no reply")
         with steps.step("write"):
             pass
         with steps.required("install"):
-            packages.require(False, "no room")
-        left_out = False
-    assert left_out
+            packages.require(False, "no space")
+        is_skipped = False
+    assert is_skipped
     assert steps.failed == ["here: read", "here: install"]
     output = capsys.readouterr().out
     assert "FAILED  read\nno reply" in output
     assert "ok      write" in output
 
 
-def use_targets(
-    packages: ModuleType, monkeypatch: pytest.MonkeyPatch, folder: Path, **targets: Any
-) -> None:
+def set_targets(monkeypatch: pytest.MonkeyPatch, folder: Path, **targets: Any) -> None:
     monkeypatch.setattr(packages, "DIST", folder)
     monkeypatch.setattr(packages, "ROOT", folder)
     monkeypatch.setattr(packages, "version", lambda: __version__)
     monkeypatch.setattr(packages, "TARGETS", targets)
 
 
-def test_failed_package_leaves_the_others_their_checksums(
-    packages: ModuleType,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
+def test_failed_package_does_not_prevent_other_checksums(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    made = tmp_path / f"program-{__version__}"
+    package = tmp_path / f"program-{__version__}"
 
     def build() -> list[Path]:
-        made.write_text("program")
-        return [made]
+        package.write_text("program")
+        return [package]
 
     def fail(*_: object) -> Any:
-        raise packages.BootstrapError("no room")
+        raise packages.BootstrapError("no space")
 
-    use_targets(
-        packages,
+    set_targets(
         monkeypatch,
         tmp_path,
         first=packages.Target(fail, fail),
@@ -331,35 +318,32 @@ def test_failed_package_leaves_the_others_their_checksums(
         third=packages.Target(build, fail, checked_on="mars"),
     )
     assert packages.main(["--check"]) == 1
-    assert made.name in (tmp_path / "SHA256SUMS").read_text()
+    assert package.name in (tmp_path / "SHA256SUMS").read_text()
     output = capsys.readouterr().out
     assert "third cannot be tried on this system." in output
     assert output.endswith("Failed:\n  make first\n  check second\n")
 
 
-def test_unknown_package_and_package_of_another_system_are_wrong_usage(
-    packages: ModuleType,
-    tmp_path: Path,
-    monkeypatch: pytest.MonkeyPatch,
-    capsys: pytest.CaptureFixture[str],
+def test_unknown_package_or_system_is_a_usage_error(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     target = packages.Target(list, print, system="mars")
-    use_targets(packages, monkeypatch, tmp_path, rover=target)
+    set_targets(monkeypatch, tmp_path, rover=target)
     assert packages.main([]) == 0
     for name, text in (
         ("rover", "cannot be made on this system: rover"),
-        ("cake", "no such package: cake"),
+        ("tent", "no such package: tent"),
     ):
-        with pytest.raises(SystemExit) as ended:
+        with pytest.raises(SystemExit) as exit_info:
             packages.main([name])
-        assert ended.value.code == 2
+        assert exit_info.value.code == 2
         assert text in capsys.readouterr().err
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="programs of Linux")
+@pytest.mark.skipif(sys.platform == "win32", reason="needs programs of Linux")
 @pytest.mark.parametrize("names", [(), ("dpkg-query", "apt-get")])
-def test_debian_package_is_made_where_dpkg_is(
-    packages: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, names: tuple[str, ...]
+def test_debian_package_is_created_only_if_dpkg_exists(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, names: tuple[str, ...]
 ) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
     for name in names:
@@ -367,8 +351,8 @@ def test_debian_package_is_made_where_dpkg_is(
     assert bool(packages.TARGETS["deb"].is_default()) is bool(names)
 
 
-def test_wheel_is_tried_with_the_present_python_at_least(
-    packages: ModuleType, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+def test_wheel_is_checked_at_least_with_the_current_python(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
     monkeypatch.setenv("PYENV_ROOT", str(tmp_path))
@@ -381,12 +365,12 @@ def test_wheel_is_tried_with_the_present_python_at_least(
     [("forward", 40, False), ("forward", 0, True), ("brake", 127, True)],
 )
 def test_board_is_at_rest_while_no_motor_is_driven(
-    packages: ModuleType, direction: str, speed: int, is_at_rest: bool
+    direction: str, speed: int, is_at_rest: bool
 ) -> None:
     motors = [{"direction": "forward", "speed": 0}, {"direction": direction, "speed": speed}]
     reply = f"event\nok {json.dumps({'motors': motors})}\n"
-    board = packages.SimulatedBoard(writing := BytesIO(), BytesIO(reply.encode()))
+    board = packages.SimulatedBoard(requests := BytesIO(), BytesIO(reply.encode()))
     assert board.is_at_rest is is_at_rest
-    assert writing.getvalue() == b"show\n"
+    assert requests.getvalue() == b"show\n"
     with pytest.raises(packages.BootstrapError, match="has ended"):
         assert board.is_at_rest

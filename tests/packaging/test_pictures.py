@@ -1,4 +1,4 @@
-"""Digest of a picture: relevant and irrelevant changes."""
+"""Digest of a picture: changes that affect it and changes that do not."""
 
 import pytest
 from PySide6.QtWidgets import (
@@ -18,7 +18,7 @@ from trex_gui.ui.widgets import builders as ui
 fixed_texts = load_script("pictures").fixed_texts
 
 
-class Sample(QWidget):
+class SamplePage(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("samplePage")
@@ -38,20 +38,20 @@ class Sample(QWidget):
 
 
 @pytest.fixture
-def sample(qtbot: QtBot) -> Sample:
-    sample = Sample()
+def sample(qtbot: QtBot) -> SamplePage:
+    sample = SamplePage()
     qtbot.addWidget(sample)
     return sample
 
 
-def test_fixed_texts_name_what_is_shown(sample: Sample) -> None:
-    shown = sample.digest
+def test_fixed_texts_contain_visible_texts_and_names(sample: SamplePage) -> None:
+    digest = sample.digest
     for text in ("Speed", "Go", "Drive", "First", "Errors", "In the tab", "QLabel speedValue"):
-        assert text in shown
-    assert "Second" not in shown
+        assert text in digest
+    assert "Second" not in digest
 
 
-def test_fixed_texts_follow_texts_and_names(sample: Sample) -> None:
+def test_fixed_texts_change_with_texts_and_names(sample: SamplePage) -> None:
     changes = (
         lambda: sample.label.setText("Velocity:"),
         lambda: sample.button.setText("Start"),
@@ -67,7 +67,7 @@ def test_fixed_texts_follow_texts_and_names(sample: Sample) -> None:
         assert sample.digest != before
 
 
-def test_fixed_texts_ignore_measurements_fonts_and_sizes(sample: Sample) -> None:
+def test_fixed_texts_ignore_measurements_fonts_and_sizes(sample: SamplePage) -> None:
     before = sample.digest
     sample.value.setText("99 km/h")
     sample.tabs.setTabText(0, "Errors (3)")
@@ -78,7 +78,7 @@ def test_fixed_texts_ignore_measurements_fonts_and_sizes(sample: Sample) -> None
     assert sample.digest == before
 
 
-def test_fixed_texts_of_dialogs_have_every_label(qtbot: QtBot) -> None:
+def test_fixed_texts_of_a_dialog_contain_every_label(qtbot: QtBot) -> None:
     dialog = QDialog()
     qtbot.addWidget(dialog)
     ui.label(dialog, "stepLabel", "Switch the board on.")

@@ -18,10 +18,10 @@ ROOT = Path(__file__).resolve().parents[2]
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("wheel")
     build = [sys.executable, "-m", "hatchling", "build", "--target", "wheel"]
-    done = subprocess.run(
+    process = subprocess.run(
         [*build, "--directory", str(folder)], cwd=ROOT, capture_output=True, text=True, check=False
     )
-    assert done.returncode == 0, done.stderr
+    assert process.returncode == 0, process.stderr
     (file,) = folder.glob("*.whl")
     return file
 
@@ -43,7 +43,7 @@ def test_wheel_contains_every_resource(wheel_names: set[str]) -> None:
     assert expected - wheel_names == set()
 
 
-def test_wheel_contains_every_module_and_nothing_else(wheel_names: set[str]) -> None:
+def test_wheel_contains_every_module_and_no_other_folder(wheel_names: set[str]) -> None:
     modules = {path.relative_to(ROOT).as_posix() for path in (ROOT / "trex_gui").rglob("*.py")}
     assert "trex_gui/__init__.py" in modules
     assert modules - wheel_names == set()
@@ -69,11 +69,11 @@ def test_wheel_has_version_licence_and_programs(wheel: Path) -> None:
     assert licence.startswith("MIT License")
 
 
-def test_sdist_contains_what_the_readme_links_to() -> None:
+def test_sdist_contains_the_files_linked_in_the_readme() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     included = project["tool"]["hatch"]["build"]["targets"]["sdist"]["include"]
     links = re.findall(r"\]\(([\w./-]+)\)", (ROOT / "README.md").read_text(encoding="utf-8"))
     assert "CONTRIBUTING.md" in links
-    files = [link for link in links if not link.startswith("../")]  # others are on the host
+    files = [link for link in links if not link.startswith("../")]  # the other links lead to GitHub
     assert {link.split("/")[0] for link in files} <= {*included}
-    assert {".ci", ".github"} <= {*included}  # tests read these
+    assert {".ci", ".github"} <= {*included}  # tests read these folders

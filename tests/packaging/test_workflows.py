@@ -1,30 +1,20 @@
-"""Workflows and recipes name existing files, and each release has a text."""
+"""Workflows, recipes and release notes."""
 
 import plistlib
 import re
 import shlex
-import sys
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
 import pytest
 from PySide6.QtWidgets import QApplication
 from ruamel.yaml import YAML
 
-ROOT = Path(__file__).resolve().parents[2]
+from tests.packaging.loading import import_script
+from tests.support.scripts import PACKAGING
 
-pytestmark = pytest.mark.usefixtures("qapp")  # for drawing icons
-PACKAGING = ROOT / "packaging"
+ROOT = PACKAGING.parent
 WORKFLOWS = sorted((ROOT / ".github" / "workflows").glob("*.yml"))
-
-
-def load(name: str) -> ModuleType:
-    sys.path.insert(0, str(PACKAGING))
-    try:
-        return __import__(name)
-    finally:
-        sys.path.remove(str(PACKAGING))
 
 
 def read(path: Path) -> Any:
@@ -45,13 +35,13 @@ def named_files(command: str) -> set[str]:
 
 
 @pytest.mark.parametrize("workflow", WORKFLOWS, ids=lambda path: path.stem)
-def test_workflow_names_files_workflows_and_packages_that_exist(workflow: Path) -> None:
-    called = {job["uses"] for job in read(workflow)["jobs"].values() if "uses" in job}
+def test_files_workflows_and_packages_in_a_workflow_exist(workflow: Path) -> None:
+    workflows = {job["uses"] for job in read(workflow)["jobs"].values() if "uses" in job}
     commands = [step.get("run", "") for step in steps(workflow)]
-    named = called.union(*map(named_files, commands))
-    assert named
-    assert [name for name in sorted(named) if not (ROOT / name).exists()] == []
-    known = {*load("packages").TARGETS, "package", "--check"}
+    names = workflows.union(*map(named_files, commands))
+    assert names
+    assert [name for name in sorted(names) if not (ROOT / name).exists()] == []
+    known = {*import_script("packages").TARGETS, "package", "--check"}
     for command in commands:
         words = shlex.split(command, comments=True)
         if "package" in words:
@@ -64,7 +54,7 @@ def test_every_action_has_a_version() -> None:
     assert [name for name in used if not re.search(r"@v\d+$", name)] == []
 
 
-# --- The text of a release
+# --- Release notes
 
 CHANGELOG = """# Changelog
 
@@ -83,7 +73,7 @@ The first.
 
 
 def test_section_of_a_version_is_found() -> None:
-    notes = load("release_notes")
+    notes = import_script("release_notes")
     assert notes.release_notes("v0.2.0", "0.2.0", CHANGELOG) == "### Added\n\n- a feature"
     assert notes.section(CHANGELOG, "0.1.0") == "The first."
 
@@ -98,26 +88,26 @@ def test_section_of_a_version_is_found() -> None:
         ("v0x2.0", "0x2.0", "no section"),
     ],
 )
-def test_release_needs_its_version_and_section(tag: str, version: str, text: str) -> None:
+def test_release_requires_its_version_and_section(tag: str, version: str, text: str) -> None:
     with pytest.raises(ValueError, match=text):
-        load("release_notes").release_notes(tag, version, CHANGELOG)
+        import_script("release_notes").release_notes(tag, version, CHANGELOG)
 
 
-def test_release_waits_for_unreleased_entries() -> None:
+def test_release_is_refused_with_unreleased_entries() -> None:
     changelog = CHANGELOG.replace("[Unreleased]\n", "[Unreleased]\n\n### Added\n\n- later\n")
     with pytest.raises(ValueError, match=r"entries in \[Unreleased\]"):
-        load("release_notes").release_notes("v0.2.0", "0.2.0", changelog)
+        import_script("release_notes").release_notes("v0.2.0", "0.2.0", changelog)
 
 
-def test_present_version_has_a_section() -> None:
+def test_current_version_has_a_section() -> None:
     changelog = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
-    assert load("release_notes").section(changelog, load("packages").version())
+    assert import_script("release_notes").section(changelog, import_script("packages").version())
 
 
 # --- Recipes
 
 
-def test_bundle_for_macos_is_a_program_with_a_window() -> None:
+def test_macos_bundle_is_a_program_with_a_window() -> None:
     with (PACKAGING / "macos" / "Info.plist").open("rb") as file:
         information = plistlib.load(file)
     assert information["LSBackgroundOnly"] is False
@@ -125,10 +115,10 @@ def test_bundle_for_macos_is_a_program_with_a_window() -> None:
 
 
 @pytest.mark.parametrize(("suffix", "start"), [(".ico", b"\0\0\1\0"), (".icns", b"icns")])
-def test_icon_has_pictures_of_every_size(
+def test_icon_file_contains_a_picture_of_every_size(
     qapp: QApplication, tmp_path: Path, suffix: str, start: bytes
 ) -> None:
-    icons = load("icons")
+    icons = import_script("icons")
     icons.write_icon(tmp_path / f"icon{suffix}")
     content = (tmp_path / f"icon{suffix}").read_bytes()
     assert content.startswith(start)
