@@ -8,7 +8,6 @@ import json
 from collections.abc import Iterator
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Protocol
 
 import pytest
 
@@ -45,8 +44,12 @@ class Figure:
         return f"{self.figure:<64}{self.value:12.5g} {self.unit:<8}{ratio}  {self.bounds}".rstrip()
 
 
-class ReportFigure(Protocol):
-    """Function that prints a figure. A figure outside its bounds fails the test at its end."""
+class ReportFigure:
+    """Prints figures. A figure outside its bounds fails the test at its end."""
+
+    def __init__(self, figures: list[Figure], capsys: pytest.CaptureFixture[str]) -> None:
+        self._figures, self._capsys = figures, capsys
+        self.reported: list[Figure] = []
 
     def __call__(
         self,
@@ -56,7 +59,16 @@ class ReportFigure(Protocol):
         *,
         at_most: float | None = None,
         at_least: float | None = None,
-    ) -> None: ...
+    ) -> None:
+        assert all(each.figure != name for each in self._figures), (
+            f"two figures are called {name!r}"
+        )
+        figure = Figure(name, float(f"{value:.5g}"), unit, at_most, at_least)
+        self._figures.append(figure)
+        with self._capsys.disabled():
+            # The first figure of a test begins a new line after the output of pytest.
+            print("" if self.reported else "\n", figure.to_json(), sep="", flush=True)
+        self.reported.append(figure)
 
 
 _FIGURES = pytest.StashKey[list[Figure]]()
@@ -109,29 +121,10 @@ def fast_board(folder: Path, baud: int) -> tuple[str, str]:
 def figure(
     request: pytest.FixtureRequest, capsys: pytest.CaptureFixture[str]
 ) -> Iterator[ReportFigure]:
-    figures = request.config.stash[_FIGURES]
-    reported: list[Figure] = []
-
-    def report(
-        name: str,
-        value: float,
-        unit: str,
-        *,
-        at_most: float | None = None,
-        at_least: float | None = None,
-    ) -> None:
-        assert all(earlier.figure != name for earlier in figures), (
-            f"two figures are called {name!r}"
-        )
-        figure = Figure(name, float(f"{value:.5g}"), unit, at_most, at_least)
-        figures.append(figure)
-        with capsys.disabled():
-            # The first figure of a test begins a new line after the output of pytest.
-            print("" if reported else "\n", figure.to_json(), sep="", flush=True)
-        reported.append(figure)
-
+    report = ReportFigure(request.config.stash[_FIGURES], capsys)
     yield report
-    if missed := [figure.row(None) for figure in reported if not figure.is_within_bounds]:
+    missed = [figure.row(None) for figure in report.reported if not figure.is_within_bounds]
+    if missed:
         pytest.fail("\n".join(missed), pytrace=False)
 
 

@@ -70,10 +70,6 @@ class WireRecorder:
         return next((end - moment for start, end in self.transactions if start <= moment < end), 0)
 
 
-def is_stop(data: bytes) -> bool:
-    return data[:1] == _STOP_BYTES
-
-
 def speed_of(number: int) -> int:
     return 1 + number % 100
 
@@ -134,7 +130,7 @@ def test_delay_from_press_to_wire_stays_below_limit(
 
     measured = {
         "slider": measure(lambda number: slider.setValue(speed_of(number)), is_drive),
-        "stop": measure(press_stop, lambda data, _: is_stop(data)),
+        "stop": measure(press_stop, lambda data, _: data[:1] == _STOP_BYTES),
     }
     for name, (delays, minimums) in measured.items():
         ordered = sorted(delays)

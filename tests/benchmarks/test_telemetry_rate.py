@@ -60,7 +60,12 @@ def test_samples_of_every_kind_are_read(
     settings = ConnectionSettings(simulator.url, line)
     program.complete()
     if painting:
-        _show_all_pages(program)
+        tabs = program.window.pages
+        for page in [tabs.widget(index) for index in range(tabs.count())]:  # all at once
+            assert page is not None
+            page.setParent(program.window, Qt.WindowType.Window)
+            page.resize(1000, 600)
+            page.show()
     else:
         program.window.hide()
         trex(program).device.connection.watch("benchmark", True)
@@ -79,14 +84,3 @@ def test_samples_of_every_kind_are_read(
         ratio = rate / possible[name]
         figure(f"{name} read at {baud} baud, {state}, to ideal host", ratio, "ratio")
     assert all(rate > 0 for rate in read.values())
-
-
-def _show_all_pages(program: Program) -> None:
-    """Show all pages at once, each in its own window."""
-    tabs = program.window.pages
-    pages = [tabs.widget(index) for index in range(tabs.count())]
-    for page in pages:
-        assert page is not None
-        page.setParent(program.window, Qt.WindowType.Window)
-        page.resize(1000, 600)
-        page.show()

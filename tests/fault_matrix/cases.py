@@ -1,4 +1,4 @@
-"""The matrix: every fault at every moment."""
+"""Cases of the matrix: every fault at every moment."""
 
 from tests.fault_matrix.faults import FAULTS
 from tests.fault_matrix.moments import DRIVING, MOMENTS
@@ -13,9 +13,9 @@ _FAULTS, _MOMENTS = list(FAULTS), sorted(MOMENTS, key=lambda moment: moment not 
 
 
 def timeout_needs_shutdown(fault: str, moment: str) -> bool:
-    """Return the hypothesis about UART-Error Shutdown for a case.
+    """Return whether the serial timeout stops motors only together with UART-Error Shutdown.
 
-    They alternate, so that each fault is seen with both while motors are driven.
+    The manual does not say so. Cases alternate, so that each fault is tested with both answers.
     """
     return (_FAULTS.index(fault) + _MOMENTS.index(moment)) % 2 == 1
 

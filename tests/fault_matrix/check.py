@@ -7,8 +7,8 @@ from pathlib import Path
 from tests.devices.trex.recording.samples import read_file
 from tests.fault_matrix.cases import timeout_needs_shutdown
 from tests.fault_matrix.faults import FAULTS, Effect, Fault
+from tests.fault_matrix.harness import FaultHarness, Stored
 from tests.fault_matrix.moments import APPLYING, DRIVING, MOMENTS
-from tests.fault_matrix.scene import Scene, Stored
 from tests.support.simulator import StartSimulator
 from tests.support.window import WindowDriver
 from trex_gui.core.errors import StudioError
@@ -16,24 +16,24 @@ from trex_gui.devices.trex.protocol.calibration import CalibrationKey
 from trex_gui.ui.devices.connection import ConnectionState
 
 HOLD_SECONDS = 3.0
-"""Duration of a fault: longer than a jammed port or a stop."""
+"""Duration of a fault. Longer than the timeouts of a jammed port and of a stop."""
 
 HEAL_SECONDS = 1.0
-"""Time in which the user sees the end of a fault."""
+"""Time in which the window shows the end of a fault."""
 
 SETTLE_MS = 10_000
-"""Milliseconds until the effects of a fault are repaired."""
+"""Milliseconds in which the program must repair the effects of a fault."""
 
 # --- Messages ---------------------------------------------------------------------------
 
-GONE = "is gone. Plug the adapter in"
+GONE = "is gone. Plug"
 NOT_RESPONDING = "The board has stopped responding"
 NO_BOARD = "No TReX responds"
 NOT_STORED = "Not verified: "
 WRITTEN = "written and verified"
 NOTHING_WRITTEN = "Nothing was written"
-NOTHING_MORE = "Nothing else was written"
-READ_FAILED = "The settings could not be read again"
+NOTHING_ELSE = "Nothing else was written"
+READ_FAILED = "could not be read again"
 MAY_TURN = "may still be turning"
 UNCONFIRMED = "The stop is not confirmed"
 NOTHING_CHANGED = "Nothing was changed"
@@ -51,7 +51,7 @@ FOUND = "1 board found."
 
 Words = tuple[str, ...]
 
-_USUAL: dict[str, tuple[Words, ...]] = {
+_WITHOUT_FAULT: dict[str, tuple[Words, ...]] = {
     **dict.fromkeys(APPLYING, ((WRITTEN,),)),
     "recording": ((RECORDED,),),
     "export": ((EXPORTED,),),
@@ -60,40 +60,40 @@ _USUAL: dict[str, tuple[Words, ...]] = {
 }
 
 
-def _said_when_lost(
-    lost: Words, at_connecting: Words, at_finding: Words
+def _messages_of_loss(
+    lost: Words, connecting: Words, finding: Words
 ) -> dict[str, tuple[Words, ...]]:
     return {
         **dict.fromkeys(MOMENTS, (lost,)),
-        "connect": (at_connecting,),
+        "connect": (connecting,),
         "read_all": (lost, (READ_FAILED,)),
-        **dict.fromkeys(APPLYING, (lost, (NOT_STORED, NOTHING_MORE))),
+        **dict.fromkeys(APPLYING, (lost, (NOT_STORED, NOTHING_ELSE))),
         "apply_verified": (lost, (WRITTEN,)),
         "learning": (lost, (NOTHING_CHANGED,)),
         "driving": (lost, (MAY_TURN,)),
         "recording": (lost, (RECORDED,)),
         "export": (lost, (EXPORTED,)),
-        "find": (at_finding,),
+        "find": (finding,),
         "closing": ((UNCONFIRMED,),),
     }
 
 
-SAID: dict[Effect, dict[str, tuple[Words, ...]]] = {
-    Effect.NONE: _USUAL,
+REQUIRED: dict[Effect, dict[str, tuple[Words, ...]]] = {
+    Effect.NONE: _WITHOUT_FAULT,
     # `_check_applied` checks the messages of Apply.
     Effect.BRIEF: {
-        **_USUAL,
+        **_WITHOUT_FAULT,
         **dict.fromkeys(APPLYING, ()),
         "connect": ((CONNECTED, NO_BOARD, NO_TREX, ECHO_ONLY, DIFFER),),
     },
-    Effect.SILENT: _said_when_lost((NOT_RESPONDING,), (NO_BOARD,), (FOUND,)),
-    Effect.GONE: _said_when_lost((GONE,), (GONE,), (GONE,)),
-    Effect.LOST: _said_when_lost((NOT_RESPONDING, GONE), (NO_BOARD, GONE), (FOUND, GONE)),
+    Effect.SILENT: _messages_of_loss((NOT_RESPONDING,), (NO_BOARD,), (FOUND,)),
+    Effect.GONE: _messages_of_loss((GONE,), (GONE,), (GONE,)),
+    Effect.LOST: _messages_of_loss((NOT_RESPONDING, GONE), (NO_BOARD, GONE), (FOUND, GONE)),
 }
-"""Required messages by event on the line: one of each group."""
+"""Required messages by effect and moment: one message of each group."""
 
-SAID_OF: dict[tuple[str, str], tuple[Words, ...]] = {
-    # The power fails while the line settings are stored: they become the default, and are written.
+REQUIRED_OF_CASE: dict[tuple[str, str], tuple[Words, ...]] = {
+    # The power fails during the write of the line settings, which then have their default value.
     ("other_uart", "apply_line_settings"): ((WRITTEN, NOT_STORED),),
     # Echoed requests can pass for measurements.
     ("echo", "driving"): ((NOT_RESPONDING,), (MAY_TURN,)),
@@ -106,46 +106,48 @@ SAID_OF: dict[tuple[str, str], tuple[Words, ...]] = {
     # The other program does not receive every byte, so the stop may be confirmed.
     ("stolen_port", "closing"): (),
 }
-"""The same for single cases."""
+"""Required messages by fault and moment, for cases that differ from `REQUIRED`."""
 
-NOT_SAID: dict[Effect, Words] = {
+WRONG: dict[Effect, Words] = {
     Effect.NONE: (GONE, NOT_RESPONDING, NO_BOARD, UNCONFIRMED, NOT_STORED, INTERNAL),
     Effect.BRIEF: (GONE, INTERNAL),
     Effect.SILENT: (GONE, INTERNAL),
     Effect.GONE: (INTERNAL,),
     Effect.LOST: (INTERNAL,),
 }
-"""Wrong messages."""
+"""Messages that must not be shown, by effect."""
 
 
-def missing_messages(fault: str, moment: str, said: Collection[str]) -> list[Words]:
-    """Return the missing messages."""
+def missing_messages(fault: str, moment: str, messages: Collection[str]) -> list[Words]:
+    """Return each group of required messages of which no message was shown."""
     effect = FAULTS[fault].effect
-    wanted = SAID_OF.get((fault, moment), SAID[effect].get(moment, ()))
-    return [words for words in wanted if not any(word in text for word in words for text in said)]
+    required = REQUIRED_OF_CASE.get((fault, moment), REQUIRED[effect].get(moment, ()))
+    return [
+        words for words in required if not any(word in text for word in words for text in messages)
+    ]
 
 
-def wrong_messages(fault: str, said: Collection[str]) -> list[str]:
-    """Return the wrong messages."""
-    wrong = NOT_SAID[FAULTS[fault].effect]
-    return [text for text in said if any(word in text for word in wrong)]
+def wrong_messages(fault: str, messages: Collection[str]) -> list[str]:
+    """Return the shown messages that are wrong."""
+    wrong = WRONG[FAULTS[fault].effect]
+    return [text for text in messages if any(word in text for word in wrong)]
 
 
-# --- The check --------------------------------------------------------------------------
+# --- Checks -----------------------------------------------------------------------------
 
 
-Starved = Callable[[float, float], float]
-"""Seconds between two times in which this process did not run."""
+Pauses = Callable[[float, float], float]
+"""Returns the seconds between two times in which the computer did not run this process."""
 
 
 def never(begin: float, end: float) -> float:
-    """Virtual time has no such pauses."""
+    """Return 0, because virtual time has no pauses."""
     del begin, end
     return 0.0
 
 
 def always(begin: float, end: float) -> float:
-    """Pauses are unknown while other tests run."""
+    """Return the whole time, because pauses are unknown while other tests run."""
     return end - begin
 
 
@@ -155,11 +157,11 @@ def run_case(
     window: WindowDriver,
     start: StartSimulator,
     folder: Path,
-    starved: Starved = never,
+    pauses: Pauses = never,
 ) -> None:
-    """Run a fault at a moment. Fail if a condition does not hold."""
+    """Inject a fault at a moment. Fail if a condition does not hold."""
     fault, moment = FAULTS[fault_name], MOMENTS[moment_name]
-    scene = Scene(
+    harness = FaultHarness(
         window,
         start,
         folder,
@@ -168,156 +170,160 @@ def run_case(
     )
 
     def inject() -> None:
-        scene.start_watching()
-        fault.inject(scene)
+        harness.clear_messages()
+        fault.inject(harness)
 
     healed = False
     try:
-        moment.begin(scene, inject)
-        scene.let_pass(HOLD_SECONDS)
+        moment.begin(harness, inject)
+        harness.wait_seconds(HOLD_SECONDS)
         if not fault.hides_board:
-            _check_motors(scene, fault)
+            _check_motors(harness, fault)
         if fault_name == "unplug" and moment_name in DRIVING:
-            _check_silence(scene)
-        fault.heal(scene)
+            _check_silence(harness)
+        fault.heal(harness)
         healed = True
-        scene.let_pass(HEAL_SECONDS)
-        moment.end(scene)
+        harness.wait_seconds(HEAL_SECONDS)
+        moment.end(harness)
     finally:
         if not healed:
-            fault.heal(scene)
-    said = tuple(scene.said)
-    assert missing_messages(fault_name, moment_name, said) == [], said
-    assert wrong_messages(fault_name, said) == []
+            fault.heal(harness)
+    messages = tuple(harness.messages)
+    assert missing_messages(fault_name, moment_name, messages) == [], messages
+    assert wrong_messages(fault_name, messages) == []
     if moment_name in APPLYING:
-        _check_applied(scene, fault_name, said)
-    if scene.window.window.isVisible():
-        _recover(scene, fault)
-        _check_settings(scene, fault)
-        _check_close(scene)
+        _check_applied(harness, fault_name, messages)
+    if harness.window.window.isVisible():
+        _recover(harness, fault)
+        _check_settings(harness, fault)
+        _check_close(harness)
     else:
-        assert not scene.motors_turn()
-    longest_gap = max((end - begin - starved(begin, end) for begin, end in scene.gaps), default=0.0)
+        assert not harness.motors_run()
+    longest_gap = max(
+        (end - begin - pauses(begin, end) for begin, end in harness.gaps), default=0.0
+    )
     assert longest_gap <= moment.longest_gap
-    _check_other_boards(scene)
-    _check_snapshots(scene)
-    _check_files(scene, fault_name, said)
+    _check_other_boards(harness)
+    _check_snapshots(harness)
+    _check_files(harness, fault_name, messages)
 
 
-def _check_motors(scene: Scene, fault: Fault) -> None:
-    """Motors run as commanded and reported, or a message warns that they may run."""
-    if scene.window.device.may_move:
+def _check_motors(harness: FaultHarness, fault: Fault) -> None:
+    """Motors are stopped, or the window shows that they may run."""
+    if harness.window.device.may_move:
         return
-    if fault.forges:  # a query can have become a command, until the idle motors are refreshed
-        scene.window.wait(lambda: not scene.motors_turn(), SETTLE_MS)
-    assert not scene.motors_turn()
+    if fault.forges:  # a corrupted query can start a motor until the next refresh
+        harness.window.wait(lambda: not harness.motors_run(), SETTLE_MS)
+    assert not harness.motors_run()
 
 
-def _check_silence(scene: Scene) -> None:
-    """A board without a line stops at its serial timeout, or `SAID` warns of it."""
-    assert scene.motors_turn() is scene.needs_shutdown
+def _check_silence(harness: FaultHarness) -> None:
+    """Without a line, a board stops at its serial timeout, unless that needs a shutdown."""
+    assert harness.motors_run() is harness.needs_shutdown
 
 
-def _recover(scene: Scene, fault: Fault) -> None:
-    """Reconnect if necessary, then stop."""
-    window = scene.window
-    moving = {ConnectionState.CONNECTING, ConnectionState.DISCONNECTING}
-    window.wait(lambda: scene.link not in moving)
-    if scene.link is ConnectionState.DISCONNECTED:
-        window.connect(scene.url)
-    window.wait(lambda: scene.link is ConnectionState.CONNECTED)
-    _check_motors(scene, fault)
-    window.wait(lambda: not window.motors.armed or scene.driven() == scene.targets)
+def _recover(harness: FaultHarness, fault: Fault) -> None:
+    """Reconnect if necessary, then stop the motors."""
+    window = harness.window
+    unsettled = {ConnectionState.CONNECTING, ConnectionState.DISCONNECTING}
+    window.wait(lambda: harness.link not in unsettled)
+    if harness.link is ConnectionState.DISCONNECTED:
+        window.connect(harness.url)
+    window.wait(lambda: harness.link is ConnectionState.CONNECTED)
+    _check_motors(harness, fault)
+    window.wait(lambda: not window.motors.armed or harness.motor_targets() == harness.targets)
     window.program.device_manager.press_stop()
     window.wait(lambda: not window.device.may_move)
-    window.wait(lambda: not scene.motors_turn())
+    window.wait(lambda: not harness.motors_run())
 
 
-def _check_applied(scene: Scene, fault: str, said: Collection[str]) -> None:
+def _check_applied(harness: FaultHarness, fault: str, messages: Collection[str]) -> None:
     """The result of each edit agrees with the stored value."""
-    stored = scene.stored()
-    if fault == "other_uart":  # another program has written them
-        stored["uart_settings"] = scene.edits["uart_settings"]
-    name_of = scene.window.device.draft.name_of
-    missing = {name_of(key) for key, value in scene.edits.items() if stored[key] != value}
-    refused = [text for text in said if text.startswith(NOT_STORED)]
-    aborted = [text for text in said if NOTHING_MORE in text or NOTHING_WRITTEN in text]
-    is_written = any(WRITTEN in text for text in said)
-    is_lost = any(text == CONNECTION_LOST for text in said)
-    assert is_written + bool(refused) + bool(aborted) + is_lost == 1, said
+    stored = harness.stored()
+    if fault == "other_uart":  # the fault has written this value
+        stored["uart_settings"] = harness.edits["uart_settings"]
+    name_of = harness.window.device.draft.name_of
+    missing = {name_of(key) for key, value in harness.edits.items() if stored[key] != value}
+    rejected = [text for text in messages if text.startswith(NOT_STORED)]
+    aborted = [text for text in messages if NOTHING_ELSE in text or NOTHING_WRITTEN in text]
+    is_written = any(WRITTEN in text for text in messages)
+    is_lost = any(text == CONNECTION_LOST for text in messages)
+    assert is_written + bool(rejected) + bool(aborted) + is_lost == 1, messages
     assert not (is_written and missing), missing
-    unnamed = {name for name in missing if not any(name in text for text in refused)}
-    assert not (refused and unnamed), unnamed
+    unnamed = {name for name in missing if not any(name in text for text in rejected)}
+    assert not (rejected and unnamed), unnamed
 
 
-def _check_settings(scene: Scene, fault: Fault) -> None:
-    """Every edit is stored or pending, other values are unchanged, and the window is correct."""
-    device = scene.window.device
+def _check_settings(harness: FaultHarness, fault: Fault) -> None:
+    """The window shows the stored values. Edits are stored or pending, other values unchanged."""
+    device = harness.window.device
 
     def check_shown() -> None:
         assert device.state is not None
-        stored = scene.stored()
+        stored = harness.stored()
         shown: Stored = {**device.state.parameters}
         for channel, calibration in device.state.calibrations.items():
             shown[CalibrationKey.of(device.state.source, channel)] = calibration
-        untrue = {key: (shown[key], stored[key]) for key in shown if shown[key] != stored[key]}
-        assert untrue == {}, untrue
+        wrong = {key: (shown[key], stored[key]) for key in shown if shown[key] != stored[key]}
+        assert wrong == {}, wrong
 
     # After a failed write, everything is read again.
-    scene.window.qtbot.waitUntil(check_shown, timeout=SETTLE_MS)
-    stored = scene.stored()
+    harness.window.qtbot.waitUntil(check_shown, timeout=SETTLE_MS)
+    stored = harness.stored()
 
     def lost() -> list[str]:
         pending: Stored = dict(device.parameters.values.pending)
         pending.update(device.calibrations.pending)
-        return [key for key, value in scene.edits.items() if pending.get(key, stored[key]) != value]
+        return [
+            key for key, value in harness.edits.items() if pending.get(key, stored[key]) != value
+        ]
 
-    scene.window.wait(lambda: not lost() or device.edit_backup.offer is not None, SETTLE_MS)
-    if lost():  # another board was connected meanwhile
-        scene.window.click("restoreEdits")
+    harness.window.wait(lambda: not lost() or device.edit_backup.offer is not None, SETTLE_MS)
+    if lost():  # another board was connected in between
+        harness.window.click("restoreEdits")
     assert lost() == []
     assert device.state is not None
-    before = scene.stored_before
+    before = harness.stored_before
     wrong = {
         key: stored[key]
         for key in before
-        if stored[key] not in {before[key], scene.edits.get(key, before[key])}
+        if stored[key] not in {before[key], harness.edits.get(key, before[key])}
     }
-    # A power cut while a value is stored leaves its default.
+    # A power cut during a write resets the value to its default.
     assert len(wrong) <= fault.cuts_power, wrong
     specs = device.state.specs
-    assert all(key in scene.edits and value == specs[key].default for key, value in wrong.items())
+    assert all(key in harness.edits and value == specs[key].default for key, value in wrong.items())
 
 
-def _check_other_boards(scene: Scene) -> None:
+def _check_other_boards(harness: FaultHarness) -> None:
     """The other boards have not written anything."""
-    assert scene.others() == scene.others_before
+    assert harness.other_boards() == harness.other_boards_before
 
 
-def _check_close(scene: Scene) -> None:
+def _check_close(harness: FaultHarness) -> None:
     """The window closes without a message about motors."""
-    scene.window.device.draft.discard_edits()
-    assert scene.window.window.close()
-    assert not scene.window.program.device_manager.unconfirmed_stop
+    harness.window.device.draft.discard_edits()
+    assert harness.window.window.close()
+    assert not harness.window.program.device_manager.unconfirmed_stop
 
 
-def _check_snapshots(scene: Scene) -> None:
+def _check_snapshots(harness: FaultHarness) -> None:
     """A snapshot with the previous settings exists before anything is written."""
-    history = scene.window.device.writer.history
-    own = [one for one in history.snapshots() if one.path not in scene.foreign]
-    assert all(history.load(snapshot) == scene.before for snapshot in own)
-    stored = scene.stored()
-    assert own or not any(stored[key] == value for key, value in scene.edits.items())
+    history = harness.window.device.writer.history
+    own = [each for each in history.snapshots() if each.path not in harness.foreign]
+    assert all(history.load(snapshot) == harness.before for snapshot in own)
+    stored = harness.stored()
+    assert own or not any(stored[key] == value for key, value in harness.edits.items())
 
 
-def _check_files(scene: Scene, fault: str, said: Collection[str]) -> None:
-    """A recording or an export is complete, or does not exist."""
-    for path in scene.files:
+def _check_files(harness: FaultHarness, fault: str, messages: Collection[str]) -> None:
+    """A recording is complete. An export is complete or does not exist."""
+    for path in harness.files:
         if fault == "changed_files":
-            continue  # somebody else has written there
+            continue  # another program has overwritten the file
         if path.suffix == ".trexrec":
             _check_recording(path, is_cut=fault == "full_disk")
-        elif path.exists() or any(EXPORTED in text for text in said):
+        elif path.exists() or any(EXPORTED in text for text in messages):
             with path.open(newline="") as file:
                 rows = list(csv.reader(file))
             assert {len(row) for row in rows} == {len(rows[0])}

@@ -9,15 +9,15 @@ from pathlib import Path
 
 import pytest
 
-from tests.fault_matrix.scene import FIRST, JUNIOR, OTHER, Scene
+from tests.fault_matrix.harness import FIRST, JUNIOR, OTHER, FaultHarness
 from tests.support.simulator import PortFault
 from trex_gui.devices.trex.protocol.line_settings import LineSettings
 from trex_gui.ui.runtime import new_timer
 
-Act = Callable[[Scene], object]
+Action = Callable[[FaultHarness], object]
 
 _OFF_MS = 500
-"""Milliseconds without power in a power cycle, and without a board in an exchange."""
+"""Milliseconds without power in a power cycle, and without a board while boards are exchanged."""
 
 
 class Effect(Enum):
@@ -25,74 +25,74 @@ class Effect(Enum):
 
     NONE = "nothing"
     BRIEF = "some transactions fail, or none"
-    SILENT = "the board does not respond until it is over"
-    GONE = "the port is gone until it is over"
-    LOST = "one of the two, as the system likes"
+    SILENT = "the board does not respond until the end of the fault"
+    GONE = "the port is gone until the end of the fault"
+    LOST = "either silent or gone, depending on the system"
 
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """Something that goes wrong.
+    """Fault of the line, a board or the disk.
 
     Attributes:
-        effect: what the user is to be told of the line.
-        inject, heal: begin and end it.
-        other_boards: whether it takes more than one board.
-        hides_board: whether the board cannot be looked at meanwhile.
-        forges: whether undetected damage can make a motor command of another request.
-        cuts_power: whether the board can lose a value that it is storing.
+        effect: effect that a message must report.
+        inject, heal: functions that begin and end the fault.
+        other_boards: true if the fault requires more than one board.
+        hides_board: true if the test cannot read the board during the fault.
+        forges: true if undetected corruption can turn another request into a motor command.
+        cuts_power: true if the board can lose a value while it stores the value.
     """
 
     effect: Effect
-    inject: Act
-    heal: Act
+    inject: Action
+    heal: Action
     other_boards: bool = False
     hides_board: bool = False
     forges: bool = False
     cuts_power: bool = False
 
 
-def _lines(*lines: str) -> Act:
-    def obey(scene: Scene) -> None:
-        scene.board.do(*lines)
+def _lines(*lines: str) -> Action:
+    def run_lines(harness: FaultHarness) -> None:
+        harness.board.do(*lines)
 
-    return obey
+    return run_lines
 
 
-def _swap(here: int, gone: int) -> Act:
+def _swap(new: int, old: int) -> Action:
     """Replace the board on the line by another board."""
 
-    def swap(scene: Scene) -> None:
-        scene.switch(gone, "off")
-        _soon(scene, lambda: scene.switch(here, "on"))
+    def swap(harness: FaultHarness) -> None:
+        harness.switch(old, "off")
+        _soon(harness, lambda: harness.switch(new, "on"))
 
     return swap
 
 
-def _soon(scene: Scene, act: Callable[[], object]) -> None:
-    new_timer(scene.window.window, _OFF_MS, act, single_shot=True).start()
+def _soon(harness: FaultHarness, action: Callable[[], object]) -> None:
+    new_timer(harness.window.window, _OFF_MS, action, single_shot=True).start()
 
 
-def _change_uart(scene: Scene) -> None:
+def _change_uart(harness: FaultHarness) -> None:
     """Restart the board with settings that no scan probes."""
-    scene.uart_settings = scene.shown()["parameters"]["uart_settings"]
+    harness.uart_settings = harness.board.show()["parameters"]["uart_settings"]
     other = LineSettings(38400, stop_bits=2).to_wire()
-    _lines("power off", f"eeprom uart_settings {other}")(scene)
-    _soon(scene, lambda: scene.board.do("power on"))
+    _lines("power off", f"eeprom uart_settings {other}")(harness)
+    _soon(harness, lambda: harness.board.do("power on"))
 
 
-def _restore_uart(scene: Scene) -> None:
-    _lines("power off", f"eeprom uart_settings {scene.uart_settings}")(scene)
-    _soon(scene, lambda: scene.board.do("power on"))
+def _restore_uart(harness: FaultHarness) -> None:
+    _lines("power off", f"eeprom uart_settings {harness.uart_settings}")(harness)
+    _soon(harness, lambda: harness.board.do("power on"))
 
 
-def _replace_files(scene: Scene) -> None:
-    """Write other data over the written file and into the folder of the snapshots."""
+def _replace_files(harness: FaultHarness) -> None:
+    """Overwrite the file that is being written, and add a damaged snapshot."""
     noise = random.Random(0).randbytes(5000)
-    snapshot = scene.data / "snapshots" / "20260101T000000Z-trex-1.2.txt"
+    snapshot = harness.data / "snapshots" / "20260101T000000Z-trex-1.2.txt"
     snapshot.parent.mkdir(exist_ok=True)
-    scene.foreign += [*scene.files, snapshot]
-    for path in scene.foreign:
+    harness.foreign += [*harness.files, snapshot]
+    for path in harness.foreign:
         path.write_bytes(noise)
 
 
@@ -105,18 +105,18 @@ def _noise(probability: float) -> Fault:
 def _port(effect: Effect, fault: PortFault) -> Fault:
     return Fault(
         effect,
-        lambda scene: scene.line.set_port_fault(fault),
-        lambda scene: scene.line.set_port_fault(PortFault.NONE),
+        lambda harness: harness.line.set_port_fault(fault),
+        lambda harness: harness.line.set_port_fault(PortFault.NONE),
         hides_board=fault is PortFault.JAMMED,
     )
 
 
-def _limit_files(size: int | None) -> Act:
+def _limit_files(size: int | None) -> Action:
     """Prevent files from growing, as on a full disk."""
 
-    def limit(_scene: Scene) -> None:
+    def limit(_harness: FaultHarness) -> None:
         if sys.platform == "win32":
-            pytest.skip("needs limits of POSIX")
+            pytest.skip("needs resource limits of POSIX")
         import resource
 
         _, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
@@ -125,15 +125,15 @@ def _limit_files(size: int | None) -> Act:
     return limit
 
 
-def _lock_folders(scene: Scene) -> None:
-    """Replace the user's folder by a folder that accepts no files."""
-    for folder in (scene.folder, scene.data):
+def _lock_folders(harness: FaultHarness) -> None:
+    """Replace the folders of user and program by a folder that accepts no files."""
+    for folder in (harness.folder, harness.data):
         folder.rename(_moved(folder))
         folder.symlink_to("/sys", target_is_directory=True)
 
 
-def _unlock_folders(scene: Scene) -> None:
-    for folder in (scene.folder, scene.data):
+def _unlock_folders(harness: FaultHarness) -> None:
+    for folder in (harness.folder, harness.data):
         folder.unlink()
         _moved(folder).rename(folder)
 
@@ -142,7 +142,7 @@ def _moved(folder: Path) -> Path:
     return folder.with_name(f"{folder.name} moved")
 
 
-def _nothing(_scene: Scene) -> None:
+def _nothing(_harness: FaultHarness) -> None:
     pass
 
 

@@ -6,7 +6,7 @@ from functools import partial
 
 from PySide6.QtWidgets import QDialog
 
-from tests.fault_matrix.scene import Scene
+from tests.fault_matrix.harness import FaultHarness
 from tests.support.pages.channels import ChannelsDriver
 from tests.support.pages.find_dialog import FindBoardDialog
 from tests.support.pages.learning import LearningDialog
@@ -40,159 +40,159 @@ class Moment:
     """Action of the user.
 
     Attributes:
-        begin: does it and calls its second argument when the fault is to begin.
-        end: brings it to an end, once the fault is over.
-        longest_gap: seconds for which the event loop may not answer.
+        begin: function that starts the action and calls its second argument to inject the fault.
+        end: function that ends the action after the fault.
+        longest_gap: longest time in seconds in which the event loop may not respond.
     """
 
-    begin: Callable[[Scene, Inject], object]
-    end: Callable[[Scene], object] = lambda _scene: None
+    begin: Callable[[FaultHarness, Inject], object]
+    end: Callable[[FaultHarness], object] = lambda _harness: None
     longest_gap: float = 0.2
 
 
-def _connect(scene: Scene, inject: Inject) -> None:
-    done = scene.at_step(3, inject)
-    ports = scene.window.program.ports
-    scene.window.connect_port(ports.add_typed(scene.url))
-    scene.window.wait(done)
+def _connect(harness: FaultHarness, inject: Inject) -> None:
+    done = harness.at_step(3, inject)
+    ports = harness.window.program.ports
+    harness.window.connect_port(ports.add_typed(harness.url))
+    harness.window.wait(done)
 
 
-def _connect_and_edit(scene: Scene) -> None:
-    scene.connect()
-    scene.edit(motor1_acceleration=9)
+def _connect_and_edit(harness: FaultHarness) -> None:
+    harness.connect()
+    harness.edit(motor1_acceleration=9)
 
 
-def _read_all(scene: Scene, inject: Inject) -> None:
-    _connect_and_edit(scene)
-    done = scene.at_step(5, inject)
-    scene.window.device.reload()
-    scene.window.wait(done)
+def _read_all(harness: FaultHarness, inject: Inject) -> None:
+    _connect_and_edit(harness)
+    done = harness.at_step(5, inject)
+    harness.window.device.reload()
+    harness.window.wait(done)
 
 
-def _apply(step: int | None, scene: Scene, inject: Inject) -> None:
-    """Apply the edits. The fault begins before a step, or before the snapshot."""
-    scene.connect()
-    scene.edit(**EDITS)
-    scene.edit_calibration(CALIBRATION, LEARNED)
-    review = ReviewDialog(scene.window)
+def _apply(step: int | None, harness: FaultHarness, inject: Inject) -> None:
+    """Apply the edits. The fault begins before a step, or before the snapshot without a step."""
+    harness.connect()
+    harness.edit(**EDITS)
+    harness.edit_calibration(CALIBRATION, LEARNED)
+    review = ReviewDialog(harness.window)
     review.open()
     if step is None:
         inject()
         review.click("writeButton")
     else:
-        done = scene.at_step(step, inject)
+        done = harness.at_step(step, inject)
         review.click("writeButton")
-        scene.window.wait(done)
+        harness.window.wait(done)
 
 
-def _end_apply(scene: Scene) -> None:
-    scene.window.wait(lambda: not scene.window.device.writer.running)
-    scene.window.find(QDialog, "reviewDialog").close()
+def _end_apply(harness: FaultHarness) -> None:
+    harness.window.wait(lambda: not harness.window.device.writer.running)
+    harness.window.find(QDialog, "reviewDialog").close()
 
 
-def _channels_page(scene: Scene) -> ChannelsDriver:
-    widget = scene.window.open_page("channelsPage").root
+def _channels_page(harness: FaultHarness) -> ChannelsDriver:
+    widget = harness.window.open_page("channelsPage").root
     assert isinstance(widget, ChannelsPage)
-    return ChannelsDriver(widget, scene.window.device, scene.window.qtbot)
+    return ChannelsDriver(widget, harness.window.device, harness.window.qtbot)
 
 
-def _calibrate(scene: Scene, inject: Inject) -> None:
-    _connect_and_edit(scene)
-    page = _channels_page(scene)
-    shown = page.shown()
-    page.drag_handle(Handle.MAXIMUM, shown.maximum - 300, release=False)
+def _calibrate(harness: FaultHarness, inject: Inject) -> None:
+    _connect_and_edit(harness)
+    page = _channels_page(harness)
+    calibration = page.shown()
+    page.drag_handle(Handle.MAXIMUM, calibration.maximum - 300, release=False)
     inject()
 
 
-def _end_calibrating(scene: Scene) -> None:
-    _channels_page(scene).release_handle()
+def _end_calibrating(harness: FaultHarness) -> None:
+    _channels_page(harness).release_handle()
 
 
-def _learning_dialog(scene: Scene) -> LearningDialog:
-    dialog = scene.window.dialog("learnDialog").root
+def _learning_dialog(harness: FaultHarness) -> LearningDialog:
+    dialog = harness.window.dialog("learnDialog").root
     assert isinstance(dialog, Steps)
-    return LearningDialog(dialog, scene.window.device, scene.board, scene.window.qtbot)
+    return LearningDialog(dialog, harness.window.device, harness.board, harness.window.qtbot)
 
 
-def _learn(scene: Scene, inject: Inject) -> None:
-    _connect_and_edit(scene)
-    learning = _learning_dialog(scene)
+def _learn(harness: FaultHarness, inject: Inject) -> None:
+    _connect_and_edit(harness)
+    learning = _learning_dialog(harness)
     learning.use({1: Stick(), 2: Stick()})
     learning.go_to_travel(1, 2)
     inject()
 
 
-def _end_learning(scene: Scene) -> None:
-    scene.window.find(QDialog, "learnDialog").close()
+def _end_learning(harness: FaultHarness) -> None:
+    harness.window.find(QDialog, "learnDialog").close()
 
 
-def _drive(scene: Scene, inject: Inject) -> None:
-    _connect_and_edit(scene)
-    _drive_connected(scene)
+def _drive(harness: FaultHarness, inject: Inject) -> None:
+    _connect_and_edit(harness)
+    _drive_connected(harness)
     inject()
 
 
-def _drive_connected(scene: Scene) -> None:
-    page = MotorsPage(scene.window, scene.board)
+def _drive_connected(harness: FaultHarness) -> None:
+    page = MotorsPage(harness.window, harness.board)
     page.arm()
     first, second = page.drag("motor1Slider", 60).value(), page.drag("motor2Slider", -60).value()
-    assert max(abs(first - 60), abs(second + 60)) <= 2, "a low slider has no pixel for each value"
-    scene.targets = [("forward", first), ("reverse", -second)]
-    page.wait_for_targets(*scene.targets)
+    assert max(abs(first - 60), abs(second + 60)) <= 2, "not every value has its own pixel"
+    harness.targets = [("forward", first), ("reverse", -second)]
+    page.wait_for_targets(*harness.targets)
 
 
-def _record(scene: Scene, inject: Inject) -> None:
-    _connect_and_edit(scene)
-    path = scene.folder / "a.trexrec"
-    scene.recordings.record(path)
-    samples = scene.window.device.telemetry.samples
-    scene.window.wait(lambda: scene.window.device.telemetry.samples > samples + 100)
-    scene.files.append(path)
+def _record(harness: FaultHarness, inject: Inject) -> None:
+    _connect_and_edit(harness)
+    path = harness.folder / "a.trexrec"
+    harness.recordings.record(path)
+    samples = harness.window.device.telemetry.samples
+    harness.window.wait(lambda: harness.window.device.telemetry.samples > samples + 100)
+    harness.files.append(path)
     inject()
 
 
-def _end_recording(scene: Scene) -> None:
-    scene.recordings.recorder.stop()
-    scene.window.wait(lambda: scene.recordings.recorder._worker is None)
+def _end_recording(harness: FaultHarness) -> None:
+    harness.recordings.recorder.stop()
+    harness.window.wait(lambda: harness.recordings.recorder._worker is None)
 
 
-def _export(scene: Scene, inject: Inject) -> None:
-    _connect_and_edit(scene)
-    panel = scene.window.open_page("currentsPage").find_only(TracePanel)
-    scene.window.wait(lambda: panel.plot.source is not None and panel.plot.source.span is not None)
-    path = scene.folder / "a.csv"
-    scene.files.append(path)
-    scene.listen_to(panel.notifier)
+def _export(harness: FaultHarness, inject: Inject) -> None:
+    _connect_and_edit(harness)
+    panel = harness.window.open_page("currentsPage").find_only(TracePanel)
+    harness.window.wait(lambda: panel.plot.source is not None and panel.plot.source.span)
+    path = harness.folder / "a.csv"
+    harness.files.append(path)
+    harness.listen_to(panel.notifier)
     inject()
     panel.export.save_table(path, float("-inf"), float("inf"))
 
 
-def _find_dialog(scene: Scene) -> FindBoardDialog:
-    dialog = scene.window.find(FindDialog, "findDialog")
-    scanner = scene.window.program.device_manager.scanner
-    return FindBoardDialog(dialog, scanner, scene.window.qtbot)
+def _find_dialog(harness: FaultHarness) -> FindBoardDialog:
+    dialog = harness.window.find(FindDialog, "findDialog")
+    scanner = harness.window.program.device_manager.scanner
+    return FindBoardDialog(dialog, scanner, harness.window.qtbot)
 
 
-def _find(scene: Scene, inject: Inject) -> None:
-    scene.window.click("findButton")
-    find = _find_dialog(scene)
-    find.search(scene.window, scene.url)
-    scene.let_pass(0.2)
+def _find(harness: FaultHarness, inject: Inject) -> None:
+    harness.window.click("findButton")
+    find = _find_dialog(harness)
+    find.search(harness.window, harness.url)
+    harness.wait_seconds(0.2)
     inject()
 
 
-def _end_finding(scene: Scene) -> None:
-    find = _find_dialog(scene)
+def _end_finding(harness: FaultHarness) -> None:
+    find = _find_dialog(harness)
     find.wait_for_end()
-    scene.hear_all(find.root)
+    harness.record_labels(find.root)
     find.root.close()
 
 
-def _close(scene: Scene, inject: Inject) -> None:
-    scene.connect()  # without edits, for which the window would ask what to do
-    _drive_connected(scene)
+def _close(harness: FaultHarness, inject: Inject) -> None:
+    harness.connect()  # without edits, because the window would ask about them
+    _drive_connected(harness)
     inject()
-    scene.window.window.close()
+    harness.window.window.close()
 
 
 MOMENTS: dict[str, Moment] = {
@@ -209,12 +209,12 @@ MOMENTS: dict[str, Moment] = {
     "recording": Moment(_record, _end_recording),
     "export": Moment(_export),
     "find": Moment(_find, _end_finding),
-    # Closing waits up to a second for the line, which stops the motors first.
+    # Closing waits up to a second until the line has stopped the motors.
     "closing": Moment(_close, longest_gap=1.2),
 }
 
 DRIVING = ["driving", "closing"]
-"""Moments at which motors turn."""
+"""Moments at which motors run."""
 
 APPLYING = [name for name in MOMENTS if name.startswith("apply")]
 """Moments at which edits are written."""

@@ -14,7 +14,7 @@ from tests.support.window import WindowDriver
 from trex_gui.core.timing import Timeouts
 
 EVERY = 13
-"""The gate runs one case in this number: each fault, and each moment once or twice."""
+"""The gate runs one case of this number, with each fault, and each moment once or twice."""
 
 
 @pytest.mark.parametrize(
@@ -24,7 +24,7 @@ EVERY = 13
         for number, case in enumerate(CASES)
     ],
 )
-def test_fault(
+def test_fault_is_handled_safely(
     fault: str, moment: str, window: WindowDriver, start_simulator: StartSimulator, tmp_path: Path
 ) -> None:
     run_case(fault, moment, window, start_simulator, tmp_path)
@@ -32,7 +32,7 @@ def test_fault(
 
 @pytest.fixture
 def timeouts(request: pytest.FixtureRequest) -> Timeouts:
-    """Use long timeouts in real time, so that only the fault stops motors."""
+    """Long timeouts in real time, so that only the fault stops motors."""
     return PATIENT if request.node.get_closest_marker("realtime") else Timeouts()
 
 
@@ -42,7 +42,7 @@ def timeouts(request: pytest.FixtureRequest) -> Timeouts:
 @pytest.mark.parametrize(
     ("fault", "moment"), sampled([("unplug", "driving"), ("mute", "closing")], every=2)
 )
-def test_fault_of_a_real_port(
+def test_fault_of_a_real_port_is_handled_safely(
     fault: str, moment: str, window: WindowDriver, start_simulator: StartSimulator, tmp_path: Path
 ) -> None:
-    run_case(fault, moment, window, start_simulator, tmp_path, starved=always)
+    run_case(fault, moment, window, start_simulator, tmp_path, pauses=always)

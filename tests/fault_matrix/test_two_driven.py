@@ -14,25 +14,25 @@ from trex_gui.ui.devices.connection import ConnectionState
 from trex_gui.ui.runtime import now
 
 HOLD_SECONDS, HEAL_SECONDS = 3.0, 5.0
-OFF_SECONDS = 1.0  # as long as a hand needs for a switch; a shorter silence may pass unnoticed
-SPARE = "@8"  # a board that may take the place of another one
+OFF_SECONDS = 1.0  # a hand needs as long for a switch. The program may ignore a shorter silence.
+SPARE = "@8"  # board that replaces another board
 NUMBERS = (7, 9)
 
 
-class TwoDriven:
-    """A window that drives boards 7 and 9, with its messages."""
+class TwoBoardHarness:
+    """Window that drives boards 7 and 9, with its messages."""
 
     def __init__(self, window: WindowDriver, start: StartSimulator) -> None:
-        options = [word for one in ("7", "9", "8:trexjr") for word in ("--device", one)]
+        options = [word for board in ("7", "9", "8:trexjr") for word in ("--device", board)]
         line = start(*options)
         assert isinstance(line, VirtualSimulator)
         self.window, self.line = window, line
-        self.said: list[str] = []
+        self.messages: list[str] = []
         self.line.do(f"{SPARE} power off")
         self.connect()
         MotorsPage(window, line).arm()
-        window.device.notifier.error.connect(self.said.append)
-        window.device.notifier.danger.connect(self.said.append)
+        window.device.notifier.error.connect(self.messages.append)
+        window.device.notifier.danger.connect(self.messages.append)
         window.motors.set_speeds(60, -60)
         window.wait(lambda: self.moving() == set(NUMBERS))
 
@@ -45,65 +45,70 @@ class TwoDriven:
 
     def moving(self) -> set[int]:
         """Return the powered boards that drive a motor."""
-        shown = {number: self.line.show(f"@{number}") for number in NUMBERS}
+        states = {number: self.line.show(f"@{number}") for number in NUMBERS}
         return {
             number
-            for number, one in shown.items()
-            if one["power"] and any(motor["target_direction"] != "brake" for motor in one["motors"])
+            for number, state in states.items()
+            if state["power"]
+            and any(motor["target_direction"] != "brake" for motor in state["motors"])
         }
 
-    def let_pass(self, seconds: float) -> None:
+    def stop(self) -> None:
+        self.window.program.device_manager.press_stop()
+        self.window.wait(lambda: not self.window.device.may_move and not self.moving())
+
+    def wait_seconds(self, seconds: float) -> None:
         end = now() + seconds
         self.window.wait(lambda: now() >= end)
 
 
-Act = Callable[[TwoDriven, int], object]
+Action = Callable[[TwoBoardHarness, int], object]
 
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """Event at a board. `stops`: it ends the drive with a message about the board."""
+    """Fault of a board or line. `stops`: true if the fault stops the motors."""
 
-    inject: Act
-    heal: Act = lambda _scene, _number: None
+    inject: Action
+    heal: Action = lambda _harness, _number: None
     stops: bool = True
 
 
-def _board(*lines: str) -> Act:
-    return lambda scene, number: scene.line.do(*(f"@{number} {line}" for line in lines))
+def _board(*lines: str) -> Action:
+    return lambda harness, number: harness.line.do(*(f"@{number} {line}" for line in lines))
 
 
-def _line(*lines: str) -> Act:
-    return lambda scene, _number: scene.line.do(*lines)
+def _line(*lines: str) -> Action:
+    return lambda harness, _number: harness.line.do(*lines)
 
 
-def _exchange(scene: TwoDriven, number: int) -> None:
-    scene.line.do(f"@{number} power off", f"{SPARE} eeprom device_number {number}")
-    scene.let_pass(OFF_SECONDS)
-    scene.line.do(f"{SPARE} power on")
+def _replace(harness: TwoBoardHarness, number: int) -> None:
+    harness.line.do(f"@{number} power off", f"{SPARE} eeprom device_number {number}")
+    harness.wait_seconds(OFF_SECONDS)
+    harness.line.do(f"{SPARE} power on")
 
 
-def _reset(scene: TwoDriven, number: int) -> None:
-    scene.line.do(f"@{number} power off")
-    scene.let_pass(OFF_SECONDS)
-    scene.line.do(f"@{number} power on")
+def _reset(harness: TwoBoardHarness, number: int) -> None:
+    harness.line.do(f"@{number} power off")
+    harness.wait_seconds(OFF_SECONDS)
+    harness.line.do(f"@{number} power on")
 
 
-def _exchange_back(scene: TwoDriven, number: int) -> None:
-    scene.line.do(f"{SPARE} power off", f"@{number} power on")
+def _restore(harness: TwoBoardHarness, number: int) -> None:
+    harness.line.do(f"{SPARE} power off", f"@{number} power on")
 
 
-def _port(fault: PortFault) -> Act:
-    return lambda scene, _number: scene.line.set_port_fault(fault)
+def _port(fault: PortFault) -> Action:
+    return lambda harness, _number: harness.line.set_port_fault(fault)
 
 
-OF_ONE = {
+BOARD_FAULTS = {
     "silent": Fault(_board("power off"), _board("power on")),
-    "exchanged": Fault(_exchange, _exchange_back),
+    "replaced": Fault(_replace, _restore),
     "reset": Fault(_reset),
     "driver fault": Fault(_board("fault 1 on"), _board("fault 1 off")),
 }
-OF_LINE = {
+LINE_FAULTS = {
     "unplugged": Fault(_line("line unplug"), _line("line plug")),
     "mute": Fault(_line("line mute on"), _line("line mute off")),
     "noisy": Fault(_line("line noise 0.01"), _line("line noise 0"), stops=False),
@@ -113,63 +118,61 @@ OF_LINE = {
 }
 
 
-IN_GATE = {("silent", 9), ("reset", 7), ("exchanged", 9), ("driver fault", 9)}
+IN_GATE = {("silent", 9), ("reset", 7), ("replaced", 9), ("driver fault", 9)}
 
 
 @pytest.mark.parametrize(
     ("name", "number"),
     [
-        pytest.param(name, one, marks=[] if (name, one) in IN_GATE else [pytest.mark.slow])
-        for name in OF_ONE
-        for one in NUMBERS
+        pytest.param(name, number, marks=[] if (name, number) in IN_GATE else [pytest.mark.slow])
+        for name in BOARD_FAULTS
+        for number in NUMBERS
     ],
 )
-def test_board_that_fails_stops_both_and_is_named(
+def test_fault_of_a_board_stops_both_and_names_the_board(
     name: str, number: int, window: WindowDriver, start_simulator: StartSimulator
 ) -> None:
-    scene, fault = TwoDriven(window, start_simulator), OF_ONE[name]
-    fault.inject(scene, number)
-    scene.let_pass(HOLD_SECONDS)
-    assert not scene.moving()
+    harness, fault = TwoBoardHarness(window, start_simulator), BOARD_FAULTS[name]
+    fault.inject(harness, number)
+    harness.wait_seconds(HOLD_SECONDS)
+    assert not harness.moving()
     assert not window.motors.armed
-    said = [*scene.said, window.motors.stop_reason]
-    assert any(f"oard {number}" in text for text in said), said
-    fault.heal(scene, number)
-    _check_recovery(scene)
+    messages = [*harness.messages, window.motors.stop_reason]
+    assert any(f"oard {number}" in text for text in messages), messages
+    fault.heal(harness, number)
+    _check_recovery(harness)
 
 
 @pytest.mark.parametrize(
     "name",
     [
         pytest.param(name, marks=[] if name in {"unplugged", "noisy"} else [pytest.mark.slow])
-        for name in OF_LINE
+        for name in LINE_FAULTS
     ],
 )
-def test_line_that_fails_leaves_no_motor_unnoticed(
+def test_fault_of_the_line_stops_motors_or_shows_they_may_run(
     name: str, window: WindowDriver, start_simulator: StartSimulator
 ) -> None:
-    scene, fault = TwoDriven(window, start_simulator), OF_LINE[name]
-    fault.inject(scene, 0)
-    scene.let_pass(HOLD_SECONDS)
-    assert window.device.may_move or not scene.moving()
+    harness, fault = TwoBoardHarness(window, start_simulator), LINE_FAULTS[name]
+    fault.inject(harness, 0)
+    harness.wait_seconds(HOLD_SECONDS)
+    assert window.device.may_move or not harness.moving()
     assert not (window.motors.armed and fault.stops)
-    assert window.motors.armed or scene.said or window.motors.stop_reason
-    fault.heal(scene, 0)
-    _check_recovery(scene)
+    assert window.motors.armed or harness.messages or window.motors.stop_reason
+    fault.heal(harness, 0)
+    _check_recovery(harness)
 
 
-def _check_recovery(scene: TwoDriven) -> None:
-    """Both boards return stopped, and can be driven and stopped again."""
-    window = scene.window
-    scene.let_pass(HEAL_SECONDS)
+def _check_recovery(harness: TwoBoardHarness) -> None:
+    """Check that both boards can be connected, driven and stopped again."""
+    window = harness.window
+    harness.wait_seconds(HEAL_SECONDS)
     if window.device.link is ConnectionState.DISCONNECTED:
-        scene.connect()
+        harness.connect()
     window.wait(lambda: window.device.is_connected)
-    window.program.device_manager.press_stop()
-    window.wait(lambda: not window.device.may_move and not scene.moving())
+    harness.stop()
     window.wait(lambda: window.motors.can_arm)
     window.motors.arm()
     window.motors.set_speeds(60, 60)
-    window.wait(lambda: scene.moving() == set(NUMBERS))
-    window.program.device_manager.press_stop()
-    window.wait(lambda: not window.device.may_move and not scene.moving())
+    window.wait(lambda: harness.moving() == set(NUMBERS))
+    harness.stop()

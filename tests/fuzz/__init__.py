@@ -1,1 +1,1 @@
-"""Fuzzing of all input from other programs and devices."""
+"""Fuzzing of all input from users, other programs and devices."""

@@ -60,9 +60,9 @@ from trex_gui.ui.playback.player import RecordingPlayer
 
 def settings_samples() -> Sequence[bytes]:
     models = device_table().models
-    written = [write_settings(factory_settings(model, None)).encode() for model in models]
+    factory = [write_settings(factory_settings(model, None)).encode() for model in models]
     shipped = [path.read_bytes() for path in sorted(resource("samples").glob("*.txt"))]
-    return [*written, *shipped, *(bad.data for bad in BAD_FILES if len(bad.data) < 4000)]
+    return [*factory, *shipped, *(bad.data for bad in BAD_FILES if len(bad.data) < 4000)]
 
 
 def _check_findings(
@@ -70,11 +70,11 @@ def _check_findings(
     data: bytes,
     *,
     rejected: bool = False,
-    most: int = MAX_FINDINGS + 30,  # warnings are not counted
+    max_count: int = MAX_FINDINGS + 30,  # the limit of the reader does not apply to warnings
 ) -> None:
     lines = re.split("\r\n|[\n\r\x85\u2028\u2029]", data.decode("utf-8", "replace"))
-    assert len(findings) <= most
-    assert not rejected or any(found.severity is Severity.ERROR for found in findings)
+    assert len(findings) <= max_count
+    assert not rejected or any(finding.severity is Severity.ERROR for finding in findings)
     for finding in findings:
         assert finding.message
         assert finding.line is None or 1 <= finding.line <= len(lines)
@@ -168,22 +168,22 @@ def check_record(data: bytes, folder: Path) -> None:
 
 
 def check_snapshot(data: bytes, folder: Path) -> None:
-    """Check the input as a snapshot and as the file with the number of snapshots."""
+    """Check the input as two snapshots and as the file with the limit of snapshots."""
     (folder / "20260102T030405Z-trex-1.2.txt").write_bytes(data)
     (folder / "99999999T999999Z-9-trex-1.2.txt").write_bytes(data)
     (folder / LIMIT_FILE).write_bytes(data)
     history = SettingsHistory(folder)
-    found = history.snapshots()
-    assert len(found) == 2
-    for snapshot in found:
+    snapshots = history.snapshots()
+    assert len(snapshots) == 2
+    for snapshot in snapshots:
         with contextlib.suppress(SettingsError):
             history.load(snapshot)
     limit = history.limit()
     assert limit.count is None or limit.count >= 1
     settings = factory_settings(device_table().model("trex"), None)
-    kept = history.save(settings, adapter=data.decode("latin-1"), reason="any")
-    assert history.load(kept) == settings
-    assert kept.path in {snapshot.path for snapshot in history.snapshots()}
+    saved = history.save(settings, adapter=data.decode("latin-1"), reason="any")
+    assert history.load(saved) == settings
+    assert saved.path in {snapshot.path for snapshot in history.snapshots()}
 
 
 def _snapshot_samples() -> Sequence[bytes]:
@@ -191,8 +191,8 @@ def _snapshot_samples() -> Sequence[bytes]:
         history = SettingsHistory(Path(name))
         history.set_limit(7)
         settings = factory_settings(device_table().model("trex"), None)
-        taken = history.save(settings, adapter="/dev/ttyUSB0", reason="Apply of 3 settings")
-        return [taken.path.read_bytes(), (Path(name) / LIMIT_FILE).read_bytes()]
+        saved = history.save(settings, adapter="/dev/ttyUSB0", reason="Apply of 3 settings")
+        return [saved.path.read_bytes(), (Path(name) / LIMIT_FILE).read_bytes()]
 
 
 # --- Other text files -------------------------------------------------------------------
@@ -206,7 +206,7 @@ def check_poses(data: bytes, folder: Path) -> None:
     except SettingsError as error:
         _check_findings(error.findings, data, rejected=True)
         return
-    _check_findings(file.findings, data, most=len(data) + 1)
+    _check_findings(file.findings, data, max_count=len(data) + 1)
     assert read_ppr(write_ppr(file.project))[0] == file.project
 
 
@@ -284,7 +284,7 @@ def check_statements(data: bytes, folder: Path) -> None:
     path.write_bytes(recording_samples()[b"robot" in first])
     for statement in rest.decode("utf-8", "replace").split("\n"):
         if statement.lstrip().upper().startswith(CHANGES):
-            # A schema that is changed takes effect when the file is opened again.
+            # A changed schema takes effect when the file is opened the next time.
             with contextlib.closing(sqlite3.connect(path, isolation_level=None)) as database:
                 database.execute("PRAGMA writable_schema = ON")
                 database.execute("PRAGMA synchronous = OFF")
@@ -298,18 +298,18 @@ def _check_name(error: RecordingError, path: Path) -> None:
 
 
 def _play(path: Path) -> None:
-    opened: Sequence[tuple[Any, Callable[..., RecordingPlayer[Any, Any, Any]]]] = (
+    formats: Sequence[tuple[Any, Callable[..., RecordingPlayer[Any, Any, Any]]]] = (
         (BOARD_FORMAT, Playback),
         (ROBOT_FORMAT, RobotPlayback),
     )
-    for fmt, make_player in opened:
+    for recording_format, create_player in formats:
         try:
-            recording: Recording[Any, Any] = Recording(path, fmt)
+            recording: Recording[Any, Any] = Recording(path, recording_format)
         except RecordingError as error:
             _check_name(error, path)
             continue
         try:
-            player = make_player(recording)
+            player = create_player(recording)
             steps = 0
 
             def count(share: float) -> None:
@@ -405,7 +405,7 @@ SQL = tuple(
 )
 
 
-# ----------------------------------------------------------------------------------------
+# --- Guardian log -----------------------------------------------------------------------
 
 
 def check_guardian_log(data: bytes, folder: Path) -> None:

@@ -1,7 +1,7 @@
-"""Fuzzing without coverage.
+"""Fuzzing without measurement of coverage.
 
-Inputs are bytes. `corpus/<target>` has the inputs that failed once, which are always tried first.
-Random mutations of valid inputs follow. A seed determines them on any computer.
+Inputs are bytes. `corpus/<target>` has inputs that once failed, which are always tried first.
+Random mutations of valid inputs follow, which depend only on the seed.
 """
 
 import contextlib
@@ -24,8 +24,8 @@ from random import Random
 from types import TracebackType
 
 CORPUS = Path(__file__).parent / "corpus"
-LONGEST = 64 * 1024  # bytes of a random input
-LONGEST_CASE = 20.0  # seconds of processor time; most inputs take some milliseconds
+MAX_INPUT = 64 * 1024  # bytes of a random input
+MAX_CASE_S = 20.0  # processor time, although most inputs take a few milliseconds
 GROWTH_FIRST = 20  # inputs before the first check of the memory
 GROWTH_EVERY = 500  # inputs between two checks
 
@@ -46,10 +46,10 @@ class Target:
 
     name: str
     create: InputFactory  # depends on the random numbers only
-    # Passes an input to the program, and an empty folder for its files. Raises undocumented errors.
+    # Passes an input to the program. Gets an empty folder for files. Raises undocumented errors.
     check: Callable[[bytes, Path], object]
     examples: int = 50  # number of random inputs in the gate
-    growth: int = 2000  # bytes of memory that an input may occupy afterwards
+    growth: int = 2000  # bytes of memory that may remain in use after an input
 
     def corpus(self) -> list[Path]:
         return sorted((CORPUS / self.name).glob("*"))
@@ -60,7 +60,7 @@ class Target:
 
 @dataclass(frozen=True)
 class Finding:
-    """Input that broke a documented promise. `origin`: how to repeat the input."""
+    """Input with an undocumented result. `origin`: seed and number, or file, of the input."""
 
     target: Target
     data: bytes
@@ -68,8 +68,8 @@ class Finding:
     error: str
 
     def __str__(self) -> str:
-        shown = f"{self.data[:400]!r}{' …' if len(self.data) > 400 else ''}"
-        return f"{self.target.name}, {self.origin}:\n{shown}\n{self.error}"
+        excerpt = f"{self.data[:400]!r}{' …' if len(self.data) > 400 else ''}"
+        return f"{self.target.name}, {self.origin}:\n{excerpt}\n{self.error}"
 
     def save(self) -> Path:
         """Store the input in the corpus under the name of its error."""
@@ -85,24 +85,24 @@ class Finding:
 
 
 def attempt(target: Target, data: bytes, origin: str) -> Finding | None:
-    """Try an input. An internal error that the program catches is a finding too."""
+    """Try an input. An internal error that the program catches is also a finding."""
     errors: list[str] = []
-    catcher = _Catcher(errors)
-    hook, sys.excepthook = sys.excepthook, catcher.record
-    logging.getLogger().addHandler(catcher)
+    recorder = _ErrorRecorder(errors)
+    hook, sys.excepthook = sys.excepthook, recorder.record
+    logging.getLogger().addHandler(recorder)
     try:
         with _watchdog(), tempfile.TemporaryDirectory(prefix="fuzz-") as folder:
             target.check(data, Path(folder).resolve())
-    except (Exception, CaseTimeout):  # noqa: BLE001 - any is a finding
+    except (Exception, CaseTimeout):  # noqa: BLE001 - any error is a finding
         errors.append(traceback.format_exc())
     finally:
         sys.excepthook = hook
-        logging.getLogger().removeHandler(catcher)
+        logging.getLogger().removeHandler(recorder)
     return Finding(target, data, origin, errors[-1]) if errors else None
 
 
-class _Catcher(logging.Handler):
-    """Collects unexpected errors of threads, slots and sessions."""
+class _ErrorRecorder(logging.Handler):
+    """Records unexpected errors of threads, slots and sessions."""
 
     def __init__(self, errors: list[str]) -> None:
         super().__init__(logging.ERROR)
@@ -119,12 +119,12 @@ class _Catcher(logging.Handler):
 
 
 class CaseTimeout(BaseException):
-    """Exceeded `LONGEST_CASE` seconds of processor time. No `except Exception` catches it."""
+    """An input exceeded `MAX_CASE_S`. No `except Exception` catches this error."""
 
 
 @contextlib.contextmanager
 def _watchdog() -> Iterator[None]:
-    """Raise `Hang` on systems with a timer for processor time."""
+    """Raise `CaseTimeout` on systems with a timer for processor time."""
     if (
         not hasattr(signal, "setitimer")
         or threading.current_thread() is not threading.main_thread()
@@ -136,7 +136,7 @@ def _watchdog() -> Iterator[None]:
         raise CaseTimeout
 
     before = signal.signal(signal.SIGPROF, expire)
-    signal.setitimer(signal.ITIMER_PROF, LONGEST_CASE)
+    signal.setitimer(signal.ITIMER_PROF, MAX_CASE_S)
     try:
         yield
     finally:
@@ -153,14 +153,13 @@ def run(
 ) -> list[Finding]:
     """Try the corpus, then random inputs for some seconds. Report and return the findings.
 
-    All targets get the same share of the time. `number` in a finding counts the inputs of its
-    target.
+    All targets get an equal share of the time. The inputs of each target are numbered from 0.
     """
-    found: list[Finding] = []
+    findings: list[Finding] = []
 
     def add(finding: Finding | None) -> None:
         if finding is not None:
-            found.append(finding)
+            findings.append(finding)
             report(finding)
 
     for target in targets:
@@ -169,7 +168,7 @@ def run(
     used = dict.fromkeys(targets, 0.0)
     tried = dict.fromkeys(targets, 0)
     end = clock() + seconds
-    while (began := clock()) < end:
+    while (start := clock()) < end:
         target = min(targets, key=used.__getitem__)
         number = tried[target]
         origin = f"seed {seed}, number {number}"
@@ -180,10 +179,10 @@ def run(
         ):
             error = f"Growth: {grown} bytes for each input"
             add(Finding(target, b"", origin, error))
-        used[target] += clock() - began
+        used[target] += clock() - start
     counts = ", ".join(f"{target.name} {count}" for target, count in tried.items())
     report(f"Tried {sum(tried.values())} inputs: {counts}.")
-    return found
+    return findings
 
 
 def growth(target: Target, seed: int, number: int, inputs: int = 10) -> int:
@@ -192,8 +191,8 @@ def growth(target: Target, seed: int, number: int, inputs: int = 10) -> int:
     try:
         sizes = []
         for _ in range(3):
-            for at in range(inputs):
-                attempt(target, target.random_input(seed, number + at), "")
+            for offset in range(inputs):
+                attempt(target, target.random_input(seed, number + offset), "")
             gc.collect()
             sizes.append(tracemalloc.get_traced_memory()[0])
     finally:
@@ -206,14 +205,14 @@ def growth(target: Target, seed: int, number: int, inputs: int = 10) -> int:
 
 def mutations(samples: Callable[[], Sequence[bytes]], words: Sequence[bytes] = ()) -> InputFactory:
     """Return a function that mutates valid inputs. `words`: meaningful pieces to insert."""
-    known = cache(samples)
+    valid = cache(samples)
 
     def create(random: Random) -> bytes:
         if random.random() < 0.05:
             return random.randbytes(random.randrange(300))
-        data = random.choice(known())
+        data = random.choice(valid())
         for _ in range(random.choice((1, 1, 1, 2, 2, 3, 5, 8))):
-            data = _mutated_once(random, data, known(), words)[:LONGEST]
+            data = _mutated_once(random, data, valid(), words)[:MAX_INPUT]
         return data
 
     return create
@@ -223,7 +222,7 @@ def _mutated_once(
     random: Random, data: bytes, samples: Sequence[bytes], words: Sequence[bytes]
 ) -> bytes:
     if b"\n" in data and random.random() < 0.4:
-        return b"\n".join(_with_other_line(random, data.split(b"\n"), samples, words))
+        return b"\n".join(_with_changed_line(random, data.split(b"\n"), samples, words))
     start = random.randrange(len(data) + 1)
     end = min(len(data), start + random.choice((1, 1, 2, 4, 8, 40, 400)))
     before, piece, after = data[:start], data[start:end], data[end:]
@@ -254,21 +253,21 @@ def _mutated_once(
     return before + piece + after
 
 
-def _with_other_line(
+def _with_changed_line(
     random: Random, lines: list[bytes], samples: Sequence[bytes], words: Sequence[bytes]
 ) -> list[bytes]:
-    at, other = random.randrange(len(lines)), random.randrange(len(lines))
+    line, other = random.randrange(len(lines)), random.randrange(len(lines))
     match random.randrange(5):
         case 0:
-            return [*lines[:at], *lines[at + 1 :]]
+            return [*lines[:line], *lines[line + 1 :]]
         case 1:
-            lines[at], lines[other] = lines[other], lines[at]
+            lines[line], lines[other] = lines[other], lines[line]
         case 2:
-            lines.insert(at, lines[other])
+            lines.insert(line, lines[other])
         case 3:
-            lines.insert(at, random.choice(random.choice(samples).split(b"\n")))
+            lines.insert(line, random.choice(random.choice(samples).split(b"\n")))
         case _ if words:
-            lines[at] = random.choice(words)
+            lines[line] = random.choice(words)
     return lines
 
 

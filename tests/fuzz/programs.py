@@ -1,4 +1,4 @@
-"""Fuzzing of command lines and of the window's configuration."""
+"""Fuzzing of command lines, of the configuration and of files opened in the window."""
 
 import contextlib
 import io
@@ -11,7 +11,7 @@ from unittest.mock import patch
 
 import click
 from click.testing import CliRunner, Result
-from PySide6.QtCore import QByteArray, QCoreApplication, QSettings
+from PySide6.QtCore import QCoreApplication, QSettings
 from PySide6.QtWidgets import QApplication
 
 from tests.fuzz.files import YAML, pose_samples, recording_samples, settings_samples
@@ -42,8 +42,8 @@ EXIT_CODES = {0, 1, 2}
 URL, ROBOT_URL = "virtual:board", "virtual:robot"
 
 
-class Computer(VirtualRuntime):
-    """Computer in virtual time, without real ports."""
+class VirtualComputer(VirtualRuntime):
+    """Computer in virtual time, with simulated ports only."""
 
     def open_transport(self, settings: PortSettings) -> Transport:
         if settings.url not in self.ports:
@@ -52,9 +52,9 @@ class Computer(VirtualRuntime):
 
 
 @contextlib.contextmanager
-def _computer(folder: Path) -> Iterator[Computer]:
-    """Change to a folder, with simulated devices at `URL` and `ROBOT_URL`."""
-    computer = Computer()
+def _computer(folder: Path) -> Iterator[VirtualComputer]:
+    """Change to a folder, and connect simulated devices to `URL` and `ROBOT_URL`."""
+    computer = VirtualComputer()
     computer.make_process = lambda parent: VirtualProcess(computer, parent)
     before = use_runtime(computer)
     devices = [
@@ -68,14 +68,14 @@ def _computer(folder: Path) -> Iterator[Computer]:
             for device in devices:
                 device.end()
             use_runtime(before)
-    assert computer.is_idle, "a thread lives on"
+    assert computer.is_idle, "a thread still runs"
 
 
 # --- Arguments --------------------------------------------------------------------------
 
 
-def _words(data: bytes) -> list[str]:
-    """Return one argument per line, all inside the working folder."""
+def _arguments(data: bytes) -> list[str]:
+    """Return an argument for each line. All paths are in the working folder."""
     text = data.decode("utf-8", "surrogateescape").replace("\0", "").replace("/", "_")
     return text.split("\n")[:20]
 
@@ -85,12 +85,12 @@ def _check_result(result: Result, words: Sequence[str]) -> None:
     if result.exception is not None and not isinstance(result.exception, SystemExit):
         raise result.exception
     assert "Traceback" not in result.stderr
-    assert result.exit_code == 0 or result.stderr.strip(), f"{words} failed and did not say why"
+    assert result.exit_code == 0 or result.stderr.strip(), f"{words} failed without a message"
 
 
 def check_trexcmd(data: bytes, folder: Path) -> None:
-    words = _words(data)
-    _prepare(folder)
+    words = _arguments(data)
+    _create_files(folder)
     environment: dict[str, str | None] = {"TREX_PORT": URL}
     with _computer(folder) as computer:
         command = VirtualCommand(computer, words, environment, stdin="product: TReX\n")
@@ -102,7 +102,7 @@ def check_trexcmd(data: bytes, folder: Path) -> None:
     _check_result(command.result, words)
 
 
-def _prepare(folder: Path) -> None:
+def _create_files(folder: Path) -> None:
     settings = (resource("samples") / "trex_factory_defaults.txt").read_bytes()
     snapshots = folder / "data" / "snapshots"
     snapshots.mkdir(parents=True)
@@ -112,8 +112,8 @@ def _prepare(folder: Path) -> None:
 
 
 def check_trex_sim(data: bytes, folder: Path) -> None:
-    """Check the steps before the device is served."""
-    words = _words(data)
+    """Check the steps before the simulator opens its port."""
+    words = _arguments(data)
     with (
         contextlib.chdir(folder),
         patch.object(simulator, "Server"),
@@ -126,16 +126,16 @@ def check_trex_sim(data: bytes, folder: Path) -> None:
 
 def check_trex_gui(data: bytes, folder: Path) -> None:
     """Check the arguments, and open the window with valid arguments."""
-    words = _words(data)
-    said, code = io.StringIO(), None
+    words = _arguments(data)
+    output, code = io.StringIO(), None
     try:
-        with contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
+        with contextlib.redirect_stderr(output), contextlib.redirect_stdout(output):
             arguments = app._arguments(words)
     except SystemExit as error:
         code = error.code
     if code is not None:
         assert code in EXIT_CODES
-        assert said.getvalue().strip()
+        assert output.getvalue().strip()
         return
     with _window(folder) as (program, computer):
         if arguments.port:
@@ -158,8 +158,8 @@ VALUES = (
 _NETWORK = {"robots", "serve"}  # commands that wait for other computers, in real time
 
 
-def _vectors(*programs: click.Command) -> InputFactory:
-    """Return a function that creates mostly valid arguments for these commands."""
+def _command_lines(*programs: click.Command) -> InputFactory:
+    """Return a function that creates mostly valid arguments of these programs."""
 
     def create(random: Random) -> bytes:
         words, command = [], random.choice(programs)
@@ -179,7 +179,7 @@ def _vectors(*programs: click.Command) -> InputFactory:
     return create
 
 
-FITTING = {
+VALID_VALUES = {
     "port": (URL, URL, ROBOT_URL),
     "baud": ("19200",),
     "polynomial": ("89",),
@@ -199,7 +199,7 @@ FITTING = {
     "tcp": ("127.0.0.1:0",),
     "rfc2217": ("[::1]:0",),
 }
-"""Values of parameters, by name; those without are numbers."""
+"""Valid values by name of the parameter. Other parameters are numbers."""
 
 
 def _argument(random: Random, parameter: click.Parameter) -> list[str]:
@@ -207,7 +207,7 @@ def _argument(random: Random, parameter: click.Parameter) -> list[str]:
         return []
     if random.random() < 0.1:
         return [random.choice(VALUES)]
-    choices: Sequence[str] = FITTING.get(parameter.name or "", ("1", "2", "3"))
+    choices: Sequence[str] = VALID_VALUES.get(parameter.name or "", ("1", "2", "3"))
     if isinstance(parameter.type, click.Choice):
         choices = [str(choice) for choice in parameter.type.choices]
     values = [random.choice(VALUES if random.random() < 0.05 else choices)]
@@ -232,7 +232,7 @@ def _trex_gui_samples() -> Sequence[bytes]:
 
 
 @contextlib.contextmanager
-def _window(folder: Path) -> Iterator[tuple[Program, Computer]]:
+def _window(folder: Path) -> Iterator[tuple[Program, VirtualComputer]]:
     """Open the window of a program whose configuration is in a folder."""
     QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.UserScope, str(folder))
     with _computer(folder) as computer:
@@ -244,51 +244,26 @@ def _window(folder: Path) -> Iterator[tuple[Program, Computer]]:
         finally:
             program.window.close()
             computer.advance(2.0)
-            assert program.close(), "a thread lives on"
+            assert program.close(), "a thread still runs"
             deliver()
             theme().set_scheme("system")
             theme().set_font_size(100)
 
 
-VALID: dict[str, object] = {
-    "window/geometry": QByteArray(b"\x01\xd9\xd0\xcb"),
-    "window/state": QByteArray(b"\0\0\0\xff"),
-    "window/scheme": "dark",
-    "window/font_size": 125,
-    "files/recent": "trex settings /tmp/a.txt",
-    "connection/automatic": True,
-    "window/device": "aracna",
-    "trex/page": 2,
-    "aracna/page": 1,
-    "ports/typed": f"{URL}\nsocket://host:1",
-    "ports/known": f"trex\t57600 NONE 1 -1 89\t{URL}\t10c4:ea60\t0001\t1-2",
-    "line/settings": 5,
-    "line/device_number": 7,
-    "line/polynomial": 0x89,
-    "line/reserved": "0,1",
-    "motors/ceilings/trex-1.2-7": 100,
-    "motors/brake": 50,
-    "motors/lockout": 1.5,
-    "motors/return_to_zero": True,
-    "gamepad/last": "0300",
-    "gamepad/stops_unfocused": True,
-    "aracna/limits": " ".join(["0-1023"] * 8),
-    "aracna/folder": "/tmp",
-    "transcript/polling": True,
-    "aracna/transcript/polling": False,
-    "parameters/both_motors": True,
-    "parameters/name_width": 321,
-    "parameters/value_width": 123,
-    "demo/visible": True,
-    "export/light_background": False,
-    "settings/folder": "/tmp",
-    "recording/folder": "/tmp",
-    "editor/geometry": QByteArray(b"\x01"),
-    "history/geometry": QByteArray(b"\x01"),
-}
-"""Every key that the program reads, with a value of its kind."""
+CONFIGURATION_KEYS = (
+    *("window/geometry", "window/state", "window/scheme", "window/font_size", "window/device"),
+    *("files/recent", "connection/automatic", "trex/page", "aracna/page"),
+    *("ports/typed", "ports/known", "line/settings", "line/device_number", "line/polynomial"),
+    *("line/reserved", "motors/ceilings/trex-1.2-7", "motors/brake", "motors/lockout"),
+    *("motors/return_to_zero", "gamepad/last", "gamepad/stops_unfocused"),
+    *("aracna/limits", "aracna/folder", "transcript/polling", "aracna/transcript/polling"),
+    *("parameters/both_motors", "parameters/name_width", "parameters/value_width"),
+    *("demo/visible", "export/light_background", "settings/folder", "recording/folder"),
+    *("editor/geometry", "history/geometry"),
+)
+"""Every key that the program reads."""
 
-UNUSABLE = (
+INVALID_VALUES = (
     *("99999999999999999999", "-1", "1, 2, 3", "@Invalid()", "@Size(1 2)", "nan", "1e999", "@", ""),
     *("true, false", "@ByteArray(abc)", "@Rect(1 2 3 4)", "\\x0", "9" * 5000, "@DateTime(\\0\\0)"),
     *("@Variant(\\0\\0\\0\\x4\\0)", "@Variant(\\0\\0\\0\\x7f\\0\\0\\0\\xePyObject\\0)"),
@@ -305,10 +280,13 @@ def _configuration(values: dict[str, str]) -> bytes:
 
 
 def _configurations() -> Sequence[bytes]:
-    """Return each key with each invalid value, and a configuration that is valid."""
+    """Return configurations that together have each invalid value at each key."""
     rotated = [
-        {key: UNUSABLE[(at + turn) % len(UNUSABLE)] for at, key in enumerate(VALID)}
-        for turn in range(len(UNUSABLE))
+        {
+            key: INVALID_VALUES[(place + shift) % len(INVALID_VALUES)]
+            for place, key in enumerate(CONFIGURATION_KEYS)
+        }
+        for shift in range(len(INVALID_VALUES))
     ]
     return list(map(_configuration, rotated))
 
@@ -331,7 +309,7 @@ def check_configuration(data: bytes, folder: Path) -> None:
 
 
 GUI_WORDS = (b"--port", b"--device", b"--settings", b"--timeout", b"--demo", b"--tour", b"--x")
-INI = (*(value.encode() for value in UNUSABLE), b'"', b"[", b"]", b"=", b"%", b"\\x")
+INI = (*(value.encode() for value in INVALID_VALUES), b'"', b"[", b"]", b"=", b"%", b"\\x")
 assert isinstance(simulator.main, click.Command)
 
 
@@ -352,11 +330,7 @@ def check_opened_file(data: bytes, folder: Path) -> None:
             window.close()
 
 
-def _file_samples() -> Sequence[bytes]:
-    return [*settings_samples(), *pose_samples(), *recording_samples()]
-
-
-# --- Edits that were not applied --------------------------------------------------------
+# --- Pending edits ----------------------------------------------------------------------
 
 
 def check_pending_edits(data: bytes, folder: Path) -> None:
@@ -379,13 +353,13 @@ def check_pending_edits(data: bytes, folder: Path) -> None:
             computer.run_until(device.shut_down, 10)
 
 
-# ----------------------------------------------------------------------------------------
+# --- Targets ----------------------------------------------------------------------------
 
-RUN = 10_000  # bytes that the harness, and Qt, keep of a run; a program ends after one
-OUTPUT = 100_000  # click keeps what its test runner captured
+RUN = 10_000  # bytes that harness and Qt retain after a run, which are freed with the process
+OUTPUT = 100_000  # bytes of captured output that click retains
 
 PROGRAM_TARGETS = (
-    Target("trexcmd", _vectors(main), check_trexcmd, examples=15, growth=OUTPUT),
+    Target("trexcmd", _command_lines(main), check_trexcmd, examples=15, growth=OUTPUT),
     Target(
         "pending_edits",
         mutations(settings_samples, YAML),
@@ -393,7 +367,7 @@ PROGRAM_TARGETS = (
         examples=6,
         growth=RUN,
     ),
-    Target("trex_sim", _vectors(simulator.main), check_trex_sim, examples=20, growth=OUTPUT),
+    Target("trex_sim", _command_lines(simulator.main), check_trex_sim, examples=20, growth=OUTPUT),
     Target(
         "trex_gui",
         mutations(_trex_gui_samples, [*GUI_WORDS, *map(os.fsencode, VALUES)]),
@@ -402,7 +376,11 @@ PROGRAM_TARGETS = (
         growth=RUN,
     ),
     Target(
-        "opened_files", mutations(_file_samples, YAML), check_opened_file, examples=2, growth=RUN
+        "opened_files",
+        mutations(lambda: [*settings_samples(), *pose_samples(), *recording_samples()], YAML),
+        check_opened_file,
+        examples=2,
+        growth=RUN,
     ),
     Target(
         "configuration",

@@ -27,15 +27,15 @@ TARGETS: tuple[Target, ...] = (*FILE_TARGETS, *WIRE_TARGETS, *PROGRAM_TARGETS)
 def run(seconds: float, seed: int, targets: tuple[Target, ...] = TARGETS) -> list[Finding]:
     """Fuzz for some seconds. Print the findings, store them in the corpus and return them."""
 
-    out = sys.stdout  # a hanging command may have replaced it
+    out = sys.stdout  # a command that hangs can replace `sys.stdout`
 
-    def report(news: Finding | str) -> None:
-        text = news
-        if isinstance(news, Finding) and news.data:
-            text = f"{news}\nsaved as {news.save()}\n"
+    def report(message: Finding | str) -> None:
+        text = message
+        if isinstance(message, Finding) and message.data:
+            text = f"{message}\nsaved as {message.save()}\n"
         print(text, file=out, flush=True)
 
-    signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored in the background otherwise
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # otherwise ignored in the background
     app = QCoreApplication.instance() or QApplication(["fuzz"])
     app.setOrganizationName("TReX Studio tests")
     app.setApplicationName("TReX Studio")
@@ -47,8 +47,8 @@ def run(seconds: float, seed: int, targets: tuple[Target, ...] = TARGETS) -> lis
 
 def main(arguments: list[str]) -> int:
     seed = int(arguments[1]) if len(arguments) > 1 else secrets.randbits(32)
-    chosen = tuple(target for target in TARGETS if target.name in arguments[2:]) or TARGETS
-    return 1 if run(float(arguments[0]), seed, chosen) else 0
+    selected = tuple(target for target in TARGETS if target.name in arguments[2:]) or TARGETS
+    return 1 if run(float(arguments[0]), seed, selected) else 0
 
 
 if __name__ == "__main__":

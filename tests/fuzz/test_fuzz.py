@@ -1,4 +1,4 @@
-"""Inputs cause no undocumented error, no hang and no growth of memory."""
+"""Inputs cause no undocumented error, no hang and no growth of memory usage."""
 
 import gc
 import logging
@@ -37,7 +37,7 @@ from trex_gui.devices.trex.settings.reader import read_settings
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import SimulatedBoards
 
-KEPT = [
+CORPUS_INPUTS = [
     pytest.param(target, path, id=f"{target.name}-{path.name}")
     for target in TARGETS
     for path in target.corpus()
@@ -46,14 +46,14 @@ KEPT = [
 
 @pytest.fixture
 def seed(request: pytest.FixtureRequest) -> int:
-    """Seed of the random inputs. It varies in the long tests only."""
+    """Seed of the random inputs. The seed is random only with `--all`."""
     if not request.config.getoption("--all"):
         return 0
     return Random().getrandbits(32)
 
 
-@pytest.mark.parametrize(("target", "path"), KEPT)
-def test_input_that_failed_once_is_taken(qtbot: QtBot, target: Target, path: Path) -> None:
+@pytest.mark.parametrize(("target", "path"), CORPUS_INPUTS)
+def test_input_that_once_failed_is_handled(qtbot: QtBot, target: Target, path: Path) -> None:
     if finding := attempt(target, path.read_bytes(), path.name):
         pytest.fail(str(finding))
 
@@ -71,7 +71,7 @@ def test_settings_file_of_many_lines_is_read_and_edited() -> None:
 
 @pytest.mark.timeout(600)
 @pytest.mark.parametrize("target", TARGETS, ids=lambda target: target.name)
-def test_random_input_is_taken_as_documented(
+def test_random_input_is_handled_as_documented(
     qtbot: QtBot, request: pytest.FixtureRequest, target: Target, seed: int
 ) -> None:
     factor = LONG_FACTOR if request.config.getoption("--all") else 1
@@ -84,30 +84,30 @@ def test_random_input_is_taken_as_documented(
 @pytest.mark.slow
 @pytest.mark.timeout(600)
 @pytest.mark.parametrize("target", TARGETS, ids=lambda target: target.name)
-def test_random_inputs_do_not_occupy_memory(
+def test_memory_does_not_grow_with_random_inputs(
     qtbot: QtBot, caplog: pytest.LogCaptureFixture, target: Target, seed: int
 ) -> None:
     caplog.set_level(logging.CRITICAL)  # pytest keeps every record
     assert growth(target, seed, 0) <= target.growth, f"seed {seed}"
 
 
-# --- What finds faults ------------------------------------------------------------------
+# --- The fuzzer -------------------------------------------------------------------------
 
 
-def test_same_seed_makes_same_inputs() -> None:
+def test_same_seed_creates_the_same_inputs() -> None:
     for target in TARGETS:
-        first, again = ([target.random_input(7, number) for number in range(5)] for _ in range(2))
-        assert first == again
+        first, second = ([target.random_input(7, number) for number in range(5)] for _ in range(2))
+        assert first == second
         assert first != [target.random_input(8, number) for number in range(5)]
 
 
-def test_faults_of_each_kind_are_found_and_repeated(monkeypatch: pytest.MonkeyPatch) -> None:
-    kept: list[bytes] = []
+def test_errors_of_each_kind_are_found_and_can_be_repeated(monkeypatch: pytest.MonkeyPatch) -> None:
+    retained: list[bytes] = []
 
     def check(data: bytes, folder: Path) -> None:
-        kept.append(data)  # grows
+        retained.append(data)  # memory usage grows
         if data[0] < 20:
-            raise KeyError("few")
+            raise KeyError("on purpose")
         if data[0] < 40:
             logging.getLogger("session").exception("failed")
 
@@ -115,24 +115,24 @@ def test_faults_of_each_kind_are_found_and_repeated(monkeypatch: pytest.MonkeyPa
     target = Target("nothing", lambda random: random.randbytes(3000), check)
     reports: list[Finding | str] = []
     ticks = map(float, count())
-    found = run(100, 1, [target], reports.append, ticks.__next__)
-    assert reports == [*found, "Tried 50 inputs: nothing 50."]
-    errors = {finding.error.splitlines()[0].partition(":")[0] for finding in found}
+    findings = run(100, 1, [target], reports.append, ticks.__next__)
+    assert reports == [*findings, "Tried 50 inputs: nothing 50."]
+    errors = {finding.error.splitlines()[0].partition(":")[0] for finding in findings}
     assert errors == {"Traceback (most recent call last)", "failed", "Growth"}
-    first = next(finding for finding in found if finding.data)
+    first = next(finding for finding in findings if finding.data)
     number = int(first.origin.rpartition(" ")[2])
     assert target.random_input(1, number) == first.data
-    assert attempt(target, first.data, "again") is not None
+    assert attempt(target, first.data, "repeated") is not None
 
 
-@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="needs a timer of processor time")
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="needs a timer for processor time")
 def test_hang_is_found(monkeypatch: pytest.MonkeyPatch) -> None:
     def check(data: bytes, folder: Path) -> None:
         while True:
             with suppress(Exception):
                 len(data)
 
-    monkeypatch.setattr(fuzzing, "LONGEST_CASE", 0.05)
+    monkeypatch.setattr(fuzzing, "MAX_CASE_S", 0.05)
     finding = attempt(Target("nothing", lambda random: b"", check), b"x", "once")
     assert finding is not None
     assert finding.error.rstrip().endswith("CaseTimeout")
@@ -172,11 +172,11 @@ def _client() -> tuple[object, Feed]:
     )
 
     def feed(data: bytes) -> None:
-        client.transport.line.inject(data[:30])  # type: ignore[attr-defined]  # a virtual one
+        client.transport.line.inject(data[:30])  # type: ignore[attr-defined]  # of the virtual transport
         with suppress(NoReply, BadReply):
             client.request(GetSignature() if data[:1] < b"\x80" else GetRawChannels(0x1F))
         client.transport.wait(0.1)
-        client.transport.sent.clear()  # type: ignore[attr-defined]  # of the harness
+        client.transport.sent.clear()  # type: ignore[attr-defined]  # of the virtual transport
         client.transport.written.clear()  # type: ignore[attr-defined]
 
     return client, feed
@@ -194,8 +194,8 @@ def _assembler(decoder: Any) -> tuple[object, Feed]:
     return assembler, feed
 
 
-def _reader(reader: Any) -> tuple[object, Feed]:
-    return reader, reader.feed
+def _parser(parser: Any) -> tuple[object, Feed]:
+    return parser, parser.feed
 
 
 LONG_LIVED: dict[str, Callable[[], tuple[object, Feed]]] = {
@@ -204,27 +204,23 @@ LONG_LIVED: dict[str, Callable[[], tuple[object, Feed]]] = {
     "client": _client,
     "rows of a board": lambda: _assembler(TrexDecoder()),
     "rows of a robot": lambda: _assembler(AracnaDecoder()),
-    "lines of a robot": lambda: _reader(Reader()),
-    "packets": lambda: _reader(PacketParser(0x89)),
+    "lines of a robot": lambda: _parser(Reader()),
+    "packets": lambda: _parser(PacketParser(0x89)),
 }
 
 
 def _reachable(root: object) -> Iterator[object]:
     """Yield all objects that an object owns, without classes, functions and modules."""
     seen: set[int] = set()
-    waiting = [root]
-    while waiting:
-        found = waiting.pop()
-        if id(found) not in seen and not isinstance(
-            found, type | FunctionType | BuiltinFunctionType | ModuleType
+    remaining = [root]
+    while remaining:
+        current = remaining.pop()
+        if id(current) not in seen and not isinstance(
+            current, type | FunctionType | BuiltinFunctionType | ModuleType
         ):
-            seen.add(id(found))
-            yield found
-            waiting += gc.get_referents(found)
-
-
-def _weight(root: object) -> int:
-    return sum(map(sys.getsizeof, _reachable(root)))
+            seen.add(id(current))
+            yield current
+            remaining += gc.get_referents(current)
 
 
 @pytest.mark.parametrize("name", LONG_LIVED)
@@ -236,7 +232,7 @@ def test_memory_of_long_lived_object_does_not_grow(name: str) -> None:
         for _ in range(inputs):
             pieces = random.choices([*PACKETS, *REPLIES, b"\n", random.randbytes(5)], k=6)
             feed(b"".join(pieces))
-        return _weight(subject)
+        return sum(map(sys.getsizeof, _reachable(subject)))
 
     before = feed_many(50)
     assert feed_many(100) < before + 2500

@@ -44,40 +44,39 @@ from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.uart import SEND_BUFFER
 
-MOST_READS = 30_000
-"""Reads after which a session or a scan hangs; an undisturbed one of some seconds needs a tenth."""
+MAX_READS = 30_000
+"""Reads of a session or scan that does not hang. Without faults, a tenth of them suffices."""
 
-
-LONGEST_REPLIES = 10_000
-"""Bytes that may wait for the host after a block of requests."""
+MAX_REPLIES = 10_000
+"""Bytes of replies that the host may not yet have read after a block of requests."""
 
 
 class Wire(Protocol):
-    """Transport with its line."""
+    """Transport with a simulated line."""
 
     line: Any
 
     def clock(self) -> float: ...
 
 
-class Disturbance:
-    """Damages replies as its bytes specify, one for each read. Afterwards the line is undamaged."""
+class LineFault:
+    """Corrupts replies. A byte of the data specifies the fault of a read, until the data ends."""
 
     def __init__(self, data: bytes) -> None:
         self._data = data
-        self._at = 0
-        self._held = b""
+        self._position = 0
+        self._unread = b""
         self.reads = 0
 
     def _read(self, size: int) -> bytes:
-        taken = self._data[self._at : self._at + size]
-        self._at += size
-        return taken
+        data = self._data[self._position : self._position + size]
+        self._position += size
+        return data
 
     def __call__(self, wire: Wire, received: bytes, size: int) -> bytes:
         self.reads += 1
-        assert self.reads < MOST_READS, f"it still reads at {wire.clock():.3f} s"
-        received = self._held + received
+        assert self.reads < MAX_READS, f"the program still reads at {wire.clock():.3f} s"
+        received = self._unread + received
         (kind,) = self._read(1) or b"\0"
         number = kind % 16
         match kind // 16:
@@ -105,7 +104,7 @@ class Disturbance:
                 _first_board(wire).power_off()
             case 15 if number == 13:
                 _first_board(wire).power_on()
-        self._held = received[size:]
+        self._unread = received[size:]
         return received[:size]
 
 
@@ -114,9 +113,9 @@ def _first_board(wire: Wire) -> Any:
     return getattr(station, "board", station)
 
 
-def _disturb(transport: Any, disturbance: Disturbance) -> None:
+def _add_fault(transport: Any, fault: LineFault) -> None:
     read = transport.read
-    transport.read = lambda size, seconds: disturbance(transport, read(size, seconds), size)
+    transport.read = lambda size, seconds: fault(transport, read(size, seconds), size)
 
 
 # --- Replies to the program -------------------------------------------------------------
@@ -137,36 +136,36 @@ BOARD_REQUESTS: Sequence[tuple[float, board.Request]] = (
 
 
 def check_board_replies(data: bytes, folder: Path) -> None:
-    """Check a session. The first byte sets up the line, the other bytes disturb it."""
-    how = data[0] if data else 0
-    line = LineSettings(19200, Detection.CRC7 if how & 1 else Detection.NONE)
+    """Check a session. The first byte selects line settings, the other bytes are faults."""
+    flags = data[0] if data else 0
+    line = LineSettings(19200, Detection.CRC7 if flags & 1 else Detection.NONE)
     eeprom = Eeprom()
     eeprom.write("uart_settings", line.to_wire())
-    harness = SessionHarness(Board(eeprom=eeprom), echo=bool(how & 2))
-    disturbance = Disturbance(data[1:])
-    if how & 8:  # else from the beginning
-        harness.script.at(0.5, lambda: _disturb(harness.transport, disturbance))
+    harness = SessionHarness(Board(eeprom=eeprom), echo=bool(flags & 2))
+    fault = LineFault(data[1:])
+    if flags & 8:  # the faults begin after the connection
+        harness.script.at(0.5, lambda: _add_fault(harness.transport, fault))
     else:
-        _disturb(harness.transport, disturbance)
+        _add_fault(harness.transport, fault)
     for time, request in BOARD_REQUESTS:
         harness.script.at(time, request)
-    reports = harness.run(ConnectionSettings("virtual", line, 7 if how & 4 else None))
-    late = [request for _, request in harness.script._steps]
-    taken = [one for _, one in BOARD_REQUESTS if one not in late]
-    _check_session(reports, taken, ErrorCode.INTERNAL)
+    reports = harness.run(ConnectionSettings("virtual", line, 7 if flags & 4 else None))
+    unsent = [request for _, request in harness.script._steps]
+    sent = [request for _, request in BOARD_REQUESTS if request not in unsent]
+    _check_session(reports, sent, ErrorCode.INTERNAL)
     assert harness.transport.closed
     assert harness.line.now < 60
 
 
-def _check_session(reports: Sequence[Any], taken: Sequence[Any], internal: object) -> None:
-    """Check that a session ends without a fault, and each request with one outcome."""
-    ids = [request.id for request in taken if hasattr(request, "id")]
+def _check_session(reports: Sequence[Any], requests: Sequence[Any], internal: object) -> None:
+    """Check that a session ends without an internal error, and each request with one outcome."""
+    ids = [request.id for request in requests if hasattr(request, "id")]
     last = reports[-1]
     assert isinstance(last, Closed)
     assert getattr(last.error, "code", None) is not internal, str(last.error)
-    assert sorted(one.id for one in reports if isinstance(one, Outcome)) == ids
-    for one in reports:
-        str(getattr(one, "error", "")).encode()
+    assert sorted(report.id for report in reports if isinstance(report, Outcome)) == ids
+    for each in reports:
+        str(getattr(each, "error", "")).encode()
 
 
 ROBOT_REQUESTS: Sequence[tuple[float, robot.Request]] = (
@@ -181,23 +180,23 @@ ROBOT_REQUESTS: Sequence[tuple[float, robot.Request]] = (
 
 def check_robot_replies(data: bytes, folder: Path) -> None:
     session = ScriptedSession()
-    _disturb(session.stage.transport, Disturbance(data))
+    _add_fault(session.stage.transport, LineFault(data))
     for time, request in ROBOT_REQUESTS:
         session.at(time, request)
     reports = session.until(6.0).run().reports
-    late = [request for _, request in session._actions]
-    taken = [one for _, one in ROBOT_REQUESTS if one not in late]
-    _check_session(reports, taken, RobotErrorCode.INTERNAL)
+    unsent = [request for _, request in session._actions]
+    sent = [request for _, request in ROBOT_REQUESTS if request not in unsent]
+    _check_session(reports, sent, RobotErrorCode.INTERNAL)
     assert session.stage.transport.closed
     assert session.line.now < session.started_at + 120
 
 
 def check_scan(data: bytes, folder: Path) -> None:
-    """Scan for every kind of device on a line with random replies."""
+    """Scan for every kind of device on a line with corrupted replies."""
     transport: Any = VirtualTransport(SimulatedBoards([Board()]))
     if data[:1] > b"\x80":
         transport = AracnaHarness().transport
-    _disturb(transport, Disturbance(data[1:]))
+    _add_fault(transport, LineFault(data[1:]))
     probers = {plugin.key: plugin.prober.load() for plugin in PLUGINS}
     result = scan_port(PortSettings("virtual"), probers, open_wire=lambda _: transport)
     assert not str(result.error).startswith("Internal error"), result.lines
@@ -221,7 +220,7 @@ def check_traffic(data: bytes, folder: Path) -> None:
 
 
 def _check_rows(decoder: Decoder, data: bytes) -> None:
-    """Check the bytes in pieces. One byte sets direction and length of the next piece."""
+    """Check the bytes in pieces. A byte before each piece specifies its direction and length."""
     assembler = TransactionAssembler(decoder)
     line = LineSettings(19200, Detection.CRC7 if data[:1] > b"\x80" else Detection.NONE)
     settings = ConnectionSettings("virtual", line)
@@ -241,12 +240,12 @@ def _check_rows(decoder: Decoder, data: bytes) -> None:
         assert decoder.shown(row.sent).isprintable()
         assert decoder.shown(row.received).isprintable()
     for direction in (TrafficDirection.SENT, TrafficDirection.RECEIVED):
-        told = b"".join(event.data for event in events if event.direction is direction)
-        shown = b"".join(
+        logged = b"".join(event.data for event in events if event.direction is direction)
+        listed = b"".join(
             row.sent if direction is TrafficDirection.SENT else row.received
             for row in rows.values()
         )
-        assert shown == told
+        assert listed == logged
 
 
 def _traffic_samples() -> Sequence[bytes]:
@@ -256,26 +255,26 @@ def _traffic_samples() -> Sequence[bytes]:
         (b".q\n", b".q1,8\r\n"),
         (b".c512\n", b".c5"),
     ]
-    talk = b"".join(
+    log = b"".join(
         bytes([0x40 + len(sent) - 1]) + sent + bytes([len(received) - 1]) + received
         for sent, received in pairs
     )
-    return [b"\0" + talk, b"\x81" + talk, b"\xff" + talk]
+    return [b"\0" + log, b"\x81" + log, b"\xff" + log]
 
 
 # --- Requests to simulated devices ------------------------------------------------------
 
 
 def check_board_requests(data: bytes, folder: Path) -> None:
-    """Check boards. The first bytes select the boards, which must still answer at the end."""
-    how, mode = (*data[:2], 0, 0)[:2]
+    """Check boards, which must respond at the end. The first two bytes select the boards."""
+    flags, mode = (*data[:2], 0, 0)[:2]
     boards = [Board(mode=("serial", "serial", "rc", "analog")[mode % 4], seed=0)]
-    if how & 1:
+    if flags & 1:
         eeprom = Eeprom()
         eeprom.write("device_number", 9)
         boards.append(Board(eeprom=eeprom))
-    line = SimulatedBoards(boards, echo=bool(how & 2), paced=bool(how & 4))
-    line.faults.noise = 0.1 if how & 8 else 0.0
+    line = SimulatedBoards(boards, echo=bool(flags & 2), paced=bool(flags & 4))
+    line.faults.noise = 0.1 if flags & 8 else 0.0
     for at in range(2, len(data), 40):
         line.send(data[at : at + 40])
         line.advance(0.05)
@@ -283,20 +282,20 @@ def check_board_requests(data: bytes, folder: Path) -> None:
         line.receive()
     line.advance(1.0)
     line.faults.noise = 0.0
-    for each in boards:
-        shown = report(each)
-        assert all(0 <= motor["speed"] <= 127 for motor in shown["motors"])
-        if mode % 4 > 1 and each is boards[0]:  # not in serial mode
-            assert shown["parameters"] == report(Board())["parameters"]
-        each.memory.active["device_number"] = 7 if each is boards[0] else 9
-    line.advance(each.memory.busy_for + 0.1)
+    for simulated in boards:
+        state = report(simulated)
+        assert all(0 <= motor["speed"] <= 127 for motor in state["motors"])
+        if mode % 4 > 1 and simulated is boards[0]:  # not in serial mode
+            assert state["parameters"] == report(Board())["parameters"]
+        simulated.memory.active["device_number"] = 7 if simulated is boards[0] else 9
+    line.advance(simulated.memory.busy_for + 0.1)
     line.receive()
     line.send(b"\xff\xff")
     line.advance(0.1)
     line.receive()
-    for each, number in zip(boards, (7, 9), strict=False):
-        uart = each.memory.line_settings
-        framing = Framing(number, each.memory.crc_polynomial)
+    for simulated, number in zip(boards, (7, 9), strict=False):
+        uart = simulated.memory.line_settings
+        framing = Framing(number, simulated.memory.crc_polynomial)
         packet = framing.encode(GetSignature())
         line.host = uart
         line.send(packet)
@@ -306,14 +305,14 @@ def check_board_requests(data: bytes, folder: Path) -> None:
 
 
 def _check_sizes(line: Any) -> None:
-    assert len(line._received) < LONGEST_REPLIES
+    assert len(line._received) < MAX_REPLIES
     assert len(line._frames) < 100
     for station in line.stations:
         assert len(station.port.outgoing) <= SEND_BUFFER
 
 
 class NetworkPort(Rfc2217Endpoint):
-    """Protocol without a socket."""
+    """RFC 2217 protocol without a socket."""
 
     def __init__(self) -> None:
         self._baud, self._client = 19200, None
@@ -324,7 +323,7 @@ class NetworkPort(Rfc2217Endpoint):
 
 
 def check_network_port(data: bytes, folder: Path) -> None:
-    """Check a client of RFC 2217, as the server handles it."""
+    """Check data of an RFC 2217 client, as the server handles them."""
     port, line = NetworkPort(), SimulatedBoards([Board(seed=0)])
     for at in range(0, len(data), 30):
         for settings, received in port.arrivals(data[at : at + 30]):
@@ -338,14 +337,16 @@ def check_network_port(data: bytes, folder: Path) -> None:
 
 
 def check_robot_requests(data: bytes, folder: Path) -> None:
-    """Send blocks with pauses. After a reset the robot answers."""
-    how = data[0] if data else 0
-    harness = AracnaHarness(booted=bool(how & 1), paced=bool(how & 2), keeps_last=bool(how & 4))
+    """Send blocks with pauses. After a reset, the robot must respond."""
+    flags = data[0] if data else 0
+    harness = AracnaHarness(
+        booted=bool(flags & 1), paced=bool(flags & 2), keeps_last=bool(flags & 4)
+    )
     for at in range(1, len(data), 70):
         harness.line.send(data[at : at + 70])
         harness.line.advance(data[at] / 200)
         assert len(harness.line.station.held) <= STORED_BYTES
-        assert len(harness.line.receive()) < LONGEST_REPLIES
+        assert len(harness.line.receive()) < MAX_REPLIES
     harness.line.drop_unsent()
     harness.do("reset")
     harness.line.advance(1.1)
@@ -372,7 +373,7 @@ LINES: Sequence[bytes] = (
 )
 
 
-TELNET = tuple(  # baud, data bits, parity, stop bits, control, state, purge, options
+TELNET = tuple(  # messages for baud rate, data bits, parity, stop bits, control, purge, options
     bytes.fromhex(message)
     for message in (
         *("FFFA2C0100004B00FFF0", "FFFA2C0208FFF0", "FFFA2C0301FFF0", "FFFA2C0401FFF0"),
@@ -386,19 +387,19 @@ TELNET = tuple(  # baud, data bits, parity, stop bits, control, state, purge, op
 
 
 def check_control(data: bytes, folder: Path) -> None:
-    """Send lines to the control of one board, two boards, and a robot."""
+    """Send control lines to one board, to two boards and to a robot."""
     numbered = Eeprom()
     numbered.write("device_number", 9)
-    stages: Sequence[tuple[Any, Callable[[Any, str], str]]] = (
+    lines: Sequence[tuple[Any, Callable[[Any, str], str]]] = (
         (SimulatedBoards([Board(seed=0)]), control_board),
         (SimulatedBoards([Board(seed=0), Board(eeprom=numbered)]), control_board),
         (AracnaLine(), control_robot),
     )
-    for line, control in stages:
+    for line, control in lines:
         for text in data.decode("utf-8", "replace").split("\n")[:50]:
-            answer = control(line, text)
-            assert answer.startswith(("ok", "error ")), answer
-            assert "\n" not in answer
+            reply = control(line, text)
+            assert reply.startswith(("ok", "error ")), reply
+            assert "\n" not in reply
             line.advance(0.02)
 
 
@@ -421,39 +422,39 @@ WORDS = tuple(
 )
 
 
-# ----------------------------------------------------------------------------------------
+# --- Targets ----------------------------------------------------------------------------
 
 
 def _mutated(*samples: bytes, words: Sequence[bytes] = REPLIES) -> InputFactory:
     return mutations(lambda: samples, words)
 
 
-CALM = b"\0" * 40
-ALL = b"".join(PACKETS)
+NO_FAULTS = b"\0" * 40
+ALL_PACKETS = b"".join(PACKETS)
 
 WIRE_TARGETS = (
     Target(
         "board_replies",
-        _mutated(CALM, b"\x01" + b"\0\x6f" * 30, b"\x06" + b"\0\0\0\x83TReX" * 10),
+        _mutated(NO_FAULTS, b"\x01" + b"\0\x6f" * 30, b"\x06" + b"\0\0\0\x83TReX" * 10),
         check_board_replies,
         examples=6,
     ),
     Target(
         "robot_replies",
-        _mutated(CALM, b"\0\x6f" * 30, b"\0\0\0\x97.q1,8\r\n" * 4),
+        _mutated(NO_FAULTS, b"\0\x6f" * 30, b"\0\0\0\x97.q1,8\r\n" * 4),
         check_robot_replies,
         examples=8,
     ),
     Target(
         "scan",
-        _mutated(CALM, b"\0" + b"\x60" * 80, b"\xff" + b"\x83TReX1.2" * 9),
+        _mutated(NO_FAULTS, b"\0" + b"\x60" * 80, b"\xff" + b"\x83TReX1.2" * 9),
         check_scan,
         examples=8,
     ),
     Target("traffic", mutations(_traffic_samples, (*REPLIES, *PACKETS)), check_traffic),
     Target(
         "board_requests",
-        _mutated(b"\0\0" + ALL, b"\x07\0" + ALL, words=PACKETS),
+        _mutated(b"\0\0" + ALL_PACKETS, b"\x07\0" + ALL_PACKETS, words=PACKETS),
         check_board_requests,
         examples=15,
     ),

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 import pytest
 
 from tests.gamepad.virtual_pad import VirtualPad
-from trex_gui.gamepad.pads import GamepadUnavailable, SdlPads
+from trex_gui.gamepad.pads import GamepadUnavailable, Pad, SdlPads
 from trex_gui.gamepad.profile import Axis, default_profile
 
 pytestmark = pytest.mark.realtime
@@ -24,31 +24,40 @@ def source() -> Iterator[SdlPads]:
     source.close()
 
 
+@pytest.fixture
+def gamepad(source: SdlPads) -> Iterator[VirtualPad]:
+    gamepad = VirtualPad()
+    yield gamepad
+    gamepad.unplug()
+
+
+@pytest.fixture
+def pad(source: SdlPads, gamepad: VirtualPad) -> Pad:
+    (pad,) = source.pads()
+    return pad
+
+
 def test_source_lists_no_pad_without_a_gamepad(source: SdlPads) -> None:
     assert source.pads() == ()
 
 
-def test_plugged_in_gamepad_is_listed(source: SdlPads) -> None:
-    virtual = VirtualPad()
-    (pad,) = source.pads()
+def test_plugged_in_gamepad_is_listed(pad: Pad) -> None:
     assert (pad.axes, pad.buttons) == (6, 15)
     assert pad.name
     assert len(pad.guid) == 32
-    virtual.unplug()
 
 
-def test_moved_axis_and_pressed_button_are_read(source: SdlPads) -> None:
-    virtual = VirtualPad()
-    (pad,) = source.pads()
-    virtual.move(1, -1.0)
-    virtual.press(4)
+def test_moved_axis_and_pressed_button_are_read(
+    source: SdlPads, gamepad: VirtualPad, pad: Pad
+) -> None:
+    gamepad.move(1, -1.0)
+    gamepad.press(4)
     source.pads()
     state = source.read(pad)
     assert state is not None
     assert state.axis(1) == pytest.approx(-1.0, abs=0.001)
     assert state.pressed(4)
     assert not state.pressed(3)
-    virtual.unplug()
 
 
 def test_unplugged_gamepad_is_removed_at_once(source: SdlPads) -> None:
@@ -72,15 +81,12 @@ def test_replugged_gamepad_has_a_new_ident_and_the_same_guid(source: SdlPads) ->
     second.unplug()
 
 
-def test_parts_of_a_gamepad_known_to_sdl_have_names(source: SdlPads) -> None:
-    virtual = VirtualPad()
-    (pad,) = source.pads()
+def test_parts_of_a_gamepad_known_to_sdl_have_names(pad: Pad) -> None:
     assert pad.parts["lefty"] == "a1"
     shoulder = pad.part_number("b", "leftshoulder")
     assert shoulder is not None
     assert default_profile(pad).hold == shoulder
     assert default_profile(pad).first == Axis(1, inverted=True)
-    virtual.unplug()
 
 
 def test_source_can_be_closed_twice_and_reopened() -> None:
@@ -109,14 +115,11 @@ def test_source_lists_no_gamepad_after_display_quit(source: SdlPads) -> None:
     assert source.read(pad) is None
 
 
-def test_gamepad_closed_in_sdl_is_removed_when_read(source: SdlPads) -> None:
-    virtual = VirtualPad()
-    (pad,) = source.pads()
+def test_gamepad_closed_in_sdl_is_removed_when_read(source: SdlPads, pad: Pad) -> None:
     importlib.import_module("pygame.joystick").Joystick(0).quit()
     assert source.pads() == (pad,)
     assert source.read(pad) is None
     assert source.pads() == ()
-    virtual.unplug()
 
 
 def test_open_changes_neither_environment_nor_signal_handlers() -> None:

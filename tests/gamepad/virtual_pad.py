@@ -3,6 +3,7 @@
 import ctypes
 import importlib.util
 import sys
+from ctypes import c_int, c_int16, c_uint8, c_void_p
 from pathlib import Path
 
 _GAMEPAD = 1  # SDL_JOYSTICK_TYPE_GAMECONTROLLER
@@ -24,17 +25,9 @@ class VirtualPad:
 
     def __init__(self, axes: int = 6, buttons: int = 15) -> None:
         self._sdl = _library()
-        self._sdl.SDL_JoystickOpen.restype = ctypes.c_void_p
-        self._sdl.SDL_JoystickSetVirtualAxis.argtypes = [
-            ctypes.c_void_p,
-            ctypes.c_int,
-            ctypes.c_int16,
-        ]
-        self._sdl.SDL_JoystickSetVirtualButton.argtypes = [
-            ctypes.c_void_p,
-            ctypes.c_int,
-            ctypes.c_uint8,
-        ]
+        self._sdl.SDL_JoystickOpen.restype = c_void_p
+        self._sdl.SDL_JoystickSetVirtualAxis.argtypes = [c_void_p, c_int, c_int16]
+        self._sdl.SDL_JoystickSetVirtualButton.argtypes = [c_void_p, c_int, c_uint8]
         self._index = self._sdl.SDL_JoystickAttachVirtual(_GAMEPAD, axes, buttons, 0)
         assert self._index >= 0
         self._joystick = self._sdl.SDL_JoystickOpen(self._index)

@@ -1,9 +1,9 @@
-"""Attacks the program in real time for a given time, and prints the failures.
+"""Test the program in real time for a given time, and print the failures.
 
     python3 packaging/bootstrap.py soak --minutes 30 [--seed 1] [--part faults]
 
-Each part gets a share of the time and the seed, prints its attempts, and returns lines about the
-failures. The same seed repeats the same attempts in the same order.
+Each part gets the seed and a share of the time, prints its attempts and returns its failures. The
+same seed repeats the same attempts in the same order.
 """
 
 import argparse
@@ -17,7 +17,7 @@ from tests.soak import deaths, drives, faults, groups, messages, networks
 from tests.support import kill_saves
 
 Part = Callable[[float, int], Sequence[object]]
-"""Gets seconds and a seed; returns what fell short."""
+"""Gets seconds and a seed. Returns the failures."""
 
 PARTS: dict[str, Part] = {
     "fuzz": targets.run,
@@ -34,29 +34,29 @@ PARTS: dict[str, Part] = {
 def run_parts(parts: Mapping[str, Part], seconds: float, seed: int) -> list[str]:
     """Run all parts, each for its share of the time. Return the failures."""
     end = time.monotonic() + seconds
-    found: list[str] = []
+    failures: list[str] = []
     for number, (name, run) in enumerate(parts.items()):
         share = (end - time.monotonic()) / (len(parts) - number)
         print(f"\n--- {name} for {share:.0f} s, seed {seed}", flush=True)
-        fell_short = run(max(share, 0.0), seed)
-        print(f"{name}: {len(fell_short)} fell short", flush=True)
-        found += [f"{name}: {one}" for one in fell_short]
-    return found
+        failed = run(max(share, 0.0), seed)
+        print(f"{name}: {len(failed)} failed", flush=True)
+        failures += [f"{name}: {failure}" for failure in failed]
+    return failures
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     parser = argparse.ArgumentParser(prog="soak", description=__doc__)
     parser.add_argument("--minutes", type=float, default=10.0)
-    parser.add_argument("--seed", type=int, help="random by default; it is printed")
-    parser.add_argument("--part", choices=sorted(PARTS), action="append", help="only this one")
+    parser.add_argument("--seed", type=int, help="seed, random by default")
+    parser.add_argument("--part", choices=sorted(PARTS), action="append", help="run only this part")
     options = parser.parse_args(arguments)
     seed = random.SystemRandom().randrange(10**6) if options.seed is None else options.seed
-    chosen = {name: run for name, run in PARTS.items() if name in (options.part or PARTS)}
-    found = run_parts(chosen, options.minutes * 60, seed)
-    print(f"\n{len(found)} fell short, seed {seed}")
-    for one in found:
-        print(f"  {one}")
-    return 1 if found else 0
+    selected = {name: run for name, run in PARTS.items() if name in (options.part or PARTS)}
+    failures = run_parts(selected, options.minutes * 60, seed)
+    print(f"\n{len(failures)} failed, seed {seed}")
+    for failure in failures:
+        print(f"  {failure}")
+    return 1 if failures else 0
 
 
 if __name__ == "__main__":

@@ -1,7 +1,7 @@
 """Kill a program and its guardian while motors are turning.
 
-The next start must stop the motors and report that. Each case is a cause of death and a program:
-the window over three kinds of lines, `trexcmd motor`, or the library, in separate processes.
+The next start must stop the motors and report the stop. Each case is a cause of death and a
+program: the window with one of three kinds of lines, `trexcmd motor`, or a user of the library.
 """
 
 import os
@@ -19,9 +19,9 @@ from pathlib import Path
 from tests.support.simulator import SimulatorProcess
 
 ROOT = Path(__file__).parents[2]
-LIMIT = 30.0  # seconds; an idle computer takes a moment
-AT_ONCE = 1.0
-"""Seconds from the connection of the next start to a board that has stopped."""
+LIMIT = 30.0  # seconds until an event, even on a busy computer
+MAX_STOP_S = 1.0
+"""Seconds from the connection of the next start to the stop of the board."""
 
 LIBRARY = """
 import sys
@@ -65,7 +65,7 @@ def _namespace(program: int, guardian: int) -> None:
     _kill(program)
 
 
-WAYS: dict[str, Callable[[int, int], None]] = {
+CAUSES: dict[str, Callable[[int, int], None]] = {
     "guardian, then program": _guardian_first(0.0, signal.SIGKILL),
     "program, then guardian": _program_first,
     "guardian 0.1 s before": _guardian_first(0.1, signal.SIGKILL),
@@ -78,7 +78,7 @@ WAYS: dict[str, Callable[[int, int], None]] = {
     "namespace of processes": _namespace,
 }
 
-CASES = list(product(WAYS, PROGRAMS))
+CASES = list(product(CAUSES, PROGRAMS))
 
 
 def _command(program: str, url: str, *, drive: bool) -> list[str]:
@@ -90,54 +90,56 @@ def _command(program: str, url: str, *, drive: bool) -> list[str]:
     return [sys.executable, "-c", LIBRARY, url, *(["drive"] if drive else [])]
 
 
-def _turns(board: SimulatorProcess) -> bool:
+def turns(board: SimulatorProcess) -> bool:
     return any(motor["direction"] != "brake" for motor in board.show()["motors"])
 
 
-def _wait(happened: Callable[[], object], what: str) -> float:
-    begun = time.monotonic()
-    while not happened():
-        if time.monotonic() > begun + LIMIT:
-            raise TimeoutError(what)
-        time.sleep(0.005)
-    return time.monotonic() - begun
+def wait(condition: Callable[[], object], problem: str) -> float:
+    """Wait until a condition holds. Return the seconds. After `LIMIT`, raise a problem."""
+    start = time.monotonic()
+    while not condition():
+        if time.monotonic() > start + LIMIT:
+            raise TimeoutError(problem)
+        time.sleep(0.002)
+    return time.monotonic() - start
 
 
 def _is_connected(process: int, url: str) -> bool:
     """Return whether a process has the port open."""
-    ends = {str(Path(url).resolve())}
+    files = {str(Path(url).resolve())}
     if "://" in url:
         port = f":{int(url.rpartition(':')[2]):04X} 01"
         lines = Path("/proc/net/tcp").read_text().splitlines()
-        ends = {f"socket:[{line.split()[9]}]" for line in lines if port in line}
+        files = {f"socket:[{line.split()[9]}]" for line in lines if port in line}
     with suppress(OSError):
-        return bool(ends & {str(link.readlink()) for link in Path(f"/proc/{process}/fd").iterdir()})
+        links = Path(f"/proc/{process}/fd").iterdir()
+        return bool(files & {str(link.readlink()) for link in links})
     return False
 
 
 def _children(process: int) -> list[int]:
-    """Return the processes below a process, youngest last."""
-    found: list[int] = []
+    """Return all descendants of a process. The youngest process is the last one."""
+    children: list[int] = []
     for task in Path(f"/proc/{process}/task").glob("*/children"):
         for child in map(int, task.read_text().split()):
-            found += [child, *_children(child)]
-    return found
+            children += [child, *_children(child)]
+    return children
 
 
-def die(way: str, program: str) -> str:
-    """Run a case. Return the result, which starts with `short` after a failure."""
+def die(cause: str, program: str) -> str:
+    """Run a case. Return the result, which starts with `failed` after a failure."""
     kind = program.split()[1]
-    place = [] if kind == "pty" else [f"--{kind}", "127.0.0.1:0"]
-    board = SimulatorProcess(*place)
+    options = [] if kind == "pty" else [f"--{kind}", "127.0.0.1:0"]
+    board = SimulatorProcess(*options)
     with tempfile.TemporaryDirectory(prefix="trex-deaths") as folder:
         try:
-            return _die(way, program, board, Path(folder))
+            return _die(cause, program, board, Path(folder))
         except (TimeoutError, OSError) as error:
-            return f"short: {error}"
+            return f"failed: {error}"
         finally:
             for number in _STARTED:
-                for each in (*_children(number), number):
-                    _kill(each)
+                for process in (*_children(number), number):
+                    _kill(process)
             _STARTED.clear()
             board.end()
 
@@ -145,7 +147,7 @@ def die(way: str, program: str) -> str:
 _STARTED: list[int] = []
 
 
-def _die(way: str, program: str, board: SimulatorProcess, folder: Path) -> str:
+def _die(cause: str, program: str, board: SimulatorProcess, folder: Path) -> str:
     environment = {
         **os.environ,
         "QT_QPA_PLATFORM": "offscreen",
@@ -171,49 +173,50 @@ def _die(way: str, program: str, board: SimulatorProcess, folder: Path) -> str:
             process.stdin.flush()
         return process
 
-    below = ["unshare", "-p", "-f", "--kill-child"] if way.startswith("namespace") else []
-    first = start(*below, *_command(program, board.url, drive=True))
-    _wait(lambda: _turns(board), "it never drove")
+    prefix = ["unshare", "-p", "-f", "--kill-child"] if cause.startswith("namespace") else []
+    first = start(*prefix, *_command(program, board.url, drive=True))
+    wait(lambda: turns(board), "the motors never turned")
     time.sleep(0.2)
     guardians = [
         number
         for number in _children(first.pid)
         if b"guardian" in Path(f"/proc/{number}/cmdline").read_bytes()
     ]
-    WAYS[way](first.pid, guardians[-1])
-    first.wait()  # no longer: a suspended guardian has its standard error
+    CAUSES[cause](first.pid, guardians[-1])
+    first.wait()  # without its standard error, which a suspended guardian has open
     time.sleep(0.5)
-    ran_on = _turns(board)
+    was_turning = turns(board)
     second = start(*_command(program, board.url, drive=False))
-    connected = _wait(lambda: _is_connected(second.pid, board.url) or not _turns(board), "no line")
-    took = _wait(lambda: not _turns(board), "it was never stopped")
+    connected = wait(lambda: _is_connected(second.pid, board.url) or not turns(board), "not open")
+    duration = wait(lambda: not turns(board), "the motors never stopped")
     log = folder / "guardian.log"
-    _wait(lambda: log.exists() and " confirmed:" in log.read_text(), "it was never confirmed")
+    wait(lambda: log.exists() and " confirmed:" in log.read_text(), "the stop was never confirmed")
     if program.startswith("window"):
         time.sleep(1.0)
         second.terminate()
-    said = second.communicate(timeout=LIMIT)[1] + log.read_text()
-    said += "".join(path.read_text() for path in folder.glob("log/*.log"))
-    left = [path.name for path in folder.glob("driven/*")]
-    if left or took > AT_ONCE or (ran_on and "Motors may still be turning" not in said):
-        return f"short: {took:.2f} s, left {left}, said {said!r}"
-    what = f"turned on, stopped {took:.2f} s after" if ran_on else "stopped by a guardian before"
-    return f"{what} the connection ({connected:.1f} s)"
+    output = second.communicate(timeout=LIMIT)[1] + log.read_text()
+    output += "".join(path.read_text() for path in folder.glob("log/*.log"))
+    files = [path.name for path in folder.glob("driven/*")]
+    is_reported = not was_turning or "Motors may still be turning" in output
+    if files or duration > MAX_STOP_S or not is_reported:
+        return f"failed: {duration:.2f} s, remaining files {files}, output {output!r}"
+    result = f"stopped {duration:.2f} s after" if was_turning else "stopped by the guardian before"
+    return f"{result} the connection ({connected:.1f} s)"
 
 
 def run(seconds: float, seed: int) -> list[str]:
-    """Run cases until the time is over. Return the failures and their reasons."""
+    """Run cases until the time is over. Return the failed cases and their results."""
     end = time.monotonic() + seconds
-    cases, found = list(CASES), []
+    cases, failures = list(CASES), []
     random.Random(seed).shuffle(cases)
     tried = 0
-    for way, program in cases:
+    for cause, program in cases:
         if time.monotonic() >= end:
             break
-        seen = die(way, program)
+        result = die(cause, program)
         tried += 1
-        print(f"{program:<15} {way:<32} {seen}", flush=True)
-        if seen.startswith("short"):
-            found.append(f"{program}, {way}: {seen}")
-    print(f"{tried} of {len(cases)} cases tried, {len(found)} fell short")
-    return found
+        print(f"{program:<15} {cause:<32} {result}", flush=True)
+        if result.startswith("failed"):
+            failures.append(f"{program}, {cause}: {result}")
+    print(f"{tried} of {len(cases)} cases tried, {len(failures)} failed")
+    return failures

@@ -1,8 +1,8 @@
 """Drives in virtual time on a noisy line.
 
-    python -m tests.soak.drives [DRIVES]    prints the time in which motors turned wrongly
+    python -m tests.soak.drives [DRIVES]    prints the time in which motors turned against commands
 
-The soak also counts false alarms about a restart of the board.
+The soak test also counts false reports of a board restart.
 """
 
 import random
@@ -23,7 +23,7 @@ BEGIN = 3.0
 """Seconds from the start of the line to arming."""
 
 LONGEST_TURN = 0.06
-"""Seconds for which a motor may be driven otherwise than commanded, at 19200 baud."""
+"""Seconds for which a motor may turn against its commands, at 19200 baud."""
 
 _SETTLED = BEGIN + 0.2  # end of the first motion
 _SPEEDS = (38, -38, 80, -80, 0)
@@ -40,25 +40,25 @@ class DriveResult:
 def drive(
     seed: int, seconds: float, *, noise: float = 0.01, baud: int = 19200, shutdown: bool = False
 ) -> DriveResult:
-    """Drive both motors on a line that corrupts bytes. `shutdown`: the board stops at errors."""
-    harness, settings = create_harness(baud)
+    """Drive both motors on a line that corrupts bytes. `shutdown`: errors stop the board."""
+    harness, settings = staged(baud)
     harness.board.eeprom.write("uart_error_shutdown", int(shutdown))
     harness.board.power_cycle()
     harness.transport.latency = latency_of("/dev/ttyUSB0")
     harness.line.faults._random.seed(seed)
     result = DriveResult()
-    wanted = _watch(harness, result.turned)
-    chance = random.Random(seed)
+    record_setpoint = _record_wrong_turns(harness, result.turned)
+    generator = random.Random(seed)
     steps: list[tuple[float, Arm | Heartbeat | SetMotor | Callable[[], object]]] = [
         (0.9, lambda: setattr(harness.line.faults, "noise", noise)),
         (BEGIN, Arm()),
     ]
     moment = BEGIN
     while moment < BEGIN + seconds:
-        motor, speed = chance.choice((1, 2)), chance.choice(_SPEEDS)
+        motor, speed = generator.choice((1, 2)), generator.choice(_SPEEDS)
         setpoint = SetMotor(motor, Drive.at(speed) if speed else Drive.brake())
-        steps += [(moment, lambda setpoint=setpoint: wanted(setpoint)), (moment, setpoint)]  # type: ignore[misc]
-        moment += chance.uniform(0.3, 2.0)
+        steps += [(moment, lambda setpoint=setpoint: record_setpoint(setpoint)), (moment, setpoint)]  # type: ignore[misc]
+        moment += generator.uniform(0.3, 2.0)
     steps += [(BEGIN + beat * 0.1, Heartbeat()) for beat in range(round(seconds * 10))]
     for at, step in sorted(steps, key=itemgetter(0)):
         harness.script.at(at, step)
@@ -67,17 +67,17 @@ def drive(
     return result
 
 
-def _watch(harness: SessionHarness, turned: list[float]) -> Callable[[SetMotor], None]:
-    """Measure the time in which motors do not follow the two newest setpoints."""
+def _record_wrong_turns(harness: SessionHarness, turned: list[float]) -> Callable[[SetMotor], None]:
+    """Record the time in which motors follow neither of the two newest setpoints."""
     control = harness.board.serial
     execute, shut_down = control.drive, control._shut_down
     newest: dict[int, list[int]] = {1: [0, 0], 2: [0, 0]}
     since: dict[int, float] = {}
 
     def end(number: int) -> None:
-        began = since.pop(number, harness.line.now)
-        if harness.line.now > began >= _SETTLED:
-            turned.append(harness.line.now - began)
+        start = since.pop(number, harness.line.now)
+        if harness.line.now > start >= _SETTLED:
+            turned.append(harness.line.now - start)
 
     def record_drive(
         number: int, direction: MotorDirection, speed: int, *, accelerate: bool = False
@@ -100,28 +100,29 @@ def _watch(harness: SessionHarness, turned: list[float]) -> Callable[[SetMotor],
 
 
 def run(seconds: float, seed: int) -> list[str]:
-    """Repeat drives of one virtual minute. Return false alarms and long wrong turns."""
+    """Repeat drives of one virtual minute. Return false stops and long wrong turns."""
     end = time.monotonic() + seconds
-    found: list[str] = []
+    failures: list[str] = []
     minutes = 0
     while time.monotonic() < end:
         result = drive(seed + minutes, 60.0)
         minutes += 1
-        found += [f"minute {minutes}: {report}" for report in result.stopped]
-        found += [f"minute {minutes}: {one:.3f} s" for one in result.turned if one > LONGEST_TURN]
-        print(f"{minutes} minutes driven, {len(found)} fell short", flush=True)
-    return found
+        failures += [f"minute {minutes}: {report}" for report in result.stopped]
+        long_turns = [turn for turn in result.turned if turn > LONGEST_TURN]
+        failures += [f"minute {minutes}: {turn:.3f} s" for turn in long_turns]
+        print(f"{minutes} minutes driven, {len(failures)} failed", flush=True)
+    return failures
 
 
 def main(drives: int) -> None:
     for shutdown in (False, True):
         results = [drive(seed, 10.0, shutdown=shutdown) for seed in range(drives)]
-        turned = sorted(1000 * one for result in results for one in result.turned)
-        middle, most = (turned[int(len(turned) * part)] for part in (0.5, 0.99))
+        turned = sorted(1000 * turn for result in results for turn in result.turned)
+        median, high = (turned[int(len(turned) * part)] for part in (0.5, 0.99))
         print(
             f"{drives} drives of 10 s at 19200 baud, 1 % noise, UART-Error Shutdown {shutdown}: "
-            f"{len(turned)} wrong turns, {sum(turned):.0f} ms in all, median {middle:.0f} ms, "
-            f"99 % {most:.0f} ms, longest {turned[-1]:.0f} ms"
+            f"{len(turned)} wrong turns, {sum(turned):.0f} ms in all, median {median:.0f} ms, "
+            f"99 % {high:.0f} ms, longest {turned[-1]:.0f} ms"
         )
 
 

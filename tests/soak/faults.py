@@ -13,30 +13,30 @@ from tests.fault_matrix.cases import CASES, name_of
 
 ROOT = Path(__file__).parents[2]
 
-TEST = "tests/soak/test_real_faults.py::test_real_fault"
+TEST = "tests/soak/test_real_faults.py::test_real_fault_is_handled_safely"
 
 ROUND = 5
-"""Cases for each process: starting it takes as long as a case."""
+"""Cases in a process, because its start takes as long as a case."""
 
 CASE_TIMEOUT = 120.0
-"""Seconds after which a case hangs; pytest ends it before."""
+"""Seconds after which a case hangs. Usually pytest ends the case earlier."""
 
 
 def run(seconds: float, seed: int) -> list[str]:
-    """Run cases until the time is over. Return the failures and their reasons."""
+    """Run cases until the time is over. Return the failed cases and their messages."""
     end = time.monotonic() + seconds
-    found: list[str] = []
+    failures: list[str] = []
     tried = 0
     for cases in _rounds(seed):
         if time.monotonic() >= end:
             break
-        for name, seconds_taken, why in _run_round(cases):
+        for name, duration, failure in _run_round(cases):
             tried += 1
-            print(f"{'short' if why else 'ok':<6}{name:<36}{seconds_taken:6.1f} s", flush=True)
-            if why:
-                found.append(f"{name}: {why}")
-    print(f"{tried} cases tried, {len(found)} fell short")
-    return found
+            print(f"{'failed' if failure else 'ok':<8}{name:<36}{duration:6.1f} s", flush=True)
+            if failure:
+                failures.append(f"{name}: {failure}")
+    print(f"{tried} cases tried, {len(failures)} failed")
+    return failures
 
 
 def _rounds(seed: int) -> Iterator[list[str]]:
@@ -54,7 +54,7 @@ def _run_round(names: list[str]) -> Iterator[tuple[str, float, str]]:
         command = [sys.executable, "-m", "pytest", "-q", "-p", "no:randomly", "--tb=short"]
         command += [f"--junitxml={report}", *(f"{TEST}[{name}]" for name in names)]
         try:
-            done = subprocess.run(
+            process = subprocess.run(
                 command,
                 cwd=ROOT,
                 capture_output=True,
@@ -63,12 +63,12 @@ def _run_round(names: list[str]) -> Iterator[tuple[str, float, str]]:
                 check=False,
                 timeout=len(names) * CASE_TIMEOUT,
             )
-            outcome = f"status {done.returncode}"
+            outcome = f"status {process.returncode}"
         except subprocess.TimeoutExpired:
             outcome = "hangs"
-        found = _read(report)
+        results = _read(report)
     for name in names:
-        yield (name, *found.get(name, (0.0, f"the process ended without a result ({outcome})")))
+        yield (name, *results.get(name, (0.0, f"the process ended without a result ({outcome})")))
 
 
 def _read(report: Path) -> dict[str, tuple[float, str]]:
@@ -77,12 +77,12 @@ def _read(report: Path) -> dict[str, tuple[float, str]]:
         cases = ElementTree.parse(report).getroot().iter("testcase")
     except (OSError, ElementTree.ParseError):
         return {}
-    found: dict[str, tuple[float, str]] = {}
+    results: dict[str, tuple[float, str]] = {}
     for case in cases:
         name = case.get("name", "").partition("[")[2].removesuffix("]")
         failures = [case.find("failure"), case.find("error")]
         texts = [failure.get("message", "") for failure in failures if failure is not None]
-        _, before = found.get(name, (0.0, ""))
-        why = before or " ".join(" ".join(texts).split())[:300]
-        found[name] = (float(case.get("time", "0")), why)
-    return found
+        _, earlier = results.get(name, (0.0, ""))
+        message = earlier or " ".join(" ".join(texts).split())[:300]
+        results[name] = (float(case.get("time", "0")), message)
+    return results

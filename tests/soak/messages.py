@@ -1,7 +1,7 @@
-"""Attack the server of a board with messages, without a network. No motor may move.
+"""Send messages to the server of a board, without a real network. No motor may move.
 
-First, watchers send changed and replayed messages. Then two drivers use a network that loses,
-delays and reorders messages.
+First, watchers send changed and replayed messages. Then two drivers use a simulated network that
+loses, delays and reorders messages.
 """
 
 import logging
@@ -26,17 +26,17 @@ def _moves(request: Any) -> bool:
     )
 
 
-def _changed(data: bytes, chance: random.Random) -> bytes:
+def _changed(data: bytes, generator: random.Random) -> bytes:
     changed = bytearray(data)
-    for _ in range(chance.randint(0, 3)):
-        changed[chance.randrange(len(changed))] = chance.randrange(256)
-    return bytes(changed[: chance.choice((len(changed), chance.randrange(len(changed)) + 1))])
+    for _ in range(generator.randint(0, 3)):
+        changed[generator.randrange(len(changed))] = generator.randrange(256)
+    return bytes(changed[: generator.choice((len(changed), generator.randrange(len(changed)) + 1))])
 
 
 def attack(seconds: float, seed: int) -> list[str]:
-    """Send messages of two watchers, and repeat those of the driver."""
-    chance, end, count = random.Random(seed), time.monotonic() + seconds, 0
-    driver = ServerHarness()
+    """Send messages of two watchers, and repeat messages of the driver."""
+    generator, end, count = random.Random(seed), time.monotonic() + seconds, 0
+    driver = ServedDriver()
     driver.server.report(CONNECTED)
     driver.join("alice")
     driver.join("watcher", Role.WATCH)
@@ -53,12 +53,14 @@ def attack(seconds: float, seed: int) -> list[str]:
         for _ in range(1000):
             count += 1
             driver.now += 0.005
-            who = chance.choice((driver.parties["watcher"], stranger, driver.parties["alice"]))
-            data = chance.choice(recorded)
-            if who != driver.parties["alice"]:
-                request = chance.choice(REQUESTS)
-                data = _changed(encode_request(request, count, driver.now, driver.now), chance)
-            driver.server.handle(who, data)
+            sender = generator.choice(
+                (driver.parties["watcher"], stranger, driver.parties["alice"])
+            )
+            data = generator.choice(recorded)
+            if sender != driver.parties["alice"]:
+                request = generator.choice(REQUESTS)
+                data = _changed(encode_request(request, count, driver.now, driver.now), generator)
+            driver.server.handle(sender, data)
         driver.received.clear()
         if moved := [request for request in driver.session if _moves(request)]:
             return [f"message {count}: {moved[0]}"]
@@ -69,12 +71,12 @@ def attack(seconds: float, seed: int) -> list[str]:
 
 def run(seconds: float, seed: int) -> list[str]:
     logging.getLogger("trex_gui.devices.trex.serve").setLevel(logging.CRITICAL)
-    found = attack(seconds / 2, seed)
+    failures = attack(seconds / 2, seed)
     end, network = time.monotonic() + seconds / 2, LossyNetwork(seed)
     try:
         while time.monotonic() < end:
             network.run_until(network.server.lease.number + 100)
     except AssertionError as error:
-        return [*found, f"hand-over {network.server.lease.number}: {error}"]
+        return [*failures, f"hand-over {network.server.lease.number}: {error}"]
     print(f"{network.server.lease.number} hand-overs, {network.moves} setpoints while armed")
-    return found
+    return failures

@@ -1,7 +1,7 @@
 """Cut the network while motors are turning. The server at the robot must stop them.
 
-Needs root for the network namespace of the driver. Each trial is a kind of cut and a program that
-drives through `trexcmd serve`. The measured time ends at the motors of the simulated board.
+Root is needed for the network namespace of the driver. Each trial cuts the connection of a program
+that drives through `trexcmd serve`. The measured time ends when the motors of the board stop.
 """
 
 import os
@@ -19,18 +19,18 @@ from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
+from tests.soak.deaths import turns, wait
 from tests.support.simulator import SimulatorProcess
 from trex_gui.core.transport.urls import Address
 from trex_gui.devices.trex.cli.serve import add_user
 
 ROOT = Path(__file__).parents[2]
 LIMIT = 0.6  # seconds from the cut to the stop of the motors
-_WAIT = 20.0
 _NET = f"10.{os.getpid() % 200}.{os.getpid() // 200 % 200}"
-_SPACE = f"trex{os.getpid()}"
-_HERE, _THERE = f"veth-h{os.getpid()}"[:15], f"veth-t{os.getpid()}"[:15]
+_NAMESPACE = f"trex{os.getpid()}"
+_HOST_LINK, _DRIVER_LINK = f"veth-h{os.getpid()}"[:15], f"veth-t{os.getpid()}"[:15]
 
-_DRIVES = """
+_DRIVER = """
 import sys
 from trex_gui import Trex
 with Trex(sys.argv[1]) as trex:
@@ -62,69 +62,67 @@ def _ip(*words: str) -> None:
 @contextmanager
 def namespace() -> Iterator[None]:
     """Create a network of two hosts. This host has address 1, the namespace address 2."""
-    _ip("netns", "add", _SPACE)
+    _ip("netns", "add", _NAMESPACE)
     try:
-        _ip("link", "add", _HERE, "type", "veth", "peer", "name", _THERE, "netns", _SPACE)
+        _ip(
+            "link",
+            "add",
+            _HOST_LINK,
+            "type",
+            "veth",
+            "peer",
+            "name",
+            _DRIVER_LINK,
+            "netns",
+            _NAMESPACE,
+        )
         _connect()
         yield
     finally:
-        _ip("netns", "del", _SPACE)
+        _ip("netns", "del", _NAMESPACE)
 
 
 def _connect() -> None:
-    """Restore the network after any cut."""
-    inside = "netns", "exec", _SPACE, "ip"
-    _ip("addr", "replace", f"{_NET}.1/24", "dev", _HERE)
-    _ip("link", "set", _HERE, "up")
-    _ip(*inside, "addr", "replace", f"{_NET}.2/24", "dev", _THERE)
-    _ip(*inside, "link", "set", _THERE, "up")
+    """Set up the network. Repairs it after any cut."""
+    inside = "netns", "exec", _NAMESPACE, "ip"
+    _ip("addr", "replace", f"{_NET}.1/24", "dev", _HOST_LINK)
+    _ip("link", "set", _HOST_LINK, "up")
+    _ip(*inside, "addr", "replace", f"{_NET}.2/24", "dev", _DRIVER_LINK)
+    _ip(*inside, "link", "set", _DRIVER_LINK, "up")
     _ip(*inside, "link", "set", "lo", "up")
-    for words, device in (((), _HERE), (inside, _THERE)):
+    for words, device in (((), _HOST_LINK), (inside, _DRIVER_LINK)):
         _ip(*words, "neigh", "flush", "dev", device, "nud", "permanent")
 
 
 def _link_down(_driver: int, _router: int) -> None:
-    _ip("netns", "exec", _SPACE, "ip", "link", "set", _THERE, "down")
+    _ip("netns", "exec", _NAMESPACE, "ip", "link", "set", _DRIVER_LINK, "down")
 
 
-def _lose_all(_driver: int, _router: int) -> None:
+def _lose_packets(_driver: int, _router: int) -> None:
     """Drop all packets while both ends see a working link."""
     wrong = "lladdr", "02:00:00:00:00:01", "dev"
-    inside = "netns", "exec", _SPACE, "ip"
-    _ip(*inside, "neigh", "replace", f"{_NET}.1", *wrong, _THERE)
-    _ip("neigh", "replace", f"{_NET}.2", *wrong, _HERE)
+    inside = "netns", "exec", _NAMESPACE, "ip"
+    _ip(*inside, "neigh", "replace", f"{_NET}.1", *wrong, _DRIVER_LINK)
+    _ip("neigh", "replace", f"{_NET}.2", *wrong, _HOST_LINK)
 
 
-def _asleep(driver: int, router: int) -> None:
+def _sleep(driver: int, router: int) -> None:
     os.kill(driver, signal.SIGSTOP)
     _link_down(driver, router)
 
 
 CUTS: dict[str, Callable[[int, int], None]] = {
     "link down": _link_down,
-    "all packets lost": _lose_all,
+    "all packets lost": _lose_packets,
     "killed": lambda driver, _: os.kill(driver, signal.SIGKILL),
     "suspended": lambda driver, _: os.kill(driver, signal.SIGSTOP),
-    "asleep": _asleep,
+    "asleep": _sleep,
     "router killed": lambda _, router: os.kill(router, signal.SIGKILL),
 }
 
 
-def _wait(happened: Callable[[], object], what: str) -> float:
-    begun = time.monotonic()
-    while not happened():
-        if time.monotonic() > begun + _WAIT:
-            raise TimeoutError(what)
-        time.sleep(0.002)
-    return time.monotonic() - begun
-
-
-def _turns(board: SimulatorProcess) -> bool:
-    return any(motor["direction"] != "brake" for motor in board.show()["motors"])
-
-
-class Networks:
-    """A served board, and drivers in another network namespace."""
+class ServedBoard:
+    """Served board, and drivers in another network namespace."""
 
     def __init__(self, stack: ExitStack, folder: Path) -> None:
         self.board = SimulatorProcess()
@@ -135,12 +133,20 @@ class Networks:
         self._dictionary = folder / "dictionary"  # for the engine of the router
         self._dictionary.write_text(f"driver:{self._secret}\n", "utf-8")
         self._stack = stack
-        with socket.socket() as found:
-            found.bind(("", 0))
-            self._port = found.getsockname()[1]
-        words = ["serve", "--port", self.board.url, "--name", "arm", "--users", str(self._users)]
+        with socket.socket() as listener:
+            listener.bind(("", 0))
+            self._port = listener.getsockname()[1]
+        arguments = [
+            "serve",
+            "--port",
+            self.board.url,
+            "--name",
+            "arm",
+            "--users",
+            str(self._users),
+        ]
         self._start(
-            [sys.executable, "-m", "trex_gui.cli", *words, "--listen", f"{_NET}.1:{self._port}"]
+            [sys.executable, "-m", "trex_gui.cli", *arguments, "--listen", f"{_NET}.1:{self._port}"]
         )
         time.sleep(2.0)
 
@@ -162,21 +168,21 @@ class Networks:
         port, router = self._port, None
         if cut == "router killed":
             port += 1
-            ends = f"{_NET}.1:{port}", f"{_NET}.1:{self._port}"
-            words = *ends, "driver", self._secret, str(self._dictionary)
-            router = self._start([sys.executable, "-c", _ROUTER, *words])
+            endpoints = f"{_NET}.1:{port}", f"{_NET}.1:{self._port}"
+            arguments = *endpoints, "driver", self._secret, str(self._dictionary)
+            router = self._start([sys.executable, "-c", _ROUTER, *arguments])
             assert router.stdout is not None
             router.stdout.readline()
         url = Address(f"{_NET}.1", "arm", "driver", port).url
-        inside = ["ip", "netns", "exec", _SPACE]
-        driver = self._start([*inside, sys.executable, "-c", _DRIVES, url])
+        inside = ["ip", "netns", "exec", _NAMESPACE]
+        driver = self._start([*inside, sys.executable, "-c", _DRIVER, url])
         try:
             assert driver.stdout is not None
             if driver.stdout.readline() != "drives\n":
-                raise TimeoutError("it never drove")
+                raise TimeoutError("the motors never turned")
             time.sleep(random.random() / 5)
             CUTS[cut](driver.pid, router.pid if router else 0)
-            return _wait(lambda: not _turns(self.board), "it was never stopped")
+            return wait(lambda: not turns(self.board), "the motors never stopped")
         finally:
             for process in filter(None, (driver, router)):
                 process.kill()
@@ -189,25 +195,25 @@ class Networks:
 def run(seconds: float, seed: int) -> list[str]:
     """Cut the network in random ways. Return the failures."""
     if not shutil.which("ip") or os.geteuid() != 0:
-        print("networks: needs root and ip, left out")
+        print("networks: skipped, because root and ip are needed")
         return []
-    chance, end = random.Random(seed), time.monotonic() + seconds
-    took: dict[str, list[float]] = defaultdict(list)
-    short: list[str] = []
+    generator, end = random.Random(seed), time.monotonic() + seconds
+    durations: dict[str, list[float]] = defaultdict(list)
+    failures: list[str] = []
     with ExitStack() as stack:
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="trex-net")))
         stack.enter_context(namespace())
-        networks = Networks(stack, folder)
+        board = ServedBoard(stack, folder)
         while time.monotonic() < end:
-            cut = chance.choice(list(CUTS))
+            cut = generator.choice(list(CUTS))
             try:
-                took[cut].append(networks.trial(cut))
+                durations[cut].append(board.trial(cut))
             except (TimeoutError, AssertionError) as error:
-                short.append(f"{cut}: {error}")
+                failures.append(f"{cut}: {error}")
                 continue
-            if took[cut][-1] > LIMIT:
-                short.append(f"{cut}: {took[cut][-1]:.3f} s")
-    for cut, times in sorted((cut, times) for cut, times in took.items() if times):
+            if durations[cut][-1] > LIMIT:
+                failures.append(f"{cut}: {durations[cut][-1]:.3f} s")
+    for cut, times in sorted((cut, times) for cut, times in durations.items() if times):
         median, worst = statistics.median(times), max(times)
         print(f"{cut}: {len(times)} trials, median {median:.3f} s, worst {worst:.3f} s")
-    return short
+    return failures

@@ -8,7 +8,7 @@ import pytest
 
 from tests.fault_matrix.cases import CASES, name_of
 from tests.fault_matrix.check import run_case
-from tests.soak.ruler import Ruler
+from tests.soak.load_monitor import LoadMonitor
 from tests.support.simulator import StartSimulator
 from tests.support.window import WindowDriver
 
@@ -20,19 +20,19 @@ pytestmark = [
 
 
 @pytest.fixture
-def ruler() -> Iterator[Ruler]:
-    ruler = Ruler()
-    yield ruler
-    ruler.end()
+def monitor() -> Iterator[LoadMonitor]:
+    monitor = LoadMonitor()
+    yield monitor
+    monitor.end()
 
 
 @pytest.mark.parametrize(("fault", "moment"), CASES, ids=[name_of(*case) for case in CASES])
-def test_real_fault(
+def test_real_fault_is_handled_safely(
     fault: str,
     moment: str,
     window: WindowDriver,
     start_simulator: StartSimulator,
     tmp_path: Path,
-    ruler: Ruler,
+    monitor: LoadMonitor,
 ) -> None:
-    run_case(fault, moment, window, start_simulator, tmp_path, starved=ruler.starved)
+    run_case(fault, moment, window, start_simulator, tmp_path, pauses=monitor.pauses)

@@ -1,4 +1,5 @@
-"""A second reading of the serial protocol, from the maker's documents alone.
+"""Second implementation of the serial protocol, written only from the documents of Pololu.
 
-Nothing in framing, remapping and device may import from `trex_gui`: they are here to disagree.
+`framing`, `remapping` and `device` must not import from `trex_gui`, so that errors show as
+differences.
 """

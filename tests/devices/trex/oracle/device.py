@@ -30,7 +30,7 @@ OK, BAD_NUMBER, BAD_VALUE, NOT_SERIAL = 0, 1, 2, 3
 
 
 class Status(IntFlag):
-    """The one bit of the status byte that a stream of bytes can set."""
+    """Bit of the status byte that a stream of bytes can set."""
 
     NONE = 0
     UART_ERROR = 0x01
@@ -41,7 +41,7 @@ class Parameter(NamedTuple):
     key: str
     minimum: int
     maximum: int
-    default: int | None  # None: it can only be written
+    default: int | None  # None for a write-only parameter
     since: str
 
     def allows(self, value: int) -> bool:
@@ -52,9 +52,9 @@ class Parameter(NamedTuple):
 
 @cache
 def table(model: str, firmware: str) -> dict[int, Parameter]:
-    """The parameters that this model has with this firmware, by number."""
+    """Return the parameters of a model with a firmware version, by number."""
     rows = tomllib.loads(_TABLE.read_text(encoding="utf-8"))["parameter"]
-    known = (
+    parameters = (
         Parameter(
             row["number"],
             row["key"],
@@ -66,14 +66,14 @@ def table(model: str, firmware: str) -> dict[int, Parameter]:
         for row in rows
         if model in row["models"]
     )
-    return {one.number: one for one in known if one.since <= firmware}
+    return {each.number: each for each in parameters if each.since <= firmware}
 
 
 class Oracle:
-    """A board that answers.
+    """Board that replies to bytes.
 
-    What it measures is told to it: `raw`, and with `measured`, the reply that a board really gave,
-    the currents and the motors' bits of the status byte if it is about them.
+    The caller sets the measured values: `raw` for the channels, and `measured` for currents and for
+    the motor bits of the status byte. `measured` is the reply of the other board.
     """
 
     def __init__(
@@ -86,7 +86,7 @@ class Oracle:
         calibrations: Mapping[tuple[str, int], Calibration] | None = None,
         raw: Sequence[int | None] = (None,) * 5,
     ) -> None:
-        """`calibrations` by ("rc" or "analog", channel 1-5). None in `raw` is no valid signal."""
+        """Keys of `calibrations`: "rc" or "analog", channel 1-5. None in `raw`: invalid signal."""
         self.model = model
         self.firmware = firmware
         self.mode = mode
@@ -111,7 +111,7 @@ class Oracle:
             self._stored = self._factory()
         self.uart_errors = UartError.NONE
         self.status = Status.NONE
-        self._silent: float | None = None  # seconds since the last byte; None: there was none
+        self._silent: float | None = None  # seconds since the last byte, None before the first byte
         self._joint = self.stored("motor_mode") == 1
         self._serial_source = "analog" if self.stored("channel_input_source") == 1 else "rc"
         polynomial = 0x80 | self.stored("crc7_polynomial")
@@ -128,11 +128,11 @@ class Oracle:
 
     @property
     def source(self) -> str:
-        """Which kind of signal, and so which set of calibrations, is in use."""
+        """Kind of signal, "rc" or "analog", whose calibrations are in use."""
         return self._serial_source if self.mode == "serial" else self.mode
 
     def pause(self, seconds: float) -> None:
-        """Let this much time go by on the line, if the serial timeout matters."""
+        """Let time pass on the line, which may exceed the serial timeout."""
         if self._silent is None:
             return
         self._silent += seconds
@@ -141,14 +141,14 @@ class Oracle:
             self._latch(UartError.TIMEOUT)
 
     def feed(self, byte: int) -> bytes:
-        """Take one byte. Return the whole reply, if it completes a packet that has one."""
+        """Receive a byte. Return the whole reply if the byte completes a request."""
         self._silent = 0.0
         self.wrote = False
         packet, error = self._framer.feed(byte)
         if error:
             self._latch(error)
         reply = self._answer(packet) if packet else b""
-        # Inferred: where no data is returned there is nothing to check either.
+        # Inferred: a reply without data has no CRC.
         return sealed(reply, self.polynomial) if reply else b""
 
     def _answer(self, packet: Packet) -> bytes:
@@ -174,8 +174,8 @@ class Oracle:
                 return b"".join(_two_bytes(value) for value in self._active()[command - 0x90])
             case 0x95:
                 default = ANALOG_DEFAULT if self.source == "analog" else RC_DEFAULT
-                learned = [calibration != default for calibration in self._active()]
-                return bytes([sum(differs << n for n, differs in enumerate(learned))])
+                changed = [calibration != default for calibration in self._active()]
+                return bytes([sum(differs << n for n, differs in enumerate(changed))])
             case 0x9F:
                 return self._get_parameter(data[0])
             case 0xA0 | 0xA1 | 0xA2 | 0xA3 | 0xA4:
@@ -186,7 +186,7 @@ class Oracle:
 
     def _channel_values(self, command: int, mask: int) -> bytes:
         if mask > 0x1F:
-            return self._format_error()  # inferred: a channel that does not exist is illogical
+            return self._format_error()  # inferred: a missing channel is an illogical request
         if command == 0x86:
             values = [_two_bytes(raw) for raw in self._raw()]
         else:
@@ -198,9 +198,9 @@ class Oracle:
             remapped(
                 raw,
                 calibration,
-                ignored=self._ticked("ignored_channels", n),
-                reverse=self._ticked("reversed_channels", n),
-                parabolic=self._ticked("parabolic_channels", n),
+                ignored=self._has_channel("ignored_channels", n),
+                reverse=self._has_channel("reversed_channels", n),
+                parabolic=self._has_channel("parabolic_channels", n),
             )
             for n, (raw, calibration) in enumerate(zip(self._raw(), self._active(), strict=True))
         ]
@@ -264,8 +264,8 @@ class Oracle:
         return switched_on(
             self._raw()[channel],
             self._active()[channel],
-            ignored=self._ticked("ignored_channels", channel),
-            reverse=self._ticked("reversed_channels", channel),
+            ignored=self._has_channel("ignored_channels", channel),
+            reverse=self._has_channel("reversed_channels", channel),
         )
 
     def _raw(self) -> list[int]:
@@ -274,7 +274,8 @@ class Oracle:
     def _active(self) -> list[Calibration]:
         return self._calibrations[self.source]
 
-    def _ticked(self, key: str, channel: int) -> bool:
+    def _has_channel(self, key: str, channel: int) -> bool:
+        """Return whether a mask parameter includes a channel."""
         return bool(self.stored(key) >> channel & 1)
 
     def _number(self, key: str) -> int:

@@ -1,4 +1,4 @@
-"""Which packets, and which errors, there are in a stream of bytes."""
+"""Packets and errors in a stream of bytes."""
 
 from enum import IntFlag
 from typing import NamedTuple
@@ -8,7 +8,7 @@ NULL = 0xFF
 
 
 class UartError(IntFlag):
-    """The bits of the UART error byte that a stream of well-formed characters can set."""
+    """Bits of the UART error byte that a stream of well-formed characters can set."""
 
     NONE = 0
     CRC = 0x20
@@ -22,7 +22,7 @@ class Packet(NamedTuple):
 
 
 class ByteEffect(NamedTuple):
-    """Effect of one byte. A byte can end one packet in error and be another packet."""
+    """Effect of a byte. A byte can end a packet with an error and be another packet."""
 
     packet: Packet | None = None
     error: UartError = UartError.NONE
@@ -32,7 +32,7 @@ NOTHING = ByteEffect()
 
 
 def remainder(message: bytes, polynomial: int) -> int:
-    """Divide the message and seven zero bits by the polynomial, the way one does on paper."""
+    """Divide the message and seven zero bits by the polynomial, as in a calculation by hand."""
     number = int.from_bytes(message) << 7
     while number.bit_length() > 7:
         number ^= polynomial << (number.bit_length() - 8)
@@ -55,39 +55,39 @@ def data_bytes(command: int) -> int | None:
 
 
 COMMANDS = [command for command in range(0x81, 0x100) if data_bytes(command) is not None]
-NO_COMMANDS = [command for command in range(0x81, 0x100) if data_bytes(command) is None]
+UNKNOWN_COMMANDS = [command for command in range(0x81, 0x100) if data_bytes(command) is None]
 
 
 def sealed(packet: bytes, polynomial: int | None) -> bytes:
-    """The packet with its CRC behind it, where there is to be one."""
+    """Return the packet, followed by its CRC if there is a polynomial."""
     return packet if polynomial is None else packet + bytes([remainder(packet, polynomial)])
 
 
 class Framer:
-    """Takes a stream apart. `polynomial` is None while packets carry no CRC."""
+    """Divides a stream into packets. `polynomial` is None while packets have no CRC."""
 
     def __init__(self, device_number: int, polynomial: int | None) -> None:
         self.device_number = device_number
         self.polynomial = polynomial
-        self._received = b""  # the packet so far; empty: none has begun
-        self._skipping = False  # the rest of another device's packet
+        self._received = b""  # bytes of the current packet
+        self._skipping = False  # true in a packet for another device
 
     def feed(self, byte: int) -> ByteEffect:
         if byte < 0x80:
             if self._received:
                 self._received += bytes([byte])
-                return self._look()
-            # Inferred: data that belongs to no packet is a format error.
+                return self._parse()
+            # Inferred: data outside a packet is a format error.
             return NOTHING if self._skipping else ByteEffect(None, UartError.FORMAT)
         interrupted = UartError.FORMAT if self._received else UartError.NONE
         self._skipping = False
         # Inferred: the byte that interrupts a packet begins the next one.
         self._received = bytes([byte])
-        packet, error = self._look()
+        packet, error = self._parse()
         return ByteEffect(packet, interrupted | error)
 
-    def _look(self) -> ByteEffect:
-        """Judge the packet as far as it has come."""
+    def _parse(self) -> ByteEffect:
+        """Parse the bytes of the current packet."""
         body = self._received
         if body[0] == EXPANDED:
             if len(body) == 1:
@@ -99,21 +99,21 @@ class Framer:
                 return NOTHING
             body = bytes([body[2] | 0x80]) + body[3:]
         command = body[0]
-        wanted = data_bytes(command)
-        if wanted is None:
-            return self._dropped(UartError.FORMAT)
-        # Inferred: the null command carries no CRC.
+        count = data_bytes(command)
+        if count is None:
+            return self._drop(UartError.FORMAT)
+        # Inferred: the null command has no CRC.
         checked = self.polynomial is not None and command != NULL
-        if len(body) < 1 + wanted + checked:
+        if len(body) < 1 + count + checked:
             return NOTHING
         if self.polynomial is not None and checked:
-            # Inferred: the CRC covers every byte of the packet, so 0x80 and the number too.
+            # Inferred: the CRC covers every byte, including 0x80 and the device number.
             if remainder(self._received[:-1], self.polynomial) != self._received[-1]:
-                return self._dropped(UartError.CRC)
+                return self._drop(UartError.CRC)
             body = body[:-1]
         self._received = b""
         return ByteEffect(Packet(command, body[1:]))
 
-    def _dropped(self, error: UartError) -> ByteEffect:
+    def _drop(self, error: UartError) -> ByteEffect:
         self._received = b""
         return ByteEffect(None, error)

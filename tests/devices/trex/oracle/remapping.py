@@ -1,7 +1,7 @@
-"""From raw channel values to what the motors would be set to.
+"""Commands of the motors, computed from raw channel values.
 
-The regions are the user guide's; the arithmetic within them is inferred (reference, section 3).
-Everything is whole numbers: a fraction is divided once, last, and rounded down.
+The regions are those of the user guide. The arithmetic within a region is inferred (reference,
+section 3): all values are integers, and the only division comes last and rounds down.
 """
 
 from typing import NamedTuple
@@ -11,7 +11,7 @@ FULL = 127
 
 
 class Calibration(NamedTuple):
-    """In the order in which the board sends it."""
+    """Calibration of a channel. Its values are in the order of the protocol."""
 
     minimum: int
     neutral: int
@@ -35,7 +35,7 @@ def remapped(
     reverse: bool = False,
     parabolic: bool = False,
 ) -> int:
-    """The channel's value as a signed number, -127 to 127."""
+    """Return the value of a channel, -127 to 127."""
     if ignored or raw == INVALID:
         return 0
     minimum, neutral, maximum, deadband = calibration
@@ -45,7 +45,7 @@ def remapped(
     sign = 1 if (raw > neutral) is not reverse else -1
     if raw >= maximum or raw <= minimum:
         return sign * FULL
-    # So the deadband is narrower than this side: it has been left and the end not reached.
+    # The value is outside the deadband and within the ends, so this division is valid.
     span = maximum - neutral if raw > neutral else neutral - minimum
     part, whole = distance - deadband, span - deadband
     if parabolic:
@@ -54,14 +54,14 @@ def remapped(
 
 
 def coded(value: int) -> int:
-    """Bit 7 the direction, bits 6:0 the magnitude. Zero has no direction (inferred)."""
+    """Return a byte: bit 7 is the direction, bits 6:0 the magnitude. Zero is forward (inferred)."""
     return -value | 0x80 if value < 0 else value
 
 
 def switched_on(
     raw: int, calibration: Calibration, *, ignored: bool = False, reverse: bool = False
 ) -> bool:
-    """Return whether a switch (channel 4 or 5) is beyond half-way from neutral to its end."""
+    """Return whether a switch (channel 4 or 5) is past the middle between neutral and its end."""
     if ignored or raw == INVALID:
         return False
     if reverse:

@@ -1,4 +1,4 @@
-"""Distinguishes a hanging window from a busy computer."""
+"""Monitor that distinguishes a hanging window from a busy computer."""
 
 import subprocess
 import sys
@@ -18,8 +18,8 @@ while True:
 """
 
 
-class Ruler:
-    """Process that only records when it was late, on the clock of all processes."""
+class LoadMonitor:
+    """Process that wakes up at regular intervals and reports each late wake-up."""
 
     def __init__(self) -> None:
         self._gaps: list[tuple[float, float]] = []
@@ -29,8 +29,8 @@ class Ruler:
         self._thread = threading.Thread(target=self._read)
         self._thread.start()
 
-    def starved(self, begin: float, end: float) -> float:
-        """Return the seconds by which it was late between two moments."""
+    def pauses(self, begin: float, end: float) -> float:
+        """Return the seconds between two times in which the process was late."""
         return sum(max(0.0, min(end, late) - max(begin, due)) for due, late in list(self._gaps))
 
     def end(self) -> None:

@@ -1,4 +1,4 @@
-"""A window, its port, and the messages to the user during a fault."""
+"""Window, port, and messages to the user during a fault."""
 
 import os
 from collections.abc import Callable
@@ -20,13 +20,13 @@ from trex_gui.ui.runtime import new_timer, now
 FIRST, OTHER, JUNIOR = 7, 8, 9
 """Numbers of the boards on the line: the user's board, another board, another model."""
 
-LOOK_MS = 20
+CHECK_INTERVAL_MS = 20
 """Milliseconds between two checks of the window."""
 
-SHORTEST_GAP = 0.1  # seconds
+MIN_GAP = 0.1  # seconds
 
 SERIAL_TIMEOUT = 15
-"""Tenths of a second; shorter than a fault lasts."""
+"""Tenths of a second. Shorter than the duration of a fault."""
 
 Gap = tuple[float, float]
 
@@ -45,12 +45,12 @@ LABELS = (
     "learnNote",
     "reviewHead",
 )
-"""Places of messages."""
+"""Labels that show messages."""
 
 
-def _stored(shown: dict[str, Any]) -> Stored:
-    calibrations = shown["calibrations"].items()
-    return {**shown["parameters"], **{key: Calibration(**value) for key, value in calibrations}}
+def _stored(state: dict[str, Any]) -> Stored:
+    calibrations = state["calibrations"].items()
+    return {**state["parameters"], **{key: Calibration(**value) for key, value in calibrations}}
 
 
 class BoardOnLine(SimulatedDevice):
@@ -71,26 +71,26 @@ class BoardOnLine(SimulatedDevice):
         self._line.end()
 
 
-class Scene:
-    """Scene of the cases.
+class FaultHarness:
+    """Window, boards and actions of the user in a case.
 
     Attributes:
         board: the board of the user.
-        line: what is at the port: the board, or all boards on its line.
-        folder: where the user keeps files.
-        data: where the program keeps snapshots.
-        said: what the window has shown since the fault began.
-        gaps: from when to when the event loop did not answer, since the fault began.
-        edits: the settings that the user changed and has applied or not, by key.
-        before: what the program has read from the board before.
-        stored_before: what the board stored before.
-        others_before: the same of the other boards on its line, and how often they had written.
-        targets: what the motors are to do, if the user drives.
-        files: what is being written.
-        foreign: what another program has written.
-        needs_shutdown: whether the serial timeout of the boards stops motors only with UART-Error
-            Shutdown, which is off then. Else that is on.
-        uart_settings: what the board stored before a fault changed it.
+        line: the simulator at the port, with all boards on the line.
+        folder: files of the user.
+        data: files of the program, such as snapshots.
+        messages: messages shown since the fault began.
+        gaps: times in which the event loop did not respond since the fault began.
+        edits: settings that the user has changed, by key, both applied and pending.
+        before: settings that the program read before the fault.
+        stored_before: values that the board stored before the fault.
+        other_boards_before: result of `other_boards` before the fault.
+        targets: targets of the motors while the user drives.
+        files: files that are being written.
+        foreign: files that another program has written.
+        needs_shutdown: true if the serial timeout of the boards stops motors only together with
+            UART-Error Shutdown, which is then off. Otherwise it is on.
+        uart_settings: value that the board stored before a fault changed it.
     """
 
     def __init__(
@@ -102,13 +102,13 @@ class Scene:
         other_boards: bool = False,
         needs_shutdown: bool,
     ) -> None:
-        self._others = (OTHER, JUNIOR) if other_boards else ()
+        self._other_numbers = (OTHER, JUNIOR) if other_boards else ()
         self.window = window
         window.program.complete()
         self.folder = folder / "files"
         self.folder.mkdir()
         self.data = Path(os.environ["TREX_STUDIO_DATA"])
-        self.said: list[str] = []
+        self.messages: list[str] = []
         self.gaps: list[Gap] = []
         self.edits: dict[str, int | Calibration] = {}
         self.before: Settings | None = None
@@ -125,20 +125,20 @@ class Scene:
                 options += ["--device", device]
             self.line = start(*options)
             self.board: SimulatedDevice = BoardOnLine(self.line, FIRST)
-            for number in self._others:
+            for number in self._other_numbers:
                 BoardOnLine(self.line, number).do(f"eeprom serial_timeout {SERIAL_TIMEOUT}")
                 self.switch(number, "off")
         else:
             self.line = self.board = start(*options)
         self.board.do(f"eeprom serial_timeout {SERIAL_TIMEOUT}", "power cycle")
-        self.others_before = self.others()
+        self.other_boards_before = self.other_boards()
         self.url = self.line.url
         for dialog in ("learnDialog", "reviewDialog"):
             window.dialog(dialog)
         self._labels = [window.root.findChild(QLabel, name) for name in LABELS]
-        self._due = now() + LOOK_MS / 1000
+        self._due = now() + CHECK_INTERVAL_MS / 1000
         self.listen_to(window.device.notifier)
-        self._timer = new_timer(window.window, LOOK_MS, self._look)
+        self._timer = new_timer(window.window, CHECK_INTERVAL_MS, self._check_window)
         self._timer.start()
 
     # --- Boards -------------------------------------------------------------------------
@@ -147,32 +147,29 @@ class Scene:
         """Switch one of several boards on or off."""
         self.line.do(f"@{number} power {state}")
 
-    def shown(self) -> dict[str, Any]:
-        return self.board.show()
-
     def stored(self) -> Stored:
         """Return the stored values of the user's board, with all calibrations."""
-        return _stored(self.shown())
+        return _stored(self.board.show())
 
-    def others(self) -> list[tuple[Stored, int]]:
+    def other_boards(self) -> list[tuple[Stored, int]]:
         """Return the stored values and number of writes of each other board."""
-        shown = [BoardOnLine(self.line, number).show() for number in self._others]
-        return [(_stored(one), one["counters"]["eeprom_writes"]) for one in shown]
+        states = [BoardOnLine(self.line, number).show() for number in self._other_numbers]
+        return [(_stored(state), state["counters"]["eeprom_writes"]) for state in states]
 
-    def driven(self) -> list[Target]:
+    def motor_targets(self) -> list[Target]:
         """Return the targets of the motors of the user's board."""
-        motors = self.shown()["motors"]
+        motors = self.board.show()["motors"]
         return [(motor["target_direction"], motor["target_speed"]) for motor in motors]
 
-    def motors_turn(self) -> bool:
-        """True if the board has power and drives a motor, or will drive it."""
-        shown = self.shown()
-        return bool(shown["power"]) and (
-            shown["aux"]["target_speed"] != 0
-            or any(motor["target_direction"] != "brake" for motor in shown["motors"])
+    def motors_run(self) -> bool:
+        """Return whether the board has power and drives a motor or accelerates it."""
+        state = self.board.show()
+        return bool(state["power"]) and (
+            state["aux"]["target_speed"] != 0
+            or any(motor["target_direction"] != "brake" for motor in state["motors"])
         )
 
-    # --- The user -----------------------------------------------------------------------
+    # --- Actions of the user ------------------------------------------------------------
 
     @property
     def link(self) -> ConnectionState:
@@ -184,9 +181,9 @@ class Scene:
         self.before = settings_of(self.window.device.state)
         self.stored_before = self.stored()
 
-    def edit_calibration(self, key: CalibrationKey, wanted: Calibration) -> None:
-        self.window.device.calibrations.edit(key.channel, wanted)
-        self.edits[key] = wanted
+    def edit_calibration(self, key: CalibrationKey, calibration: Calibration) -> None:
+        self.window.device.calibrations.edit(key.channel, calibration)
+        self.edits[key] = calibration
 
     def edit(self, **values: int) -> None:
         """Change parameters to wire values."""
@@ -195,20 +192,20 @@ class Scene:
             assert model.setData(model.index_of(key), value)
             self.edits[key] = value
 
-    def at_step(self, number: int, act: Callable[[], object]) -> Callable[[], bool]:
-        """Run an action at the `number`th step of the line. Return whether it ran."""
+    def at_step(self, number: int, action: Callable[[], object]) -> Callable[[], bool]:
+        """Run an action at a step of the session. Return a function that returns whether it ran."""
         done: list[Progress] = []
         progressed = self.window.device.connection.progressed
 
-        def on_progressed(step: int, total: int, what: str) -> None:
+        def on_progressed(step: int, total: int, text: str) -> None:
             if step >= number and not done:
-                done.append(Progress(step, total, what))
-                act()
+                done.append(Progress(step, total, text))
+                action()
 
         progressed.connect(on_progressed)
         return lambda: bool(done)
 
-    def let_pass(self, seconds: float) -> None:
+    def wait_seconds(self, seconds: float) -> None:
         end = now() + seconds
         self.window.wait(lambda: now() >= end)
 
@@ -216,32 +213,32 @@ class Scene:
     def recordings(self) -> Any:
         return trex(self.window.program).workspace.recordings
 
-    # --- What the user sees -------------------------------------------------------------
+    # --- Messages -----------------------------------------------------------------------
 
-    def start_watching(self) -> None:
-        self.said.clear()
+    def clear_messages(self) -> None:
+        self.messages.clear()
         self.gaps.clear()
-        self._due = now() + LOOK_MS / 1000
+        self._due = now() + CHECK_INTERVAL_MS / 1000
 
     def listen_to(self, notifier: Notifier) -> None:
         """Record every banner message, because the next message may replace it."""
-        notifier.error.connect(self._hear)
-        notifier.info.connect(self._hear)
+        notifier.error.connect(self._record)
+        notifier.info.connect(self._record)
 
-    def hear_all(self, widget: QWidget) -> None:
+    def record_labels(self, widget: QWidget) -> None:
         """Record the texts of all labels of a widget."""
         for label in widget.findChildren(QLabel):
-            self._hear(label.text())
+            self._record(label.text())
 
-    def _look(self) -> None:
-        moment = now()
-        if moment - self._due > SHORTEST_GAP:
-            self.gaps.append((self._due, moment))
-        self._due = moment + LOOK_MS / 1000
+    def _check_window(self) -> None:
+        time = now()
+        if time - self._due > MIN_GAP:
+            self.gaps.append((self._due, time))
+        self._due = time + CHECK_INTERVAL_MS / 1000
         for label in self._labels:
             if label is not None and label.isVisible():
-                self._hear(label.text())
+                self._record(label.text())
 
-    def _hear(self, text: str) -> None:
-        if text and text not in self.said:
-            self.said.append(text)
+    def _record(self, text: str) -> None:
+        if text and text not in self.messages:
+            self.messages.append(text)
