@@ -75,9 +75,9 @@ class Robot:
         threading.Thread(target=self._read_stops, args=(relay,), daemon=True).start()
         self.line = f"socket://127.0.0.1:{wire}"
         self.port = free_port()
-        options = ("--port", self.line, "--baud", str(baud), "--name", "arm")
+        serving = ("--port", self.line, "--baud", str(baud), "--name", "arm")
         address = f"127.0.0.1:{self.port}"
-        self.server = start(stack, "trex_gui.cli", "serve", *options, "--listen", address)
+        self.server = start(stack, "trex_gui.cli", "serve", *serving, "--listen", address)
         time.sleep(2.0)
 
     def start_ready(self, module: str, *arguments: str) -> "subprocess.Popen[str]":

@@ -15,7 +15,7 @@ _FAULTS, _MOMENTS = list(FAULTS), sorted(MOMENTS, key=lambda moment: moment not 
 def timeout_needs_shutdown(fault: str, moment: str) -> bool:
     """Return whether the serial timeout stops motors only together with UART-Error Shutdown.
 
-    The manual does not say so. Cases alternate, so that each fault is tested with both answers.
+    The manual does not specify this. The values alternate, so that each fault meets both values.
     """
     return (_FAULTS.index(fault) + _MOMENTS.index(moment)) % 2 == 1
 

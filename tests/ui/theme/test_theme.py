@@ -104,8 +104,8 @@ def test_palette_pairs_and_disabled_text_have_enough_contrast(scheme: Scheme) ->
         assert contrast(disabled[role], theme().color(background)) >= 4.5, (role, background)
     assert contrast(disabled["button_text"], disabled["button"]) >= 4.5
     palette, group = read_colors(scheme).qpalette(), QPalette.ColorGroup
-    for role in (QPalette.ColorRole.WindowText, QPalette.ColorRole.ButtonText):
-        assert palette.color(group.Disabled, role) != palette.color(group.Active, role)
+    for drawn in (QPalette.ColorRole.WindowText, QPalette.ColorRole.ButtonText):
+        assert palette.color(group.Disabled, drawn) != palette.color(group.Active, drawn)
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
