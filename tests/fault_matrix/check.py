@@ -140,14 +140,14 @@ Pauses = Callable[[float, float], float]
 """Returns the seconds between two times in which the computer did not run this process."""
 
 
-def never(begin: float, end: float) -> float:
+def no_pauses(begin: float, end: float) -> float:
     """Return 0, because virtual time has no pauses."""
     del begin, end
     return 0.0
 
 
-def always(begin: float, end: float) -> float:
-    """Return the whole time, because pauses are unknown while other tests run."""
+def unknown_pauses(begin: float, end: float) -> float:
+    """Return the whole time, which is the limit while other tests run."""
     return end - begin
 
 
@@ -157,7 +157,7 @@ def run_case(
     window: WindowDriver,
     start: StartSimulator,
     folder: Path,
-    pauses: Pauses = never,
+    pauses: Pauses = no_pauses,
 ) -> None:
     """Inject a fault at a moment. Fail if a condition does not hold."""
     fault, moment = FAULTS[fault_name], MOMENTS[moment_name]
@@ -175,7 +175,7 @@ def run_case(
 
     healed = False
     try:
-        moment.begin(harness, inject)
+        moment.start(harness, inject)
         harness.wait_seconds(HOLD_SECONDS)
         if not fault.hides_board:
             _check_motors(harness, fault)

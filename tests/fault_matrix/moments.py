@@ -40,12 +40,12 @@ class Moment:
     """Action of the user.
 
     Attributes:
-        begin: function that starts the action and calls its second argument to inject the fault.
+        start: function that begins the action and calls its second argument to inject the fault.
         end: function that ends the action after the fault.
         longest_gap: longest time in seconds in which the event loop may not respond.
     """
 
-    begin: Callable[[FaultHarness, Inject], object]
+    start: Callable[[FaultHarness, Inject], object]
     end: Callable[[FaultHarness], object] = lambda _harness: None
     longest_gap: float = 0.2
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from tests.fault_matrix.cases import CASES, name_of
-from tests.fault_matrix.check import always, run_case
+from tests.fault_matrix.check import run_case, unknown_pauses
 from tests.support.matrix import sampled
 from tests.support.patient import PATIENT
 from tests.support.simulator import StartSimulator
@@ -45,4 +45,4 @@ def timeouts(request: pytest.FixtureRequest) -> Timeouts:
 def test_fault_of_a_real_port_is_handled_safely(
     fault: str, moment: str, window: WindowDriver, start_simulator: StartSimulator, tmp_path: Path
 ) -> None:
-    run_case(fault, moment, window, start_simulator, tmp_path, pauses=always)
+    run_case(fault, moment, window, start_simulator, tmp_path, pauses=unknown_pauses)

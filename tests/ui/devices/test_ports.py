@@ -171,9 +171,7 @@ def test_device_kind_of_a_port_is_saved_and_shown(create_ports: CreatePorts) -> 
     assert create_ports(TREX, WALKER).find("socket://robot:1") == port
     found = create_ports().find("socket://robot:1")
     assert found is not None
-    assert (found.device, found.label) == ("trex", "socket://robot:1"), (
-        "the kind walker is unknown here"
-    )
+    assert (found.device, found.label) == ("trex", "socket://robot:1"), "without the kind walker"
     changed = ports.assign(port, "trex")
     assert (changed.device, changed.label) == ("trex", "socket://robot:1")
     found = create_ports(TREX, WALKER).find("socket://robot:1")

@@ -40,8 +40,8 @@ def tables(scheme: str) -> dict[str, dict[str, str]]:
 
 
 def test_schemes_define_the_same_names() -> None:
-    light, *others = ({t: set(names) for t, names in tables(s).items()} for s in SCHEMES)
-    assert others == [light, light]
+    light, *other_schemes = ({t: set(names) for t, names in tables(s).items()} for s in SCHEMES)
+    assert other_schemes == [light, light]
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)

@@ -54,10 +54,10 @@ class WorkerHarness:
         """Close the line. Return the seconds until its thread ended."""
         start = now()
         assert self.worker.close(15_000)
-        took = now() - start
+        duration = now() - start
         self.wait(Closed)
         assert self.end == Closed(None)
-        return took
+        return duration
 
     def outcome(self, number: int) -> Outcome:
         """Wait for the outcome of a request."""
