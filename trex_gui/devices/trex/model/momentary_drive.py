@@ -101,9 +101,9 @@ def grown(
 def mix(forward: float, turn: float, ceiling: int = FULL_SCALE) -> tuple[int, int]:
     """Return the speeds of motors 1 (left) and 2 (right).
 
-    The board mixes channels in the same way (inferred, reference section 3). If a sum exceeds full
-    speed, both speeds are reduced in proportion. `forward` and `turn` are -1 to 1. `ceiling` (1 to
-    127) is the speed at full deflection.
+    The board forms the same sums of its channels, and clips each sum (inferred). Here, if a sum
+    exceeds full speed, both speeds are reduced in proportion. `forward` and `turn` are -1 to 1.
+    `ceiling` (1 to 127) is the speed at full deflection.
     """
     left, right = forward + turn, forward - turn
     scale = ceiling / max(1.0, abs(left), abs(right))

@@ -16,7 +16,8 @@ def start_texts() -> StartTexts:
 
     The board is wired to a TTL adapter, an RS-232 adapter or a receiver.
 
-    Ref: reference, sections 4 (levels) and 7 (BEC and mode jumpers).
+    Ref: Pololu TReX manual page 7 (RS-232 levels, BEC jumper); forum thread 1769 (3.3 V levels,
+    mode jumper).
     """
     rs_232 = Wires(
         tr("TReX"),

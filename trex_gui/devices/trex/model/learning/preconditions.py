@@ -109,7 +109,8 @@ _QUIET_READINGS = 3  # consecutive readings without current that confirm standst
 _MAX_COUNTS = 2.5
 """Highest current at standstill, in counts: 0.38 A on a TReX, 0.1 A on a Jr.
 
-Inferred: a reading is an average of 64 samples and varies by one count.
+A reading is an average of 64 samples (command documentation 0x8D). Inferred: it varies by one
+count.
 """
 
 
@@ -117,8 +118,8 @@ class StandstillCheck(QObject):
     """Stops the motors, then watches the currents.
 
     After a confirmed stop, another controller on the same line may drive the motors again, because
-    both connectors share one UART (User's Guide 5). In joint mode the board measures no current, so
-    the confirmation suffices.
+    both connectors share one UART (forum thread 503). In joint mode the board measures no current,
+    so the confirmation suffices.
     """
 
     confirmed = Signal()  # the stop is confirmed, and no current flows

@@ -83,8 +83,8 @@ class Wiring:
     def turned_channels(self, driver: Driver) -> frozenset[int]:
         """Return the drive channels to reverse after rewiring.
 
-        Mixing is motor 1 = forward + turn, motor 2 = forward - turn (inferred, reference section
-        3). Reversing channel 1 exchanges the motors. Reversing both channels reverses both motors.
+        Inferred: mixing is motor 1 = forward + turn, motor 2 = forward - turn. Reversing channel 1
+        exchanges the motors. Reversing both channels reverses both motors.
         """
         backward = self.backward - self.rewiring(driver).reverse
         match driver:
