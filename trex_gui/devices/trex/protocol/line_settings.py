@@ -1,6 +1,7 @@
 """Baud rate, error detection and stop bits of the line (parameter 0x7E).
 
-Ref: Pololu TReX User's Guide 5.a, 5.e. The parameter table marks inferred bit fields.
+Ref: Pololu TReX Jr User's Guide 5.a (rates, defaults); User's Guide 5.e of both models (CRC-7). The
+parameter table marks inferred bit fields.
 """
 
 from dataclasses import dataclass, field
@@ -77,7 +78,8 @@ class LineSettings(SerialFormat):
     def real_baud(self, firmware: str) -> int:
         """Return the actual rate of the board in bit/s.
 
-        Firmware before 1.2 halves two of the baud rates (forum thread 1491).
+        Firmware before 1.2 halves two of the baud rates (forum thread 1491). The version is sourced
+        for the Jr (forum thread 5011), and inferred for the TReX.
         """
         table = device_table()
         is_old = version_key(firmware) < version_key(table.half_rate_fixed_in)
