@@ -31,7 +31,7 @@ class BootHost(Protocol):
 
 
 class BootLoader:
-    """Boot loader. It restores the default serial settings, then waits for firmware.
+    """Boot loader. It restores the default serial settings (inferred), then waits for firmware.
 
     `leds` contains the patterns of the red and green LEDs. `update` is called 100 times a second.
     """

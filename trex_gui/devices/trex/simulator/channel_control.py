@@ -40,10 +40,10 @@ class ChannelSetup:
     def is_switched(self, channel: int, raw: int | None) -> bool:
         """True if a switch channel (4: flip, 5: override) is active.
 
-        A switch is active below a threshold (sourced, User's Guide 4.a). Inferred: the threshold is
-        halfway between neutral and minimum, and a reversed channel is active above a threshold
-        halfway between neutral and maximum. A switch is inactive if its channel has no signal or is
-        ignored.
+        A switch is active below a threshold (sourced, User's Guide 4.a), and an ignored channel is
+        held at neutral (sourced, User's Guide 4.c). Inferred: the threshold is halfway between
+        neutral and minimum, a reversed channel is active above a threshold halfway between neutral
+        and maximum, and a channel without a signal is inactive.
         """
         index = channel - 1
         if raw is None or _has(self.ignored, index):

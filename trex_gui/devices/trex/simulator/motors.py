@@ -179,8 +179,9 @@ class SerialControl:
     def set_control(self, now: float, timeout: int, *, in_control: bool, shut_down: bool) -> None:
         """Start or end serial control. At the start, apply the latest commands.
 
-        Inferred: commands of any age apply, and a motor without a command stops. With `shut_down`,
-        all motors stop after `timeout`, the serial timeout in tenths of a second (0: off).
+        Commands from before serial control apply, too (User's Guide 4.a). Inferred: a motor without
+        a command stops. So do all motors after `timeout`, the serial timeout in tenths of a second
+        (0: off), with `shut_down`.
         """
         has_gained = in_control and not self.in_control
         self.in_control = in_control

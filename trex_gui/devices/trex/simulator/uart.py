@@ -119,7 +119,7 @@ class SerialPort:
         elif byte & _COMMAND_BIT:
             self._handle_command_byte(byte)
         elif self._is_skipping:
-            pass  # data in a packet for another device
+            pass  # data in a packet for another device; inferred: causes no error
         elif not self._packet:
             self._reject()  # inferred: a data byte without a packet is a format error
         else:
