@@ -109,9 +109,9 @@ class SetUp:
 class SafeStart:
     """Estimate of safe-start, for which the board has no flag.
 
-    Inferred: safe-start begins at power-up and when a required channel loses its signal. It ends
-    when all driving channels are near neutral at once. The threshold is inferred, too.
-    Ref: TReX Jr User's Guide 4.e.
+    Safe-start begins at power-up and when a required channel loses its signal. It ends when all
+    driving channels are near neutral at once. Ref: TReX Jr User's Guide 4.e. Inferred: the distance
+    from neutral, and that a current shows the end of safe-start.
     """
 
     def __init__(self) -> None:
