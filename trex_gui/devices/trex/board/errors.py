@@ -1,6 +1,7 @@
 """Error bits of a board: counts, times and log events.
 
-Reading a latched bit clears it. The board latches the bit again while its cause persists.
+Reading a latched bit clears it. Inferred: the board latches the bit again while its
+cause persists.
 """
 
 import math

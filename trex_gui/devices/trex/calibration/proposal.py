@@ -62,7 +62,8 @@ def _distance(neutral: Neutral, travel: Travel, way: Way) -> int:
     """Return the distance of the proposed end from rest, in counts.
 
     If a switch or a throttle rests at an end, the limit of the input replaces this end. Otherwise,
-    a changed trim could command full speed, since the auxiliary motor turns for either sign.
+    a changed trim could command full speed, since the auxiliary motor turns for either sign
+    (inferred).
     """
     length = travel.length(way)
     if travel.reached(way):
@@ -94,8 +95,9 @@ def _ends_reason(neutral: Neutral, travel: Travel) -> str:
 def _reversal(travel: Travel, *, reversed_now: bool) -> tuple[bool, str]:
     """Return whether the channel should be reversed, and the reason for a change.
 
-    Inferred: a positive output is forward. A switch is active below its threshold, and a reversed
-    switch above it. Reversal makes no difference to a one-way motor.
+    A switch is active below its threshold (User's Guide 4.a). Inferred: a positive output is
+    forward, a reversed switch is active above its threshold, and reversal makes no difference to a
+    one-way motor.
     """
     match travel.task:
         case Task.STICK if travel.first is not None:

@@ -93,12 +93,13 @@ def write_all(
     Calibrations come first, while their input source is active. Next come parameters that take
     effect at once, then parameters that need a power cycle. The serial settings come last.
 
-    If power fails during a write, the written value becomes the factory default. The board must
-    still start with settings that a scan tries: the old, the new or the default settings. So the
-    polynomial is changed while the stored line settings have no CRC: first if CRC is switched on,
-    last if CRC is switched off. If CRC stays on while both the polynomial and the line settings
-    change, the default line settings are stored in between. If only the polynomial changes, a power
-    cut during its 4 ms write leaves the default polynomial, which a scan also tries.
+    Inferred: if power fails during a write, the written value becomes the factory default. The
+    board must still start with settings that a scan tries: the old, the new or the default
+    settings. So the polynomial is changed while the stored line settings have no CRC: first if CRC
+    is switched on, last if CRC is switched off. If CRC stays on while both the polynomial and the
+    line settings change, the default line settings are stored in between. If only the polynomial
+    changes, a power cut during its 4 ms write leaves the default polynomial, which a scan also
+    tries.
 
     If the line is gone, or the board does not respond or is not in serial mode, no further writes
     are attempted, since they would also fail. `cancelled` also ends writing, but never between the

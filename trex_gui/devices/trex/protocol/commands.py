@@ -222,8 +222,8 @@ class GetRemappedChannels(_ChannelQuery[Mapping[int, int]]):
 
     def parse(self, reply: bytes) -> Mapping[int, int]:
         # Bit 7 is the direction. The documentation says that the magnitude of channel 3 is in the
-        # "lower six bits", and that the other channels have seven bits. A magnitude of 0 to 127
-        # needs seven bits.
+        # "lower six bits", and that the other channels have seven bits. Inferred: channel 3 has
+        # seven bits, too, because a magnitude of 0 to 127 needs them.
         return {
             channel: -(byte & FULL_SCALE) if byte & 0x80 else byte
             for channel, byte in zip(self.channels, reply, strict=True)

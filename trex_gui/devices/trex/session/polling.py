@@ -4,8 +4,9 @@ Each value is polled as often as the board updates it. Faster polling would read
 delay motor commands.
 
 While motors are armed, polling also prevents the board's serial timeout. The board measures the
-time between received bytes, and cannot receive while it replies. Therefore, the longest silence
-includes a reply and the first byte of the next query.
+time between received bytes (inferred; the twin measures it between valid packets), and cannot
+receive while it replies. Therefore, the longest silence includes a reply and the first byte of the
+next query.
 """
 
 import math

@@ -127,8 +127,8 @@ def reconnect_candidates(
 ) -> tuple[ConnectionSettings, ...]:
     """Return the possible settings of a board that loses power during a write.
 
-    A value that was being stored becomes the factory default. The present settings are omitted,
-    because they are always probed. `before` and `after` map keys to stored wire values.
+    Inferred: a value that was being stored becomes the factory default. The present settings are
+    omitted, because they are always probed. `before` and `after` map keys to stored wire values.
     """
     specs = {spec.key: spec for spec in parameters_of("trex", firmware).readable}
     changed = [key for key in REACH if key in before and after.get(key) not in {None, before[key]}]
@@ -157,7 +157,7 @@ def after_power_cycle(
             line = LineSettings.from_wire(stored[ParameterKey.UART_SETTINGS])
             line = replace(line, baud=line.real_baud(firmware))
         if ParameterKey.CRC7_POLYNOMIAL in stored:
-            # The board does not store the highest bit, which is always set.
+            # The highest bit is always set. Inferred: the board does not store it.
             polynomial = check_polynomial(stored[ParameterKey.CRC7_POLYNOMIAL] | 0x80)
     except BadRequest:
         return None
@@ -173,10 +173,10 @@ def settings_to_probe(
     """Return the settings to probe for a silent board, present settings first.
 
     The factory default is last. A board has it if power fails while the UART settings are being
-    stored. The number of stop bits does not prevent a reply, so a candidate that differs only in
-    stop bits replaces the present settings. Settings are omitted if a board at other settings could
-    read their probe as a motor command. On a line with other devices, only the present settings are
-    probed.
+    stored (inferred). The number of stop bits does not prevent a reply, so a candidate that differs
+    only in stop bits replaces the present settings. Settings are omitted if a board at other
+    settings could read their probe as a motor command. On a line with other devices, only the
+    present settings are probed.
     """
     if used.reserved:
         return (used,)

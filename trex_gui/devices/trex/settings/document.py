@@ -98,7 +98,7 @@ def settings_of(state: DeviceState) -> Settings:
 
 
 def factory_settings(product: Model, firmware: str | None) -> Settings:
-    """Return the default parameters. A factory reset does not change calibrations.
+    """Return the default parameters. A factory reset does not change calibrations (inferred).
 
     See `unconfirmed_defaults` for defaults without a source.
     """
