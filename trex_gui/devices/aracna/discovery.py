@@ -1,10 +1,11 @@
 r"""Search for an Aracna, without moving any device.
 
 The probe is `\n.q\n` at 38400 8N1. An Aracna reads it as an empty line followed by its only query.
-Neither has a side effect. A TReX at 38400 baud does not find a command in the probe, but at another
-rate it may find the start of a command. Therefore, FF at 1200 baud terminates any incomplete packet
-before and after the probe, as in the search for a TReX. The tests check this at every rate of a
-TReX.
+Neither has a side effect. A TReX at 38400 baud does not find a command in the probe, because its
+bytes follow each other without a pause. (With odd parity, the TReX reads 29 between two framing
+errors.) At another rate it may find the start of a command. Therefore, FF at 1200 baud terminates
+any incomplete packet before and after the probe, as in the search for a TReX. The tests check this
+at every rate of a TReX.
 
 On a port with a fixed rate, such as a plain network port, FF has no effect, and some boards would
 read the probe as a command. Such a port is probed only if the user has selected an Aracna for it.

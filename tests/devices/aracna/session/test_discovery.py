@@ -14,7 +14,7 @@ from trex_gui.core.discovery.scan import PortScan, scan_port
 from trex_gui.core.transport.serial_port import Transport
 from trex_gui.core.transport.settings import PortSettings, SerialFormat
 from trex_gui.devices.aracna.discovery import ARACNA_PROBER, PROBE, FoundRobot
-from trex_gui.devices.aracna.protocol.commands import QUERY
+from trex_gui.devices.aracna.protocol.commands import EMPTY, QUERY
 from trex_gui.devices.aracna.session.client import LINE
 from trex_gui.devices.trex.discovery import TREX_PROBER, attempts
 from trex_gui.devices.trex.protocol.connection_settings import ConnectionSettings
@@ -261,6 +261,19 @@ def test_mixed_probes_cannot_form_motor_command(own: LineSettings) -> None:
     """This applies to any sequence of probes, any device number and any polynomial."""
     probes = [(each.data, each.line) for each in attempts() if each.line != own]
     assert not executed_commands([*probes, (PROBE, LINE)], own, [()], flushed=True)
+
+
+@pytest.mark.parametrize("detection", [Detection.NONE, Detection.EVEN, Detection.ODD])
+def test_trex_at_rate_of_robot_finds_no_command_in_probe(detection: Detection) -> None:
+    own = LineSettings(LINE.baud, detection)
+    assert hear([()], PROBE, LINE, own, crc=False) == ({()}, set())
+
+
+def test_newlines_apart_from_queries_would_start_trex_motor() -> None:
+    """The query is read as E1, and a newline as a data byte."""
+    settings = LineSettings(LINE.baud, Detection.ODD)
+    lines = [(EMPTY, LINE), (QUERY, LINE)]
+    assert executed_commands(lines, settings, [()], flushed=False) == {"e1 0a 0a"}
 
 
 def test_probe_without_flush_byte_would_start_trex_motor() -> None:

@@ -13,7 +13,7 @@ from trex_gui.devices.aracna.protocol.joints import HIGHEST
 
 BAUD = 38_400  # 38400 8N1, without flow control
 QUERY = b".q\n"  # the chip stores its three bytes while the firmware is busy
-EMPTY = b"\n"  # ends an incomplete line in the firmware's buffer, without any other effect
+EMPTY = b"\n"  # has no effect alone; ends an incomplete line, which the firmware then handles
 
 
 def led(*, on: bool) -> bytes:

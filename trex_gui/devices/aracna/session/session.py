@@ -1,9 +1,10 @@
 """Session loop on a line to the robot: requests in, reports out.
 
 The loop uses neither threads nor Qt. Without a request it sends only `.q`, because a TReX may be on
-the port, and any other line may harm a TReX at some settings. (If a newline precedes `.q`, a TReX
-at 38400 baud with odd parity may read both as a command.) The robot has no stop command. After a
-`Halt`, the loop merely sends no more commands.
+the port, and any other line may harm a TReX at some settings. (At 38400 baud with odd parity, a
+TReX reads `.q` as E1, the start of a motor command. It reads a newline that is sent apart as data.
+So `.q` and two newlines become E1 0A 0A, which drives motor 1.) The robot has no stop command.
+After a `Halt`, the loop merely sends no more commands.
 """
 
 from collections.abc import Callable
