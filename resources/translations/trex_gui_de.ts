@@ -5169,8 +5169,8 @@ Soll die Datei aus den Einstellungen neu geschrieben werden? Ihre Kommentare geh
         <translation>Die Motoren sollten stoppen, wenn das Board so lange kein Byte empfängt. Das schützt Sie, wenn der Computer oder das Kabel versagt. 0 schaltet es aus. Vielleicht braucht es „Abschaltung bei UART-Fehlern“ (Zwilling): Lassen Sie diese an.</translation></message>
     <message><source>UART-Error Shutdown</source>
         <translation>Abschaltung bei UART-Fehlern</translation></message>
-    <message><source>Whether a serial error (noise, wrong baud rate, malformed packet) stops the motors. The board still accepts commands, and the next motor command starts them again. Switched off, it may disable the Serial Timeout, too (twin).</source>
-        <translation>Ob ein serieller Fehler (Störung, falsche Baudrate, fehlerhaftes Paket) die Motoren stoppt. Das Board nimmt weiterhin Befehle an, und der nächste Motorbefehl startet sie wieder. Ist dies ausgeschaltet, ist vielleicht auch das serielle Timeout unwirksam (Zwilling).</translation></message>
+    <message><source>Whether a serial error (noise, wrong baud rate, malformed packet) stops the motors. The board still accepts commands. The next motor command starts them again (inferred). Switched off, it may disable the Serial Timeout, too (twin).</source>
+        <translation>Ob ein serieller Fehler (Störung, falsche Baudrate, fehlerhaftes Paket) die Motoren stoppt. Das Board nimmt weiterhin Befehle an. Der nächste Motorbefehl startet sie wieder (erschlossen). Ist dies ausgeschaltet, ist vielleicht auch das serielle Timeout unwirksam (Zwilling).</translation></message>
     <message><source>The default of on is doubtful: public programs that send a stray byte with each command, or pause within a packet, would stutter with it.</source>
         <translation>Der Standardwert „ein“ ist zweifelhaft: Öffentliche Programme, die mit jedem Befehl ein überzähliges Byte senden oder innerhalb eines Pakets pausieren, würden damit stottern.</translation></message>
     <message><source>Motor 1 PWM Prescaler</source>
@@ -5199,6 +5199,8 @@ Soll die Datei aus den Einstellungen neu geschrieben werden? Ihre Kommentare geh
         <translation>PWM-Maximum Motor 2</translation></message>
     <message><source>Auxiliary Motor PWM Maximum</source>
         <translation>PWM-Maximum Hilfsmotor</translation></message>
+    <message><source>The value at which the PWM counter starts again: a smaller maximum gives a higher PWM frequency. No parameter sets the prescaler of this motor.</source>
+        <translation>Der Wert, bei dem der PWM-Zähler wieder von vorn beginnt: Ein kleineres Maximum ergibt eine höhere PWM-Frequenz. Kein Parameter stellt den Vorteiler dieses Motors ein.</translation></message>
     <message><source>Motor 1 Acceleration</source>
         <translation>Beschleunigung Motor 1</translation></message>
     <message><source>How fast the speed may grow after an accelerate command, in speed steps (of 127) per 100 ms. 0 means at once. Slowing down in the same direction has no ramp.</source>

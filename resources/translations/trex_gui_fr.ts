@@ -5169,8 +5169,8 @@ Réécrire le fichier à partir des réglages ? Ses commentaires seront perdus.
         <translation>Les moteurs devraient s'arrêter quand la carte ne reçoit aucun octet pendant ce temps. Cela vous protège si l'ordinateur ou le câble tombe en panne. 0 le désactive. Il peut avoir besoin de « Arrêt sur erreur UART » (jumeau) : laissez celui-ci activé.</translation></message>
     <message><source>UART-Error Shutdown</source>
         <translation>Arrêt sur erreur UART</translation></message>
-    <message><source>Whether a serial error (noise, wrong baud rate, malformed packet) stops the motors. The board still accepts commands, and the next motor command starts them again. Switched off, it may disable the Serial Timeout, too (twin).</source>
-        <translation>Détermine si une erreur série (bruit, mauvais débit, paquet mal formé) arrête les moteurs. La carte accepte toujours les commandes, et la commande de moteur suivante les remet en marche. Désactivé, ce réglage peut rendre aussi le « Délai série » inopérant (jumeau).</translation></message>
+    <message><source>Whether a serial error (noise, wrong baud rate, malformed packet) stops the motors. The board still accepts commands. The next motor command starts them again (inferred). Switched off, it may disable the Serial Timeout, too (twin).</source>
+        <translation>Détermine si une erreur série (bruit, mauvais débit, paquet mal formé) arrête les moteurs. La carte accepte toujours les commandes. La commande de moteur suivante les remet en marche (déduit). Désactivé, ce réglage peut rendre aussi le « Délai série » inopérant (jumeau).</translation></message>
     <message><source>The default of on is doubtful: public programs that send a stray byte with each command, or pause within a packet, would stutter with it.</source>
         <translation>La valeur par défaut « activé » est douteuse : des programmes publics qui envoient un octet parasite avec chaque commande, ou marquent une pause dans un paquet, auraient des à-coups.</translation></message>
     <message><source>Motor 1 PWM Prescaler</source>
@@ -5199,6 +5199,8 @@ Réécrire le fichier à partir des réglages ? Ses commentaires seront perdus.
         <translation>Maximum PWM moteur 2</translation></message>
     <message><source>Auxiliary Motor PWM Maximum</source>
         <translation>Maximum PWM moteur auxiliaire</translation></message>
+    <message><source>The value at which the PWM counter starts again: a smaller maximum gives a higher PWM frequency. No parameter sets the prescaler of this motor.</source>
+        <translation>La valeur à laquelle le compteur PWM recommence : un maximum plus petit donne une fréquence PWM plus élevée. Aucun paramètre ne règle le prédiviseur de ce moteur.</translation></message>
     <message><source>Motor 1 Acceleration</source>
         <translation>Accélération moteur 1</translation></message>
     <message><source>How fast the speed may grow after an accelerate command, in speed steps (of 127) per 100 ms. 0 means at once. Slowing down in the same direction has no ramp.</source>

@@ -29,6 +29,7 @@ FACTS = {
     "[Bb]eyond a limit that no document confirms": "(inferred)",
     "off by default": "(twin)",
     "on; by default it is": "(inferred)",
+    "next motor command starts them again": "(inferred)",
     r"[Tt]imeout may (not stop|need)|It may need UART|may disable the Serial": "(twin)",
     "Shutdown is off: motors may": "(twin)",
     "[Cc]urrents (wrong|may be off) by 20 %": "(twin)",
