@@ -116,8 +116,8 @@ def test_steps_and_markers_are_exported(folder: Path) -> None:
 @pytest.mark.parametrize(
     ("name", "value", "reason"),
     [
-        ("motors", 0, "motors must be 1 to 253, not 0"),
-        ("motors", 10**9, "motors must be 1 to 253, not 1000000000"),
+        ("motors", 0, "motors must be 1 to 254, not 0"),
+        ("motors", 10**9, "motors must be 1 to 254, not 1000000000"),
         ("started_utc", "soon", "Invalid isoformat"),
         ("firmware", None, "int"),
     ],

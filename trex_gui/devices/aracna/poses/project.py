@@ -12,7 +12,7 @@ SHORTEST_MS = 1  # minimum duration of a step
 LONGEST_MS = 3_600_000  # an hour; PyPose itself offers up to 5000 ms
 DEFAULT_MS = 500  # PyPose's default for a step
 RESOLUTION = 1024  # number of positions of a servo
-MAX_MOTORS = 253  # servos that a bus can address (identifiers 0-252)
+MAX_MOTORS = 254  # servos that a bus can address (AX-12: identifiers 0-253)
 _MAX_NAME_LENGTH = 100
 _SEPARATORS = ":,|"  # between names and values in a pose file
 
