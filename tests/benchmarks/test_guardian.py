@@ -71,10 +71,7 @@ def test_two_boards_stop_soon_after_their_program_is_killed(figure: ReportFigure
     worst = 0.0
     for _ in range(4 * _ROUNDS):
         simulator = SimulatorProcess("--device", "7", "--device", "9")
-        command = [sys.executable, "-c", DRIVES_TWO, simulator.url]
-        with subprocess.Popen(command, stdout=subprocess.PIPE) as program:
-            assert program.stdout is not None
-            assert program.stdout.readline() == b"drives\n"
+        with running_script(DRIVE_TWO, simulator.url) as program:
             start = time.perf_counter()
             program.kill()
         running = ["@7", "@9"]

@@ -41,7 +41,7 @@ def drive(
     seed: int, seconds: float, *, noise: float = 0.01, baud: int = 19200, shutdown: bool = False
 ) -> DriveResult:
     """Drive both motors on a line that corrupts bytes. `shutdown`: errors stop the board."""
-    harness, settings = staged(baud)
+    harness, settings = create_harness(baud)
     harness.board.eeprom.write("uart_error_shutdown", int(shutdown))
     harness.board.power_cycle()
     harness.transport.latency = latency_of("/dev/ttyUSB0")

@@ -36,7 +36,7 @@ def _changed(data: bytes, generator: random.Random) -> bytes:
 def attack(seconds: float, seed: int) -> list[str]:
     """Send messages of two watchers, and repeat messages of the driver."""
     generator, end, count = random.Random(seed), time.monotonic() + seconds, 0
-    driver = ServedDriver()
+    driver = ServerHarness()
     driver.server.report(CONNECTED)
     driver.join("alice")
     driver.join("watcher", Role.WATCH)

@@ -266,7 +266,7 @@ def test_mixed_probes_cannot_form_motor_command(own: LineSettings) -> None:
 @pytest.mark.parametrize("detection", [Detection.NONE, Detection.EVEN, Detection.ODD])
 def test_trex_at_rate_of_robot_finds_no_command_in_probe(detection: Detection) -> None:
     own = LineSettings(LINE.baud, detection)
-    assert hear([()], PROBE, LINE, own, crc=False) == ({()}, set())
+    assert receive([()], PROBE, LINE, own, crc=False) == ({()}, set())
 
 
 def test_newlines_apart_from_queries_would_start_trex_motor() -> None:

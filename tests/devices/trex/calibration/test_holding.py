@@ -114,7 +114,7 @@ def test_ends_passed_without_a_hold_block_the_proposal(rate: float) -> None:
     proposal = proposal_of(stick, travel)
     (problem,) = proposal.problems
     assert problem.kind is ProblemKind.NOT_HELD
-    assert "Both ends were only passed, not held. Go back, push it" in problem_text(problem)
+    assert "Both ends were only passed, not held. Go back, push the stick" in problem_text(problem)
     assert proposal.calibration is None
 
 

@@ -173,7 +173,7 @@ def test_deadband_covers_the_noise_and_its_lower_limit(noise: float, seed: int) 
 
 
 def test_deadband_widened_because_of_noise_is_explained() -> None:
-    reason = "At rest its noise is ±"
+    reason = "At rest the noise is ±"
     assert not any(reason in text for text in learn(Stick(noise=0.5)).reasons)
     assert any(reason in text for text in learn(Stick(noise=12)).reasons)
 

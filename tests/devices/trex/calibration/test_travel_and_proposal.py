@@ -381,8 +381,8 @@ def test_stick_held_off_rest_while_sampled_is_reported(off: float, up: bool, see
     assert proposed is not None
     (problem,) = Check(1, ChannelCurve(proposed), neutral, travel).problems
     assert problem.kind is ProblemKind.NEUTRAL_MOVED
-    assert problem_text(problem).startswith("After release it rests at 1500 µs, not at ")
-    assert "sample it again, or use the new rest" in problem_text(problem)
+    assert problem_text(problem).startswith("After release the stick rests at 1500 µs, not at ")
+    assert "sample the channel again, or use the new rest" in problem_text(problem)
     corrected = replace(proposed, neutral=travel.rest)
     assert Check(1, ChannelCurve(corrected), neutral, travel).problems == ()
 

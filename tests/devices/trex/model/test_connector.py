@@ -260,7 +260,7 @@ def test_simulator_that_exits_at_start_reports_the_reason(
     )
     with qtbot.waitSignal(demo.failed) as failed:
         demo.start()
-    assert failed.args == ["The simulator ended at once. no memory"]
+    assert failed.args == ["The simulator exited immediately. no memory"]
 
 
 def test_missing_simulator_program_is_reported(

@@ -278,7 +278,7 @@ def responds_while_reading(hour: Path, qtbot: QtBot) -> bool:
     start = now()
     playback = loading(Playback(open_recording(hour)))
     opened = now()
-    qtbot.waitUntil(lambda: playback.share > 0.2, timeout=120_000)
+    qtbot.waitUntil(lambda: playback.progress > 0.2, timeout=120_000)
     scanned = now()
     with qtbot.waitSignal(playback.loaded, timeout=240_000):
         pass

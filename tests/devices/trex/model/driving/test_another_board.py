@@ -110,7 +110,7 @@ def start(start_simulator: StartSimulator) -> Start:
 def warning_of(driven: DrivenBoard) -> str:
     return (
         f"The stop may not have reached the TReX 1.2 that was driven at {driven.board.url}: "
-        "another board responded. If its motor still turns, cut its power."
+        "another board responded. If a motor of that board is still turning, cut its power."
     )
 
 

@@ -101,7 +101,7 @@ def test_throttle_passes_with_full_output_on_its_travel_side() -> None:
     test = stick_test(3, ChannelCurve(THROTTLE), *trimmed)
     assert not test.reverse
     assert not test.passed
-    assert test.text == "Full output not reached yet. Push it all the way."
+    assert test.text == "Full output not reached yet. Push the stick all the way."
     test = stick_test(3, ChannelCurve(THROTTLE), *trimmed, (4738, 30), (2750, 40))
     assert test.forward
     assert test.passed
