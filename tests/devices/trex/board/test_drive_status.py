@@ -28,11 +28,11 @@ LINKS = (
     DriveBlocker.SILENT,
 )
 RC = BoardInputs(mode=Mode.RC, by_serial=False)
-DRIVEN_BY_OTHER = DriveInputs(board=SERIAL, other_driver="alice", other_speeds=(5, -8, 0))
+OTHER_DRIVER_RUNS = DriveInputs(board=SERIAL, other_driver="alice", other_speeds=(5, -8, 0))
 
 
 @pytest.mark.parametrize(
-    ("situation", "blockers", "said"),
+    ("inputs", "blockers", "text"),
     [
         (DriveInputs(link=DriveBlocker.NO_BOARD), [DriveBlocker.NO_BOARD], "No board"),
         (
@@ -65,7 +65,7 @@ DRIVEN_BY_OTHER = DriveInputs(board=SERIAL, other_driver="alice", other_speeds=(
         (
             DriveInputs(link=DriveBlocker.SILENT, board=SERIAL),
             [DriveBlocker.SILENT],
-            "does not respond. Check its power and the cable.",  # no stop is sent
+            "does not respond. Check its power and the cable.",  # no motor was driven
         ),
         (DriveInputs(), [DriveBlocker.UNKNOWN], "not reported yet"),
         (
@@ -79,7 +79,7 @@ DRIVEN_BY_OTHER = DriveInputs(board=SERIAL, other_driver="alice", other_speeds=(
             "The RC channels",
         ),
         (
-            DriveInputs(board=RC, is_available=False, locked_for=2.2),  # sticks may drive on
+            DriveInputs(board=RC, is_available=False, locked_for=2.2),  # sticks may still drive
             [DriveBlocker.RC_CHANNELS],
             "The RC channels",
         ),
@@ -102,7 +102,7 @@ DRIVEN_BY_OTHER = DriveInputs(board=SERIAL, other_driver="alice", other_speeds=(
         (
             DriveInputs(board=replace(SERIAL, faults=(1, 2), doubtful=(2,))),
             [DriveBlocker.FAULT, DriveBlocker.FAULT, DriveBlocker.NOT_ARMED],
-            "low voltage). Reduce",  # this one is not doubtful
+            "low voltage). Reduce",  # the fault of motor 1 is not doubtful
         ),
         (
             DriveInputs(board=replace(SERIAL, faults=(2,)), armed=True),
@@ -142,15 +142,15 @@ DRIVEN_BY_OTHER = DriveInputs(board=SERIAL, other_driver="alice", other_speeds=(
         ),
     ],
 )
-def test_all_reasons_explain_the_situation(
-    situation: DriveInputs, blockers: list[DriveBlocker], said: str
+def test_drive_status_names_blocker_and_remedy(
+    inputs: DriveInputs, blockers: list[DriveBlocker], text: str
 ) -> None:
-    statuses = drive_statuses(situation)
+    statuses = drive_statuses(inputs)
     assert [status.blocker for status in statuses] == blockers
-    assert said in f"{statuses[0].text} {statuses[0].remedy}"
+    assert text in f"{statuses[0].text} {statuses[0].remedy}"
 
 
-def everything() -> Iterator[DriveInputs]:
+def all_inputs() -> Iterator[DriveInputs]:
     boards = [
         BoardInputs(mode=mode, by_serial=by_serial, faults=faults, uart=uart, error_shutdown=True)
         for mode, by_serial, faults, uart in itertools.product(
@@ -163,42 +163,42 @@ def everything() -> Iterator[DriveInputs]:
         yield DriveInputs(board=board, link=link, armed=armed, may_move=may_move)
 
 
-def test_motors_follow_only_where_nothing_stops_or_blocks_them() -> None:
-    for now in everything():
-        status = drive_statuses(now)[0]
-        assert status.text.endswith("."), now
-        assert not status.remedy or status.remedy.endswith("."), now
-        obeyed = (
-            now.link is None
-            and now.board is not None
-            and now.board.by_serial
-            and now.armed
-            and not now.board.faults
-            and not now.board.uart
+def test_motors_follow_setpoints_only_without_blockers() -> None:
+    for inputs in all_inputs():
+        status = drive_statuses(inputs)[0]
+        assert status.text.endswith("."), inputs
+        assert not status.remedy or status.remedy.endswith("."), inputs
+        follows = (
+            inputs.link is None
+            and inputs.board is not None
+            and inputs.board.by_serial
+            and inputs.armed
+            and not inputs.board.faults
+            and not inputs.board.uart
         )
-        assert (status.blocker.effect in {Effect.LIMITS, Effect.NOTE}) is obeyed, now
+        assert (status.blocker.effect in {Effect.LIMITS, Effect.NOTE}) is follows, inputs
 
 
 @pytest.mark.parametrize(
-    ("now", "motor", "expected"),
+    ("inputs", "motor", "expected"),
     [
         (DriveInputs(link=DriveBlocker.SILENT, board=SERIAL), 1, (SetpointSource.UNKNOWN,)),
         (DriveInputs(), 1, (SetpointSource.UNKNOWN,)),
         (DriveInputs(board=SERIAL), 1, (SetpointSource.NOT_ARMED,)),
         (DriveInputs(board=SERIAL, may_move=True), 1, (SetpointSource.NOT_ARMED, 0, True)),
         (DriveInputs(board=SERIAL, armed=True, may_move=True), 1, (SetpointSource.SERIAL, 20)),
-        (DRIVEN_BY_OTHER, 2, (SetpointSource.OTHER_DRIVER, -8)),
+        (OTHER_DRIVER_RUNS, 2, (SetpointSource.OTHER_DRIVER, -8)),
         (DriveInputs(board=replace(SERIAL, joint=True)), 2, (SetpointSource.JOINT,)),
         (DriveInputs(board=RC), 2, (SetpointSource.CHANNEL, -90)),
-        (DriveInputs(board=RC), AUXILIARY, (SetpointSource.CHANNEL, 30)),  # drives one way only
+        (DriveInputs(board=RC), AUXILIARY, (SetpointSource.CHANNEL, 30)),  # has no direction
         (DriveInputs(board=replace(RC, is_held=True)), 2, (SetpointSource.SAFE_START,)),
     ],
 )
 def test_setpoint_has_speed_and_source(
-    now: DriveInputs, motor: int, expected: tuple[SetpointSource, int, bool]
+    inputs: DriveInputs, motor: int, expected: tuple[SetpointSource, int, bool]
 ) -> None:
     newest = Newest()
     newest.update(Remapped(0.0, (50, -90, -30, 0, 0)))
-    assert motor_setpoint(motor, now, newest, 20) == MotorSetpoint(*expected)
+    assert motor_setpoint(motor, inputs, newest, 20) == MotorSetpoint(*expected)
     if expected[0] is SetpointSource.CHANNEL:
-        assert motor_setpoint(motor, now, Newest(), 20) == MotorSetpoint(SetpointSource.UNKNOWN)
+        assert motor_setpoint(motor, inputs, Newest(), 20) == MotorSetpoint(SetpointSource.UNKNOWN)

@@ -21,11 +21,11 @@ BITS: list[Status | UartError] = [
 
 
 @pytest.fixture
-def log() -> ErrorCounts:
+def errors() -> ErrorCounts:
     return ErrorCounts()
 
 
-def news(*bits: Status | UartError) -> LatchedStatus:
+def report(*bits: Status | UartError) -> LatchedStatus:
     status, uart = Status(0), UartError(0)
     for bit in bits:
         if isinstance(bit, Status):
@@ -35,69 +35,69 @@ def news(*bits: Status | UartError) -> LatchedStatus:
     return LatchedStatus(1.0, status, uart)
 
 
-def counts(log: ErrorCounts) -> list[int]:
-    return [entry.count for entry in log.entries]
+def counts(errors: ErrorCounts) -> list[int]:
+    return [entry.count for entry in errors.entries]
 
 
-def uncleared(log: ErrorCounts) -> int:
-    return sum(entry.is_uncleared for entry in log.occurred)
+def uncleared(errors: ErrorCounts) -> int:
+    return sum(entry.is_uncleared for entry in errors.occurred)
 
 
-def test_each_of_13_bits_has_its_own_entry(log: ErrorCounts) -> None:
-    assert [entry.bit for entry in log.entries] == BITS
-    assert [type(entry.bit) for entry in log.entries] == [Status] * 5 + [UartError] * 8
-    assert len({entry.name for entry in log.entries}) == 13
-    assert all(entry.meaning and entry.remedy for entry in log.entries)
+def test_each_of_13_bits_has_its_own_entry(errors: ErrorCounts) -> None:
+    assert [entry.bit for entry in errors.entries] == BITS
+    assert [type(entry.bit) for entry in errors.entries] == [Status] * 5 + [UartError] * 8
+    assert len({entry.name for entry in errors.entries}) == 13
+    assert all(entry.meaning and entry.remedy for entry in errors.entries)
 
 
-def test_bits_from_before_the_connection_are_noted_and_not_counted(log: ErrorCounts) -> None:
-    earlier = replace(news(Status.UART_ERROR, UartError.FRAMING), is_earlier=True)
-    log.count(earlier, NOW, TODAY)
-    log.count(news(UartError.FRAMING), NOW, TODAY)
-    noted = [(entry.bit, entry.count) for entry in log.entries if entry.is_earlier]
-    assert noted == [(Status.UART_ERROR, 0), (UartError.FRAMING, 1)]
-    assert uncleared(log) == 1
+def test_bits_set_before_connecting_are_shown_but_not_counted(errors: ErrorCounts) -> None:
+    earlier = replace(report(Status.UART_ERROR, UartError.FRAMING), is_earlier=True)
+    errors.count(earlier, NOW, TODAY)
+    errors.count(report(UartError.FRAMING), NOW, TODAY)
+    shown = [(entry.bit, entry.count) for entry in errors.entries if entry.is_earlier]
+    assert shown == [(Status.UART_ERROR, 0), (UartError.FRAMING, 1)]
+    assert uncleared(errors) == 1
 
 
 @pytest.mark.parametrize("position", range(13), ids=lambda index: BITS[index].name or "")
-def test_each_bit_is_counted_separately(log: ErrorCounts, position: int) -> None:
-    log.count(news(BITS[position]), NOW, TODAY)
-    log.count(news(BITS[position]), NOW, TODAY)
+def test_each_bit_is_counted_separately(errors: ErrorCounts, position: int) -> None:
+    errors.count(report(BITS[position]), NOW, TODAY)
+    errors.count(report(BITS[position]), NOW, TODAY)
     expected = [0] * 13
     expected[position] = 2
-    assert counts(log) == expected
-    assert log.entries[position].last == TODAY
+    assert counts(errors) == expected
+    assert errors.entries[position].last == TODAY
 
 
 def test_each_change_is_reported() -> None:
-    told: list[int] = []
-    board = ErrorCounts(lambda: told.append(sum(counts(board))))
-    board.count(news(*BITS), NOW, TODAY)
-    board.clear(Status.MOTOR1_FAULT)
-    board.reset()
-    assert told == [13, 13, 0]
-    assert all(entry.last is None for entry in board.entries)
+    totals: list[int] = []
+    observed = ErrorCounts(lambda: totals.append(sum(counts(observed))))
+    observed.count(report(*BITS), NOW, TODAY)
+    observed.clear(Status.MOTOR1_FAULT)
+    observed.reset()
+    assert totals == [13, 13, 0]
+    assert all(entry.last is None for entry in observed.entries)
 
 
-def test_clearing_keeps_counts_and_ends_with_the_next_report(log: ErrorCounts) -> None:
-    assert uncleared(log) == 0
-    log.count(news(Status.MOTOR1_FAULT, Status.UART_ERROR, UartError.FRAMING), NOW, TODAY)
-    assert uncleared(log) == 2, "the bit that announces UART errors is no error of its own"
-    log.clear(Status.MOTOR1_FAULT)
-    (left,) = (entry.bit for entry in log.occurred if entry.is_uncleared)
-    assert left is UartError.FRAMING, "its bit has the same number"
-    log.clear(UartError.FRAMING)
-    assert uncleared(log) == 0
-    assert sum(counts(log)) == 3
-    log.count(news(Status.UART_ERROR), NOW, TODAY)
-    assert uncleared(log) == 1
+def test_clearing_keeps_counts_and_lasts_until_the_next_report(errors: ErrorCounts) -> None:
+    assert uncleared(errors) == 0
+    errors.count(report(Status.MOTOR1_FAULT, Status.UART_ERROR, UartError.FRAMING), NOW, TODAY)
+    assert uncleared(errors) == 2, "UART_ERROR only announces another error"
+    errors.clear(Status.MOTOR1_FAULT)
+    (uncleared_bit,) = (entry.bit for entry in errors.occurred if entry.is_uncleared)
+    assert uncleared_bit is UartError.FRAMING, "FRAMING has the value of MOTOR1_FAULT"
+    errors.clear(UartError.FRAMING)
+    assert uncleared(errors) == 0
+    assert sum(counts(errors)) == 3
+    errors.count(report(Status.UART_ERROR), NOW, TODAY)
+    assert uncleared(errors) == 1
 
 
-def test_error_is_active_while_it_is_reported(log: ErrorCounts) -> None:
-    log.count(news(Status.MOTOR1_FAULT), NOW, TODAY)
-    assert log.is_active(log.entries[0], NOW + 0.5)
-    assert not log.is_active(log.entries[0], NOW + 1.5)
-    assert not log.is_active(log.entries[1], NOW + 0.5)
+def test_error_is_active_while_it_is_reported(errors: ErrorCounts) -> None:
+    errors.count(report(Status.MOTOR1_FAULT), NOW, TODAY)
+    assert errors.is_active(errors.entries[0], NOW + 0.5)
+    assert not errors.is_active(errors.entries[0], NOW + 1.5)
+    assert not errors.is_active(errors.entries[1], NOW + 0.5)
 
 
 @pytest.mark.parametrize(
@@ -118,33 +118,34 @@ def test_error_shutdown_determines_bits_that_stop_motors(
     assert stops_motors(bit, errors_stop=True) is stops_if_set
 
 
-def test_returned_entries_are_not_updated(log: ErrorCounts) -> None:
-    before = log.entries
-    log.count(news(*BITS), NOW, TODAY)
+def test_returned_entries_are_not_updated(errors: ErrorCounts) -> None:
+    before = errors.entries
+    errors.count(report(*BITS), NOW, TODAY)
     assert [entry.count for entry in before] == [0] * 13
 
 
-def test_only_the_last_report_is_marked_as_doubtful(log: ErrorCounts) -> None:
-    log.count(news(Status.MOTOR1_FAULT), NOW, TODAY, is_doubtful=True)
-    assert [entry.bit for entry in log.entries if entry.is_doubtful] == [Status.MOTOR1_FAULT]
-    log.count(news(Status.MOTOR1_FAULT), NOW, TODAY)
-    assert not any(entry.is_doubtful for entry in log.entries)
+def test_only_the_last_report_is_marked_as_doubtful(errors: ErrorCounts) -> None:
+    errors.count(report(Status.MOTOR1_FAULT), NOW, TODAY, is_doubtful=True)
+    assert [entry.bit for entry in errors.entries if entry.is_doubtful] == [Status.MOTOR1_FAULT]
+    errors.count(report(Status.MOTOR1_FAULT), NOW, TODAY)
+    assert not any(entry.is_doubtful for entry in errors.entries)
 
 
-def test_recent_errors_are_those_of_the_motor_and_of_the_line(log: ErrorCounts) -> None:
-    log.count(news(Status.MOTOR1_FAULT, Status.MOTOR2_OVER_LIMIT, UartError.TIMEOUT), NOW, TODAY)
-    assert [entry.bit for entry in log.recent(1, NOW + 2)] == [
+def test_recent_errors_of_a_motor_include_line_errors(errors: ErrorCounts) -> None:
+    latched = report(Status.MOTOR1_FAULT, Status.MOTOR2_OVER_LIMIT, UartError.TIMEOUT)
+    errors.count(latched, NOW, TODAY)
+    assert [entry.bit for entry in errors.recent(1, NOW + 2)] == [
         Status.MOTOR1_FAULT, UartError.TIMEOUT
     ]  # fmt: skip
-    assert [entry.bit for entry in log.recent(2, NOW + 2)] == [
+    assert [entry.bit for entry in errors.recent(2, NOW + 2)] == [
         Status.MOTOR2_OVER_LIMIT, UartError.TIMEOUT
     ]  # fmt: skip
-    assert not log.recent(1, NOW + 3)
+    assert not errors.recent(1, NOW + 3)
 
 
-def test_counts_of_another_board_on_the_line_are_retained(log: ErrorCounts) -> None:
-    log.count(news(Status.MOTOR1_FAULT), NOW, TODAY)
-    log.select("one", "other")
-    assert sum(counts(log)) == 0
-    log.select("other", "one")
-    assert sum(counts(log)) == 1
+def test_counts_of_another_board_on_the_line_are_retained(errors: ErrorCounts) -> None:
+    errors.count(report(Status.MOTOR1_FAULT), NOW, TODAY)
+    errors.select("first", "second")
+    assert sum(counts(errors)) == 0
+    errors.select("second", "first")
+    assert sum(counts(errors)) == 1
