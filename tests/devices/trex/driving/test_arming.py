@@ -37,6 +37,8 @@ STOP_BYTES = bytes.fromhex("D0 7F 7F")
 
 HEARTBEAT = Timeouts().heartbeat
 
+Step = Callable[[], Request | None]
+
 
 # --- The lock after a stop --------------------------------------------------------------
 
@@ -46,10 +48,10 @@ def test_setpoints_after_stop_are_dropped_until_armed(harness: SessionHarness) -
     harness.script.at(1.2, SetMotor(1, Drive.at(80))).at(2.5, SetMotor(1, Drive.at(40)))
     dropped = read_at(harness, 2.8, lambda: is_stopped(harness.board))
     harness.script.at(3.0, Arm()).at(3.0, SetMotor(1, Drive.at(50)))
-    obeyed = read_at(harness, 3.2, lambda: harness.board.motors[0].speed)
+    speeds = seen_at(harness, 3.2, lambda: harness.board.motors[0].speed)
     run_for(harness, 3.5)
-    assert dropped == [True], "it was on its way when the motors were stopped"
-    assert obeyed == [50]
+    assert dropped == [True], "setpoints after the stop were sent too early"
+    assert speeds == [50]
 
 
 # --- Missing heartbeat ------------------------------------------------------------------
@@ -63,10 +65,10 @@ def test_armed_motors_stop_after_heartbeat_timeout(harness: SessionHarness) -> N
     reports = run_for(harness, 3.0)
     assert before == [80]
     assert after == [True]
-    (halted,) = of_type(reports, MotorsStopped)
-    assert halted.confirmed
-    assert halted.reason is ErrorCode.NO_HEARTBEAT
-    assert is_stopped(harness.board), "late wishes count no more"
+    (stopped,) = among(reports, MotorsStopped)
+    assert stopped.confirmed
+    assert stopped.reason is ErrorCode.NO_HEARTBEAT
+    assert is_stopped(harness.board), "late setpoints are ignored"
 
 
 def test_heartbeat_timeout_stops_motors_during_reload() -> None:
@@ -78,7 +80,7 @@ def test_heartbeat_timeout_stops_motors_during_reload() -> None:
     assert outcomes(harness.reports)[1].error is None
 
 
-# --- Repeated stops --------------------------------------------------------------------
+# --- Repeated stops ---------------------------------------------------------------------
 
 
 def test_stop_is_repeated_until_confirmed(harness: SessionHarness) -> None:
@@ -92,7 +94,7 @@ def test_stop_is_repeated_until_confirmed(harness: SessionHarness) -> None:
     assert is_stopped(harness.board)
 
 
-# --- One transaction before a stop --------------------------------------------------
+# --- One transaction before a stop ------------------------------------------------------
 
 
 @pytest.mark.parametrize("baud", [1200, 19200, 115200])
@@ -103,57 +105,54 @@ def test_stop_while_connecting_waits_for_one_transaction(
 ) -> None:
     """Covers all of opening: echo probes, signature, mode, parameters, calibrations."""
     opening = {1200: 3.0, 19200: 0.4, 115200: 0.2}[baud]
-    harness, settings = create_harness(baud, echo=echo)
-    longest = settings.line.seconds(16) + harness.transport.latency + 0.01
-    pressed = 0.001 + share * opening
-    harness.script.at(pressed, Stop(1))
+    harness, settings = staged(baud, echo=echo)
+    limit = settings.line.seconds(16) + harness.transport.latency + 0.01
+    requested = 0.001 + share * opening
+    harness.script.at(requested, Stop(1))
     run_for(harness, opening + 1.0, settings)
-    sent = [moment for moment, data in harness.transport.written if data == STOP_BYTES]
-    assert 0 <= sent[0] - pressed <= longest
+    sent_at = [moment for moment, data in harness.transport.written if data == STOP_BYTES]
+    assert 0 <= sent_at[0] - requested <= limit
     assert outcomes(harness.reports)[1].error is None
 
 
-# --- Stops during other events --------------------------------------------
-
-
-Step = Callable[[], Request | None]
+# --- Stops during other events ----------------------------------------------------------
 
 
 class DelayedInbox:
     """Inbox with scripted contents for each read, from one second on."""
 
     def __init__(self, harness: SessionHarness, *steps: Step) -> None:
-        self._stage = harness
+        self._harness = harness
         self._steps = list(steps)
 
     def get(self, seconds: float) -> Request | None:
-        self._stage.line.advance(seconds)
-        if self._stage.line.now < 1 or not self._steps:
+        self._harness.line.advance(seconds)
+        if self._harness.line.now < 1 or not self._steps:
             return None
         return self._steps.pop(0)()
 
 
-def serve(harness: SessionHarness, *steps: Step) -> None:
+def run_session(harness: SessionHarness, *steps: Step) -> None:
     inbox = DelayedInbox(harness, *steps)
     settings = ConnectionSettings("virtual")
     TrexSession(settings, inbox, harness.reports.append, lambda _: harness.transport).run()
 
 
-def nothing() -> None:
+def no_request() -> None:
     return None
 
 
-def test_requested_motor_command_never_follows_stop(harness: SessionHarness) -> None:
+def test_requested_motor_command_never_follows_stop() -> None:
     """The stop may arrive before the command is sent, or later."""
-    for looks in range(4):
-        harness = create_harness()[0]
-        serve(
+    for reads in range(4):
+        harness = staged()[0]
+        run_session(
             harness,
             Arm,
             lambda: packet(5, DriveMotor(1, Drive.at(100))),
-            *([nothing] * looks),
+            *([no_request] * reads),
             lambda: Stop(6),
-            *([nothing] * 100),
+            *([no_request] * 100),
             Close,
         )
         found = outcomes(harness.reports)
@@ -171,7 +170,7 @@ def test_stops_during_confirmation_get_outcome_on_port_loss(harness: SessionHarn
         harness.transport.fail = PortUnavailable("gone")
         return Stop(8)
 
-    serve(harness, mute, nothing, pull)
+    run_session(harness, mute, no_request, pull)
     found = outcomes(harness.reports)
     assert set(found) == {7, 8}
     assert found[7].error is not None
@@ -181,24 +180,24 @@ def test_stops_during_confirmation_get_outcome_on_port_loss(harness: SessionHarn
 
 @pytest.mark.parametrize("seconds", [0.02, 0.05, 7.0])
 def test_stop_while_board_returns_gets_its_outcome(harness: SessionHarness, seconds: float) -> None:
-    """The board responds for some time after the stop. 7 s last until the test ends."""
+    """The board responds for a time after the stop. 7 s last until the end of the test."""
     harness.script.at(1.0, Arm()).at(1.1, SetMotor(1, Drive.at(80)))
     for step in range(1, 8):
         harness.script.at(1.1 + step / 5, Heartbeat())
     harness.script.at(2.0, harness.fault(mute=True)).at(2.7, Stop(7))
     harness.script.at(2.75, harness.fault(mute=False))
     harness.script.at(2.75 + seconds, harness.fault(mute=True))
-    seen = read_at(harness, 10.0, lambda: 7 in outcomes(harness.reports))
+    has_outcome = seen_at(harness, 10.0, lambda: 7 in outcomes(harness.reports))
     run_for(harness, 10.1)
-    assert of_type(harness.reports, NotResponding)
-    assert seen == [True]
+    assert among(harness.reports, NotResponding)
+    assert has_outcome == [True]
 
 
 @pytest.mark.parametrize("number", [None, 7])
-def test_echo_of_our_own_requests_confirms_no_stop(
+def test_echo_of_sent_requests_confirms_no_stop(
     harness: SessionHarness, number: int | None
 ) -> None:
-    """The wires to the board come off and touch: the host receives its own bytes."""
+    """The wires come off the board and touch. The host receives its own bytes."""
 
     def short_circuit() -> None:
         harness.line.echo = True

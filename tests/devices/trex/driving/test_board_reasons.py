@@ -20,7 +20,7 @@ AT_REST = {
 }
 
 
-def waits_for(
+def reason_texts(
     counts: dict[int, int | None],
     *,
     source: InputSource = InputSource.RC,
@@ -37,41 +37,41 @@ def waits_for(
 
 
 def test_sticks_at_rest_end_safe_start() -> None:
-    assert waits_for({}) == ()
-    assert waits_for({4: 5000}) == (), "a switch"
-    assert waits_for({2: None}) == (), "only channel 1 is required"
+    assert reason_texts({}) == ()
+    assert reason_texts({4: 5000}) == (), "channel 4 may be a switch"
+    assert reason_texts({2: None}) == (), "only channel 1 is required"
 
 
 @pytest.mark.parametrize("channel", [1, 2, 3])
 def test_channel_off_neutral_is_named_with_its_distance(channel: int) -> None:
-    assert waits_for({channel: 3750 + 450}) == (f"Channel {channel} is 180 µs above neutral.",)
-    assert waits_for({channel: 3750 - 450}) == (f"Channel {channel} is 180 µs below neutral.",)
-    volts = waits_for({channel: 512 + 256}, source=InputSource.ANALOG)
-    assert volts == (f"Channel {channel} is 1.25 V above neutral.",)
+    assert reason_texts({channel: 3750 + 450}) == (f"Channel {channel} is 180 µs above neutral.",)
+    assert reason_texts({channel: 3750 - 450}) == (f"Channel {channel} is 180 µs below neutral.",)
+    analog_texts = reason_texts({channel: 512 + 256}, source=InputSource.ANALOG)
+    assert analog_texts == (f"Channel {channel} is 1.25 V above neutral.",)
 
 
 @pytest.mark.parametrize("parabolic", [False, True])
 @pytest.mark.parametrize("side", [1, -1])
-def test_largest_near_distance_is_named(side: int, *, parabolic: bool) -> None:
+def test_remedy_names_largest_distance_near_neutral(side: int, *, parabolic: bool) -> None:
     curve = ChannelCurve(DEFAULT_CALIBRATION[InputSource.RC], parabolic=parabolic)
     near = max(d for d in range(1250) if abs(curve.output(3750 + side * d)) <= NEARLY_NEUTRAL)
-    assert waits_for({2: 3750 + side * near}, curve=curve) == ()
+    assert reason_texts({2: 3750 + side * near}, curve=curve) == ()
     raw = [3750, 3750 + side * (near + 1), 3750, 3750, 3750]
     (reason,) = safe_start_reasons({2: curve}, raw, 0, source=InputSource.RC, joint=False)
     assert f"within about {near / 2.5:.0f} µs" in reason.remedy()
 
 
 def test_safe_start_ignores_second_channel_in_joint_mode() -> None:
-    texts = waits_for({2: 5000, 3: 4000}, joint=True)
+    texts = reason_texts({2: 5000, 3: 4000}, joint=True)
     assert texts == ("Channel 3 is 100 µs above neutral.",)
 
 
-def test_missing_signal_and_override_keep_safe_start() -> None:
-    assert waits_for({1: None, 5: 2500}) == (
+def test_missing_signal_and_override_prolong_safe_start() -> None:
+    assert reason_texts({1: None, 5: 2500}) == (
         "Channel 1 is required but has no signal.",
         "Channel 5 requests serial override.",
     )
-    assert waits_for({1: None}, source=InputSource.ANALOG) == ()
+    assert reason_texts({1: None}, source=InputSource.ANALOG) == ()
 
 
 HELD = safe_start_reasons(
@@ -119,7 +119,7 @@ def test_reasons_that_stop_motors_come_first() -> None:
         (BoardInputs(mode=Mode.ANALOG, by_serial=False), [DriveBlocker.ANALOG_CHANNELS]),
         (
             BoardInputs(mode=Mode.RC, by_serial=False, safe_start=HELD[1:]),
-            [DriveBlocker.RC_CHANNELS],  # motors are driven
+            [DriveBlocker.RC_CHANNELS],  # the motors already run
         ),
         (
             BoardInputs(mode=Mode.RC, by_serial=False, safe_start=HELD[1:], is_held=True),
@@ -131,7 +131,7 @@ def test_reasons_that_stop_motors_come_first() -> None:
         ),
     ],
 )
-def test_reasons_follow_from_what_the_board_reports(
+def test_reported_state_determines_the_reasons(
     board: BoardInputs, blockers: list[DriveBlocker]
 ) -> None:
     assert [reason.blocker for reason in board_reasons(board)] == blockers
@@ -146,6 +146,6 @@ def test_reasons_follow_from_what_the_board_reports(
         (BoardInputs(mode=Mode.RC, by_serial=False, safe_start=HELD), "with packets", "fast flash"),
     ],
 )
-def test_leds_show_who_controls_and_safe_start(board: BoardInputs, red: str, green: str) -> None:
+def test_leds_show_control_source_and_safe_start(board: BoardInputs, red: str, green: str) -> None:
     assert led_patterns(board) == (red, green)
     assert {red, green} <= set(LED_TEXTS)

@@ -1,10 +1,10 @@
-"""Released and stopped motors stop on a line that damages bytes."""
+"""Motors that are released or stopped come to rest on a line that corrupts bytes."""
 
-from functools import partial
 from itertools import product
 
 import pytest
 
+from tests.devices.trex.client.corruption import corrupt_packet
 from tests.devices.trex.session.helpers import (
     commands,
     is_stopped,
@@ -44,19 +44,9 @@ FULL_BRAKE = SetMotor(1, Drive.brake(127))
 BRAKES = [DriveMotor(1, Drive.brake()), DriveMotor(2, Drive.brake())]
 
 
-def swap(harness: SessionHarness, wanted: str, instead: str, times: int = 1) -> None:
-    """Replace a packet on its way to the board, a number of times."""
-    write = harness.transport.write
-    left = times
-
-    def corrupt(data: bytes) -> None:
-        nonlocal left
-        if left and data == bytes.fromhex(wanted):
-            left -= 1
-            data = bytes.fromhex(instead)
-        write(data)
-
-    harness.transport.write = corrupt  # type: ignore[method-assign]
+def turn_poll_into_command(harness: SessionHarness) -> None:
+    """Corrupt 86 1F, which requests the channels, into C6 1F, which drives motor 1 forward."""
+    corrupt_packet(harness, b"\x86\x1f", b"\xc6\x1f")
 
 
 def is_braked(harness: SessionHarness) -> bool:
@@ -66,7 +56,7 @@ def is_braked(harness: SessionHarness) -> bool:
 @pytest.mark.parametrize(
     ("seed", "noise"), sampled(product([13, 19, 40, 74, 93, 117], [0.01, 0.02, 0.05]), every=7)
 )
-def test_released_motor_does_not_keep_running_on_noisy_line(
+def test_released_motor_stops_soon_on_noisy_line(
     harness: SessionHarness, noise: float, seed: int
 ) -> None:
     harness.line.faults._random.seed(seed)
@@ -78,18 +68,16 @@ def test_released_motor_does_not_keep_running_on_noisy_line(
             schedule_heartbeats(harness, 1.7 + step * 0.03, 1.7 + step * 0.03)
         harness.script.at(1.7 + step * 0.03, lambda: seen.append(is_braked(harness)))
     run_for(harness, 3.6)
-    spell = longest = 0
+    duration = longest = 0
     for braked in seen:
-        spell = 0 if braked else spell + 1
-        longest = max(longest, spell)
+        duration = 0 if braked else duration + 1
+        longest = max(longest, duration)
     assert longest * 0.03 < 0.25
 
 
-def test_request_corrupted_into_command_is_undone_at_once(harness: SessionHarness) -> None:
-    """86 1F, which asks for the channels, arrives as C6 1F: motor 1 ahead."""
-    harness.script.at(1.0, Arm())
-    harness.script.at(1.5, lambda: swap(harness, "86 1F", "C6 1F"))
-    schedule_heartbeats(harness, 1.5, 2.5)
+def test_poll_corrupted_into_motor_command_is_undone_at_once(harness: SessionHarness) -> None:
+    harness.script.at(1.0, Arm()).at(1.5, lambda: turn_poll_into_command(harness))
+    pulses(harness, 1.5, 2.5)
     started: list[float] = []
     drive = harness.board.serial.drive
 
@@ -100,8 +88,7 @@ def test_request_corrupted_into_command_is_undone_at_once(harness: SessionHarnes
         drive(number, direction, speed, accelerate=accelerate)
 
     harness.board.serial.drive = record  # type: ignore[method-assign]
-    harness.script.at(2.9, lambda: None)
-    braked = read_at(harness, 2.9, lambda: is_braked(harness))
+    braked = seen_at(harness, 2.9, lambda: is_braked(harness))
     run_for(harness, 3.0)
     assert braked == [True]
     assert started[1] - started[0] < 0.06
@@ -110,8 +97,8 @@ def test_request_corrupted_into_command_is_undone_at_once(harness: SessionHarnes
 def test_confirmed_setpoint_is_not_resent(harness: SessionHarness) -> None:
     harness.script.at(1.0, SetMotor(1, Drive.at(50))).at(2.0, SetMotor(1, Drive.brake(127)))
     run_for(harness, 4.0)
-    sent = motor_commands_in(harness.transport.sent)
-    assert sent.count(DriveMotor(1, Drive.at(50))) == 1, "it would go round the current limiter"
+    sent = moving(harness.transport.sent)
+    assert sent.count(DriveMotor(1, Drive.at(50))) == 1, "a repetition bypasses the current limiter"
     assert sent.count(DriveMotor(1, Drive.brake(127))) == 2
 
 
@@ -119,24 +106,20 @@ def test_brake_is_repeated_until_line_is_quiet(harness: SessionHarness) -> None:
     harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50))).at(1.4, FULL_BRAKE)
     schedule_heartbeats(harness, 1.5, 2.8)
     harness.script.at(3.0, harness.fault(to_drop=1))
-    schedule_heartbeats(harness, 3.0, 8.5)
-    marks = [0, 0, 0]
-
-    def record(number: int) -> None:
-        marks[number] = len(harness.transport.sent)
-
-    for number, moment in enumerate((8.6, 8.7, 8.8)):
-        harness.script.at(moment, partial(record, number))
+    pulses(harness, 3.0, 8.5)
+    quiet, after = (
+        seen_at(harness, moment, lambda: len(harness.transport.sent)) for moment in (8.6, 8.8)
+    )
     run_for(harness, 9.0)
     brake = DriveMotor(1, Drive.brake(127))
-    sent = motor_commands_in(harness.transport.sent[: marks[0]])
+    sent = moving(harness.transport.sent[: quiet[0]])
     assert 100 <= sent.count(brake) <= 300
-    assert marks[0] < marks[2]
-    assert not motor_commands_in(harness.transport.sent[marks[0] : marks[2]])
+    assert quiet[0] < after[0]
+    assert not moving(harness.transport.sent[quiet[0] : after[0]])
 
 
 @pytest.mark.parametrize("requests", [(), (Stop(1),)])
-def test_damage_sends_nothing_to_board_that_was_not_driven(
+def test_line_error_sends_no_command_to_undriven_board(
     harness: SessionHarness, requests: tuple[Stop, ...]
 ) -> None:
     for request in requests:
@@ -151,12 +134,11 @@ def test_damage_sends_nothing_to_board_that_was_not_driven(
     assert not of_type(harness.reports, CommandsRepeated)
 
 
-def test_damage_brakes_stopped_board_until_line_is_quiet(harness: SessionHarness) -> None:
-    """86 1F, which asks for the channels, arrives as C6 1F: motor 1 ahead."""
+def test_line_error_brakes_stopped_board_until_line_is_quiet(harness: SessionHarness) -> None:
     harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50))).at(1.2, Stop(1))
-    harness.script.at(1.5, SetWatched(False))  # polls end, so that the line stays noisy
-    harness.script.at(5.0, lambda: swap(harness, "86 1F", "C6 1F"))
-    braked = read_at(harness, 5.1, lambda: is_braked(harness))
+    harness.script.at(1.5, SetWatched(False))  # polls end, so the line stays noisy
+    harness.script.at(5.0, lambda: turn_poll_into_command(harness))
+    braked = seen_at(harness, 5.1, lambda: is_braked(harness))
     moments = (10.5, 12.5)
     quiet, after = (
         read_at(harness, moment, lambda: len(harness.transport.sent)) for moment in moments
@@ -184,12 +166,12 @@ def test_idle_refresh_skips_running_motor(harness: SessionHarness) -> None:
 def test_stop_of_auxiliary_motor_is_repeated() -> None:
     idle = SetpointRefresh(LineQuality(), lambda: False)
     idle.record_setpoints([SetAuxiliary(50)], 0.0)
-    assert idle.idle_commands() == BRAKES, "a running motor is not at rest"
+    assert idle.idle_commands() == BRAKES, "the auxiliary motor still runs"
     idle.record_stop(0.2, was_driven=True)
     assert idle.idle_commands() == [*BRAKES, DriveAuxiliary(0)]
 
 
-def test_unstarted_auxiliary_motor_is_left_alone() -> None:
+def test_auxiliary_motor_without_setpoint_gets_no_command() -> None:
     idle = SetpointRefresh(LineQuality(), lambda: False)
     idle.record_setpoints([SetMotor(1, Drive.at(50))], 0.0)
     assert idle.idle_commands() == BRAKES[1:]
@@ -200,7 +182,7 @@ def test_risky_polls_are_omitted_while_motors_may_move(harness: SessionHarness) 
     before = read_at(harness, 1.3, lambda: len(harness.transport.sent))
     after = read_at(harness, 1.9, lambda: len(harness.transport.sent))
     run_for(harness, 2.0)
-    kinds = {type(one) for one in commands(harness.transport.sent[before[0] : after[0]])}
+    kinds = {type(command) for command in commands(harness.transport.sent[before[0] : after[0]])}
     assert GetRawChannels not in kinds
     assert len(kinds) >= 4
 
@@ -226,7 +208,7 @@ def test_stop_after_line_error_is_confirmed_on_quiet_line(harness: SessionHarnes
     early = read_at(harness, 2.0, lambda: outcomes(harness.reports))
     late = read_at(harness, 1.5 + Timeouts().stop_confirmation, lambda: outcomes(harness.reports))
     run_for(harness, 5.0)
-    assert early == [{}], "a clean status alone proves nothing there"
+    assert early == [{}], "a clean status alone confirms nothing on a noisy line"
     assert late[0][1].error is None
     assert of_type(harness.reports, MotorsStopped) == [MotorsStopped(None, confirmed=True)]
     assert motor_commands_in(harness.transport.sent).count(STOP[0]) > 4
@@ -247,10 +229,10 @@ def test_unconfirmed_stop_on_bad_line_is_reported(harness: SessionHarness) -> No
 def test_unconfirmed_stop_is_reported_when_driving_again(harness: SessionHarness) -> None:
     harness.script.at(1.4, harness.fault(to_drop=1)).at(1.5, Stop(1))
     harness.script.at(1.7, Arm()).at(1.7, SetMotor(1, Drive.at(30)))
-    seen = read_at(harness, 1.9, lambda: outcomes(harness.reports))
-    speeds = read_at(harness, 1.9, lambda: harness.board.motors[0].speed)
+    results = seen_at(harness, 1.9, lambda: outcomes(harness.reports))
+    speeds = seen_at(harness, 1.9, lambda: harness.board.motors[0].speed)
     run_for(harness, 2.0)
-    assert isinstance(seen[0][1].error, NoReply)
+    assert isinstance(results[0][1].error, NoReply)
     assert speeds == [30]
 
 
@@ -288,25 +270,24 @@ def test_stop_is_confirmed_when_board_responds_again(harness: SessionHarness) ->
 def test_motor_stopped_by_board_is_not_restarted(
     harness: SessionHarness, status: Status, uart: UartError
 ) -> None:
-
     def stop_itself() -> None:
         harness.board.serial.status |= status
         harness.board.serial.uart_errors |= uart
         harness.board.serial.stop_motors()
 
     harness.script.at(1.0, SetMotor(1, Drive.at(50))).at(1.01, stop_itself)
-    mark = read_at(harness, 1.01, lambda: len(harness.transport.sent))
-    still = read_at(harness, 2.9, lambda: is_stopped(harness.board))
+    mark = seen_at(harness, 1.01, lambda: len(harness.transport.sent))
+    stopped = seen_at(harness, 2.9, lambda: is_stopped(harness.board))
     run_for(harness, 3.0)
-    assert still == [True]
-    assert DriveMotor(1, Drive.at(50)) not in motor_commands_in(harness.transport.sent[mark[0] :])
+    assert stopped == [True]
+    assert DriveMotor(1, Drive.at(50)) not in moving(harness.transport.sent[mark[0] :])
 
 
-def test_written_error_shutdown_decides_about_retries(harness: SessionHarness) -> None:
-    """A board that does not stop its motors on errors gets a corrupted setpoint again."""
-    # UART-Error Shutdown is on from the factory
+def test_setpoint_is_resent_after_error_shutdown_is_turned_off(harness: SessionHarness) -> None:
+    # UART-Error Shutdown is on from the factory.
     harness.script.at(1.0, Write(1, (("uart_error_shutdown", 0),)))
-    harness.script.at(1.5, lambda: swap(harness, "C2 32", "C2"))  # one packet loses its speed
+    # One packet loses its speed.
+    harness.script.at(1.5, lambda: corrupt_packet(harness, b"\xc2\x32", b"\xc2"))
     harness.script.at(1.5, SetMotor(1, Drive.at(50)))
     speeds = read_at(harness, 1.9, lambda: harness.board.motors[0].speed)
     run_for(harness, 2.0)
@@ -320,18 +301,18 @@ def test_setpoint_repetition_ends_at_time_limit() -> None:
     harness = SessionHarness(Board(eeprom=eeprom))
     harness.script.at(1.0, Arm()).at(1.0, SetMotor(1, Drive.at(50)))
 
-    def damage() -> None:
+    def report_parity_error() -> None:
         harness.board.serial.report(UartError.PARITY, shut_down=False)
 
     for step in range(350):
         if step % 10 == 0:
-            schedule_heartbeats(harness, 1.01 + step * 0.02, 1.01 + step * 0.02)
-        harness.script.at(1.01 + step * 0.02, damage)
-    middle = read_at(harness, 1.2 + MAX_RETRY_SECONDS, lambda: len(harness.transport.sent))
+            pulses(harness, 1.01 + step * 0.02, 1.01 + step * 0.02)
+        harness.script.at(1.01 + step * 0.02, report_parity_error)
+    limit = seen_at(harness, 1.2 + MAX_RETRY_SECONDS, lambda: len(harness.transport.sent))
     run_for(harness, 8.9)
     setpoint = DriveMotor(1, Drive.at(50))
-    assert motor_commands_in(harness.transport.sent[: middle[0]]).count(setpoint) > 10
-    assert setpoint not in motor_commands_in(harness.transport.sent[middle[0] :])
+    assert moving(harness.transport.sent[: limit[0]]).count(setpoint) > 10
+    assert setpoint not in moving(harness.transport.sent[limit[0] :])
 
 
 # --- Arming and silence -----------------------------------------------------------------
@@ -348,7 +329,7 @@ def test_arming_during_power_loss_causes_no_later_stop(harness: SessionHarness) 
 @pytest.mark.parametrize(
     ("seed", "shutdown"), sampled([(seed, bool(seed % 2)) for seed in range(30)], every=15)
 )
-def test_wrong_turn_is_short_and_no_restart(seed: int, shutdown: bool) -> None:
+def test_wrong_turn_is_short_and_not_taken_for_a_restart(seed: int, shutdown: bool) -> None:
     result = drive(seed, 5.0, shutdown=shutdown)
     assert max(result.turned, default=0.0) <= LONGEST_TURN
     assert result.stopped == []

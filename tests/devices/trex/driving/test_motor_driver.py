@@ -5,8 +5,7 @@ import math
 
 import pytest
 
-from tests.devices.trex.session.helpers import create_harness, motor_commands_in
-from tests.support.virtual import SessionHarness
+from tests.devices.trex.session.helpers import moving, staged
 from trex_gui.core.errors import NoReply, PortUnavailable
 from trex_gui.core.session import Outcome
 from trex_gui.core.timing import Timeouts
@@ -31,18 +30,19 @@ from trex_gui.devices.trex.simulator.motors import MotorDirection
 class MotorsHarness:
     """`MotorDriver` connected to a simulated board, and its reports."""
 
-    def __init__(self, stage: SessionHarness) -> None:
-        self.stage = stage
-        self.client = stage.client()
+    def __init__(self) -> None:
+        harness, _ = staged()
+        self.board, self.line, self.transport = harness.board, harness.line, harness.transport
         self.reports: list[Outcome | MotorReport] = []
         self.motors = MotorOutput(self.reports.append)
-        self.driver = MotorDriver(self.motors, self.client, StatusReader(stage.transport.clock))
+        clock = self.transport.clock
+        self.driver = MotorDriver(self.motors, harness.client(), StatusReader(clock))
 
     @property
     def now(self) -> float:
-        return self.client.transport.clock()
+        return self.transport.clock()
 
-    def put(self, *setpoints: SetMotor | SetAuxiliary) -> None:
+    def set(self, *setpoints: SetMotor | SetAuxiliary) -> None:
         for setpoint in setpoints:
             self.motors.handle_request(setpoint, self.now)
 
@@ -54,7 +54,7 @@ class MotorsHarness:
         self.motors.handle_request(Arm(), self.now)
 
     def drive(self, speed: int) -> None:
-        self.put(SetMotor(1, Drive.at(speed)))
+        self.set(SetMotor(1, Drive.at(speed)))
         self.advance(DRIVE_INTERVAL)
 
     def advance(self, seconds: float) -> None:
@@ -64,46 +64,46 @@ class MotorsHarness:
             if self.now + due > end:
                 break
             if due > 0:
-                self.client.transport.wait(max(due, 1e-5))
+                self.transport.wait(max(due, 1e-5))
             else:
                 self.driver.serve()
 
 
 @pytest.fixture
 def harness() -> MotorsHarness:
-    return MotorsHarness(create_harness()[0])
+    return MotorsHarness()
 
 
 def test_newest_setpoint_is_sent_and_next_one_waits(harness: MotorsHarness) -> None:
-    harness.stage.line.advance(1.0)
-    harness.put(SetMotor(1, Drive.at(10)))
+    harness.line.advance(1.0)
+    harness.set(SetMotor(1, Drive.at(10)))
     assert harness.driver.seconds_to_drive() <= 0
     harness.drive(20)
-    assert motor_commands_in(harness.stage.transport.sent) == [DriveMotor(1, Drive.at(20))]
+    assert moving(harness.transport.sent) == [DriveMotor(1, Drive.at(20))]
     assert harness.motors.may_move
-    harness.put(SetMotor(1, Drive.at(30)))
+    harness.set(SetMotor(1, Drive.at(30)))
     seconds = harness.driver.seconds_to_drive()
     assert seconds >= DRIVE_INTERVAL
 
 
 def test_lost_setpoint_is_resent(harness: MotorsHarness) -> None:
-    harness.stage.line.faults.to_drop_sent = 2  # the whole packet, so the board latches nothing
+    harness.line.faults.to_drop_sent = 2  # the whole packet, so the board latches nothing
     harness.drive(20)
-    assert harness.stage.board.motors[0].target_speed == 0
+    assert harness.board.motors[0].target_speed == 0
     harness.advance(4.0)
-    sent = motor_commands_in(harness.stage.transport.sent)
+    sent = moving(harness.transport.sent)
     assert sent == [DriveMotor(1, Drive.at(20))] * (1 + len(REPEATS))
-    assert harness.stage.board.motors[0].target_speed == 20
+    assert harness.board.motors[0].target_speed == 20
     assert harness.driver.seconds_to_drive() == math.inf
 
 
 def test_newer_setpoint_replaces_unconfirmed_one(harness: MotorsHarness) -> None:
     harness.drive(20)
     harness.advance(0.2)
-    harness.put(SetAuxiliary(9))
-    harness.put(SetMotor(1, Drive.at(30)))
+    harness.set(SetAuxiliary(9))
+    harness.set(SetMotor(1, Drive.at(30)))
     harness.advance(4.0)
-    sent = motor_commands_in(harness.stage.transport.sent)
+    sent = moving(harness.transport.sent)
     assert sent[:2] == [DriveMotor(1, Drive.at(20))] * 2
     assert sent[2:] == [DriveMotor(1, Drive.at(30)), DriveAuxiliary(9)] * (1 + len(REPEATS))
 
@@ -124,12 +124,12 @@ def test_confirmed_stop_is_reported_and_clears_may_move(harness: MotorsHarness) 
     harness.stop()
     assert harness.reports == [StopSent(), StopSent(), Outcome(1)]
     assert not harness.motors.may_move
-    assert harness.stage.board.motors[0].direction is MotorDirection.BRAKE
+    assert harness.board.motors[0].direction is MotorDirection.BRAKE
 
 
-def test_unanswered_stop_is_repeated_reported_and_keeps_may_move(harness: MotorsHarness) -> None:
+def test_unanswered_stop_is_repeated_and_reported(harness: MotorsHarness) -> None:
     harness.drive(90)
-    harness.stage.board.power_off()
+    harness.board.power_off()
     harness.stop()
     *sent, outcome = harness.reports
     assert set(sent) == {StopSent()}
@@ -137,12 +137,12 @@ def test_unanswered_stop_is_repeated_reported_and_keeps_may_move(harness: Motors
     assert isinstance(outcome.error, NoReply)
     assert "cut its power" in str(outcome.error)
     assert harness.motors.may_move
-    assert motor_commands_in(harness.stage.transport.sent).count(STOP[0]) >= 10
+    assert moving(harness.transport.sent).count(STOP[0]) >= 10
 
 
 def test_stop_is_queued_again_when_port_is_lost(harness: MotorsHarness) -> None:
     harness.drive(90)
-    harness.stage.transport.fail = PortUnavailable("gone")
+    harness.transport.fail = PortUnavailable("gone")
     with pytest.raises(PortUnavailable):
         harness.stop()
     assert harness.motors.stops == [Stop(1)]
@@ -150,20 +150,19 @@ def test_stop_is_queued_again_when_port_is_lost(harness: MotorsHarness) -> None:
     assert harness.motors.may_move
 
 
-def test_unresponsive_board_is_sent_stop_only_if_driven(harness: MotorsHarness) -> None:
+def test_unresponsive_board_gets_a_stop_only_if_driven(harness: MotorsHarness) -> None:
     harness.driver.stop_without_reply()
-    assert not harness.stage.transport.sent
+    assert not harness.transport.sent
     harness.drive(90)
     harness.driver.stop_without_reply()
-    assert len(motor_commands_in(harness.stage.transport.sent)) == 3
+    assert len(moving(harness.transport.sent)) == 3
 
 
-# --- The state machine, without a line ------------------------------------------------
+# --- Transitions without a line ---------------------------------------------------------
 
 
 HEARTBEAT = Timeouts().heartbeat
 SETPOINT = SetMotor(1, Drive.at(50))
-DRIVE = DriveMotor(1, Drive.at(50))
 
 
 @pytest.fixture
@@ -175,9 +174,6 @@ def passes_setpoints(motors: MotorOutput, now: float) -> bool:
     motors.setpoints.clear()
     motors.handle_request(SETPOINT, now)
     return bool(motors.setpoints)
-
-
-# --- The tables -------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(("arming", "event"), list(itertools.product(Arming, OutputEvent)))

@@ -64,9 +64,9 @@ def test_proposed_settings_stop_the_motors_under_both_hypotheses() -> None:
 
 
 @pytest.mark.parametrize(
-    ("stopped", "tried_with", "known"),
+    ("stopped", "tried_with_shutdown", "expected"),
     [
-        # Known for 0x08 = 0 and for 0x08 = 1.
+        # Expected with 0x08 = 0 and with 0x08 = 1.
         (True, False, (TimeoutStop.TRIED, TimeoutStop.TRIED)),
         (True, True, (TimeoutStop.DOUBTFUL, TimeoutStop.TRIED)),
         (False, False, (TimeoutStop.REFUTED, TimeoutStop.EXPECTED)),
@@ -74,11 +74,11 @@ def test_proposed_settings_stop_the_motors_under_both_hypotheses() -> None:
     ],
 )
 def test_trial_decides_expected_stop(
-    known: tuple[TimeoutStop, TimeoutStop], *, stopped: bool, tried_with: bool
+    expected: tuple[TimeoutStop, TimeoutStop], *, stopped: bool, tried_with_shutdown: bool
 ) -> None:
-    trial = TimeoutTrial(stopped, tried_with)
+    trial = TimeoutTrial(stopped, tried_with_shutdown)
     line = ConnectionSettings("/dev/ttyUSB0")
-    for shutdown, stop in enumerate(known):
+    for shutdown, stop in enumerate(expected):
         stored = {"serial_timeout": 5, "uart_error_shutdown": shutdown}
         assert timeout_stop(stored, trial) is stop
         warning = timeout_warning_on(line, 0.5, stop, is_guarded=True)

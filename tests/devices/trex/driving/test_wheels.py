@@ -21,18 +21,18 @@ LEFT_AND_RIGHT = tuple(
 )
 
 
-def speeds(found: dict[int, SetMotor | SetMotors]) -> dict[int, dict[int, int]]:
+def speeds(setpoints: dict[int, SetMotor | SetMotors]) -> dict[int, dict[int, int]]:
     """Return the speed of each motor by board."""
     return {
         board: {
-            one.motor: one.drive.signed
-            for one in (request.drives if isinstance(request, SetMotors) else (request,))
+            setpoint.motor: setpoint.drive.signed
+            for setpoint in (request.drives if isinstance(request, SetMotors) else (request,))
         }
-        for board, request in found.items()
+        for board, request in setpoints.items()
     }
 
 
-def test_sides_go_to_the_motors_of_each_arrangement() -> None:
+def test_each_side_drives_its_motors() -> None:
     assert speeds(setpoints_of(front_and_back((7, 9)), BOTH)) == {
         7: {1: 30, 2: -20},
         9: {1: 30, 2: -20},
@@ -43,19 +43,19 @@ def test_sides_go_to_the_motors_of_each_arrangement() -> None:
     }
 
 
-def test_reversed_motor_turns_the_other_way_and_brakes_alike() -> None:
+def test_reversed_motor_turns_backwards_and_brakes_equally() -> None:
     wheels = (Wheel(7, 1, LEFT), Wheel(7, 2, LEFT, is_reversed=True))
     assert speeds(setpoints_of(wheels, SetMotor(LEFT, Drive.at(30)))) == {7: {1: 30, 2: -30}}
     assert setpoints_of(wheels, SetMotor(RIGHT, Drive.at(30))) == {}
     brake = Drive.brake(50)
-    (found,) = setpoints_of(wheels[1:], SetMotor(LEFT, brake)).values()
-    assert found == SetMotor(2, brake)
+    (setpoint,) = setpoints_of(wheels[1:], SetMotor(LEFT, brake)).values()
+    assert setpoint == SetMotor(2, brake)
 
 
-def test_wheels_survive_packing() -> None:
+def test_packed_wheels_are_unpacked_unchanged() -> None:
     wheels = (*LEFT_AND_RIGHT, Wheel(127, 2, RIGHT, is_reversed=True))
     assert unpacked(packed(wheels)) == wheels
     assert unpacked("") == ()
     for text in ("7.3.1+", "7.1+", "x", "7.1.1"):
-        with pytest.raises(ValueError, match="not a list of wheels"):
+        with pytest.raises(ValueError, match="is not a list of wheels"):
             unpacked(text)
