@@ -1,4 +1,4 @@
-"""Transactions on a wire in virtual time."""
+"""Transactions of a client in virtual time."""
 
 import contextlib
 
@@ -32,17 +32,14 @@ from trex_gui.devices.trex.protocol.connection_settings import ConnectionSetting
 from trex_gui.devices.trex.protocol.driving import Direction, Drive
 from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import Mode
-from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
+from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.memory import Eeprom
 
-modest = examples(40)
+few_examples = examples(40)
 
-
-CRC = ConnectionSettings("virtual", LineSettings(detection=Detection.CRC7))
-
-REAL_TIME = 0.06
-"""What a local port is allowed to be late; the virtual one is faster."""
+PORT_LATENCY = 0.06
+"""Latency that is allowed for a local port, in seconds. The virtual port is faster."""
 
 
 # --- Replies ----------------------------------------------------------------------------
@@ -67,7 +64,7 @@ def test_every_packet_format_is_understood(number: int | None, detection: Detect
 
 @pytest.mark.parametrize("baud", [1200, 115200])
 @pytest.mark.parametrize(
-    ("command", "size", "board_needs"),
+    ("command", "size", "board_time"),
     [
         (GetMode(), 2, 0.0),
         (GetRawChannels(), 12, 0.0),
@@ -77,17 +74,17 @@ def test_every_packet_format_is_understood(number: int | None, detection: Detect
     ids=str,
 )
 def test_timeout_is_wire_time_plus_allowance(
-    baud: int, command: Command[object], size: int, board_needs: float
+    baud: int, command: Command[object], size: int, board_time: float
 ) -> None:
     harness, settings = create_harness(baud)
     harness.board.power_off()
     client = harness.client(settings)
-    begun = harness.line.now
+    start = harness.line.now
     with pytest.raises(NoReply, match="No reply to"):
         client.request(command)
-    took = harness.line.now - begun
+    duration = harness.line.now - start
     wire = settings.line.seconds(size)
-    assert wire + board_needs <= took <= wire + board_needs + harness.transport.latency + 0.01
+    assert wire + board_time <= duration <= wire + board_time + harness.transport.latency + 0.01
 
 
 def test_extra_timeout_is_added_to_deadline(harness: SessionHarness) -> None:
@@ -113,15 +110,15 @@ def test_delayed_reply_within_allowance_is_accepted() -> None:
     assert harness.client(settings).request(GetMode()) is Mode.SERIAL_RC
 
 
-# --- Late and unsolicited bytes -------------------------------------------------
+# --- Late and unsolicited bytes ---------------------------------------------------------
 
 
-def silenced(harness: SessionHarness, questions: int) -> TrexClient:
-    """Return a client with a number of unanswered requests."""
-    harness.transport.latency = REAL_TIME
+def client_after_silence(harness: SessionHarness, requests: int) -> TrexClient:
+    """Return a client that has sent this number of unanswered requests."""
+    harness.transport.latency = PORT_LATENCY
     client = harness.client()
     harness.line.faults.mute = True
-    for _ in range(questions):
+    for _ in range(requests):
         with pytest.raises(NoReply):
             client.request(GetParameter(0x7E))
     harness.line.faults.mute = False
@@ -129,24 +126,24 @@ def silenced(harness: SessionHarness, questions: int) -> TrexClient:
 
 
 def test_late_reply_before_next_request_is_discarded(harness: SessionHarness) -> None:
-    client = silenced(harness, 1)
+    client = client_after_silence(harness, 1)
     harness.line.inject(b"\x05")  # delayed by the adapter
     harness.line.advance(0.1)
     assert client.request(GetParameter(0)) == 7
 
 
 def test_late_reply_during_next_request_is_discarded(harness: SessionHarness) -> None:
-    client = silenced(harness, 1)
+    client = client_after_silence(harness, 1)
     harness.line.timeline.at(harness.line.now + 0.03, lambda: harness.line.inject(b"\x05"))
     assert client.request(GetParameter(0)) == 7
     assert client.counters.unsolicited == 1
 
 
 def test_burst_of_late_replies_is_rejected(harness: SessionHarness) -> None:
-    client = silenced(harness, 3)
+    client = client_after_silence(harness, 3)
     # A stalled adapter delivers all replies while the next request waits.
     harness.line.timeline.at(
-        harness.line.now + REAL_TIME + 0.0005, lambda: harness.line.inject(b"\x05\x05\x05")
+        harness.line.now + PORT_LATENCY + 0.0005, lambda: harness.line.inject(b"\x05\x05\x05")
     )
     with pytest.raises(BadReply, match="Late replies"):
         client.request(GetParameter(0))
@@ -155,18 +152,18 @@ def test_burst_of_late_replies_is_rejected(harness: SessionHarness) -> None:
 
 
 def test_reply_after_lost_replies_is_accepted(harness: SessionHarness) -> None:
-    client = silenced(harness, 3)
+    client = client_after_silence(harness, 3)
     assert client.request(GetParameter(0)) == 7
-    begun = harness.line.now
+    start = harness.line.now
     assert client.request(GetParameter(0)) == 7
-    assert harness.line.now - begun < REAL_TIME, "whose the answers are is known again"
+    assert harness.line.now - start < PORT_LATENCY, "replies are matched to requests again"
 
 
 def test_motor_command_does_not_wait_for_late_reply(harness: SessionHarness) -> None:
-    client = silenced(harness, 1)
-    begun = harness.line.now
+    client = client_after_silence(harness, 1)
+    start = harness.line.now
     client.send(DriveMotor(1, Drive.brake(127)))
-    assert harness.line.now == begun
+    assert harness.line.now == start
 
 
 def test_reply_through_slow_port_is_in_time(harness: SessionHarness) -> None:
@@ -289,7 +286,7 @@ def test_client_ignores_rejected_device_number() -> None:
     assert client.request(GetParameter(0)) == 7
 
 
-def test_compact_protocol_is_kept_after_number_change(harness: SessionHarness) -> None:
+def test_compact_protocol_remains_after_number_change(harness: SessionHarness) -> None:
     client = harness.client()
     client.request(SetParameter(0, 42))
     assert client.settings.device_number is None
@@ -330,12 +327,9 @@ def test_slowest_round_trip_ignores_timeouts(harness: SessionHarness) -> None:
     assert client.counters.slowest == slow
 
 
-# --- Lost lines ------------------------------------------------------------------
+# --- Noise ------------------------------------------------------------------------------
 
-
-# --- Noise --------------------------------------------------------------------------
-
-QUESTIONS: list[Command[object]] = [
+REQUESTS: list[Command[object]] = [
     GetSignature(),
     GetMode(),
     GetSerialControl(),
@@ -346,13 +340,13 @@ QUESTIONS: list[Command[object]] = [
 ]
 
 
-@modest
+@few_examples
 @given(
     seed=st.integers(0, 2**32 - 1),
     noise=st.sampled_from([0.0, 0.01, 0.1, 0.5]),
-    questions=st.lists(st.sampled_from(QUESTIONS), min_size=1, max_size=8),
-    drops=st.lists(st.integers(0, 4), min_size=8, max_size=8),
-    lost=st.lists(st.integers(0, 3), min_size=8, max_size=8),
+    requests=st.lists(st.sampled_from(REQUESTS), min_size=1, max_size=8),
+    reply_losses=st.lists(st.integers(0, 4), min_size=8, max_size=8),
+    request_losses=st.lists(st.integers(0, 3), min_size=8, max_size=8),
     echo=st.booleans(),
     number=st.sampled_from([None, 7]),
 )
@@ -360,39 +354,42 @@ def test_crc_rejects_replies_with_few_corrupted_bytes(
     *,
     seed: int,
     noise: float,
-    questions: list[Command[object]],
-    drops: list[int],
-    lost: list[int],
+    requests: list[Command[object]],
+    reply_losses: list[int],
+    request_losses: list[int],
     echo: bool,
     number: int | None,
 ) -> None:
     quiet, settings = create_harness(detection=Detection.CRC7)
     quiet.line.advance(0.1)  # every channel receives its first pulse
-    expected = [quiet.client(settings).request(question) for question in questions]
+    expected = [quiet.client(settings).request(command) for command in requests]
 
     harness, _ = create_harness(detection=Detection.CRC7, echo=echo)
     harness.line.advance(0.1)
     harness.line.faults._random.seed(seed)
     harness.line.faults.noise = noise
     client = harness.client(ConnectionSettings("virtual", settings.line, device_number=number))
-    for question, right, drop, miss in zip(questions, expected, drops, lost, strict=False):
-        harness.line.faults.to_drop, harness.line.faults.to_drop_sent = drop, miss
-        corrupted = harness.line.faults.counters["corrupted"]
+    faults = harness.line.faults
+    for command, right, *losses in zip(
+        requests, expected, reply_losses, request_losses, strict=False
+    ):
+        faults.to_drop, faults.to_drop_sent = losses
+        corrupted = faults.counters["corrupted"]
         try:
-            answer = client.request(question)
+            reply = client.request(command)
         except (NoReply, BadReply):
             continue
         # CRC-7 detects one or two wrong bits, and all but one in 128 of other errors.
-        assert answer == right or harness.line.faults.counters["corrupted"] - corrupted > 2
+        assert reply == right or faults.counters["corrupted"] - corrupted > 2
 
 
-@modest
-@given(garbage=st.binary(max_size=40), question=st.sampled_from(QUESTIONS))
-def test_client_recovers_from_unsolicited_bytes(garbage: bytes, question: Command[object]) -> None:
+@few_examples
+@given(garbage=st.binary(max_size=40), command=st.sampled_from(REQUESTS))
+def test_client_recovers_from_unsolicited_bytes(garbage: bytes, command: Command[object]) -> None:
     harness = SessionHarness(Board(eeprom=Eeprom()))
     client = harness.client()
     harness.line.inject(garbage)
     with contextlib.suppress(NoReply, BadReply):
-        client.request(question)
+        client.request(command)
     harness.line.advance(0.1)
     assert client.request(GetMode()) is Mode.SERIAL_RC

@@ -19,11 +19,11 @@ from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import SimulatedBoards
 
 SPECS = parameters_of("trex", "1.2")
-WANTED = [("motor1_acceleration", 3), ("motor2_acceleration", 4), ("serial_timeout", 15)]
-Prepare = Callable[[Board], object]
+CHANGES = [("motor1_acceleration", 3), ("motor2_acceleration", 4), ("serial_timeout", 15)]
+Preparation = Callable[[Board], object]
 
 
-def _store(key: str, wire: int) -> Prepare:
+def _store(key: str, wire: int) -> Preparation:
     return lambda board: board.eeprom.write(key, wire)
 
 
@@ -31,9 +31,9 @@ def _calibrate(board: Board) -> None:
     board.eeprom.write_calibration(InputSource.RC, 5, Calibration(2400, 3700, 5100, 80))
 
 
-def known() -> tuple[SessionHarness, TrexClient, DeviceState]:
-    """Return the state of the board."""
-    harness, settings = create_harness()
+def read_board() -> tuple[SessionHarness, TrexClient, DeviceState]:
+    """Read a simulated board. Return its harness, its client and its state."""
+    harness, settings = staged()
     client = harness.client(settings)
     return harness, client, read_everything(client.request)
 
@@ -61,29 +61,29 @@ def _was_written(board: Board) -> bool:
         (Board(), _store("serial_timeout", 15), ErrorCode.OTHER_VALUES),
         (Board(), _calibrate, ErrorCode.OTHER_VALUES),
     ],
-    ids=["model", "firmware", "number", "another value", "value to be written", "calibration"],
+    ids=["model", "firmware", "number", "another value", "value to write", "calibration"],
 )
 def test_board_with_other_settings_is_not_written(
-    board: Board, prepare: Prepare, code: ErrorCode
+    board: Board, prepare: Preparation, code: ErrorCode
 ) -> None:
-    harness, client, before = known()
+    harness, client, before = read_board()
     prepare(board)
     other = _exchange(harness, board)
     with pytest.raises(OtherBoard) as caught:
-        write_all(client.request, SPECS, WANTED, before=before)
+        write_all(client.request, SPECS, CHANGES, before=before)
     assert caught.value.code is code
     assert not _was_written(other)
     assert not _was_written(harness.board)
 
 
-@pytest.mark.parametrize("writes", range(1, len(WANTED) + 1))
+@pytest.mark.parametrize("writes", range(1, len(CHANGES) + 1))
 @pytest.mark.parametrize(
     ("model", "number"), [("trexjr", 7), ("trex", 9)], ids=["another model", "another number"]
 )
-def test_board_that_replaces_silent_board_is_not_written(
+def test_board_that_replaces_a_silent_board_is_not_written(
     writes: int, model: str, number: int
 ) -> None:
-    harness, client, before = known()
+    harness, client, before = read_board()
     other = Board(model)
     _store("device_number", number)(other)
     sent = 0
@@ -101,7 +101,7 @@ def test_board_that_replaces_silent_board_is_not_written(
             _exchange(harness, other)
 
     with pytest.raises(OtherBoard) as caught:
-        write_all(request, SPECS, WANTED, before=before)
+        write_all(request, SPECS, CHANGES, before=before)
     assert caught.value.code is ErrorCode.OTHER_BOARD_AFTER_WRITING
     assert not _was_written(other)
     assert harness.board.memory.writes == writes - 1
@@ -109,8 +109,8 @@ def test_board_that_replaces_silent_board_is_not_written(
 
 @pytest.mark.parametrize("replies", [1, 5, 20, 36])
 def test_board_exchanged_during_comparison_is_not_written(replies: int) -> None:
-    """Otherwise the values of two boards would count as those of one board."""
-    harness, client, before = known()
+    """Otherwise values of two boards would be taken for values of one board."""
+    harness, client, before = read_board()
     other = Board("trexjr")
     requests = 0
 
@@ -122,51 +122,51 @@ def test_board_exchanged_during_comparison_is_not_written(replies: int) -> None:
         return client.request(command)
 
     with pytest.raises(OtherBoard):
-        write_all(request, SPECS, WANTED, before=before)
+        write_all(request, SPECS, CHANGES, before=before)
     assert not _was_written(other)
 
 
-def test_board_that_replies_at_the_end_is_compared() -> None:
-    harness, client, before = known()
+def test_board_is_compared_again_after_the_last_write() -> None:
+    harness, client, before = read_board()
     stored: list[WriteResult] = []
 
     def record(result: WriteResult) -> None:
         stored.append(result)
-        if len(stored) == len(WANTED):
+        if len(stored) == len(CHANGES):
             _exchange(harness, Board("trexjr"))
 
     with pytest.raises(OtherBoard) as caught:
-        write_all(client.request, SPECS, WANTED, before=before, stored=record)
+        write_all(client.request, SPECS, CHANGES, before=before, stored=record)
     assert caught.value.code is ErrorCode.OTHER_BOARD_AFTER_WRITING
 
 
 @pytest.mark.parametrize("seed", sampled(range(20), every=4))
 def test_corrupted_readings_are_not_taken_for_another_board(seed: int) -> None:
-    harness, client, before = known()
+    harness, client, before = read_board()
     harness.transport.line = SimulatedBoards([harness.board], seed=seed)
     harness.transport.line.faults.noise = 0.005
-    results = write_all(client.request, SPECS, WANTED, before=before)
-    assert {result.key for result in results} == dict(WANTED).keys()
+    results = write_all(client.request, SPECS, CHANGES, before=before)
+    assert {result.key for result in results} == dict(CHANGES).keys()
 
 
 def test_board_that_cannot_be_compared_is_not_written() -> None:
-    harness, client, before = known()
+    harness, client, before = read_board()
     harness.board.power_off()
-    results = write_all(client.request, SPECS, WANTED, before=before)
-    assert [type(result.error) for result in results] == [TrexNoReplyError] * len(WANTED)
-    assert not any(isinstance(one, SetParameter) for one in commands(harness.transport.sent))
+    results = write_all(client.request, SPECS, CHANGES, before=before)
+    assert [type(result.error) for result in results] == [TrexNoReplyError] * len(CHANGES)
+    assert SetParameter not in map(type, commands(harness.transport.sent))
 
 
-def test_changed_device_number_does_not_mean_other_board() -> None:
-    _, client, before = known()
-    wanted = [("device_number", 9), *WANTED]
-    results = write_all(client.request, SPECS, wanted, before=before)
+def test_changed_device_number_is_not_taken_for_another_board() -> None:
+    _, client, before = read_board()
+    changes = [("device_number", 9), *CHANGES]
+    results = write_all(client.request, SPECS, changes, before=before)
     assert all(result.error is None for result in results)
 
 
 def test_board_without_writes_is_not_compared_at_the_end() -> None:
-    harness, client, before = known()
+    harness, client, before = read_board()
     _exchange(harness, Board("trexjr"))
-    results = write_all(client.request, SPECS, WANTED, before=before, cancelled=lambda: True)
+    results = write_all(client.request, SPECS, CHANGES, before=before, cancelled=lambda: True)
     assert all(isinstance(result.error, Skipped) for result in results)
-    assert len(results) == len(WANTED)
+    assert len(results) == len(CHANGES)

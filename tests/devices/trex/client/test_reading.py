@@ -4,7 +4,8 @@ from collections.abc import Callable
 
 import pytest
 
-from tests.devices.trex.session.helpers import commands, create_harness, fake_requester
+from tests.devices.trex.client.corruption import corrupt_packet
+from tests.devices.trex.session.helpers import commands, replying, staged
 from tests.support.virtual import SessionHarness
 from trex_gui.core.errors import BadReply, NoReply, PortUnavailable
 from trex_gui.devices.trex.client.client import Requester, TrexClient
@@ -52,11 +53,11 @@ def test_unknown_parameter_is_omitted_after_any_reply(
 
 
 def test_learned_channels_are_reported(harness: SessionHarness) -> None:
-    wanted = Calibration(2400, 3750, 5000, 75)
-    harness.board.eeprom.write_calibration(InputSource.RC, 3, wanted)
+    learned = Calibration(2400, 3750, 5000, 75)
+    harness.board.eeprom.write_calibration(InputSource.RC, 3, learned)
     state = read_everything(harness.client().request)
     assert state.calibrated == 0b00100
-    assert state.calibrations[3] == wanted
+    assert state.calibrations[3] == learned
 
 
 def test_progress_increases_to_total(harness: SessionHarness) -> None:
@@ -66,7 +67,7 @@ def test_progress_increases_to_total(harness: SessionHarness) -> None:
     assert done == sorted(set(done))
     assert steps[-1][0] == steps[-1][1]
     assert {total for _, total, _ in steps[1:]} == {steps[-1][1]}
-    assert "Serial Timeout" in [what for _, _, what in steps]
+    assert "Serial Timeout" in [name for _, _, name in steps]
 
 
 def test_lost_reply_costs_one_retry(harness: SessionHarness) -> None:
@@ -115,10 +116,10 @@ def test_one_reading_suffices_with_crc() -> None:
 
 
 def test_corrupted_reply_is_read_again() -> None:
-    """Each of the first replies is corrupted once, and a share of later replies."""
-    whole = SessionHarness(Board())
-    stored = read_everything(whole.client().request)
-    count = len(commands(whole.transport.sent))
+    """Each run corrupts one reply: one of the first eight, every fifth later, or the last."""
+    undisturbed = SessionHarness(Board())
+    stored = read_everything(undisturbed.client().request)
+    count = len(commands(undisturbed.transport.sent))
     for number in (*range(8), *range(8, count, 5), count - 1):
         harness = SessionHarness(Board())
         client = harness.client()
@@ -140,32 +141,22 @@ def test_corrupted_reply_is_read_again() -> None:
 def test_request_corrupted_into_other_request_changes_no_value(
     harness: SessionHarness, read: Callable[[Requester], DeviceState | int]
 ) -> None:
-    """9F 07 becomes 8F (both currents), whose second byte is taken for the next reply."""
+    """9F 07 becomes 8F, which requests both currents. The second byte looks like the next reply."""
     harness.board.eeprom.write("serial_timeout", 5)
-    client = harness.client()
-    write = harness.transport.write
-    to_damage = [b"\x9f\x07"]
-
-    def damage(data: bytes) -> None:
-        if data in to_damage:
-            to_damage.remove(data)
-            data = b"\x8f\x07"
-        write(data)
-
-    harness.transport.write = damage  # type: ignore[method-assign]
-    found = read(client.request)
-    assert not to_damage
-    assert (found if isinstance(found, int) else found.parameters["serial_timeout"]) == 5
+    corrupt_packet(harness, b"\x9f\x07", b"\x8f\x07")
+    result = read(harness.client().request)
+    assert b"\x8f\x07" in harness.transport.sent
+    assert (result if isinstance(result, int) else result.parameters["serial_timeout"]) == 5
 
 
 def test_unreadable_parameter_does_not_block_remaining_ones(harness: SessionHarness) -> None:
     client = harness.client()
 
-    def without_replies_to_one(command: Command[ReplyT_co]) -> ReplyT_co:
+    def mute_timeout(command: Command[ReplyT_co]) -> ReplyT_co:
         harness.line.faults.mute = command == GetParameter(0x07)
         return client.request(command)
 
-    state = read_everything(without_replies_to_one)
+    state = read_everything(mute_timeout)
     assert set(state.unread) == {"serial_timeout"}
     assert "No reply to 9F 07" in state.unread["serial_timeout"]
     assert "serial_timeout" not in state.parameters
@@ -173,7 +164,7 @@ def test_unreadable_parameter_does_not_block_remaining_ones(harness: SessionHarn
 
 
 def test_power_loss_while_reading_raises_no_reply(harness: SessionHarness) -> None:
-    def switch_off(done: int, _total: int, _what: str) -> None:
+    def switch_off(done: int, _total: int, _name: str) -> None:
         if done == 10:
             harness.board.power_off()
 

@@ -1,4 +1,4 @@
-"""Writing of settings, which are read back."""
+"""Writes of settings and their confirmation by reading back."""
 
 import re
 from collections.abc import Callable
@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QApplication
 
-from tests.devices.trex.session.helpers import commands, create_harness, fake_requester
+from tests.devices.trex.client.corruption import corrupt_packet
+from tests.devices.trex.session.helpers import commands, replying, staged
 from tests.support.catalogs import in_language
 from tests.support.matrix import examples
 from tests.support.virtual import SessionHarness
@@ -35,11 +36,11 @@ from trex_gui.devices.trex.protocol.line_settings import Detection
 from trex_gui.devices.trex.protocol.parameters import ParameterSpec, parameters_of
 from trex_gui.devices.trex.simulator.firmware import Board
 
-modest = examples(40)
-
+few_examples = examples(40)
 
 SPECS = parameters_of("trex", "1.2")
 TIMEOUT = SPECS["serial_timeout"]
+FIRST, SECOND = SPECS["motor1_acceleration"], SPECS["motor2_acceleration"]
 LEARNED = Calibration(2400, 3700, 5100, 80)
 
 
@@ -97,16 +98,8 @@ def test_factory_reset_is_not_read_back(harness: SessionHarness) -> None:
     assert commands(harness.transport.sent) == [reset, GetMode(), reset]
 
 
-@pytest.mark.parametrize("codes", [[1, 0, 0], [0, 2, 0, 0]])
-def test_corrupted_result_code_does_not_fail_a_factory_reset(
-    harness: SessionHarness, codes: list[int]
-) -> None:
-    request = fake_requester(harness, SetParameter, map(ResultCode, codes))
-    assert write_parameter(request, SPECS["factory_reset"], 0x7F) == 0x7F
-
-
-def test_rejected_factory_reset_is_no_success(harness: SessionHarness) -> None:
-    request = fake_requester(harness, SetParameter, map(ResultCode, [0, 3, 3]))
+def test_rejected_factory_reset_fails(harness: SessionHarness) -> None:
+    request = replying(harness, SetParameter, map(ResultCode, [0, 3, 3]))
     with pytest.raises(Rejected):
         write_parameter(request, SPECS["factory_reset"], 0x7F)
 
@@ -131,9 +124,9 @@ def test_write_outside_serial_mode_explains_what_to_do(mode: str) -> None:
 
 
 def test_rejected_value_is_reported_with_result_code(harness: SessionHarness) -> None:
-    generous = replace(SPECS["motor_mode"], valid=frozenset(range(128)))
+    any_value = replace(SPECS["motor_mode"], valid=frozenset(range(128)))
     with pytest.raises(Rejected) as caught:
-        write_parameter(harness.client().request, generous, 99)
+        write_parameter(harness.client().request, any_value, 99)
     assert caught.value.result is ResultCode.BAD_VALUE
     assert "Motor Mode: the board rejects this value (code 2)" in str(caught.value)
 
@@ -161,12 +154,20 @@ def test_rejection_counts_when_the_board_repeats_it() -> None:
     assert commands(harness.transport.sent) == [write, GetMode(), write]
 
 
-@pytest.mark.parametrize("codes", [[1, 0], [1, 2, 3]])
+@pytest.mark.parametrize(
+    ("key", "wire", "codes"),
+    [
+        ("serial_timeout", 5, [1, 0]),
+        ("serial_timeout", 5, [1, 2, 3]),
+        ("factory_reset", 0x7F, [1, 0, 0]),
+        ("factory_reset", 0x7F, [0, 2, 0, 0]),
+    ],
+)
 def test_corrupted_result_code_does_not_fail_a_write(
-    harness: SessionHarness, codes: list[int]
+    harness: SessionHarness, key: str, wire: int, codes: list[int]
 ) -> None:
-    request = fake_requester(harness, SetParameter, map(ResultCode, codes))
-    assert write_parameter(request, TIMEOUT, 5) == 5
+    request = replying(harness, SetParameter, map(ResultCode, codes))
+    assert write_parameter(request, SPECS[key], wire) == wire
 
 
 # --- Corrupted bytes -------------------------------------------------------------------------
@@ -189,34 +190,34 @@ def test_lost_write_is_resent(harness: SessionHarness) -> None:
     assert harness.board.memory.writes == 1
 
 
-def test_wrong_read_back_of_value_is_reported_and_known(harness: SessionHarness) -> None:
+def test_wrong_read_back_of_value_is_reported_and_stored(harness: SessionHarness) -> None:
     client = harness.client()
-    known: list[WriteResult] = []
+    stored: list[WriteResult] = []
 
-    def forgetful(command: Command[ReplyT_co]) -> ReplyT_co:
+    def overwrite(command: Command[ReplyT_co]) -> ReplyT_co:
         reply = client.request(command)
         harness.board.eeprom.write("serial_timeout", 7)
         return reply
 
-    (result,) = write_all(forgetful, SPECS, [(TIMEOUT.key, 15)], stored=known.append)
+    (result,) = write_all(overwrite, SPECS, [(TIMEOUT.key, 15)], stored=stored.append)
     assert isinstance(result.error, BadReply)
     assert re.search(r"could not be verified: wrote 1\.5 s.*reads back 0\.7 s", str(result.error))
-    assert known == [WriteResult(TIMEOUT.key, 7)]
+    assert stored == [WriteResult(TIMEOUT.key, 7)]
 
 
 def test_wrong_read_back_of_calibration_is_reported(harness: SessionHarness) -> None:
     client = harness.client()
 
-    def forgetful(command: Command[ReplyT_co]) -> ReplyT_co:
+    def overwrite(command: Command[ReplyT_co]) -> ReplyT_co:
         reply = client.request(command)
         harness.board.eeprom.write_calibration(InputSource.RC, 2, Calibration(1, 2, 3, 0))
         return reply
 
     with pytest.raises(BadReply, match="Calibration of channel 2 could not be verified"):
-        write_calibration(forgetful, CalibrationKey.RC_CHANNEL_2, LEARNED)
+        write_calibration(overwrite, CalibrationKey.RC_CHANNEL_2, LEARNED)
 
 
-@modest
+@few_examples
 @given(
     seed=st.integers(0, 2**32 - 1),
     noise=st.sampled_from([0.0, 0.02, 0.1, 0.3]),
@@ -227,21 +228,15 @@ def test_wrong_read_back_of_calibration_is_reported(harness: SessionHarness) -> 
 def test_successful_write_with_crc_is_stored(
     *, seed: int, noise: float, drop: int, lost: int, wire: int
 ) -> None:
-    harness, settings = create_harness(detection=Detection.CRC7)
-    harness.line.faults._random.seed(seed)
-    harness.line.faults.noise, harness.line.faults.to_drop, harness.line.faults.to_drop_sent = (
-        noise,
-        drop,
-        lost,
-    )
+    harness, settings = staged(detection=Detection.CRC7)
+    faults = harness.line.faults
+    faults._random.seed(seed)
+    faults.noise, faults.to_drop, faults.to_drop_sent = noise, drop, lost
     try:
         assert write_parameter(harness.client(settings).request, TIMEOUT, wire) == wire
     except (NoReply, BadReply, Rejected):
         return
-    assert (
-        harness.board.eeprom["serial_timeout"] == wire
-        or harness.line.faults.counters["corrupted"] > 2
-    )
+    assert harness.board.eeprom["serial_timeout"] == wire or faults.counters["corrupted"] > 2
 
 
 # --- Calibrations -----------------------------------------------------------------------
@@ -261,7 +256,7 @@ def test_calibration_write_needs_serial_mode() -> None:
         write_calibration(harness.client(settings).request, CalibrationKey.RC_CHANNEL_1, LEARNED)
 
 
-def test_other_input_source_is_named_in_the_language(qapp: QApplication) -> None:
+def test_rejected_input_source_is_named_in_french(qapp: QApplication) -> None:
     board = Board()
     board.eeprom.write("channel_input_source", 1)
     board.power_cycle()
@@ -271,41 +266,41 @@ def test_other_input_source_is_named_in_the_language(qapp: QApplication) -> None
     assert "is for RC inputs, but the board reads analogique now" in str(caught.value)
 
 
-# --- Several at once --------------------------------------------------------------------
+# --- Several settings -------------------------------------------------------------------
 
 
 def written_keys(sent: bytes | bytearray) -> list[str]:
     """Return the keys of the written parameters in order."""
-    numbers = [one.number for one in commands(sent) if isinstance(one, SetParameter)]
-    specs = [SPECS.number(number) for number in numbers]
+    written = [command for command in commands(sent) if isinstance(command, SetParameter)]
+    specs = [SPECS.number(command.number) for command in written]
     return [spec.key for spec in specs if spec is not None]
 
 
 def test_settings_needing_power_cycle_are_written_last(harness: SessionHarness) -> None:
-    wanted = [(spec.key, harness.board.eeprom[spec.key]) for spec in SPECS.readable]
-    wanted.reverse()
+    changes = [(spec.key, harness.board.eeprom[spec.key]) for spec in SPECS.readable]
+    changes.reverse()
     results = write_all(
-        harness.client().request, SPECS, wanted, [(CalibrationKey.RC_CHANNEL_1, LEARNED)]
+        harness.client().request, SPECS, changes, [(CalibrationKey.RC_CHANNEL_1, LEARNED)]
     )
     order = written_keys(harness.transport.sent)
     assert order[-4:] == ["motor_mode", "channel_input_source", "crc7_polynomial", "uart_settings"]
     at_once = [SPECS[key] for key in order[:-4]]
     assert not any(spec.needs_power_cycle for spec in at_once)
     sent = commands(harness.transport.sent)
-    writes = [one for one in sent if isinstance(one, (SetCalibration, SetParameter))]
-    assert isinstance(writes[0], SetCalibration)
+    written = [type(command) for command in sent]
+    assert written.index(SetCalibration) < written.index(SetParameter)
     assert [result.error for result in results] == [None] * len(results)
 
 
 def test_serial_settings_are_written_after_motor_settings(harness: SessionHarness) -> None:
-    wanted = [("device_number", 9), ("serial_timeout", 1), ("motor1_acceleration", 1)]
-    write_all(harness.client().request, SPECS, wanted)
+    changes = [("device_number", 9), ("serial_timeout", 1), ("motor1_acceleration", 1)]
+    write_all(harness.client().request, SPECS, changes)
     assert written_keys(harness.transport.sent)[0] == "motor1_acceleration"
 
 
 def test_unknown_setting_is_reported_first(harness: SessionHarness) -> None:
-    wanted = [("motor1_acceleration", 1), ("serial_timeout", 1), ("colour", 1)]
-    results = write_all(harness.client().request, SPECS, wanted)
+    changes = [("motor1_acceleration", 1), ("serial_timeout", 1), ("colour", 1)]
+    results = write_all(harness.client().request, SPECS, changes)
     assert [result.key for result in results if result.error] == ["colour"]
     assert results[0].key == "colour"
 
@@ -328,33 +323,33 @@ def test_invalid_values_do_not_block_valid_ones(harness: SessionHarness) -> None
         "serial_timeout": type(None),
         "serial_timout": BadRequest,
     }
-    (misspelt,) = [one.error for one in results if one.key == "serial_timout"]
+    (misspelt,) = [result.error for result in results if result.key == "serial_timout"]
     assert "did you mean serial_timeout?" in str(misspelt)
 
 
 def test_write_ends_when_board_is_not_in_serial_mode() -> None:
-    harness, settings = create_harness(mode="analog")
-    wanted = [(spec.key, spec.default) for spec in SPECS.readable]
+    harness, settings = staged(mode="analog")
+    changes = [(spec.key, spec.default) for spec in SPECS.readable]
     results = write_all(
-        harness.client(settings).request, SPECS, wanted, [(CalibrationKey.RC_CHANNEL_1, LEARNED)]
+        harness.client(settings).request, SPECS, changes, [(CalibrationKey.RC_CHANNEL_1, LEARNED)]
     )
-    assert len(results) == len(wanted) + 1
+    assert len(results) == len(changes) + 1
     assert all(isinstance(result.error, Rejected) for result in results)
     assert set(commands(harness.transport.sent)) == {GetMode()}
 
 
 def test_write_ends_when_board_stops_responding(harness: SessionHarness) -> None:
     client = harness.client()
-    wanted = [(spec.key, spec.default) for spec in SPECS.readable]
+    changes = [(spec.key, spec.default) for spec in SPECS.readable]
 
-    def switch_off(done: int, _total: int, _what: str) -> None:
+    def switch_off(done: int, _total: int, _name: str) -> None:
         if done == 5:
             harness.board.power_off()
 
-    results = write_all(client.request, SPECS, wanted, [], switch_off)
+    results = write_all(client.request, SPECS, changes, [], switch_off)
     assert [result.error is None for result in results[:5]] == [True] * 5
     assert all(isinstance(result.error, NoReply) for result in results[5:])
-    assert len(results) == len(wanted)
+    assert len(results) == len(changes)
     assert client.counters.missing <= 6
 
 
@@ -366,8 +361,8 @@ def test_rejected_value_does_not_end_write(harness: SessionHarness) -> None:
             for spec in SPECS
         ),
     )
-    wanted = [("motor_mode", 99), ("uart_settings", 0x0A)]
-    first, second = write_all(harness.client().request, specs, wanted)
+    changes = [("motor_mode", 99), ("uart_settings", 0x0A)]
+    first, second = write_all(harness.client().request, specs, changes)
     assert isinstance(first.error, Rejected)
     assert second == WriteResult("uart_settings", 0x0A)
 
@@ -395,7 +390,7 @@ def test_new_device_number_is_used_despite_lost_reply(harness: SessionHarness) -
     assert write_parameter(client.request, SPECS["device_number"], 42) == 42
 
 
-@modest
+@few_examples
 @given(
     keys=st.lists(st.sampled_from([*(spec.key for spec in SPECS), "nonsense"]), max_size=12),
     channels=st.lists(st.sampled_from(CHANNELS), max_size=4),
@@ -422,24 +417,26 @@ def test_each_requested_setting_gets_one_result(
     assert all((result.stored is None) is (result.error is not None) for result in results)
 
 
-# --- Stray writes --------------------------------------
+# --- Stray writes -----------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("bit", range(3))
 def test_parameter_changed_by_stray_write_is_restored(harness: SessionHarness, bit: int) -> None:
     before = read_everything(harness.client().request)
-    hit = bytes([0xAF, TIMEOUT.number ^ 1 << bit])
-    divert(harness, bytes([0xAF, TIMEOUT.number]), hit)
+    corrupted = bytes([0xAF, TIMEOUT.number ^ 1 << bit])
+    corrupt_packet(harness, bytes([0xAF, TIMEOUT.number]), corrupted)
     (result,) = write_all(harness.client().request, SPECS, [(TIMEOUT.key, 1)], before=before)
     assert result == WriteResult(TIMEOUT.key, 1)
-    assert hit in harness.transport.sent
+    assert corrupted in harness.transport.sent
     assert harness.board.memory.stored() == {**before.parameters, TIMEOUT.key: 1}
 
 
-@pytest.mark.parametrize("hit", [0xA1, 0xA2, 0xA4])
-def test_calibration_changed_by_stray_write_is_restored(harness: SessionHarness, hit: int) -> None:
+@pytest.mark.parametrize("command", [b"\xa1", b"\xa2", b"\xa4"])
+def test_calibration_changed_by_stray_write_is_restored(
+    harness: SessionHarness, command: bytes
+) -> None:
     before = read_everything(harness.client().request)
-    divert(harness, b"\xa0", bytes([hit]))
+    corrupt_packet(harness, b"\xa0", command)
     (result,) = write_all(
         harness.client().request, SPECS, [], [(CalibrationKey.RC_CHANNEL_1, LEARNED)], before=before
     )
@@ -450,17 +447,16 @@ def test_calibration_changed_by_stray_write_is_restored(harness: SessionHarness,
 
 def test_written_setting_changed_by_stray_write_is_restored(harness: SessionHarness) -> None:
     before = read_everything(harness.client().request)
-    first, second = SPECS["motor1_acceleration"], SPECS["motor2_acceleration"]
-    divert(harness, bytes([0xAF, second.number]), bytes([0xAF, first.number]))
-    wanted = [(first.key, 3), (second.key, 9)]
-    results = write_all(harness.client().request, SPECS, wanted, before=before)
-    assert results == (WriteResult(first.key, 3), WriteResult(second.key, 9))
-    assert harness.board.memory.stored() == {**before.parameters, **dict(wanted)}
+    corrupt_packet(harness, bytes([0xAF, SECOND.number]), bytes([0xAF, FIRST.number]))
+    changes = [(FIRST.key, 3), (SECOND.key, 9)]
+    results = write_all(harness.client().request, SPECS, changes, before=before)
+    assert results == (WriteResult(FIRST.key, 3), WriteResult(SECOND.key, 9))
+    assert harness.board.memory.stored() == {**before.parameters, **dict(changes)}
 
 
 def test_failed_restore_after_stray_write_fails_the_write(harness: SessionHarness) -> None:
     before = read_everything(harness.client().request)
-    divert(harness, bytes([0xAF, TIMEOUT.number]), bytes([0xAF, 0x06]))
+    corrupt_packet(harness, bytes([0xAF, TIMEOUT.number]), bytes([0xAF, 0x06]))
     client = harness.client()
 
     def request(command: Command[ReplyT_co]) -> ReplyT_co:
@@ -472,22 +468,19 @@ def test_failed_restore_after_stray_write_fails_the_write(harness: SessionHarnes
     assert "another setting may have been changed" in str(result.error)
 
 
-FIRST, SECOND = SPECS["motor1_acceleration"], SPECS["motor2_acceleration"]
-
-
-def write_two_and_corrupt_one(
-    harness: SessionHarness, before: DeviceState, *, ends: Callable[[], object]
+def write_two_settings(
+    harness: SessionHarness, before: DeviceState, *, action: Callable[[], object]
 ) -> tuple[WriteResult, ...]:
-    """Turn the first write into a write of another setting. Call `ends` before the second."""
-    divert(harness, bytes([0xAF, FIRST.number]), bytes([0xAF, TIMEOUT.number]))
+    """Corrupt the first write into a write of another setting. Call `action` before the second."""
+    corrupt_packet(harness, bytes([0xAF, FIRST.number]), bytes([0xAF, TIMEOUT.number]))
     client = harness.client()
-    has_ended = False
+    is_done = False
 
     def request(command: Command[ReplyT_co]) -> ReplyT_co:
-        nonlocal has_ended
-        if command == SetParameter(SECOND.number, 9) and not has_ended:
-            has_ended = True
-            ends()
+        nonlocal is_done
+        if command == SetParameter(SECOND.number, 9) and not is_done:
+            is_done = True
+            action()
         return client.request(command)
 
     return write_all(request, SPECS, [(FIRST.key, 3), (SECOND.key, 9)], before=before)
@@ -495,15 +488,15 @@ def write_two_and_corrupt_one(
 
 def test_stray_write_is_restored_when_apply_is_cancelled(harness: SessionHarness) -> None:
     before = read_everything(harness.client().request)
-    divert(harness, bytes([0xAF, FIRST.number]), bytes([0xAF, TIMEOUT.number]))
-    known: list[WriteResult] = []
+    corrupt_packet(harness, bytes([0xAF, FIRST.number]), bytes([0xAF, TIMEOUT.number]))
+    stored: list[WriteResult] = []
     first, second = write_all(
         harness.client().request,
         SPECS,
         [(FIRST.key, 3), (SECOND.key, 9)],
         before=before,
-        cancelled=lambda: bool(known),
-        stored=known.append,
+        cancelled=lambda: bool(stored),
+        stored=stored.append,
     )
     assert first == WriteResult(FIRST.key, 3)
     assert isinstance(second.error, Skipped)
@@ -512,19 +505,19 @@ def test_stray_write_is_restored_when_apply_is_cancelled(harness: SessionHarness
 
 def test_stray_write_is_restored_after_board_was_silent(harness: SessionHarness) -> None:
     before = read_everything(harness.client().request)
-    write, swallowed = harness.transport.write, 0
+    write, lost = harness.transport.write, 0
 
-    def lose_replies() -> None:
-        def swallow(data: bytes) -> None:
-            nonlocal swallowed
-            swallowed += 1
-            if swallowed > 1 + 3 * ATTEMPTS:  # the write, two comparisons, and its read-back
+    def lose_requests() -> None:
+        def lose(data: bytes) -> None:
+            nonlocal lost
+            lost += 1
+            if lost > 1 + 3 * ATTEMPTS:  # the write, two comparisons, and its read-back
                 harness.transport.write = write  # type: ignore[method-assign]
                 write(data)
 
-        harness.transport.write = swallow  # type: ignore[method-assign]
+        harness.transport.write = lose  # type: ignore[method-assign]
 
-    first, second = write_two_and_corrupt_one(harness, before, ends=lose_replies)
+    first, second = write_two_settings(harness, before, action=lose_requests)
     assert first == WriteResult(FIRST.key, 3)
     assert isinstance(second.error, NoReply)
     assert harness.board.memory.stored() == {**before.parameters, FIRST.key: 3}
@@ -532,51 +525,35 @@ def test_stray_write_is_restored_after_board_was_silent(harness: SessionHarness)
 
 def test_stray_write_is_reported_when_board_is_gone(harness: SessionHarness) -> None:
     before = read_everything(harness.client().request)
-    first, second = write_two_and_corrupt_one(harness, before, ends=harness.board.power_off)
+    first, second = write_two_settings(harness, before, action=harness.board.power_off)
     assert "another setting may have been changed" in str(first.error)
     assert isinstance(second.error, NoReply)
 
 
 def test_too_many_differences_are_not_restored(harness: SessionHarness) -> None:
-    """Another board may be connected, whose settings must not change."""
+    """The settings of another board must not change."""
     before = read_everything(harness.client().request)
-    others = {"motor1_acceleration": 3, "motor2_acceleration": 4}
+    different = {FIRST.key: 3, SECOND.key: 4}
 
     def exchange() -> None:
-        for key, wire in others.items():
+        for key, wire in different.items():
             harness.board.eeprom.write(key, wire)
         harness.board.memory.load()
 
-    divert(harness, bytes([0xAF, TIMEOUT.number]), bytes([0xAF, 0x7E]), exchange)
+    corrupt_packet(harness, bytes([0xAF, TIMEOUT.number]), bytes([0xAF, 0x7E]), exchange)
     (result,) = write_all(harness.client().request, SPECS, [(TIMEOUT.key, 1)], before=before)
     assert "none was restored: another board may be connected" in str(result.error)
-    assert others.items() <= harness.board.memory.stored().items()
+    assert different.items() <= harness.board.memory.stored().items()
 
 
-def test_write_without_repeats_reads_nothing_else(harness: SessionHarness) -> None:
+def test_undisturbed_write_compares_no_other_settings(harness: SessionHarness) -> None:
     before = read_everything(harness.client().request)
     harness.transport.sent.clear()
     write_all(harness.client().request, SPECS, [(TIMEOUT.key, 1)], before=before)
     sent = commands(harness.transport.sent)
     write = sent.index(SetParameter(TIMEOUT.number, 1))
-    verified = GetParameter(TIMEOUT.number)
+    read_back = GetParameter(TIMEOUT.number)
     assert sent[write + 1 :] == [
-        *(verified, GetMode(), verified),
+        *(read_back, GetMode(), read_back),
         *(GetSignature(), GetParameter(SPECS["device_number"].number)),
     ]
-
-
-def divert(
-    harness: SessionHarness, head: bytes, hit: bytes, after: Callable[[], None] = lambda: None
-) -> None:
-    """Turn the first packet that starts with `head` into a packet that starts with `hit`."""
-    write, pending = harness.transport.write, [head]
-
-    def corrupt(data: bytes) -> None:
-        if pending and data.startswith(head):
-            write(hit + data[len(pending.pop()) :])
-            after()
-        else:
-            write(data)
-
-    harness.transport.write = corrupt  # type: ignore[method-assign]

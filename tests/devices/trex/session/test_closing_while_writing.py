@@ -13,7 +13,7 @@ from tests.devices.trex.client.test_interrupted_writing import (
     SLOW,
     Case,
     InterruptedWrite,
-    everything,
+    all_parameters,
     line_and_polynomial,
     require_order,
     require_reachable,
@@ -42,8 +42,8 @@ VIA_FACTORY_LINE = Case(
 )
 SLOWEST = line_and_polynomial(wire(1200, Detection.CRC7, 2), 0x33, FAST, 0x44)
 
-CLOSED_CASES = {
-    "everything": Case(everything("1.2")[-6:], CALIBRATIONS[:1]),
+CLOSED = {
+    "everything": Case(all_parameters("1.2")[-6:], CALIBRATIONS[:1]),
     "CRC off": CASES["CRC off"],
     "via factory line settings": VIA_FACTORY_LINE,
 }
@@ -72,14 +72,14 @@ class SessionWrite:
 
 def run(attempt: InterruptedWrite) -> SessionWrite:
     settings = attempt.case.link(attempt.case.before)
-    attempt.stage.line.host = settings.line
-    return SessionWrite(attempt, timed_run(attempt.stage, settings))
+    attempt.harness.line.host = settings.line
+    return Writing(attempt, timed_run(attempt.harness, settings))
 
 
 def scheduled_write(case: Case) -> InterruptedWrite:
     """Return an attempt whose script starts to write at once."""
     attempt = InterruptedWrite(case)
-    attempt.stage.script.at(0.0, Write(1, case.parameters, case.calibrations))
+    attempt.harness.script.at(0.0, Write(1, case.parameters, case.calibrations))
     return attempt
 
 
@@ -93,18 +93,18 @@ def run_to_outcome(attempt: InterruptedWrite) -> SessionWrite:
     return writing
 
 
-def close_at(case: Case, moment: float) -> SessionWrite:
-    attempt = scheduled_write(case)
-    attempt.stage.script.at(moment, Close())
-    return run_to_outcome(attempt)
+def closed_at(case: Case, moment: float) -> Writing:
+    attempt = begun(case)
+    attempt.harness.script.at(moment, Close())
+    return taken(run(attempt))
 
 
 @cache
 def moments(case: Case) -> tuple[float, ...]:
     """Return moments from the start to the end of an undisturbed write."""
-    attempt = scheduled_write(case)
-    attempt.stage.script.at(10.0 if case == SLOWEST else 3.0, Close())
-    writing = run_to_outcome(attempt)
+    attempt = begun(case)
+    attempt.harness.script.at(10.0 if case == SLOWEST else 3.0, Close())
+    writing = taken(run(attempt))
     assert attempt.stored == case.after
     start, end = writing.time_of(Connected), writing.time_of(Outcome)
     return tuple(start + STEP * (number + 1) for number in range(int((end - start) / STEP)))
@@ -148,9 +148,9 @@ def test_skipped_settings_can_be_written_later() -> None:
 
 
 def test_close_cancels_write_that_has_not_started() -> None:
-    attempt = scheduled_write(CLOSED_CASES["everything"])
-    attempt.stage.script.at(0.0, Close())
-    assert "closed before this was complete" in str(run(attempt).outcome.error)
+    attempt = begun(CLOSED["everything"])
+    attempt.harness.script.at(0.0, Close())
+    assert "closed before this was done" in str(run(attempt).outcome.error)
     assert attempt.stored == attempt.case.before
 
 
@@ -171,8 +171,8 @@ def test_close_does_not_wait_long_for_unresponsive_board() -> None:
     for moment in moments(VIA_FACTORY_LINE)[::3]:
         attempt = scheduled_write(VIA_FACTORY_LINE)
         attempt.at(moment, attempt.board.power_off)
-        attempt.stage.script.at(moment, Close())
-        writing = run_to_outcome(attempt)
+        attempt.harness.script.at(moment, Close())
+        writing = taken(run(attempt))
         require_order(attempt, lost=2)
         failed = any(isinstance(result.error, NoReply | Skipped) for result in attempt.results)
         assert failed or attempt.stored == attempt.case.after  # the power loss follows the write
@@ -182,20 +182,19 @@ def test_close_does_not_wait_long_for_unresponsive_board() -> None:
 # --- Motors -----------------------------------------------------------------------------
 
 
-def scheduled_drive(case: Case, moment: float) -> InterruptedWrite:
-    """Return an attempt whose script drives a motor, and closes at a moment."""
-    attempt = scheduled_write(case)
-    attempt.stage.script.at(moments(case)[0], SetMotor(1, Drive.at(100)))
-    attempt.stage.script.at(moment, Close())
+def driven(case: Case, moment: float) -> InterruptedWrite:
+    attempt = begun(case)
+    attempt.harness.script.at(moments(case)[0], SetMotor(1, Drive.at(100)))
+    attempt.harness.script.at(moment, Close())
     return attempt
 
 
-def run_to_stop(attempt: InterruptedWrite, moment: float) -> SessionWrite:
-    """Run the script. The first packet after the moment must be a stop."""
-    attempt.at(moment, attempt.stage.transport.sent.clear)
-    writing = run_to_outcome(attempt)
+def stopped_first(attempt: InterruptedWrite, moment: float) -> Writing:
+    """Run. The first packet after the moment must be a stop."""
+    attempt.at(moment, attempt.harness.transport.sent.clear)
+    writing = taken(run(attempt))
     require_order(attempt, lost=0)
-    assert tuple(commands(attempt.stage.transport.sent)[: len(STOP)]) == STOP
+    assert tuple(commands(attempt.harness.transport.sent)[: len(STOP)]) == STOP
     return writing
 
 
@@ -212,17 +211,17 @@ def test_close_sends_one_confirmed_stop() -> None:
     case = CLOSED_CASES["everything"]
     attempt = scheduled_drive(case, moments(case)[20])
     run(attempt)
-    sent = motor_commands_in(attempt.stage.transport.sent)
+    sent = moving(attempt.harness.transport.sent)
     stops = [command for command in sent if command in STOP]
-    assert len(stops) == 2 * len(STOP)  # the second confirms the first
-    assert GetStatus() in commands(attempt.stage.transport.sent)
+    assert len(stops) == 2 * len(STOP)  # two rounds are the proof
+    assert GetStatus() in commands(attempt.harness.transport.sent)
 
 
 def test_close_drops_setpoints_during_remaining_writes() -> None:
     case = VIA_FACTORY_LINE
     for moment in moments(case)[::5]:
-        attempt = scheduled_write(case)
-        script = attempt.stage.script.at(moment, SetMotor(1, Drive.at(100))).at(moment, Close())
+        attempt = begun(case)
+        script = attempt.harness.script.at(moment, SetMotor(1, Drive.at(100))).at(moment, Close())
         script.at(moment, SetMotor(2, Drive.at(100))).at(moment + 0.01, SetAuxiliary(100))
         writing = run(attempt)
         assert writing.reports[-1][1] == Closed(None, may_move=False)
@@ -233,7 +232,7 @@ def test_close_drops_setpoints_during_remaining_writes() -> None:
 def test_stop_at_close_is_sent_first_and_confirmed() -> None:
     case = CLOSED_CASES["everything"]
     for moment in moments(case)[::10]:
-        attempt = scheduled_write(case)
-        attempt.stage.script.at(moment, Stop(2)).at(moment, Close())
-        writing = run_to_stop(attempt, moment)
+        attempt = begun(case)
+        attempt.harness.script.at(moment, Stop(2)).at(moment, Close())
+        writing = stopped_first(attempt, moment)
         assert outcomes(report for _, report in writing.reports)[2].error is None
