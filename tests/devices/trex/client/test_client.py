@@ -125,16 +125,11 @@ def client_after_silence(harness: SessionHarness, requests: int) -> TrexClient:
     return client
 
 
-def test_late_reply_before_next_request_is_discarded(harness: SessionHarness) -> None:
-    client = client_after_silence(harness, 1)
-    harness.line.inject(b"\x05")  # delayed by the adapter
-    harness.line.advance(0.1)
-    assert client.request(GetParameter(0)) == 7
-
-
-def test_late_reply_during_next_request_is_discarded(harness: SessionHarness) -> None:
+@pytest.mark.parametrize("pause", [0.1, 0.0], ids=["before the next request", "during it"])
+def test_late_reply_is_discarded(harness: SessionHarness, pause: float) -> None:
     client = client_after_silence(harness, 1)
     harness.line.timeline.at(harness.line.now + 0.03, lambda: harness.line.inject(b"\x05"))
+    harness.line.advance(pause)
     assert client.request(GetParameter(0)) == 7
     assert client.counters.unsolicited == 1
 
@@ -272,10 +267,13 @@ def test_corrupted_echo_raises_bad_reply(board: Board) -> None:
 # --- Device numbers ---------------------------------------------------------------------
 
 
-def test_client_follows_new_device_number(harness: SessionHarness) -> None:
-    client = harness.client(ConnectionSettings("virtual", device_number=7))
+@pytest.mark.parametrize(("number", "expected"), [(7, 42), (None, None)])
+def test_only_expanded_protocol_uses_a_new_device_number(
+    harness: SessionHarness, number: int | None, expected: int | None
+) -> None:
+    client = harness.client(ConnectionSettings("virtual", device_number=number))
     assert client.request(SetParameter(0, 42)) is ResultCode.OK
-    assert client.settings.device_number == 42
+    assert client.settings.device_number == expected
     assert client.request(GetParameter(0)) == 42
 
 
@@ -284,13 +282,6 @@ def test_client_ignores_rejected_device_number() -> None:
     client = harness.client(ConnectionSettings("virtual", device_number=7))
     assert client.request(SetParameter(0, 42)) is ResultCode.NOT_SERIAL_MODE
     assert client.request(GetParameter(0)) == 7
-
-
-def test_compact_protocol_remains_after_number_change(harness: SessionHarness) -> None:
-    client = harness.client()
-    client.request(SetParameter(0, 42))
-    assert client.settings.device_number is None
-    assert client.request(GetParameter(0)) == 42
 
 
 # --- Counters ---------------------------------------------------------------------------
@@ -370,10 +361,9 @@ def test_crc_rejects_replies_with_few_corrupted_bytes(
     harness.line.faults.noise = noise
     client = harness.client(ConnectionSettings("virtual", settings.line, device_number=number))
     faults = harness.line.faults
-    for command, right, *losses in zip(
-        requests, expected, reply_losses, request_losses, strict=False
-    ):
-        faults.to_drop, faults.to_drop_sent = losses
+    losses = zip(reply_losses, request_losses, strict=True)
+    for command, right, lost in zip(requests, expected, losses, strict=False):
+        faults.to_drop, faults.to_drop_sent = lost
         corrupted = faults.counters["corrupted"]
         try:
             reply = client.request(command)

@@ -198,7 +198,7 @@ every_case = pytest.mark.parametrize(
 
 @dataclass
 class InterruptedWrite:
-    """One write to a board that may be disturbed."""
+    """Write to a simulated board. It may be disturbed at any moment."""
 
     case: Case
     results: tuple[WriteResult, ...] = ()
@@ -303,7 +303,7 @@ _reached: set[object] = set()
 
 
 def require_reachable(attempt: InterruptedWrite) -> None:
-    """Find the board in each state that an interruption leaves."""
+    """Check that the board is found in the state after the interruption."""
     case, harness, memory = attempt.case, attempt.harness, attempt.board.memory
     polynomial, number = memory.crc_polynomial, memory.active["device_number"]
     state = (case, memory.line_settings, polynomial, number)

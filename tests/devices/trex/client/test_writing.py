@@ -56,23 +56,14 @@ def test_every_parameter_accepts_its_limits(spec: ParameterSpec) -> None:
         assert harness.board.eeprom[spec.key] == wire
 
 
-def test_write_is_confirmed_by_two_equal_readings(harness: SessionHarness) -> None:
-    write_parameter(harness.client().request, TIMEOUT, 20)
-    assert commands(harness.transport.sent) == [
-        SetParameter(TIMEOUT.number, 20),
-        GetParameter(TIMEOUT.number),
-        GetMode(),
-        GetParameter(TIMEOUT.number),
-    ]
-
-
-def test_write_with_crc_is_confirmed_by_one_reading() -> None:
-    harness, settings = create_harness(detection=Detection.CRC7)
-    write_parameter(harness.client(settings).request, TIMEOUT, 20, has_crc=True)
-    assert commands(harness.transport.sent, settings.polynomial) == [
-        SetParameter(TIMEOUT.number, 20),
-        GetParameter(TIMEOUT.number),
-    ]
+@pytest.mark.parametrize("has_crc", [False, True])
+def test_write_is_confirmed_by_two_readings_or_one_with_crc(*, has_crc: bool) -> None:
+    harness, settings = staged(detection=Detection.CRC7 if has_crc else Detection.NONE)
+    write_parameter(harness.client(settings).request, TIMEOUT, 20, has_crc=has_crc)
+    polynomial, read = settings.polynomial if has_crc else None, GetParameter(TIMEOUT.number)
+    readings = [read] if has_crc else [read, GetMode(), read]
+    sent = commands(harness.transport.sent, polynomial)
+    assert sent == [SetParameter(TIMEOUT.number, 20), *readings]
 
 
 def test_corrupted_read_back_does_not_fail_a_write(harness: SessionHarness) -> None:
@@ -138,8 +129,8 @@ def test_unknown_parameter_error_mentions_firmware() -> None:
     assert caught.value.result is ResultCode.BAD_PARAMETER
 
 
-def test_rejected_write_is_not_retried_with_crc() -> None:
-    harness, settings = create_harness(mode="rc", detection=Detection.CRC7)
+def test_rejection_with_crc_is_not_confirmed_by_a_retry() -> None:
+    harness, settings = staged(mode="rc", detection=Detection.CRC7)
     client = harness.client(settings)
     with pytest.raises(Rejected):
         write_parameter(client.request, TIMEOUT, 5, has_crc=True)

@@ -119,7 +119,7 @@ def test_stop_while_connecting_waits_for_one_transaction(
 
 
 class DelayedInbox:
-    """Inbox with scripted contents for each read, from one second on."""
+    """Inbox that returns one scripted request for each read after the first second."""
 
     def __init__(self, harness: SessionHarness, *steps: Step) -> None:
         self._harness = harness
@@ -155,9 +155,8 @@ def test_requested_motor_command_never_follows_stop() -> None:
             *([no_request] * 100),
             Close,
         )
-        found = outcomes(harness.reports)
-        assert found[6].error is None
-        assert of_type(harness.reports, Closed) == [Closed(None, may_move=False)]
+        assert outcomes(harness.reports)[6].error is None
+        assert among(harness.reports, Closed) == [Closed(None, may_move=False)]
         assert is_stopped(harness.board)
 
 
@@ -171,10 +170,9 @@ def test_stops_during_confirmation_get_outcome_on_port_loss(harness: SessionHarn
         return Stop(8)
 
     run_session(harness, mute, no_request, pull)
-    found = outcomes(harness.reports)
-    assert set(found) == {7, 8}
-    assert found[7].error is not None
-    assert found[8].error is not None
+    results = outcomes(harness.reports)
+    assert set(results) == {7, 8}
+    assert all(outcome.error is not None for outcome in results.values())
     assert isinstance(harness.reports[-1], Closed)
 
 

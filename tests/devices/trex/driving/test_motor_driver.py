@@ -268,7 +268,7 @@ def test_unanswered_stop_is_repeated_only_if_driven(motors: MotorOutput) -> None
     assert motors.seconds_to_stop_retry(4.0) == math.inf
 
 
-def test_setpoint_ends_repetition_of_stop_but_direct_command_does_not() -> None:
+def test_only_a_setpoint_ends_the_repetition_of_a_stop() -> None:
     motors = MotorOutput(lambda _report: None, may_move=True)
     motors.record_stop(1.0, (), confirmed=False, final=False)
     motors.handle(OutputEvent.DIRECT_COMMAND_SENT, 2.0)

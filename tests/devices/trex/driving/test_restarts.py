@@ -13,7 +13,7 @@ from trex_gui.devices.trex.protocol.driving import Drive
 from trex_gui.devices.trex.protocol.errors import ErrorCode
 from trex_gui.devices.trex.session.messages import Connected, NotResponding, ReadReason
 
-FREE, LOADED = 0.0, 3.0  # load in A beyond the friction
+FREE, LOADED = 0.0, 3.0  # current in A that the load adds to the friction
 CASES = [
     # seconds without power, moment, baud rate, load, model
     (0.0, 1.00, 19200, FREE, "trex"),

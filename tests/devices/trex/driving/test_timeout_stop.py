@@ -48,12 +48,12 @@ def test_warning_is_shown_if_motors_keep_turning(
 ) -> None:
     stop = timeout_stop({"serial_timeout": timeout, "uart_error_shutdown": shutdown})
     line = ConnectionSettings("/dev/ttyUSB0")
-    shown = timeout_warning_on(line, timeout / 10, stop, is_guarded=True)
-    assert (shown is None) == (warning is None)
-    assert shown is None or shown.text.startswith(warning or "")
+    message = timeout_warning_on(line, timeout / 10, stop, is_guarded=True)
+    assert (message is None) == (warning is None)
+    assert message is None or message.text.startswith(warning or "")
     assert remedy_for_silence(stop, "0.5 s") == remedy
     if keeps_turning(timeout, shutdown, needs_shutdown=needs_shutdown):
-        assert shown is not None
+        assert message is not None
         assert remedy == CUT
 
 

@@ -1,4 +1,4 @@
-"""Parameter table on its own, for tests of the table and its editors."""
+"""Driver for the parameter table and its editors."""
 
 from PySide6.QtCore import QModelIndex, QPoint, Qt
 from PySide6.QtTest import QTest
@@ -17,7 +17,7 @@ from trex_gui.devices.trex.views.pages.parameters.view import ParameterView
 
 
 class ParametersDriver(WidgetDriver):
-    """Parameter table on a draft of settings.
+    """Parameter table with a draft of settings.
 
     Attributes:
         rejected: messages about rejected input.
@@ -35,15 +35,15 @@ class ParametersDriver(WidgetDriver):
         self.table.show()
         self.view = self.find(ParameterView, "parametersView")
 
-    def load(self, specs: ParameterSet, **other: int) -> None:
-        """Load a board with factory defaults, except for `other`."""
-        values = {spec.key: spec.default for spec in specs.readable} | other
+    def load(self, specs: ParameterSet, **stored: int) -> None:
+        """Load a board with factory defaults, except for the `stored` values."""
+        values = {spec.key: spec.default for spec in specs.readable} | stored
         self.model.load(specs, values, {}, power_cycled=True)
         self.draft.loaded.emit()
 
-    def open_file(self, specs: ParameterSet, **given: int) -> None:
-        """Load a settings file with only the `given` parameters."""
-        self.draft.load_settings(Settings(specs.model, specs.firmware, given))
+    def open_file(self, specs: ParameterSet, **values: int) -> None:
+        """Load a settings file that contains only these values."""
+        self.draft.load_settings(Settings(specs.model, specs.firmware, values))
 
     # --- Rows ---------------------------------------------------------------------------
 
@@ -52,10 +52,6 @@ class ParametersDriver(WidgetDriver):
         rows = (row for row in range(self.model.rowCount()) if not self.view.isRowHidden(row))
         cells = (self.model.index(row, 0) for row in rows)
         return [cell for cell in cells if cell.data(ParameterRole.GROUP) is not None]
-
-    @property
-    def titles(self) -> list[str]:
-        return [str(heading.data()) for heading in self.headings]
 
     @property
     def current(self) -> str:
@@ -72,7 +68,7 @@ class ParametersDriver(WidgetDriver):
         return self.view.visualRect(index).center()
 
     def cell(self, key: str, column: ParameterColumn | None = None) -> QModelIndex:
-        """Return the value of a parameter, or another cell of its row."""
+        """Return the value cell of a parameter, or another cell of its row."""
         value = self.model.index_of(key)
         return value if column is None else value.siblingAtColumn(column)
 

@@ -1,4 +1,4 @@
-"""Arming a real board without a serial timeout."""
+"""Dialog that arms a board without a serial timeout."""
 
 from collections.abc import Iterator
 
@@ -17,8 +17,8 @@ from trex_gui.devices.trex.views.motor_controls import ArmButton, ArmDialog
 from trex_gui.ui.theme.theme import theme
 
 
-class Arming(WidgetDriver):
-    """Window with only *Arm motors*, and its dialog."""
+class ArmingDriver(WidgetDriver):
+    """Window that contains only the *Arm motors* button."""
 
     def __init__(self, device: Device, simulator: SimulatedDevice, qtbot: QtBot) -> None:
         super().__init__(QWidget(), qtbot)
@@ -31,8 +31,8 @@ class Arming(WidgetDriver):
         self.device.connect_to(ConnectionSettings(self.simulator.url, name=name))
         self.wait(lambda: self.device.motors.can_arm)
 
-    def press_run(self) -> WidgetDriver:
-        """Return the dialog that opens."""
+    def open_dialog(self) -> WidgetDriver:
+        """Click the button. Return the dialog that opens."""
         self.click("runButton")
         return WidgetDriver(self.find_only(ArmDialog), self.qtbot)
 
@@ -42,30 +42,32 @@ class Arming(WidgetDriver):
 
 
 @pytest.fixture
-def arming(quick_simulator: SimulatedDevice, qtbot: QtBot, qapp: QApplication) -> Iterator[Arming]:
+def arming(
+    quick_simulator: SimulatedDevice, qtbot: QtBot, qapp: QApplication
+) -> Iterator[ArmingDriver]:
     theme().install(qapp)
     device = Device()
-    yield Arming(device, quick_simulator, qtbot)
+    yield ArmingDriver(device, quick_simulator, qtbot)
     device.disconnect_line()
     qtbot.waitUntil(device.shut_down)
 
 
-@pytest.mark.parametrize("set_up", ["eeprom serial_timeout 0", "eeprom uart_error_shutdown 0"])
-def test_both_settings_are_written_before_arming(arming: Arming, set_up: str) -> None:
-    arming.simulator.do("eeprom serial_timeout 5", set_up, "power cycle")
+@pytest.mark.parametrize("command", ["eeprom serial_timeout 0", "eeprom uart_error_shutdown 0"])
+def test_both_settings_are_written_before_arming(arming: ArmingDriver, command: str) -> None:
+    arming.simulator.do("eeprom serial_timeout 5", command, "power cycle")
     arming.connect()
-    dialog = arming.press_run()
+    dialog = arming.open_dialog()
     check_keyboard(dialog.root)
     assert dialog.find(QPushButton, "writeAndArmButton").isDefault()
     dialog.click("writeAndArmButton")
-    assert not arming.device.motors.armed, "nothing is written yet"
+    assert not arming.device.motors.armed, "the settings are not written yet"
     arming.wait(lambda: arming.device.motors.armed)
     assert arming.stored() == (5, 1)
 
 
-def test_arming_without_timeout_is_remembered(arming: Arming) -> None:
+def test_arming_without_timeout_is_remembered(arming: ArmingDriver) -> None:
     arming.connect()
-    arming.press_run().click("armWithoutButton")
+    arming.open_dialog().click("armWithoutButton")
     assert arming.device.motors.armed
     assert arming.stored() == (0, 1)
     arming.device.motors.stop()
@@ -74,9 +76,9 @@ def test_arming_without_timeout_is_remembered(arming: Arming) -> None:
     assert arming.device.motors.armed
 
 
-def test_failed_write_arms_nothing(arming: Arming) -> None:
+def test_failed_write_arms_nothing(arming: ArmingDriver) -> None:
     arming.connect()
-    dialog = arming.press_run()
+    dialog = arming.open_dialog()
     arming.simulator.do("eeprom motor1_acceleration 9")  # by another program
     dialog.click("writeAndArmButton")
     dialog.wait(lambda: dialog.text("armNote") not in {"", "Writing …"})
@@ -84,13 +86,13 @@ def test_failed_write_arms_nothing(arming: Arming) -> None:
     assert dialog.is_enabled("writeAndArmButton")
 
 
-def test_own_simulated_board_is_armed_at_once(arming: Arming) -> None:
+def test_demo_board_is_armed_without_a_dialog(arming: ArmingDriver) -> None:
     arming.connect(name="Demo")
     arming.click("runButton")
     assert arming.device.motors.armed
 
 
-def test_keys_that_disarm_do_not_arm_again(arming: Arming) -> None:
+def test_key_or_click_after_a_stop_does_not_arm_again(arming: ArmingDriver) -> None:
     arming.connect(name="Demo")
     motors, button = arming.device.motors, arming.find(ArmButton, "runButton")
 

@@ -24,9 +24,9 @@ def strip(qtbot: QtBot) -> InputStrip:
 
 
 def test_fill_within_the_deadband_is_neutral(strip: InputStrip) -> None:
-    marks = Calibration(2500, 3750, 5000, 500)
+    calibration = Calibration(2500, 3750, 5000, 500)
     for time, (raw, fill) in enumerate(((4200, "neutral"), (4400, "bar"))):
-        strip.show_input(time, InputSource.RC, marks, raw)
+        strip.show_input(time, InputSource.RC, calibration, raw)
         picture = strip.grab().toImage()
         x = round(10 + (4000 - 2000) / 3500 * (strip.width() - 20))
         column = {picture.pixelColor(x, y).name() for y in range(strip.height())}
@@ -36,12 +36,12 @@ def test_fill_within_the_deadband_is_neutral(strip: InputStrip) -> None:
 def test_axis_includes_value_and_calibration() -> None:
     assert input_axis(InputSource.RC, RC) == (2000, 5500)
     assert widened((2000, 5500), (5600,)) == (2000, 5750)
-    assert widened((2000, 5750), (3750,)) == (2000, 5750)  # does not shrink
+    assert widened((2000, 5750), (3750,)) == (2000, 5750)  # the axis does not shrink
     assert input_axis(InputSource.RC, Calibration(1500, 3750, 6000, 75)) == (1500, 6000)
     assert input_axis(InputSource.ANALOG, DEFAULT_CALIBRATION[InputSource.ANALOG]) == (0, 1023)
 
 
-def test_strip_speaks_its_input_in_its_unit(strip: InputStrip) -> None:
+def test_spoken_input_has_the_unit_of_its_source(strip: InputStrip) -> None:
     strip.show_input(2, InputSource.RC, RC, 2500)
     assert spoken_state(strip).startswith("1000 µs")
     strip.show_input(3, InputSource.RC, RC, None)

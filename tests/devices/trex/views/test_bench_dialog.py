@@ -1,4 +1,4 @@
-"""Window for bench tests, and its hold button."""
+"""Dialog for bench tests, and its hold button."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -102,16 +102,16 @@ def test_returning_mouse_does_not_hold_a_released_button(hold_button: HoldButton
     assert hold_button.signals == ["held", "released"]
 
 
-LOSSES: dict[str, Callable[[HoldButtonDriver], object]] = {
+CAUSES: dict[str, Callable[[HoldButtonDriver], object]] = {
     "the button is released": lambda hold_button: hold_button.release(),
-    "the focus goes elsewhere": lambda hold_button: hold_button.other_field.setFocus(),
-    "it is greyed": lambda hold_button: hold_button.widget.setEnabled(False),
-    "it is hidden": lambda hold_button: hold_button.widget.hide(),
-    "its window is hidden": lambda hold_button: hold_button.root.hide(),
-    "another window comes forward": lambda hold_button: QCoreApplication.sendEvent(
+    "another field gets the focus": lambda hold_button: hold_button.other_field.setFocus(),
+    "the button is disabled": lambda hold_button: hold_button.widget.setEnabled(False),
+    "the button is hidden": lambda hold_button: hold_button.widget.hide(),
+    "the window is hidden": lambda hold_button: hold_button.root.hide(),
+    "another window is activated": lambda hold_button: QCoreApplication.sendEvent(
         hold_button.widget, QEvent(QEvent.Type.WindowDeactivate)
     ),
-    "the mouse is taken away": lambda hold_button: QCoreApplication.sendEvent(
+    "the mouse grab is lost": lambda hold_button: QCoreApplication.sendEvent(
         hold_button.widget, QEvent(QEvent.Type.UngrabMouse)
     ),
     "the touch is cancelled": lambda hold_button: QCoreApplication.sendEvent(
@@ -120,10 +120,10 @@ LOSSES: dict[str, Callable[[HoldButtonDriver], object]] = {
 }
 
 
-@pytest.mark.parametrize("loss", LOSSES)
-def test_loss_of_input_releases_button(hold_button: HoldButtonDriver, loss: str) -> None:
+@pytest.mark.parametrize("cause", CAUSES)
+def test_loss_of_input_releases_the_button(hold_button: HoldButtonDriver, cause: str) -> None:
     hold_button.press()
-    LOSSES[loss](hold_button)
+    CAUSES[cause](hold_button)
     assert hold_button.signals == ["held", "released"]
 
 
@@ -154,7 +154,7 @@ def test_form_fields_define_the_plan(dialog: BenchTestDialog) -> None:
     assert not dialog.is_enabled("benchHoldButton")
     assert "Connect to a board" in dialog.shown_note
     period = dialog.find(QDoubleSpinBox, "benchPeriod")
-    assert not period.isEnabled(), "a step has none"
+    assert not period.isEnabled(), "a step has no period"
     dialog.select("benchMotor", 2)
     dialog.select("benchShape", Shape.SINE)
     dialog.select("benchDirection", -1)
@@ -174,23 +174,22 @@ def test_form_fields_define_the_plan(dialog: BenchTestDialog) -> None:
     assert not plan.accelerate
     assert plan.abort_current == 7.5
     assert plan.abort_at_limit
-    dialog.wait(lambda: dialog.plot.seconds == pytest.approx(7.1))  # of the plan
+    dialog.wait(lambda: dialog.plot.seconds == pytest.approx(7.1))  # duration of the plan
 
 
 READINGS = [(index / 80, 12.0 if index < 10 else 4.0) for index in range(160)]
-GENTLER = [(index / 80, 6.0 if index < 10 else 4.0) for index in range(160)]
+LOWER_READINGS = [(index / 80, 6.0 if index < 10 else 4.0) for index in range(160)]
 
 
-def test_result_is_compared_with_the_previous_or_selected_test(dialog: BenchTestDialog) -> None:
+def test_result_is_compared_with_the_previous_or_selected_run(dialog: BenchTestDialog) -> None:
     dialog.bench.add_run(run_of(READINGS))
     assert [dialog.figure(0, column) for column in range(3)] == ["12.00 A", "–", "–"]
-    dialog.bench.add_run(run_of(GENTLER))
+    dialog.bench.add_run(run_of(LOWER_READINGS))
     assert [dialog.figure(0, column) for column in range(3)] == ["6.00 A", "12.00 A", "−6.00 A"]
     assert dialog.figure(1, 0) == "4.00 A"
-    plot = dialog.plot
-    dialog.wait(lambda: plot.highest >= 12.0)
+    dialog.wait(lambda: dialog.plot.highest >= 12.0)
 
-    dialog.bench.add_run(run_of(GENTLER))
+    dialog.bench.add_run(run_of(LOWER_READINGS))
     compare = dialog.combo("benchCompare")
     assert dialog.figure(0, 1) == "6.00 A"
     compare.setCurrentIndex(compare.count() - 1)  # the oldest
@@ -217,7 +216,7 @@ def test_saved_run_can_be_opened(dialog: BenchTestDialog, tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize(
-    ("content", "words"),
+    ("content", "text"),
     [
         (b"product: TReX\n", "a bench test begins with"),
         (b"\xff\xfe\x00", "it is not a text file"),
@@ -225,12 +224,12 @@ def test_saved_run_can_be_opened(dialog: BenchTestDialog, tmp_path: Path) -> Non
     ],
 )
 def test_invalid_file_is_rejected_with_the_reason(
-    dialog: BenchTestDialog, tmp_path: Path, content: bytes | None, words: str
+    dialog: BenchTestDialog, tmp_path: Path, content: bytes | None, text: str
 ) -> None:
     path = tmp_path / "other.csv"
     if content is not None:
         path.write_bytes(content)
     dialog.dialog.open_run(path)
     dialog.wait_for_files()
-    assert words in dialog.shown_note
+    assert text in dialog.shown_note
     assert dialog.bench.runs == ()

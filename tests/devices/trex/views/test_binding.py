@@ -1,4 +1,4 @@
-"""The Qt binding loses no references, which would end the process."""
+"""References that the Qt binding counts. Losing them would end the process."""
 
 import sys
 
@@ -28,4 +28,4 @@ def test_repainting_loses_no_references_to_none(window: WindowDriver, times: int
     repaint_pages(window, 1)  # creates buffers with many references
     before = sys.getrefcount(None)
     repaint_pages(window, times)
-    assert sys.getrefcount(None) > before - times, "one is lost with each repaint"
+    assert sys.getrefcount(None) > before - times, "each repaint loses a reference"

@@ -18,7 +18,9 @@ from trex_gui.devices.trex.views.board.view import BoardView
 from trex_gui.ui.devices.connection import ConnectionState
 
 
-class Drawing(WidgetDriver):
+class DrawingDriver(WidgetDriver):
+    """Drawing of a board in a window."""
+
     def __init__(self, view: BoardView, device: Device, qtbot: QtBot) -> None:
         super().__init__(view, qtbot)
         self.view, self.device = view, device
@@ -35,17 +37,17 @@ class Drawing(WidgetDriver):
 
 
 @pytest.fixture
-def drawing(qtbot: QtBot) -> Iterator[Drawing]:
+def drawing(qtbot: QtBot) -> Iterator[DrawingDriver]:
     device, window = Device(), QWidget()
     qtbot.addWidget(window)
     view = BoardView(device, window)
     view.resize(800, 400)
     window.show()
-    yield Drawing(view, device, qtbot)
+    yield DrawingDriver(view, device, qtbot)
     assert device.shut_down()
 
 
-def test_unknown_values_are_shown_as_unknown(drawing: Drawing) -> None:
+def test_unknown_values_are_shown_as_unknown(drawing: DrawingDriver) -> None:
     assert drawing.spoken("Channel1") == "Channel 1: Motor 1: –"
     for jumper in ("ModeJumper", "MixJumper", "SoGroundJumper"):
         assert "not known" in drawing.spoken(jumper)
@@ -56,7 +58,7 @@ def test_unknown_values_are_shown_as_unknown(drawing: Drawing) -> None:
 
 
 def test_reports_are_shown_in_serial_mode(
-    drawing: Drawing, quick_simulator: SimulatedDevice
+    drawing: DrawingDriver, quick_simulator: SimulatedDevice
 ) -> None:
     drawing.connect(quick_simulator)
     quick_simulator.do("channel 2 1800us")
@@ -80,10 +82,10 @@ def test_reports_are_shown_in_serial_mode(
     assert motor.speed == 0
 
 
-def test_channels_drive_in_rc_mode(drawing: Drawing, quick_simulator: SimulatedDevice) -> None:
-    quick_simulator.do("jumper mode rc")
-    quick_simulator.do("channel 1 1900us")
-    quick_simulator.do("power cycle")
+def test_rc_mode_shows_safe_start_and_its_jumper(
+    drawing: DrawingDriver, quick_simulator: SimulatedDevice
+) -> None:
+    quick_simulator.do("jumper mode rc", "channel 1 1900us", "power cycle")
     drawing.connect(quick_simulator)
     drawing.wait(lambda: "held by safe-start" in drawing.spoken("Motor1"))
     quick_simulator.do("channel 1 1500us")
@@ -92,16 +94,16 @@ def test_channels_drive_in_rc_mode(drawing: Drawing, quick_simulator: SimulatedD
     assert drawing.find(JumperPart, "boardPartModeJumper").is_on
 
 
-def test_parts_stay_inside_the_drawing_at_any_size(drawing: Drawing) -> None:
-    least, most = drawing.view.minimumSizeHint(), drawing.view.sizeHint()
-    for width in range(least.width(), 2 * most.width(), 40):
-        for height in (least.height(), most.height(), 2 * most.height()):
+def test_parts_stay_inside_the_drawing_at_any_size(drawing: DrawingDriver) -> None:
+    minimum, preferred = drawing.view.minimumSizeHint(), drawing.view.sizeHint()
+    for width in range(minimum.width(), 2 * preferred.width(), 40):
+        for height in (minimum.height(), preferred.height(), 2 * preferred.height()):
             drawing.view.resize(width, height)
             for part in drawing.find_all(BoardPart):
                 assert drawing.view.rect().contains(part.geometry()), (width, height, part)
 
 
-def test_each_part_opens_its_page_with_the_keyboard(drawing: Drawing) -> None:
+def test_each_part_opens_its_page_with_the_keyboard(drawing: DrawingDriver) -> None:
     pages: list[str] = []
     drawing.view.page_requested.connect(pages.append)
     parts = drawing.find_all(BoardPart)

@@ -1,4 +1,4 @@
-"""Channels page on its own, with a simulated board."""
+"""Channels page in a window of its own, with a simulated board."""
 
 import math
 from collections.abc import Iterator
@@ -41,7 +41,7 @@ def page(unconnected_page: ChannelsDriver, quick_simulator: SimulatedDevice) -> 
     return unconnected_page
 
 
-# --- The numbers ------------------------------------------------------------------------
+# --- Fields -----------------------------------------------------------------------------
 
 
 def test_steps_in_one_field_are_undone_together(page: ChannelsDriver) -> None:
@@ -53,11 +53,11 @@ def test_steps_in_one_field_are_undone_together(page: ChannelsDriver) -> None:
         QTest.keyClick(deadband, key)
     assert page.shown().deadband == FACTORY.deadband + 1
     QTest.keyClick(deadband, Qt.Key.Key_PageUp)
-    QTest.keyPress(deadband, Qt.Key.Key_Up)  # held, with the repeat below
-    held = QKeyEvent(
+    QTest.keyPress(deadband, Qt.Key.Key_Up)  # remains pressed during the repeat below
+    repeat = QKeyEvent(
         QEvent.Type.KeyPress, Qt.Key.Key_Up, Qt.KeyboardModifier.NoModifier, "", True, 5
     )
-    QApplication.sendEvent(deadband, held)
+    QApplication.sendEvent(deadband, repeat)
     QTest.keyRelease(deadband, Qt.Key.Key_Up)
     assert page.shown().deadband >= FACTORY.deadband + 13
     assert undo.count() == 1
@@ -70,9 +70,9 @@ def test_steps_in_one_field_are_undone_together(page: ChannelsDriver) -> None:
     assert undo.count() == 3
     QTest.keyClick(maximum, Qt.Key.Key_Down)
     assert undo.count() == 4
-    for maximum_then in (4990, FACTORY.maximum - 2, FACTORY.maximum):
+    for value in (4990, FACTORY.maximum - 2, FACTORY.maximum):
         undo.undo()
-        assert page.shown().maximum == maximum_then
+        assert page.shown().maximum == value
     undo.undo()
     assert page.shown() == FACTORY
     assert not undo.canUndo()
@@ -105,7 +105,7 @@ def test_impossible_values_are_rejected_with_a_note(page: ChannelsDriver) -> Non
     assert "problem" in page.input(1)
 
 
-def test_typed_number_remains_when_the_line_gets_noisy(
+def test_typed_number_remains_when_the_line_becomes_noisy(
     page: ChannelsDriver, quick_simulator: SimulatedDevice
 ) -> None:
     field = page.find(QSpinBox, "minimumEdit")
@@ -118,7 +118,7 @@ def test_typed_number_remains_when_the_line_gets_noisy(
     assert field.text() == "110"
 
 
-# --- The handles ------------------------------------------------------------------------
+# --- Disconnected page ------------------------------------------------------------------
 
 
 def test_disconnected_page_is_read_only(page: ChannelsDriver) -> None:
@@ -146,12 +146,12 @@ def test_live_dot_follows_the_stick(page: ChannelsDriver, quick_simulator: Simul
     assert page.plot.dot == (4500, remapped)
     assert f"output {signed_text(remapped)}" in page.live
     assert page.input(1).startswith(page.live)
-    quick_simulator.do("channel 4 1000us")  # flip: has no output of its own
+    quick_simulator.do("channel 4 1000us")  # a flip channel has no output
     page.wait(lambda: "1000 µs" in page.input(4))
     assert page.input(1).startswith(page.live)
     page.click("parabolicBox")
-    gentle = ChannelSetup((FACTORY,) * 5, parabolic=1).remapped([4500] * 5)[0]
-    assert page.plot.dot == (4500, gentle)
+    parabolic = ChannelSetup((FACTORY,) * 5, parabolic=1).remapped([4500] * 5)[0]
+    assert page.plot.dot == (4500, parabolic)
     quick_simulator.do("channel 1 invalid")
     page.wait(lambda: "no signal" in page.input(1))
     page.wait(lambda: page.plot.dot is None)
@@ -170,7 +170,7 @@ def test_hidden_page_is_not_updated(page: ChannelsDriver, quick_simulator: Simul
     assert "1900 µs" in page.input(1)
 
 
-def test_strips_have_a_gap_for_a_lost_signal(
+def test_lost_signal_leaves_a_gap_in_its_strip(
     page: ChannelsDriver, quick_simulator: SimulatedDevice
 ) -> None:
     strip = page.strip(2)
@@ -207,7 +207,7 @@ def test_arrow_keys_select_a_strip_for_screen_readers(page: ChannelsDriver) -> N
         assert bool(interface.state().checked) is (channel == 2)
 
 
-# --- What a channel does ----------------------------------------------------------------
+# --- Effects of a channel ---------------------------------------------------------------
 
 
 def test_card_describes_the_channel_in_the_current_mode(
@@ -234,7 +234,7 @@ def test_override_switch_changes_the_texts_at_once(
     page.wait(lambda: page.text("channelDoes").startswith("Channel 1 drives motor 1"))
 
 
-# --- Switches and the menu --------------------------------------------------------------
+# --- Check boxes and menu ---------------------------------------------------------------
 
 
 def test_check_boxes_edit_parameter_bits(
@@ -303,7 +303,7 @@ def test_inactive_source_is_shown_and_can_be_activated(
         button = page.button(name)
         assert not button.isEnabled(), name
         assert button.toolTip().startswith("The board reads RC pulses now,"), name
-        assert "calibrations for analog voltages" in button.toolTip(), name
+        assert "To see the calibrations for analog voltages" in button.toolTip(), name
     assert page.is_enabled("learnAllButton")
     assert not page.has("requiredBox")
 
@@ -379,7 +379,7 @@ def test_value_rejected_by_the_board_is_explained(page: ChannelsDriver) -> None:
     assert "problem" not in page.input(2)
 
 
-# --- The widgets ------------------------------------------------------------------------
+# --- Buttons and keys -------------------------------------------------------------------
 
 
 def test_buttons_request_learning_and_fields_accept_tab(page: ChannelsDriver) -> None:
@@ -392,5 +392,5 @@ def test_buttons_request_learning_and_fields_accept_tab(page: ChannelsDriver) ->
     with page.qtbot.waitSignal(page.widget.test_requested):
         page.click("testSticksButton")
     # Handles accept only the mouse.
-    reached = {each.objectName() for each in tab_order(page.root.window())}
-    assert reached >= {f"{name}Edit" for name in ("minimum", "neutral", "maximum", "deadband")}
+    names = {widget.objectName() for widget in tab_order(page.root.window())}
+    assert names >= {f"{name}Edit" for name in ("minimum", "neutral", "maximum", "deadband")}

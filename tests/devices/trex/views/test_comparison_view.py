@@ -1,7 +1,6 @@
-"""Comparison of settings, with mouse and keys."""
+"""Comparison of settings, operated with mouse and keys."""
 
 from dataclasses import replace
-from functools import partial
 
 import pytest
 from PySide6.QtCore import QItemSelectionModel, QPoint, QRect, Qt
@@ -15,7 +14,6 @@ from tests.support.pages.settings import ComparisonDialog
 from tests.support.window import LEFT
 from trex_gui.devices.trex.model.settings.comparison_table import ComparisonColumn
 from trex_gui.devices.trex.protocol.calibration import Calibration, CalibrationKey
-from trex_gui.devices.trex.protocol.parameters import ParameterSpec
 from trex_gui.devices.trex.settings.comparison import Comparison, compare
 from trex_gui.devices.trex.settings.document import specs_for
 from trex_gui.devices.trex.views.comparison_view import ComparisonView
@@ -46,8 +44,8 @@ def test_click_on_a_check_box_clears_it(
     view: ComparisonView, driver: ComparisonDialog, qtbot: QtBot
 ) -> None:
     table = driver.table
-    place = table.visualRect(table.model().index(0, 0))
-    box = QPoint(place.left() + 10, place.center().y())
+    cell = table.visualRect(table.model().index(0, 0))
+    box = QPoint(cell.left() + 10, cell.center().y())
     with qtbot.waitSignal(view.ticked_changed) as changed:
         QTest.mouseClick(table.viewport(), LEFT, pos=box)
     assert changed.args == [1]
@@ -69,16 +67,16 @@ def test_space_bar_toggles_the_row_from_any_column(
 
 
 def test_box_checks_all_rows_or_none(view: ComparisonView, driver: ComparisonDialog) -> None:
-    assert not driver.has("tickAllBox"), "two are checked as fast"
-    found = comparison(serial_timeout=5, motor1_acceleration=9, motor_mode=1, ignored_channels=2)
-    view.show_comparison(found, "Now", "File")
+    assert not driver.has("tickAllBox"), "two rows need no common box"
+    changes = comparison(serial_timeout=5, motor1_acceleration=9, motor_mode=1, ignored_channels=2)
+    view.show_comparison(changes, "Now", "File")
     driver.toggle("Motor Mode")
     box = driver.find(QCheckBox, "tickAllBox")
     assert box.checkState() is Qt.CheckState.PartiallyChecked
     for ticked in (4, 0):
         driver.click("tickAllBox")
         assert len(view.table.ticked) == ticked
-    view.show_comparison(found, "Now", "File", with_ticks=False)
+    view.show_comparison(changes, "Now", "File", with_ticks=False)
     assert not driver.has("tickAllBox")
     assert not view.table.ticked
 
@@ -96,16 +94,16 @@ def test_update_retains_the_current_row_and_its_check_box(
     view: ComparisonView, driver: ComparisonDialog
 ) -> None:
     driver.toggle(key := "Motor 1 Acceleration")
-    found = comparison(serial_timeout=6, motor1_acceleration=9, motor_mode=1)
-    view.show_comparison(found, "Now", "File", summary="Renewed.")
+    changes = comparison(serial_timeout=6, motor1_acceleration=9, motor_mode=1)
+    view.show_comparison(changes, "Now", "File", summary="Renewed.")
     assert driver.table.currentIndex().data() == key
     assert {row.key for row in view.table.ticked} == {"serial_timeout", "motor_mode"}
     assert driver.text("comparisonSummary") == "Renewed."
 
 
 def test_left_out_settings_are_listed(view: ComparisonView, driver: ComparisonDialog) -> None:
-    found = replace(comparison(serial_timeout=5), left_out=("Motor Mode is left out.",))
-    view.show_comparison(found, "Now", "File")
+    changes = replace(comparison(serial_timeout=5), left_out=("Motor Mode is left out.",))
+    view.show_comparison(changes, "Now", "File")
     assert "left out" in driver.text("comparisonLeftOut")
     assert driver.has("comparisonLeftOut")
     view.show_nothing("Select a snapshot.")
@@ -113,28 +111,25 @@ def test_left_out_settings_are_listed(view: ComparisonView, driver: ComparisonDi
     assert driver.table.model().rowCount() == 0
 
 
-# --- Readable in full -------------------------------------------------------------------
+# --- Text that fits its cell ------------------------------------------------------------
 
 
-TICK = 20
+SIGN_WIDTH = 20
 
 
-def _length(spec: ParameterSpec, wire: int) -> int:
-    return len(spec.text(wire))
-
-
-def worst() -> Comparison:
-    """Return the longest text of each setting, and a calibration without an old value."""
+def longest_texts() -> Comparison:
+    """Compare the values with the longest texts, and a calibration without an old value."""
     longest = {
-        spec.key: max(spec.valid, key=partial(_length, spec))
+        spec.key: max((len(spec.text(wire)), wire) for wire in spec.valid)[1]
         for spec in specs_for(BEFORE.product, BEFORE.firmware).readable
     }
-    whole = Calibration(2600, 3700, 4900, 61)
-    before = {p: c for p, c in BEFORE.calibrations.items() if p != "rc_channel_3"}
+    calibration = Calibration(2600, 3700, 4900, 61)
+    before = {**BEFORE.calibrations}
+    del before[CalibrationKey.RC_CHANNEL_3]
     after = {
         **BEFORE.calibrations,
-        CalibrationKey.RC_CHANNEL_2: whole,
-        CalibrationKey.RC_CHANNEL_3: whole,
+        CalibrationKey.RC_CHANNEL_2: calibration,
+        CalibrationKey.RC_CHANNEL_3: calibration,
     }
     return compare(
         replace(BEFORE, calibrations=before),
@@ -142,25 +137,25 @@ def worst() -> Comparison:
     )
 
 
-def cut_short(table: QTableView) -> list[str]:
+def truncated_texts(table: QTableView) -> list[str]:
     """Return the texts that do not fit into their cells, measured independently of the view."""
     bold = table.font()
     bold.setBold(True)
-    model, cut = table.model(), []
+    model, truncated = table.model(), []
     for row in range(model.rowCount()):
         for column in range(model.columnCount()):
             index = model.index(row, column)
             cell, text = table.visualRect(index), str(index.data())
-            shown = cell.left() >= 0 and cell.right() < table.viewport().width()
-            sign = 0 if column in {ComparisonColumn.BEFORE, ComparisonColumn.WIRE} else TICK
+            is_visible = cell.left() >= 0 and cell.right() < table.viewport().width()
+            sign = 0 if column in {ComparisonColumn.BEFORE, ComparisonColumn.WIRE} else SIGN_WIDTH
             font = index.data(Qt.ItemDataRole.FontRole)
             is_bold = font is not None and font.bold()
             metrics = QFontMetrics(bold if is_bold else table.font())
             space = QRect(0, 0, cell.width() - 6 - sign, 10_000)
             needed = metrics.boundingRect(space, Qt.TextFlag.TextWordWrap, text)
-            if not shown or needed.width() > space.width() or needed.height() > cell.height():
-                cut.append(text)
-    return cut
+            if not is_visible or needed.width() > space.width() or needed.height() > cell.height():
+                truncated.append(text)
+    return truncated
 
 
 def test_longest_rows_and_reasons_are_readable(
@@ -168,13 +163,13 @@ def test_longest_rows_and_reasons_are_readable(
 ) -> None:
     view.resize(712, 400)  # in a dialog of width 760
     driver.click("detailsBox")
-    view.show_comparison(worst(), "On the board", "Factory default")
+    view.show_comparison(longest_texts(), "On the board", "Factory default")
     table = driver.table
     texts = {str(table.model().index(row, 2).data()) for row in range(40)}
     assert any("stop bit" in text for text in texts)
-    assert cut_short(table) == []
+    assert truncated_texts(table) == []
 
-    why = "The board refused it: Channels 1, 2 and 3 drive the motors, but not in this mode."
-    outcomes = {row.key: why for row in view.table.comparison.rows}
-    view.show_comparison(worst(), "Before", "After", with_ticks=False, outcomes=outcomes)
-    assert cut_short(table) == []
+    reason = "The board refused it: Channels 1, 2 and 3 drive the motors, but not in this mode."
+    outcomes = {row.key: reason for row in view.table.comparison.rows}
+    view.show_comparison(longest_texts(), "Before", "After", with_ticks=False, outcomes=outcomes)
+    assert truncated_texts(table) == []

@@ -1,4 +1,4 @@
-"""Curve with its handles, on its own."""
+"""Curve plot and its handles."""
 
 from dataclasses import replace
 
@@ -22,7 +22,7 @@ from trex_gui.ui.plotting.canvas import PlotCanvas
 from trex_gui.ui.theme.theme import theme
 from trex_gui.ui.translations import LANGUAGES
 
-USUAL = ChannelCurve(Calibration(2500, 3750, 5000, 75))
+CURVE = ChannelCurve(Calibration(2500, 3750, 5000, 75))
 
 
 @pytest.fixture
@@ -32,7 +32,7 @@ def plot(qapp: QApplication, qtbot: QtBot) -> CurvePlot:
     widget = CurvePlot()
     qtbot.addWidget(widget)
     widget.resize(700, 420)
-    widget.show_channel(1, InputSource.RC, USUAL, USUAL, editable=True)
+    widget.show_channel(1, InputSource.RC, CURVE, CURVE, editable=True)
     widget.show()
     widget.grab()
     return widget
@@ -66,36 +66,31 @@ def test_dragged_handle_changes_its_value_once_on_release(
     assert edited[0] == previewed[-1]
     pixel = 3700 / driver.viewport.width()
     assert abs(getattr(edited[0], field) - expected) <= pixel
-    unchanged = replace(USUAL.calibration, **{field: getattr(edited[0], field)})
+    unchanged = replace(CURVE.calibration, **{field: getattr(edited[0], field)})
     assert edited[0] == unchanged
 
 
 def test_curve_follows_a_held_handle(plot: CurvePlot, driver: CurvePlotDriver) -> None:
     dots = [plot.dot]
     plot.set_raw(2600)
-    start = driver.place(Handle.MINIMUM)
-    driver.press(start)
-    driver.move(QPoint(round(plot.x_of(2600)), start.y()))
+    driver.drag_handle(Handle.MINIMUM, 2600, release=False)
     assert plot.curve is not None
     assert abs(plot.curve.calibration.minimum - 2600) < 8
     assert plot.dot == (2600, plot.curve.output(2600))
-    driver.release(QPoint(round(plot.x_of(2600)), start.y()))
+    driver.release(driver.place(Handle.MINIMUM))
     plot.set_raw(None)
     assert [*dots, plot.dot] == [None, None]
 
 
 def test_handle_blocked_by_another_shows_the_reason(driver: CurvePlotDriver) -> None:
-    start = driver.place(Handle.MINIMUM)
-    beyond = QPoint(round(driver.plot.x_of(4200)), start.y())
     edited: list[Calibration] = []
     driver.plot.edited.connect(edited.append)
-    driver.press(start)
-    driver.move(beyond)
+    driver.drag_handle(Handle.MINIMUM, 4200, release=False)
     assert driver.plot.handles.message == "Minimum cannot pass neutral."
     colour, picture = theme().color("warning"), driver.plot.grab().toImage()
-    at = round(driver.plot.x_of(3750)) + 10
-    assert any(picture.pixelColor(at, y) == colour for y in range(picture.height()))
-    driver.release(beyond)
+    x = round(driver.plot.x_of(3750)) + 10
+    assert any(picture.pixelColor(x, y) == colour for y in range(picture.height()))
+    driver.release(driver.place(Handle.MINIMUM))
     assert driver.plot.handles.message == ""
     assert edited == [Calibration(3750, 3750, 5000, 75)]
 
@@ -103,18 +98,15 @@ def test_handle_blocked_by_another_shows_the_reason(driver: CurvePlotDriver) -> 
 def test_handle_back_at_its_start_changes_nothing(driver: CurvePlotDriver, qtbot: QtBot) -> None:
     flat = ChannelCurve(Calibration(3750, 3750, 5000, 75))
     driver.plot.show_channel(1, InputSource.RC, flat, flat, editable=True)
-    start = driver.place(Handle.MINIMUM)
-    end = QPoint(round(driver.plot.x_of(4100)), start.y())
-    driver.press(start)
-    driver.move(end)
+    driver.drag_handle(Handle.MINIMUM, 4100, release=False)
     assert driver.plot.handles.message == "Minimum cannot pass neutral."
     with qtbot.assertNotEmitted(driver.plot.edited), qtbot.waitSignal(driver.plot.released):
-        driver.release(end)
+        driver.release(driver.place(Handle.MINIMUM))
     assert driver.plot.handles.message == ""
 
 
 def test_axis_follows_a_handle_up_to_the_input_limits(driver: CurvePlotDriver) -> None:
-    for handle, count, reached, words in (
+    for handle, count, limited, message in (
         (Handle.MAXIMUM, 5800, 5800, ""),
         (Handle.MAXIMUM, 7000, 6250, "Pulses range from 500 µs to 2500 µs."),
         (Handle.MINIMUM, 1600, 1600, ""),
@@ -125,14 +117,14 @@ def test_axis_follows_a_handle_up_to_the_input_limits(driver: CurvePlotDriver) -
         driver.press(start)
         driver.move(end)
         assert driver.plot.curve is not None
-        assert abs(handle.count(driver.plot.curve.calibration) - reached) < 8
-        assert driver.plot.handles.message == words
+        dragged = handle.count(driver.plot.curve.calibration)
+        assert abs(dragged - limited) < 8
+        assert driver.plot.handles.message == message
         low, high = driver.plot.axis
-        assert low <= handle.count(driver.plot.curve.calibration) <= high
-        shown = round(driver.plot.x_of(handle.count(driver.plot.curve.calibration)))
-        assert 0 < shown < driver.viewport.width(), "the handle can be seen"
+        assert low <= dragged <= high
+        assert 0 < driver.place(handle).x() < driver.viewport.width(), "the handle is visible"
         driver.release(end)
-        assert driver.plot.axis == (2000, 5500), "the edit was not applied"
+        assert driver.plot.axis == (2000, 5500), "no edit was applied"
 
 
 def test_handle_at_the_axis_end_moves_in_small_steps(driver: CurvePlotDriver) -> None:
@@ -150,13 +142,13 @@ def test_handle_at_the_axis_end_moves_in_small_steps(driver: CurvePlotDriver) ->
     assert counts[-1] < 5700
 
 
-def test_click_or_a_drag_of_a_read_only_plot_moves_no_handle(
+def test_click_or_read_only_drag_moves_no_handle(
     plot: CurvePlot, driver: CurvePlotDriver, qtbot: QtBot
 ) -> None:
     with qtbot.assertNotEmitted(plot.edited):
         for handle in Handle:
             QTest.mouseClick(driver.viewport, LEFT, pos=driver.place(handle) + QPoint(3, 0))
-    plot.show_channel(1, InputSource.RC, USUAL, USUAL, editable=False)
+    plot.show_channel(1, InputSource.RC, CURVE, CURVE, editable=False)
     with qtbot.assertNotEmitted(plot.previewed):
         driver.drag_handle(Handle.MAXIMUM, 5200)
 
@@ -167,10 +159,10 @@ def test_held_handle_is_released_when_editing_is_disabled(
     start = driver.place(Handle.MAXIMUM)
     driver.press(start)
     driver.move(start + QPoint(20, 0))
-    driver.plot.show_channel(1, InputSource.RC, USUAL, USUAL, editable=False)
+    driver.plot.show_channel(1, InputSource.RC, CURVE, CURVE, editable=False)
     with qtbot.assertNotEmitted(driver.plot.edited):
         driver.release(start + QPoint(20, 0))
-    assert driver.plot.curve == USUAL
+    assert driver.plot.curve == CURVE
 
 
 def test_nearby_handles_are_distinguished_by_height(driver: CurvePlotDriver) -> None:
@@ -189,7 +181,7 @@ def test_nearby_handles_are_distinguished_by_height(driver: CurvePlotDriver) -> 
 def test_axis_widens_for_the_calibration(plot: CurvePlot) -> None:
     assert plot.axis == (2000, 5500)
     wide = ChannelCurve(Calibration(1500, 3750, 6000, 75))
-    plot.show_channel(1, InputSource.RC, USUAL, wide, editable=True)
+    plot.show_channel(1, InputSource.RC, CURVE, wide, editable=True)
     assert plot.axis[0] < 1500
     assert plot.axis[1] > 6000
     plot.show_channel(1, InputSource.ANALOG, None, None, editable=False)

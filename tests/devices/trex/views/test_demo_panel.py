@@ -32,17 +32,17 @@ from trex_gui.ui.widgets.labels import Note
 from trex_gui.ui.widgets.leds import Leds, is_lit
 from trex_gui.ui.widgets.sliders import StickSlider
 
-# --- Words ------------------------------------------------------------------------------
+# --- Texts ------------------------------------------------------------------------------
 
 
-def _at_work() -> DemoSnapshot:
-    """Return a board in serial mode, two seconds after its start."""
+def _running_board() -> DemoSnapshot:
+    """Return the state of a board in serial mode, two seconds after its start."""
     line = SimulatedBoards([Board()])
     line.advance(2)
     return read_snapshot(control(line, "show").removeprefix("ok "))
 
 
-SERIAL = _at_work()
+SERIAL = _running_board()
 RC = replace(
     SERIAL,
     mode=Mode.RC,
@@ -59,13 +59,13 @@ def test_packet_led_is_shown_without_flicker() -> None:
         assert led_patterns(replace(RC, leds=DemoLeds(flicker, "on"))) == (PACKETS, "on")
 
 
-def test_dark_led_is_described_in_the_language(qapp: QApplication) -> None:
+def test_dark_led_is_described_in_french(qapp: QApplication) -> None:
     with in_language(qapp, QLocale("fr")):
         assert led_words("off") == "éteinte"
 
 
 @pytest.mark.parametrize(
-    ("snapshot", "words"),
+    ("snapshot", "text"),
     [
         (SERIAL, "Serial commands control the motors (serial mode)."),
         (RC, "RC mode. The sticks"),
@@ -76,8 +76,8 @@ def test_dark_led_is_described_in_the_language(qapp: QApplication) -> None:
         (replace(SERIAL, boot_mode="boot loader: requested"), "Boot loader"),
     ],
 )
-def test_board_state_is_described(snapshot: DemoSnapshot, words: str) -> None:
-    assert words in state_text(snapshot)
+def test_board_state_is_described(snapshot: DemoSnapshot, text: str) -> None:
+    assert text in state_text(snapshot)
 
 
 # --- LEDs -------------------------------------------------------------------------------
@@ -94,7 +94,7 @@ def test_board_state_is_described(snapshot: DemoSnapshot, words: str) -> None:
     ],
 )
 def test_pattern_is_lit_and_dark_in_turn(pattern: str, lit: float, dark: float) -> None:
-    assert is_lit(pattern, 0.0), "in pictures"
+    assert is_lit(pattern, 0.0), "pictures show the LED lit"
     assert is_lit(pattern, lit)
     assert is_lit(pattern, lit + 3)
     assert not is_lit(pattern, dark)
@@ -138,7 +138,7 @@ def test_lit_led_differs_without_colour(qtbot: QtBot, qapp: QApplication, scheme
         middle, side = image.pixelColor(image.rect().center()), image.width() // 3
         pictures.append((middle.lightness(), image.pixelColor(side, side).lightness()))
     assert pictures[0] != pictures[1]
-    assert pictures[1][0] != pictures[1][1], "a lit one has a glint"
+    assert pictures[1][0] != pictures[1][1], "a lit LED has a glint"
     assert pictures[0][0] == pictures[0][1]
 
 
@@ -216,7 +216,7 @@ def test_alarming_note_is_bold_and_coloured(qtbot: QtBot, qapp: QApplication) ->
     note.ensurePolished()
     assert note.font().bold()
     assert note.palette().color(note.foregroundRole()) == theme().color("warning")
-    note.show_note("calm")
+    note.show_note("normal")
     assert not note.font().bold()
     assert note.palette().color(note.foregroundRole()) == theme().color("window_text")
 
@@ -235,9 +235,9 @@ def panel(window: WindowDriver) -> DemoDock:
 
 @pytest.fixture
 def restart(program: Program, qtbot: QtBot) -> Callable[[Program], WindowDriver]:
-    """Restart the program."""
+    """Function that closes a program and starts the next one."""
 
-    def again(before: Program) -> WindowDriver:
+    def restart_program(before: Program) -> WindowDriver:
         before.window.close()
         if before is not program:
             trex(before).controller.shut_down()
@@ -246,7 +246,7 @@ def restart(program: Program, qtbot: QtBot) -> Callable[[Program], WindowDriver]
         after.window.show()
         return WindowDriver(after, qtbot)
 
-    return again
+    return restart_program
 
 
 def test_panel_is_shown_with_the_demo_unless_closed(window: WindowDriver, panel: DemoDock) -> None:
@@ -260,7 +260,7 @@ def test_panel_is_shown_with_the_demo_unless_closed(window: WindowDriver, panel:
     assert window.window.dockWidgetArea(panel) is Qt.DockWidgetArea.RightDockWidgetArea
     assert action.isEnabled()
     assert action.isChecked()
-    assert not window.is_enabled("demoInput1"), "the simulator is being started"
+    assert not window.is_enabled("demoInput1"), "the simulator is starting"
     assert "is starting" in window.text("demoState")
     connector.disconnect_device()
     assert panel.isHidden()
@@ -275,7 +275,7 @@ def test_panel_is_shown_with_the_demo_unless_closed(window: WindowDriver, panel:
     assert not action.isChecked()
     connector.disconnect_device()
     connector.connect_to(demo)
-    assert panel.isHidden(), "it was closed"
+    assert panel.isHidden(), "the user closed the panel"
     action.trigger()
     assert panel.isVisible()
     assert action.isChecked()
@@ -294,14 +294,14 @@ def test_panel_is_restored_at_the_next_start(
     assert panel_of(window).isHidden()
     trex(second).controller.connect_to(second.ports.demo_of("trex"))
     assert panel_of(window).isVisible()
-    where = second.window.dockWidgetArea(panel_of(window))
-    assert where is Qt.DockWidgetArea.LeftDockWidgetArea
+    area = second.window.dockWidgetArea(panel_of(window))
+    assert area is Qt.DockWidgetArea.LeftDockWidgetArea
 
     panel_of(window).close()
     window = restart(second)
     third = window.program
     trex(third).controller.connect_to(third.ports.demo_of("trex"))
-    assert panel_of(window).isHidden(), "it was closed"
+    assert panel_of(window).isHidden(), "the user closed the panel"
     trex(third).controller.shut_down()
 
 

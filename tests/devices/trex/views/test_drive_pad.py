@@ -1,6 +1,8 @@
 """Pad and slider under mouse, touch and keys."""
 
 from collections.abc import Callable
+from itertools import product
+from typing import Any
 
 import pytest
 from PySide6.QtCore import QEvent, QPoint, Qt
@@ -35,7 +37,7 @@ class DriveControlsDriver(WidgetDriver):
             layout.addWidget(widget)
         self.setpoints: list[tuple[float, float]] = []
         self.released: list[str] = []
-        self.pad.steered.connect(lambda *way: self.setpoints.append(way))
+        self.pad.steered.connect(lambda *setpoint: self.setpoints.append(setpoint))
         self.pad.released.connect(lambda: self.released.append("pad"))
         self.slider.released.connect(lambda: self.released.append("slider"))
         self.window.resize(600, 300)
@@ -44,9 +46,6 @@ class DriveControlsDriver(WidgetDriver):
         self.window.activateWindow()
         self.wait(self.window.isActiveWindow)
 
-    def hold_pad(self) -> None:
-        QTest.mousePress(self.pad, LEFT, pos=self.pad.rect().center() - QPoint(0, 40))
-
 
 @pytest.fixture
 def controls(qtbot: QtBot) -> DriveControlsDriver:
@@ -54,7 +53,7 @@ def controls(qtbot: QtBot) -> DriveControlsDriver:
 
 
 @pytest.mark.parametrize("can_turn", [True, False])
-def test_pad_maps_its_places_to_forward_and_turn(
+def test_pad_position_sets_forward_and_turn(
     controls: DriveControlsDriver, *, can_turn: bool
 ) -> None:
     controls.pad.set_can_turn(can_turn)
@@ -63,69 +62,57 @@ def test_pad_maps_its_places_to_forward_and_turn(
     assert 0 < forward <= 1
     assert (0 < turn < forward) if can_turn else turn == 0
     QTest.mouseMove(controls.pad, controls.pad.rect().center() + QPoint(2, -80))
-    assert controls.setpoints[-1][1] == 0, "near an axis"
+    assert controls.setpoints[-1][1] == 0, "positions near an axis do not turn"
     QTest.mouseMove(controls.pad, QPoint(3000, 3000))
-    assert controls.setpoints[-1] == (-1, 1 if can_turn else 0), "beyond its edge"
+    assert controls.setpoints[-1] == (-1, 1 if can_turn else 0), "limited by the edge"
 
 
 def cancel_touch(pad: DrivePad) -> None:
     finger = QTest.createTouchDevice()
     assert isinstance(finger, QPointingDevice)
-    cancelled = QTouchEvent(QEvent.Type.TouchCancel, finger)
-    QApplication.sendEvent(pad, cancelled)
+    QApplication.sendEvent(pad, QTouchEvent(QEvent.Type.TouchCancel, finger))
+
+
+ENDS: list[Callable[[DriveControlsDriver, Any], object]] = [
+    lambda _controls, control: QTest.mouseRelease(control, LEFT, pos=QPoint(5, 5)),
+    lambda controls, _control: controls.other_button.setFocus(),
+    lambda _controls, control: control.setEnabled(False),
+    lambda controls, _control: controls.window.setEnabled(False),
+    lambda _controls, control: control.hide(),
+    lambda controls, _control: controls.window.hide(),
+    lambda _controls, control: control.release(),
+    lambda _controls, control: QApplication.sendEvent(control, QEvent(QEvent.Type.UngrabMouse)),
+]
+PAD_ENDS: list[Callable[[DriveControlsDriver, Any], object]] = [
+    lambda _controls, pad: QTest.mousePress(pad, Qt.MouseButton.RightButton),
+    lambda _controls, pad: pad.set_can_turn(False),
+    lambda _controls, pad: cancel_touch(pad),
+    lambda _controls, pad: QApplication.sendEvent(pad, QEvent(QEvent.Type.WindowDeactivate)),
+]
 
 
 @pytest.mark.qt_log_ignore("not accepted by receiving widget", extend=True)  # disabled widget
 @pytest.mark.parametrize(
-    "end",
-    [
-        lambda controls: QTest.mouseRelease(controls.pad, LEFT, pos=QPoint(5, 5)),
-        lambda controls: QTest.mousePress(controls.pad, Qt.MouseButton.RightButton),
-        lambda controls: controls.other_button.setFocus(),
-        lambda controls: controls.pad.setEnabled(False),
-        lambda controls: controls.window.setEnabled(False),
-        lambda controls: controls.pad.hide(),
-        lambda controls: controls.window.hide(),
-        lambda controls: controls.pad.set_can_turn(False),
-        lambda controls: controls.pad.release(),
-        lambda controls: cancel_touch(controls.pad),
-        lambda controls: QApplication.sendEvent(controls.pad, QEvent(QEvent.Type.UngrabMouse)),
-        lambda controls: QApplication.sendEvent(controls.pad, QEvent(QEvent.Type.WindowDeactivate)),
-    ],
+    ("name", "end"), [*product(("pad", "slider"), ENDS), *product(("pad",), PAD_ENDS)]
 )
-def test_pad_is_released_once_and_then_ignores_the_mouse(
-    controls: DriveControlsDriver, end: Callable[[DriveControlsDriver], object]
+def test_control_is_released_once_and_then_ignores_the_mouse(
+    controls: DriveControlsDriver,
+    name: str,
+    end: Callable[[DriveControlsDriver, QWidget], object],
 ) -> None:
-    controls.hold_pad()
-    end(controls)
-    assert controls.released == ["pad"]
-    count = len(controls.setpoints)
-    QTest.mouseMove(controls.pad, QPoint(20, 20))
-    assert len(controls.setpoints) == count
-    assert "At rest" in spoken_state(controls.pad)
-
-
-@pytest.mark.parametrize(
-    "end",
-    [
-        lambda controls: QTest.mouseRelease(controls.slider, LEFT, pos=QPoint(5, 5)),
-        lambda controls: controls.other_button.setFocus(),
-        lambda controls: controls.slider.setEnabled(False),
-        lambda controls: controls.window.hide(),
-        lambda controls: controls.slider.release(),
-        lambda controls: QApplication.sendEvent(controls.slider, QEvent(QEvent.Type.UngrabMouse)),
-    ],
-)
-def test_slider_is_released_once_and_then_ignores_the_mouse(
-    controls: DriveControlsDriver, end: Callable[[DriveControlsDriver], object]
-) -> None:
-    QTest.mousePress(controls.slider, LEFT, pos=controls.handle_of(controls.slider))
-    assert controls.slider.held
-    end(controls)
-    assert controls.released == ["slider"]
-    value = controls.slider.value()
-    QTest.mouseMove(controls.slider, QPoint(20, 20))
-    assert controls.slider.value() == value
+    pad, slider = controls.pad, controls.slider
+    control, place = {
+        "pad": (pad, pad.rect().center() - QPoint(0, 40)),
+        "slider": (slider, controls.handle_of(slider)),
+    }[name]
+    QTest.mousePress(control, LEFT, pos=place)
+    assert pad.held or slider.held
+    end(controls, control)
+    assert controls.released == [name]
+    before = (len(controls.setpoints), slider.value())
+    QTest.mouseMove(control, QPoint(20, 20))
+    assert (len(controls.setpoints), slider.value()) == before
+    assert "At rest" in spoken_state(pad)
 
 
 def test_no_single_key_sets_full_speed(controls: DriveControlsDriver) -> None:
@@ -184,7 +171,8 @@ def test_key_holds_the_slider_until_it_is_released(controls: DriveControlsDriver
     assert not controls.slider.held
 
 
-def typing_in(qtbot: QtBot, text: str) -> tuple[SpeedEntry, list[int]]:
+def type_number(qtbot: QtBot, text: str) -> tuple[SpeedEntry, list[int]]:
+    """Type text into an entry. Return the entry and the list of its chosen speeds."""
     entry = SpeedEntry()
     qtbot.addWidget(entry)
     entry.setRange(-127, 127)
@@ -201,7 +189,7 @@ def typing_in(qtbot: QtBot, text: str) -> tuple[SpeedEntry, list[int]]:
 
 
 def test_setpoint_does_not_overwrite_a_typed_number(qtbot: QtBot) -> None:
-    entry, chosen = typing_in(qtbot, "10")
+    entry, chosen = type_number(qtbot, "10")
     entry.show_setpoint(30)
     assert entry.text() == "10"
     QTest.keyClick(entry, Qt.Key.Key_Return)
@@ -210,8 +198,8 @@ def test_setpoint_does_not_overwrite_a_typed_number(qtbot: QtBot) -> None:
     assert entry.text() == "30"
 
 
-def test_retyped_number_is_sent_once_and_a_step_at_once(qtbot: QtBot) -> None:
-    entry, chosen = typing_in(qtbot, "7")
+def test_number_is_sent_once_and_a_step_immediately(qtbot: QtBot) -> None:
+    entry, chosen = type_number(qtbot, "7")
     QTest.keyClick(entry, Qt.Key.Key_Return)
     QTest.keyClick(entry, Qt.Key.Key_Return)
     assert chosen == [7]
@@ -219,10 +207,10 @@ def test_retyped_number_is_sent_once_and_a_step_at_once(qtbot: QtBot) -> None:
     assert chosen[-1] == 8
 
 
-@pytest.mark.parametrize("leave", [SpeedEntry.clearFocus, SpeedEntry.hide, SpeedEntry.close])
-def test_unentered_number_is_discarded(qtbot: QtBot, leave: Callable[[SpeedEntry], object]) -> None:
-    entry, chosen = typing_in(qtbot, "100")
+@pytest.mark.parametrize("end", [SpeedEntry.clearFocus, SpeedEntry.hide, SpeedEntry.close])
+def test_unentered_number_is_discarded(qtbot: QtBot, end: Callable[[SpeedEntry], object]) -> None:
+    entry, chosen = type_number(qtbot, "100")
     entry.show_setpoint(30)
-    leave(entry)
+    end(entry)
     assert not chosen
     assert entry.text() == "30"

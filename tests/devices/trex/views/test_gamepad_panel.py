@@ -18,7 +18,6 @@ from trex_gui.ui.widgets.leds import Lamp
 HOLD, STOP = 4, 1
 OTHER_X, OTHER_Y = 2, 3
 
-
 Panel = GamepadPanelPage[HeldPads]
 
 

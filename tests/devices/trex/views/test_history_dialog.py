@@ -1,4 +1,4 @@
-"""History without a board."""
+"""History dialog without a board."""
 
 from collections.abc import Iterator
 from datetime import timedelta
@@ -69,8 +69,8 @@ def test_snapshot_gets_a_name_that_the_search_finds(dialog: HistoryDialog) -> No
 
 
 def test_two_snapshots_are_compared_with_each_other(dialog: HistoryDialog) -> None:
-    for ago, wire in ((3, 5), (2, 6), (1, 7)):
-        create_snapshot(dialog.history, ago * MINUTE, serial_timeout=wire)
+    for minutes, wire in ((3, 5), (2, 6), (1, 7)):
+        create_snapshot(dialog.history, minutes * MINUTE, serial_timeout=wire)
     dialog.open()
     dialog.select_snapshot(2, 0)
     dialog.wait(lambda: dialog.values() == {"serial_timeout": ("0.7 s", "0.5 s")})
@@ -78,13 +78,13 @@ def test_two_snapshots_are_compared_with_each_other(dialog: HistoryDialog) -> No
     dialog.wait_for_text("comparisonSummary", "two to compare")
 
 
-def test_only_snapshot_shows_what_it_contains(dialog: HistoryDialog) -> None:
+def test_single_snapshot_shows_its_content(dialog: HistoryDialog) -> None:
     create_snapshot(dialog.history, serial_timeout=7)
     dialog.open()
     assert dialog.values()["serial_timeout"] == ("not given", "0.7 s")
 
 
-def test_damaged_snapshot_is_explained_and_never_offered(dialog: HistoryDialog) -> None:
+def test_damaged_snapshot_is_explained_and_cannot_be_restored(dialog: HistoryDialog) -> None:
     create_snapshot(dialog.history, 2 * MINUTE)
     create_snapshot(dialog.history, MINUTE).path.write_text("rubbish\n", encoding="utf-8")
     create_snapshot(dialog.history)
@@ -126,12 +126,12 @@ def test_changes_of_another_program_appear_on_refresh(dialog: HistoryDialog) -> 
     assert dialog.selected_row() == 1  # the selection remains
 
 
-# --- User actions ---------------------------------------------------------------------
+# --- User actions -----------------------------------------------------------------------
 
 
 def test_deletion_needs_confirmation_in_the_dialog(dialog: HistoryDialog) -> None:
-    for ago in (3, 2, 1):
-        create_snapshot(dialog.history, ago * MINUTE)
+    for minutes in (3, 2, 1):
+        create_snapshot(dialog.history, minutes * MINUTE)
     dialog.open()
     dialog.select_snapshot(1)
     dialog.click("deleteSnapshotButton")
@@ -141,11 +141,11 @@ def test_deletion_needs_confirmation_in_the_dialog(dialog: HistoryDialog) -> Non
     assert names.count("historyQuestionYes") == 1
     dialog.answer(yes=False)
     assert len(dialog.history.snapshots()) == 3
-    gone = dialog.history.snapshots()[1]
+    deleted = dialog.history.snapshots()[1]
     dialog.snapshots.setFocus()
     QTest.keyClick(dialog.snapshots, Qt.Key.Key_Delete)
     dialog.answer(yes=True)
-    assert gone not in dialog.history.snapshots()
+    assert deleted not in dialog.history.snapshots()
     assert len(dialog.history.snapshots()) == 2
     assert dialog.selected_row() == 1  # the next snapshot
 
@@ -155,7 +155,7 @@ def test_deleting_the_last_snapshot_empties_the_history(dialog: HistoryDialog) -
     dialog.open()
     dialog.click("deleteSnapshotButton")
     dialog.root.close()
-    assert len(dialog.history.snapshots()) == 1, "the question was not answered"
+    assert len(dialog.history.snapshots()) == 1, "the user did not confirm the deletion"
     dialog.open()
     dialog.click("deleteSnapshotButton")
     dialog.answer(yes=True)
@@ -173,8 +173,8 @@ def test_copy_is_saved_as_a_settings_file(
     dialog.wait_for_files()
     assert path.read_bytes() == snapshot.path.read_bytes()
     assert str(path) in dialog.banner
-    lost = tmp_path / "nowhere" / "copy.txt"
-    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(lost), ""))
+    missing = tmp_path / "nowhere" / "copy.txt"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(missing), ""))
     dialog.click("saveSnapshotButton")
     dialog.wait_for_files()
     assert "Nothing was saved" in dialog.banner

@@ -1,4 +1,4 @@
-"""Driver of a served board: texts on the pages, and prompts."""
+"""Pages and prompts of a served board, which one user at a time may drive."""
 
 from collections.abc import Callable
 from typing import Any
@@ -19,8 +19,8 @@ from trex_gui.devices.trex.session.messages import (
     TakeLease,
 )
 
-MINE = LeaseChanged("me", "me", is_mine=True)
-OTHERS = LeaseChanged("me", "alice")
+MY_LEASE = LeaseChanged("me", "me", is_mine=True)
+LEASE_OF_ALICE = LeaseChanged("me", "alice")
 REFUSED = MotorsStopped(ErrorCode.OTHER_DRIVES, confirmed=True)
 
 
@@ -63,16 +63,16 @@ def texts(served: ServedWindow) -> list[str]:
 
 
 def test_pages_show_driver_and_network_delay(served: ServedWindow) -> None:
-    served.report(OTHERS)
+    served.report(LEASE_OF_ALICE)
     served.report(NetworkDelay(0.0123))
     assert any("alice drives this robot" in text for text in texts(served))
     assert any("network 12 ms" in text for text in texts(served))
-    served.report(MINE)
+    served.report(MY_LEASE)
     assert not any("drives this robot" in text for text in texts(served))
 
 
 def test_driver_hands_over_on_request(served: ServedWindow) -> None:
-    served.report(MINE)
+    served.report(MY_LEASE)
     assert not served.question
     served.report(LeaseChanged("me", "me", is_mine=True, waiting=("bob",)))
     assert "bob wants to drive" in served.question
@@ -82,7 +82,7 @@ def test_driver_hands_over_on_request(served: ServedWindow) -> None:
 
 def test_prompt_closes_when_no_user_waits(served: ServedWindow) -> None:
     served.report(LeaseChanged("me", "me", is_mine=True, waiting=("bob",)))
-    served.report(MINE)
+    served.report(MY_LEASE)
     assert not served.question
 
 
@@ -97,10 +97,10 @@ def test_owner_may_take_over(served: ServedWindow, may_take: bool) -> None:
 
 
 def test_user_is_notified_of_the_handover(served: ServedWindow) -> None:
-    served.report(OTHERS)
+    served.report(LEASE_OF_ALICE)
     served.report(REFUSED)
     assert "Another user drives" in served.window.device.notifier.shown
-    served.report(MINE)
+    served.report(MY_LEASE)
     assert "You may drive now" in served.window.device.notifier.shown
 
 
@@ -113,25 +113,26 @@ def test_silent_network_is_distinguished_from_a_silent_board(served: ServedWindo
 
 # --- Robots on the network ----------------------------------------------------------------
 
-ROW = {"name": "arm", "board": "TReX 1.2", "responds": True, "driver": "alice", "problems": []}
+ROBOT = {"name": "arm", "board": "TReX 1.2", "responds": True, "driver": "alice", "problems": []}
 
 
 @pytest.fixture
-def found(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
-    rows = [{**ROW, "url": f"trex://10.0.0.{number}/arm"} for number in (1, 2)]
+def robots(monkeypatch: pytest.MonkeyPatch) -> list[dict[str, Any]]:
+    """Two robots that a search of the network finds."""
+    rows = [{**ROBOT, "url": f"trex://10.0.0.{number}/arm"} for number in (1, 2)]
     monkeypatch.setattr(Robots, "find", lambda _: rows)
     return rows
 
 
 def test_robots_are_listed_and_offered_as_ports(
-    window: WindowDriver, found: list[dict[str, Any]]
+    window: WindowDriver, robots: list[dict[str, Any]]
 ) -> None:
     window.trigger("robots")
     window.wait_for_files()
     table = window.find(QTableWidget, "robotsTable")
     cells = [[table.item(row, column).text() for column in range(3)] for row in range(2)]  # type: ignore[union-attr]
-    assert cells == [[row["url"], "TReX 1.2", "alice"] for row in found]
-    assert {row["url"] for row in found} <= {port.url for port in window.program.ports.entries}
+    assert cells == [[row["url"], "TReX 1.2", "alice"] for row in robots]
+    assert {row["url"] for row in robots} <= {port.url for port in window.program.ports.entries}
     assert window.find(QPushButton, "connectRobot").isEnabled()
 
 
@@ -144,7 +145,7 @@ def test_robots_are_listed_and_offered_as_ports(
 )
 def test_all_robots_are_stopped_and_named_if_not_confirmed(
     window: WindowDriver,
-    found: list[dict[str, Any]],
+    robots: list[dict[str, Any]],
     monkeypatch: pytest.MonkeyPatch,
     outcome: Callable[[list[str]], dict[str, str]],
     text: str,

@@ -1,4 +1,4 @@
-"""Motors page: layout, and texts about the speed ceiling."""
+"""Motors page: layout, speed ceiling, currents and channels."""
 
 from collections.abc import Iterator
 
@@ -23,7 +23,7 @@ from trex_gui.ui.widgets.scroll_box import ScrollBox
 
 
 class MotorsPageDriver(WidgetDriver):
-    """Motors page in a scroll area, of a disconnected device."""
+    """Motors page of a disconnected device, in a scroll area."""
 
     def __init__(self, device: Device, qtbot: QtBot) -> None:
         self.device = device
@@ -83,20 +83,20 @@ def test_controls_do_not_move_while_armed(
     page.device.motors.arm()
     page.wait(page.pad.isEnabled)
 
-    def heights() -> list[tuple[int, int]]:
+    def positions() -> list[tuple[int, int]]:
         places = map(page.place_of, (brake, page.pad))
         return [(place.top(), place.bottom()) for place in places]
 
-    before = heights()
+    before = positions()
     page.resize(760, 800)
-    page.wait(lambda: heights() != before)
+    page.wait(lambda: positions() != before)
     virtual_time.advance(0.1)
-    before = heights()
+    before = positions()
     page.button("moreOptions").click()
     QApplication.processEvents()
-    assert heights() == before
+    assert positions() == before
     page.device.motors.stop()
-    page.wait(lambda: heights() != before)
+    page.wait(lambda: positions() != before)
 
 
 def test_currents_are_shown_with_their_limits(
@@ -106,9 +106,9 @@ def test_currents_are_shown_with_their_limits(
     simulator = start_simulator("--unpaced")
     simulator.do("eeprom motor2_current_limit 20", "current 1 3.0", "current 2 4.5")
     page.connect(simulator.url)
-    for amps, shown in ((4.5, "4.50 A"), (4.95, "⚠ 4.95 A"), (6.15, "⚠ 6.15 A")):
+    for amps, text in ((4.5, "4.50 A"), (4.95, "⚠ 4.95 A"), (6.15, "⚠ 6.15 A")):
         simulator.do(f"current 2 {amps}")
-        page.wait_for_text("motor2Current", shown)
+        page.wait_for_text("motor2Current", text)
     assert page.text("motor2Reported") == "limit 6.0 A"
     assert page.find(LiveLabel, "motor1Current").spoken_name() == "Motor 1, current: 3.00 A"
     assert page.text("motor1Reported") == "no limit"

@@ -1,7 +1,5 @@
 """Every parameter of every board in its editor."""
 
-from collections.abc import Iterator
-
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
@@ -29,33 +27,33 @@ def parameters(qtbot: QtBot) -> ParametersDriver:
     return parameters
 
 
-def new_in(model_key: str, firmware: str) -> list[ParameterSpec]:
-    """Return the parameters that differ from all older firmware."""
+def new_parameters(model_key: str, firmware: str) -> list[ParameterSpec]:
+    """Return the parameters that no older firmware of the model has in the same form."""
     older = [version for key, version in BOARDS if key == model_key and version < firmware]
-    tried = [spec for version in older for spec in parameters_of(model_key, version).readable]
+    known = [spec for version in older for spec in parameters_of(model_key, version).readable]
     present = parameters_of(model_key, firmware).readable
-    return [spec for spec in present if spec not in tried and not is_of_frequency(spec)]
+    return [spec for spec in present if spec not in known and not sets_frequency(spec)]
 
 
-def is_of_frequency(spec: ParameterSpec) -> bool:
+def sets_frequency(spec: ParameterSpec) -> bool:
     """Return whether a parameter is edited as part of a PWM frequency."""
     return spec.key.startswith(("motor1_pwm", "motor2_pwm"))
 
 
 def test_each_parameter_of_each_board_is_tested() -> None:
-    tried = {(key, spec.key) for key, version in BOARDS for spec in new_in(key, version)}
+    tested = {(key, spec.key) for key, version in BOARDS for spec in new_parameters(key, version)}
     boards = ((key, parameters_of(key, version)) for key, version in BOARDS)
-    each = ((key, spec) for key, specs in boards for spec in specs.readable)
-    assert tried == {(key, spec.key) for key, spec in each if not is_of_frequency(spec)}
+    pairs = ((key, spec) for key, specs in boards for spec in specs.readable)
+    assert tested == {(key, spec.key) for key, spec in pairs if not sets_frequency(spec)}
 
 
 def values_to_try(spec: ParameterSpec) -> list[int]:
-    """Return a middle, the lowest and the highest value, without repetitions."""
+    """Return a middle, the lowest and the highest value. Each differs from the previous value."""
     valid = sorted(spec.valid)
-    others = [wire for wire in valid if wire != spec.default]
-    values = [others[len(others) // 2], valid[0], valid[-1]]
-    pairs = zip(values, [spec.default, *values], strict=False)
-    return [wire for wire, before in pairs if wire != before]
+    changed = [wire for wire in valid if wire != spec.default]
+    values = [changed[len(changed) // 2], valid[0], valid[-1]]
+    previous = [spec.default, *values]
+    return [wire for wire, before in zip(values, previous, strict=False) if wire != before]
 
 
 def type_number(editor: QWidget, text: str) -> None:
@@ -118,10 +116,10 @@ def test_each_parameter_accepts_its_extreme_values(
 ) -> None:
     parameters = ParametersDriver(qtbot)
     parameters.load(parameters_of(model_key, firmware))
-    for spec in new_in(model_key, firmware):
+    for spec in new_parameters(model_key, firmware):
         for number, wire in enumerate(values_to_try(spec)):
-            opening = parameters.open_with_mouse if number % 2 else parameters.open_with_keys
-            enter(WidgetDriver(opening(spec.key), qtbot), spec, wire)
+            open_editor = parameters.open_with_mouse if number % 2 else parameters.open_with_keys
+            enter(WidgetDriver(open_editor(spec.key), qtbot), spec, wire)
             parameters.wait_for_value(spec.key, wire)
             expected = () if wire == spec.default else ((spec.key, wire),)
             assert parameters.model.values.pending == expected
@@ -137,9 +135,9 @@ def test_each_number_out_of_range_is_rejected_with_its_limits(
 ) -> None:
     parameters = ParametersDriver(qtbot)
     parameters.load(parameters_of(model_key, firmware))
-    no_numbers = {ParameterKind.CHOICE, ParameterKind.CHANNELS, ParameterKind.UART}
-    for spec in new_in(model_key, firmware):
-        if spec.kind not in no_numbers:
+    without_numbers = {ParameterKind.CHOICE, ParameterKind.CHANNELS, ParameterKind.UART}
+    for spec in new_parameters(model_key, firmware):
+        if spec.kind not in without_numbers:
             type_number(parameters.open_with_mouse(spec.key), "99999")
             assert parameters.is_editing(spec.key)
             is_ramp = spec.kind is ParameterKind.ACCELERATION
@@ -184,25 +182,19 @@ def test_keys_change_a_number(parameters: ParametersDriver) -> None:
     editor = parameters.open_with_mouse("serial_timeout")
     QTest.keyClicks(editor, "5")
     parameters.close_editor("serial_timeout")
-    assert parameters.model.values.value_of("serial_timeout") == 15, "Escape keeps the value"
+    assert parameters.model.values.value_of("serial_timeout") == 15, "Escape restores the value"
 
 
-@pytest.fixture
-def double_click(qapp: QApplication) -> Iterator[int]:
-    """Double-click interval in milliseconds, shortened."""
-    before = qapp.doubleClickInterval()
-    qapp.setDoubleClickInterval(10)
-    yield 10
-    qapp.setDoubleClickInterval(before)
-
-
-def test_number_typed_after_a_click_keeps_its_first_digit(
-    parameters: ParametersDriver, double_click: int
+def test_number_typed_after_a_click_retains_its_first_digit(
+    parameters: ParametersDriver, qapp: QApplication
 ) -> None:
     parameters.go_to("serial_timeout")
+    before = qapp.doubleClickInterval()
+    qapp.setDoubleClickInterval(10)
     parameters.click_cell("serial_timeout")
     QTest.keyClicks(parameters.view, "0")
-    QTest.qWait(3 * double_click)  # a second click would open the editor
+    QTest.qWait(30)  # a second click would open the editor
+    qapp.setDoubleClickInterval(before)
     editor = parameters.editor("serial_timeout")
     QTest.keyClicks(editor, ".8 s")
     QTest.keyClick(editor, Qt.Key.Key_Return)
@@ -210,7 +202,7 @@ def test_number_typed_after_a_click_keeps_its_first_digit(
 
 
 def test_arrows_of_acceleration_step_through_the_times(parameters: ParametersDriver) -> None:
-    """Up is a longer time. No step leads from the longest time to no ramp."""
+    """The up arrow selects a longer time. No step leads from the longest time to no ramp."""
     editor = parameters.open_with_keys("motor1_acceleration")
     assert isinstance(editor, AccelerationEditor)
     for start, steps, wire in (
@@ -263,7 +255,7 @@ def test_arrow_keys_step_through_frequencies(parameters: ParametersDriver) -> No
         parameters.load(SPECS, **values)
         QTest.keyClick(parameters.open_with_keys("motor2_pwm_maximum"), Qt.Key.Key_Return)
         parameters.wait_for_no_editor("motor2_pwm_maximum")
-        assert not parameters.model.values.pending, "Return keeps what is no choice"
+        assert not parameters.model.values.pending, "Return retains any stored frequency"
         editor = parameters.open_with_keys("motor2_pwm_maximum")
         QTest.keyClick(editor, Qt.Key.Key_Up if steps > 0 else Qt.Key.Key_Down)
         QTest.keyClick(editor, Qt.Key.Key_Return)
@@ -279,7 +271,7 @@ def test_editor_stays_within_the_table(parameters: ParametersDriver) -> None:
     assert editor.width() >= editor.sizeHint().width()
 
 
-# --- Parameters that a file does not give -----------------------------------------------
+# --- Parameters that are missing in a file ----------------------------------------------
 
 
 @pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
@@ -332,4 +324,4 @@ def test_rounded_value_is_reported(
     parameters.model.rounded.connect(sentences.append)
     type_number(parameters.open_with_keys(key), typed)
     parameters.wait_for_no_editor(key)
-    assert sentences == [f"The nearest that the board can store is {each}." for each in rounded]
+    assert sentences == [f"The nearest that the board can store is {text}." for text in rounded]

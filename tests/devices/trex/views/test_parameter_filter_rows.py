@@ -21,11 +21,11 @@ def model(qtbot: QtBot) -> ParameterModel:
 def keys(
     model: ParameterModel,
     words: str = "",
-    shown: ParameterChoice = ParameterChoice.ALL,
-    *found: str,
+    choice: ParameterChoice = ParameterChoice.ALL,
+    *with_findings: str,
 ) -> list[str]:
     """Return the visible keys."""
-    rows = ParameterFilter(tuple(words.split()), shown, frozenset(found)).rows(model)
+    rows = ParameterFilter(tuple(words.split()), choice, frozenset(with_findings)).rows(model)
     return [key for row in rows for key in model.rows[row].keys]
 
 
@@ -61,8 +61,8 @@ def test_not_default_filter_shows_changed_values(model: ParameterModel) -> None:
 def test_filters_are_combined(model: ParameterModel) -> None:
     model.edit("motor1_acceleration", 4)
     model.edit("device_number", 9)
-    found = keys(model, "acceleration", ParameterChoice.CHANGED)
-    assert found == ["motor1_acceleration", "motor2_acceleration"]
+    visible = keys(model, "acceleration", ParameterChoice.CHANGED)
+    assert visible == ["motor1_acceleration", "motor2_acceleration"]
 
 
 def test_task_without_rows_has_no_heading(model: ParameterModel) -> None:

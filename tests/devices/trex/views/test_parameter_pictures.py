@@ -1,4 +1,4 @@
-"""Drawings of the effects of parameters."""
+"""Pictures that show the effects of parameters."""
 
 import pytest
 
@@ -13,7 +13,7 @@ SPECS = {spec.key: spec for spec in parameters_of("trex", "1.2").readable}
     ("key", "stored", "text", "end"),
     [
         ("motor1_acceleration", [10], "1.3 s to full speed", (1, 0)),
-        ("motor1_brake_duration", [10], "100 ms", (0.2 + 0.8 / 6, 0.4)),  # unknown ramp
+        ("motor1_brake_duration", [10], "100 ms", (0.2 + 0.8 / 6, 0.4)),  # the ramp is unknown
         ("motor1_brake_duration motor1_acceleration", [10, 0], "100 ms", (1, 0)),
         ("motor2_current_limit", [127], "38.1 A", (1, 0.34)),
         ("motor2_current_limit", [1], "0.3 A", (1, 0.8 / 127)),
@@ -22,14 +22,15 @@ SPECS = {spec.key: spec for spec in parameters_of("trex", "1.2").readable}
         ("serial_timeout uart_error_shutdown", [5, 1], "0.5 s: the motors stop", (1, 0.2)),
     ],
 )
-def test_picture_is_drawn_from_the_values(
+def test_picture_shows_the_effect_of_the_values(
     key: str, stored: list[int], text: str, end: tuple[float, float]
 ) -> None:
     keys = key.split()
     picture = picture_of(keys[0], ParameterValues(SPECS, dict(zip(keys, stored, strict=True))))
     assert picture is not None
     assert text in picture.text
-    assert all(0 <= each <= 1 for line in picture.lines for point in line.points for each in point)
+    points = [point for line in picture.lines for point in line.points]
+    assert all(0 <= x <= 1 and 0 <= y <= 1 for x, y in points)
     assert picture.lines[-1].points[-1] == pytest.approx(end)
 
 

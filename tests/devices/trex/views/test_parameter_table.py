@@ -24,7 +24,7 @@ FIRST = "motor1_acceleration"
 CONTROL = Qt.KeyboardModifier.ControlModifier
 
 with_menu = pytest.mark.qt_log_ignore("This plugin does not support", extend=True)
-"""Of the offscreen platform, where a menu is opened."""
+"""Ignores a warning of the offscreen platform when a menu opens."""
 
 
 @pytest.fixture
@@ -52,7 +52,7 @@ def test_first_value_is_selected_once_a_board_is_read(qtbot: QtBot) -> None:
     assert parameters.view.verticalScrollBar().value() == 0, "the first heading is visible"
 
 
-@pytest.mark.parametrize("width", [706, 1200, 3800])  # first: 1024×600 with the demo panel
+@pytest.mark.parametrize("width", [706, 1200, 3800])  # 706: 1024×600 with the demo panel
 def test_no_value_is_cut_off(parameters: ParametersDriver, width: int) -> None:
     parameters.table.resize(width, 350)
     view = parameters.view
@@ -75,7 +75,7 @@ def test_search_retains_the_selection(parameters: ParametersDriver) -> None:
     parameters.go_to("required_channels")
     parameters.search("timeout")
     assert parameters.current == "serial_timeout"
-    assert parameters.titles == ["Serial"]
+    assert [heading.data() for heading in parameters.headings] == ["Serial"]
     parameters.search("flux")
     assert parameters.current == ""
     assert not parameters.has("parameterTitle")
@@ -101,7 +101,7 @@ def test_hidden_parameters_are_counted_and_can_be_shown(parameters: ParametersDr
     assert not parameters.has("noParameterMatches")
     parameters.model.edit("motor2_current_limit", 9)
     choice = parameters.find(QTabBar, "parameterChoice")
-    texts = [choice.tabText(shown) for shown in ParameterChoice]
+    texts = [choice.tabText(entry) for entry in ParameterChoice]
     assert texts == ["All", "Changed 1", "Not default 1", "Findings 0"]
 
     parameters.search("motor")
@@ -110,7 +110,7 @@ def test_hidden_parameters_are_counted_and_can_be_shown(parameters: ParametersDr
     assert parameters.text("parameterTitle") == "Serial Timeout"
 
 
-def test_board_of_older_firmware_lacks_parameters(parameters: ParametersDriver) -> None:
+def test_parameter_missing_in_older_firmware_is_deselected(parameters: ParametersDriver) -> None:
     parameters.go_to("uart_response_delay")
     parameters.load(OLDER)
     assert parameters.current == FIRST
@@ -189,7 +189,7 @@ def test_keys_edit_and_search(parameters: ParametersDriver) -> None:
     search = parameters.find(QLineEdit, "parameterSearch")
     assert search.hasFocus()
     QTest.keyClicks(search, "serial")
-    assert parameters.current == "serial_timeout", "not what only mentions it"
+    assert parameters.current == "serial_timeout", "names are matched before descriptions"
     QTest.keyClick(search, Qt.Key.Key_Return)
     assert parameters.view.hasFocus()
     QTest.keyClicks(parameters.view, "3")
@@ -197,7 +197,7 @@ def test_keys_edit_and_search(parameters: ParametersDriver) -> None:
     parameters.wait_for_value("serial_timeout", 30)
 
 
-def test_name_opens_its_value_and_a_heading_none(parameters: ParametersDriver) -> None:
+def test_name_opens_its_editor_and_a_heading_opens_none(parameters: ParametersDriver) -> None:
     for key in ("serial_timeout", "motor1_current_limit"):
         parameters.open_with_mouse(key, ParameterColumn.NAME)
         assert parameters.current == key
@@ -225,7 +225,7 @@ def test_arrow_keys_scroll_to_the_first_heading(parameters: ParametersDriver) ->
 
 
 def request_menu(parameters: ParametersDriver, index: QModelIndex) -> QMenu:
-    """Right-click a row."""
+    """Request the menu of a row with the mouse."""
     place = parameters.place_of(index)
     viewport = parameters.view.viewport()
     mouse = QContextMenuEvent.Reason.Mouse
@@ -239,7 +239,8 @@ def menu_of(parameters: ParametersDriver, key: str) -> dict[str, QAction]:
     menu = request_menu(parameters, parameters.model.index_of(key))
     assert menu.isVisible()
     menu.close()
-    return {a.objectName(): a for a in menu.actions() if a.isVisible() and a.objectName()}
+    visible = (action for action in menu.actions() if action.isVisible())
+    return {action.objectName(): action for action in visible if action.objectName()}
 
 
 @with_menu
@@ -252,7 +253,7 @@ def test_menu_entries_describe_their_effect(parameters: ParametersDriver) -> Non
     menu = parameters.find(QMenu, "parameterMenu")
     assert menu.isVisible()
     menu.close()
-    assert parameters.current == "serial_timeout", "the menu key keeps the current row"
+    assert parameters.current == "serial_timeout", "the menu key does not change the current row"
 
     parameters.go_to("device_number")
     parameters.model.edit("serial_timeout", 15)
@@ -264,7 +265,7 @@ def test_menu_entries_describe_their_effect(parameters: ParametersDriver) -> Non
     unchanged = menu_of(parameters, "device_number")
     assert not unchanged["resetParameter"].isEnabled()
     assert not unchanged["restoreParameter"].isEnabled()
-    assert not request_menu(parameters, parameters.headings[0]).isVisible(), "none of a heading"
+    assert not request_menu(parameters, parameters.headings[0]).isVisible(), "a heading has no menu"
 
 
 @with_menu
@@ -294,9 +295,9 @@ def test_both_motors_are_edited_as_one(parameters: ParametersDriver, qtbot: QtBo
     parameters.click("resetParameterButton")
     assert not parameters.model.values.pending
 
-    other = ParametersDriver(qtbot)
-    assert other.find(QCheckBox, "bothMotors").isChecked(), "the box is remembered"
-    assert other.model.both_motors
+    reopened = ParametersDriver(qtbot)
+    assert reopened.find(QCheckBox, "bothMotors").isChecked(), "the box is remembered"
+    assert reopened.model.both_motors
 
     parameters.click("bothMotors")
     parameters.model.edit("motor1_current_limit", 25)
@@ -314,7 +315,7 @@ def test_rows_of_every_kind_are_painted(parameters: ParametersDriver) -> None:
     parameters.focus_view()
     focused = parameters.view.viewport().grab(cell).toImage()
     parameters.find(QWidget, "parameterSearch").setFocus()
-    assert parameters.view.viewport().grab(cell).toImage() != focused, "it has a frame"
+    assert parameters.view.viewport().grab(cell).toImage() != focused, "the frame disappears"
     assert not parameters.table.grab().isNull()
     parameters.table.set_rows_enabled(False)
     assert not parameters.table.grab().isNull()

@@ -1,4 +1,4 @@
-"""Playback window."""
+"""Window that plays a recording."""
 
 import csv
 from pathlib import Path
@@ -39,21 +39,24 @@ from trex_gui.ui.playback.transport import size_text, time_text
 from trex_gui.ui.plotting.plot import TracePlot
 
 T0 = HEADER.clock
-LATER = "product: TReX\ndevice_number: 9\n"
+NEXT_SETTINGS = "product: TReX\ndevice_number: 9\n"
 
 
-def _minute() -> list[Record]:
+def _records_of_a_minute() -> list[Record]:
     extra: list[Record] = [
         SetpointRecord(T0 + 20.0, 1, Drive.at(-55)),
-        SettingsSnapshot(T0 + 30.0, LATER),
+        SettingsSnapshot(T0 + 30.0, NEXT_SETTINGS),
         Marker(T0 + 30.0, "apply", "Apply: Device Number"),
         Marker(T0 + 45.0, "fault", "Motor 1 fault"),
     ]
-    plain = [r for r in an_hour(60) if not isinstance(r, SetpointRecord | Marker)]
+    hour = an_hour(60)
+    plain = [record for record in hour if not isinstance(record, SetpointRecord | Marker)]
     return sorted([*plain, *extra], key=lambda record: record.time)
 
 
 class RecordingWindow(WidgetDriver):
+    """Playback window and its recording."""
+
     def __init__(self, window: PlaybackWindow, qtbot: QtBot) -> None:
         super().__init__(window, qtbot)
         self.window = window
@@ -76,9 +79,9 @@ class RecordingWindow(WidgetDriver):
 
 @pytest.fixture(scope="module")
 def minute(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """Recording that no test changes."""
+    """Recording of a minute. No test changes it."""
     path = tmp_path_factory.mktemp("recording") / "minute.trexrec"
-    write(path, _minute())
+    write(path, _records_of_a_minute())
     return path
 
 
@@ -122,11 +125,11 @@ def test_values_follow_slider_keys_and_events(window: RecordingWindow) -> None:
     events.setCurrentIndex(model.index(1, 0))
     events.activated.emit(model.index(1, 0))
     assert window.playback.position == pytest.approx(T0 + 45)
-    for place, settings in ((10, HEADER.settings), (40, LATER)):
-        assert window.playback.state_at(T0 + place).settings == settings
+    for seconds, settings in ((10, HEADER.settings), (40, NEXT_SETTINGS)):
+        assert window.playback.state_at(T0 + seconds).settings == settings
 
 
-def test_shown_span_is_exported_as_csv_and_pictures(
+def test_visible_span_is_exported_as_csv_mcap_and_pictures(
     window: RecordingWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     window.plot.show_span(T0 + 10, T0 + 20)
@@ -191,10 +194,10 @@ def test_loaded_window_is_complete_and_plays(window: RecordingWindow) -> None:
     assert button.text() == "&Play"
 
 
-def half_read(path: Path, qtbot: QtBot) -> RecordingWindow:
-    """Open a recording. Return its window after some of it was read.
+def open_partly_read(path: Path, qtbot: QtBot) -> RecordingWindow:
+    """Return a window that has read a part of its recording.
 
-    Tries again if a busy computer has already read the whole recording.
+    Opens the recording again if a busy computer has already read all of it.
     """
     for _ in range(4):
         window = RecordingWindow.open(loading(Playback(open_recording(path))), qtbot)
@@ -212,7 +215,7 @@ def half_read(path: Path, qtbot: QtBot) -> RecordingWindow:
 def test_reading_shows_progress_and_can_be_cancelled(tmp_path: Path, qtbot: QtBot) -> None:
     path = tmp_path / "long.trexrec"
     write_an_hour(path, 5)
-    window = half_read(path, qtbot)
+    window = open_partly_read(path, qtbot)
     assert window.has("recordingProgress")
     bar = window.find(QProgressBar, "recordingProgress")
     assert bar.text().startswith("Reading, ")
@@ -238,7 +241,7 @@ def test_missing_part_of_a_recording_is_reported(
     window.window.close()
 
     cut = tmp_path / "cut.trexrec"
-    write(cut, _minute(), finish=False)
+    write(cut, _records_of_a_minute(), finish=False)
     cut.write_bytes(cut.read_bytes()[:-100])
     damaged = RecordingWindow.open(loading(Playback(open_recording(cut))), qtbot)
     damaged.wait_for_text("bannerText", "not complete")

@@ -1,4 +1,4 @@
-"""Dialog that sets up boards in turn."""
+"""Dialog that sets up one board after another."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -17,20 +17,20 @@ from trex_gui.devices.trex.views.provision import ProvisionFlow
 from trex_gui.devices.trex.views.steps import Steps
 from trex_gui.ui.widgets.behaviour import HoldButton
 
-HEAD = "product: TReX\nfirmware: 1.2\n"
+INTERRUPTED = "ended while motors were tried"
 
 
 class ProvisionDialogDriver:
-    """Dialog, cable with a board, and record."""
+    """Provisioning dialog, a connected board, and the files of the dialog."""
 
     def __init__(self, window: WindowDriver, board: SimulatedDevice, folder: Path) -> None:
         self.window, self.board = window, board
         self.profile, self.record = folder / "profile.txt", folder / "record.csv"
-        self.profile.write_text(f"{HEAD}serial_timeout: 5\nmotor1_acceleration: 20\n", "utf-8")
+        lines = ("product: TReX", "firmware: 1.2", "serial_timeout: 5", "motor1_acceleration: 20")
+        self.profile.write_text("\n".join(lines), "utf-8")
         window.trigger("provision")
-        (self.dialog,) = (
-            each for each in window.find_all(Steps) if isinstance(each.flow, ProvisionFlow)
-        )
+        dialogs = window.find_all(Steps)
+        (self.dialog,) = (found for found in dialogs if isinstance(found.flow, ProvisionFlow))
         assert isinstance(self.dialog.flow, ProvisionFlow)
         self.work: Provision = self.dialog.flow.work
 
@@ -48,7 +48,7 @@ class ProvisionDialogDriver:
     def wait_for(self, step: ProvisionStep) -> None:
         self.window.wait(lambda: self.work.step is step)
 
-    def bring_a_new_board(self) -> None:
+    def connect_new_board(self) -> None:
         self.board.do("power off")
         self.wait_for(ProvisionStep.WAIT)
         self.board.do("factory", "power on")
@@ -66,7 +66,7 @@ def harness(
     return ProvisionDialogDriver(connected_window, quick_simulator, tmp_path)
 
 
-def test_boards_are_set_up_with_a_press_each(harness: ProvisionDialogDriver) -> None:
+def test_each_board_is_set_up_with_one_click(harness: ProvisionDialogDriver) -> None:
     check_keyboard(harness.dialog)
     harness.start()
     for number in (1, 2, 3):
@@ -79,7 +79,7 @@ def test_boards_are_set_up_with_a_press_each(harness: ProvisionDialogDriver) -> 
         stored = harness.board.show()["parameters"]
         assert (stored["serial_timeout"], stored["motor1_acceleration"]) == (5, 20)
         assert f"robot {number}: written and verified" in harness.window.text("provisionBoard")
-        harness.bring_a_new_board()
+        harness.connect_new_board()
     check_keyboard(harness.dialog)
     assert harness.window.find(QTableWidget, "provisionDone").rowCount() == 3
     assert [row[1:4] for row in harness.rows] == [
@@ -131,7 +131,7 @@ def test_profile_of_another_model_is_named_and_not_written(harness: ProvisionDia
 def test_file_that_is_no_record_is_not_overwritten(harness: ProvisionDialogDriver) -> None:
     harness.record.write_text("my,table\n", "utf-8")
     harness.start()
-    harness.window.wait_for_text("provisionTrouble", "not a record")
+    harness.window.wait_for_text("provisionTrouble", "is not a record of boards")
     assert harness.work.step is ProvisionStep.PROFILE
     assert harness.record.read_text("utf-8") == "my,table\n"
 
@@ -150,7 +150,7 @@ def test_record_that_cannot_be_saved_is_saved_again(
         patch.setattr(ProvisionRecord, "save", fail)
         harness.press_next()
         harness.window.wait_for_text("provisionNote", "disk is full")
-        assert harness.board.show()["parameters"] == before, "its number is not in the record yet"
+        assert harness.board.show()["parameters"] == before, "the number is not recorded yet"
     harness.press_next()
     harness.window.wait(lambda: len(harness.work.done) == 1)
     assert harness.rows[0][-2] == "ok"
@@ -160,12 +160,9 @@ def test_record_that_cannot_be_saved_is_saved_again(
     ("end", "result"),
     [
         (lambda harness: harness.press_next(), "ok"),
-        (
-            lambda harness: harness.window.click("provisionSkipButton"),
-            "ended while motors were tried",
-        ),
-        (lambda harness: harness.dialog.close(), "ended while motors were tried"),
-        (lambda harness: harness.board.do("power off"), "ended while motors were tried"),
+        (lambda harness: harness.window.click("provisionSkipButton"), INTERRUPTED),
+        (lambda harness: harness.dialog.close(), INTERRUPTED),
+        (lambda harness: harness.board.do("power off"), INTERRUPTED),
     ],
     ids=["turned", "skipped", "closed", "lost"],
 )
@@ -202,5 +199,5 @@ def test_closed_dialog_sets_up_no_other_board(harness: ProvisionDialogDriver) ->
     harness.press_next()
     harness.dialog.close()
     harness.wait_for(ProvisionStep.PROFILE)
-    assert harness.rows[0][-2] == "ok", "what was begun is written and recorded to its end"
+    assert harness.rows[0][-2] == "ok", "a started write is completed and recorded"
     assert harness.board.show()["parameters"]["serial_timeout"] == 5

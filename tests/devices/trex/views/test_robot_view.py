@@ -17,7 +17,7 @@ def test_clicked_half_of_a_wheel_is_reported_and_filled(qtbot: QtBot) -> None:
     parts = {part.accessibleName(): part for part in robot.findChildren(WheelPart)}
     for name in ("Right wheel, backward", "Left wheel, forward"):
         QTest.mouseClick(parts[name], LEFT)
-        assert [each for each, part in parts.items() if part.isChecked()] == [name]
+        assert [checked for checked, part in parts.items() if part.isChecked()] == [name]
     assert clicked == [Movement.RIGHT_BACKWARD, Movement.LEFT_FORWARD]
 
 

@@ -1,4 +1,4 @@
-"""Window for a settings file, without a board."""
+"""Editor window of a settings file, without a board."""
 
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -48,7 +48,7 @@ PARAMETERS, CALIBRATIONS, TEXT_PAGE = range(3)
 
 
 class EditorDriver(SettingsEditorWindow):
-    """Window of a settings file, with its pages."""
+    """Settings editor and its pages."""
 
     def __init__(self, editor: SettingsEditor, qtbot: QtBot) -> None:
         super().__init__(editor, qtbot)
@@ -95,7 +95,7 @@ class EditorDriver(SettingsEditorWindow):
         return WidgetDriver(self.find(QDialog, "compareDialog"), self.qtbot)
 
 
-Open = Callable[[str | bytes], EditorDriver]
+OpenEditor = Callable[[str | bytes], EditorDriver]
 
 
 @pytest.fixture
@@ -105,11 +105,11 @@ def device(qapp: QApplication) -> Device:
 
 
 @pytest.fixture
-def open_text(device: Device, tmp_path: Path, qtbot: QtBot) -> Iterator[Open]:
-    """Function that opens a settings file with the given content."""
+def open_text(device: Device, tmp_path: Path, qtbot: QtBot) -> Iterator[OpenEditor]:
+    """Function that opens a settings file with this content."""
     editors = []
 
-    def opened(data: str | bytes) -> EditorDriver:
+    def open_editor(data: str | bytes) -> EditorDriver:
         path = tmp_path / "rover.txt"
         path.write_bytes(data if isinstance(data, bytes) else data.encode())
         editor = SettingsEditor(SettingsDocument.of_file(path, load(path)), device)
@@ -117,14 +117,14 @@ def open_text(device: Device, tmp_path: Path, qtbot: QtBot) -> Iterator[Open]:
         editor.show()
         return EditorDriver(editor, qtbot)
 
-    yield opened
+    yield open_editor
     for editor in editors:
         if isValid(editor):
             editor.close_at_once()
 
 
 @pytest.fixture
-def editor(open_text: Open) -> EditorDriver:
+def editor(open_text: OpenEditor) -> EditorDriver:
     """Editor of a file without findings."""
     return open_text(TEXT)
 
@@ -151,7 +151,7 @@ def test_title_and_text_page_follow_edits(editor: EditorDriver) -> None:
         assert contrast(theme().color("muted"), number) >= 4.5, scheme
 
 
-def test_repaired_text_opens_the_pages(open_text: Open) -> None:
+def test_repaired_text_opens_the_pages(open_text: OpenEditor) -> None:
     editor = open_text("product: TReX\r\nmotor_mode: 9\r\n# mine\r\n")
     text = editor.text_page
     text.show_line(2)
@@ -168,14 +168,14 @@ def test_repaired_text_opens_the_pages(open_text: Open) -> None:
     assert editor.path.read_bytes() == b"product: TReX\r\nmotor_mode: 1\r\n# mine\r\n"
 
 
-def test_values_are_repaired_and_listed(open_text: Open) -> None:
+def test_values_are_repaired_and_listed(open_text: OpenEditor) -> None:
     faulty = "\ufeffproduct: TReX\r\nserial_timeout: 1.5 s  # mine\r\nmotor_mode: 9\r\n"
     editor = open_text(faulty)
     check_keyboard(editor.root)
     editor.click("repairTextButton")
     message = "Repaired: line 2: serial_timeout: 1.5 s becomes 15 (1.5 s). Correct the rest"
     assert editor.text("bannerText").startswith(message)
-    assert editor.path.read_bytes() == faulty.encode(), "it is not saved"
+    assert editor.path.read_bytes() == faulty.encode(), "the repair is not saved"
     editor.click("repairTextButton")
     assert "Nothing could be repaired" in editor.text("bannerText")
     assert editor.document.text == faulty.replace("1.5 s", "15")
@@ -191,7 +191,7 @@ def test_values_are_repaired_and_listed(open_text: Open) -> None:
     assert editor.path.read_bytes() == b"product: TReX\nserial_timeout: 127 # mine\n"
 
 
-def test_typing_is_undone_to_the_byte(open_text: Open) -> None:
+def test_undo_of_typing_restores_every_byte(open_text: OpenEditor) -> None:
     for text in (
         "product: TReX\nmotor_mode: 9\n",
         "a\xa0b\r\nc\rd\n\u2028e",
@@ -207,7 +207,7 @@ def test_typing_is_undone_to_the_byte(open_text: Open) -> None:
         editor.editor.close_at_once()
 
 
-def test_finding_shows_its_line(open_text: Open) -> None:
+def test_finding_shows_its_line(open_text: OpenEditor) -> None:
     editor = open_text("product: TReX\n\n\nmotor_mode: 9\n")
     check_keyboard(editor.root)
     assert editor.button("textLine0").text() == "Show line 4"
@@ -254,23 +254,23 @@ def test_file_changed_on_disk_is_overwritten_after_a_question(
     editor: EditorDriver, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     editor.path.write_text("product: TReX\n# by another program\n", encoding="utf-8")
-    requested = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
+    questions = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
     editor.save()
-    assert "changed by another program" in requested[0]
+    assert "changed by another program" in questions[0]
     assert "by another program" in editor.path.read_text(encoding="utf-8")
     answer_questions(monkeypatch, QMessageBox.StandardButton.Yes)
     editor.save()
     assert editor.path.read_bytes() == TEXT.encode()
 
 
-def test_file_is_rewritten_after_a_question(
-    open_text: Open, monkeypatch: pytest.MonkeyPatch
+def test_file_is_rewritten_only_after_a_question(
+    open_text: OpenEditor, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    editor = open_text("product: TReX\nfirmware: |\n  1.2")  # has to be rewritten
+    editor = open_text("product: TReX\nfirmware: |\n  1.2")  # an edit rewrites the file
     editor.edit("motor_mode", 1)
-    requested = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
+    questions = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
     editor.save()
-    assert "Rewrite the file" in requested[0]
+    assert "Rewrite the file" in questions[0]
     assert editor.document.modified
     answer_questions(monkeypatch, QMessageBox.StandardButton.Yes)
     editor.save()
@@ -286,9 +286,9 @@ def test_edits_remain_until_saved_or_discarded(
     assert "Not saved" in editor.banner
     assert editor.document.modified
 
-    requested = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
+    questions = answer_questions(monkeypatch, QMessageBox.StandardButton.Cancel)
     assert not editor.editor.close()
-    assert "rover.txt has changes" in requested[0]
+    assert "rover.txt has changes" in questions[0]
     assert editor.document.modified
     answer_questions(monkeypatch, QMessageBox.StandardButton.Save)
     path = editor.path
@@ -321,7 +321,7 @@ def test_files_are_compared_and_values_copied(editor: EditorDriver, tmp_path: Pa
     dialog.root.close()
 
 
-def test_values_of_other_models_are_not_copied(open_text: Open, tmp_path: Path) -> None:
+def test_values_of_other_models_are_not_copied(open_text: OpenEditor, tmp_path: Path) -> None:
     editor = open_text(TEXT)
     other = tmp_path / "junior.txt"
     other.write_text("product: TReX Jr\nmotor_mode: 1\n", encoding="utf-8")
@@ -372,7 +372,7 @@ def test_pdf_names_every_row(device: Device) -> None:
     assert colours == {QColor(Qt.GlobalColor.black).name()}, "black on paper"
 
 
-def test_pages_are_saved_as_pdf(open_text: Open, tmp_path: Path) -> None:
+def test_pages_are_saved_as_pdf(open_text: OpenEditor, tmp_path: Path) -> None:
     editor = open_text(resource("samples/tank_with_mix.txt").read_bytes())
     path = tmp_path / "tank.pdf"
     editor.editor.save_pdf(path)
@@ -386,7 +386,7 @@ def test_pages_are_saved_as_pdf(open_text: Open, tmp_path: Path) -> None:
     assert "Not saved" in editor.banner
 
     long = tmp_path / "long.pdf"
-    findings = [f"finding {n}" for n in range(200)]
+    findings = [f"finding {number}" for number in range(200)]
     long.write_bytes(settings_pdf(settings_in(TEXT), "long.txt", findings))
     assert long.read_bytes().count(b"/Type /Page\n") > 2
 

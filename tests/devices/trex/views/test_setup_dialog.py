@@ -1,4 +1,4 @@
-"""Set-up assistant in its window."""
+"""Dialog of the set-up assistant."""
 
 from collections.abc import Callable, Iterator
 
@@ -110,9 +110,9 @@ def test_walk_through_all_steps_moves_no_motor(setup_dialog: SetupDriver, driver
         setup_dialog.click("setupNextButton")
     check_keyboard(setup_dialog.root)
     assert (SetupStep.TIMEOUT in visited) is (driver is Driver.COMPUTER)
-    _, undone = setup_dialog.find_only(StepStrip).accessibleName().split("Not done: ")
-    assert "Motors" in undone  # its wires or the sticks are open
-    assert "Limits" not in undone
+    _, open_steps = setup_dialog.find_only(StepStrip).accessibleName().split("Not done: ")
+    assert "Motors" in open_steps  # wires or sticks are not determined yet
+    assert "Limits" not in open_steps
     assert ("wires of the right motor" in setup_dialog.text("setupOpenMotors")) is (
         driver is not Driver.TWO_STICKS
     )
@@ -151,7 +151,7 @@ def test_unclear_stick_is_explained_beside_its_input(setup_dialog: SetupDriver) 
     setup_dialog.wait(lambda: spoken_state(strip).startswith("not known"))
 
 
-def test_buttons_are_on_amber_while_armed(setup_dialog: SetupDriver) -> None:
+def test_motor_bar_is_amber_while_armed(setup_dialog: SetupDriver) -> None:
     bar = setup_dialog.find_only(MotorBar)
     middle = bar.rect().center()
     assert bar.grab().toImage().pixelColor(middle) != theme().color("armed")
@@ -188,8 +188,7 @@ def test_held_button_moves_its_motor_only(setup_dialog: SetupDriver) -> None:
     setup_dialog.arm()
     for motor in (1, 2):
         button = setup_dialog.hold(motor)
-        other = setup_dialog.find(HoldButton, f"setupHold{3 - motor}")
-        assert not other.isEnabled()
+        assert not setup_dialog.is_enabled(f"setupHold{3 - motor}")
         QTest.mouseRelease(button, LEFT)
         setup_dialog.wait(lambda: setup_dialog.robot.speeds() == (0, 0))
     assert {request.motor for request in setup_dialog.requests[:2]} == {1}
@@ -198,7 +197,7 @@ def test_held_button_moves_its_motor_only(setup_dialog: SetupDriver) -> None:
 
 
 def open_menu(setup_dialog: SetupDriver) -> None:
-    """Open a menu, which swallows the release of the button without an event."""
+    """Open a menu. It receives the release of the mouse button instead of the hold button."""
     menu = QMenu(setup_dialog.root)
     menu.addAction("Anything")
     menu.popup(QPoint())
@@ -211,7 +210,7 @@ ENDS: dict[str, Callable[[SetupDriver], object]] = {
     "a menu opens": open_menu,
     "the dialog is closed": lambda dialog: dialog.root.close(),
     "the next step is shown": lambda dialog: dialog.click("setupNextButton"),
-    "the step before is shown": lambda dialog: dialog.click("setupBackButton"),
+    "the previous step is shown": lambda dialog: dialog.click("setupBackButton"),
     "the step is skipped": lambda dialog: dialog.click("setupSkipButton"),
     "the wheels are set down": lambda dialog: dialog.click("setupWheelsFree"),
     "Stop is pressed": lambda dialog: QTest.mousePress(stop_button(dialog.root), LEFT),
@@ -219,14 +218,14 @@ ENDS: dict[str, Callable[[SetupDriver], object]] = {
     "the line is cut": lambda dialog: dialog.robot.simulator.do("line unplug"),
 }
 STAYS_ARMED = {"the button is released", "a menu opens"}
-"""The motor brakes, as with every held control."""
+"""Interruptions after which the motor brakes but stays armed, as with every held control."""
 
-LAST = ("the dialog is closed", "the line is closed", "the line is cut")
-"""End of the assistant."""
+CLOSING = ("the dialog is closed", "the line is closed", "the line is cut")
+"""Interruptions that end the assistant."""
 
 
 @pytest.mark.parametrize(
-    "ends", [[end for end in ENDS if end not in LAST], *([end] for end in LAST)], ids=str
+    "ends", [[end for end in ENDS if end not in CLOSING], *([end] for end in CLOSING)], ids=str
 )
 @pytest.mark.qt_log_ignore("This plugin does not support", extend=True)  # popups offscreen
 def test_every_interruption_stops_the_motor(setup_dialog: SetupDriver, ends: list[str]) -> None:
@@ -257,7 +256,7 @@ def test_board_in_rc_mode_is_explained_and_followed(setup_dialog: SetupDriver) -
     assert not setup_dialog.is_enabled("setupForwardButton")
     assert not setup_dialog.is_enabled("setupRightButton")
     go_to(setup_dialog, setup_dialog.root, SetupStep.MOTORS)
-    assert setup_dialog.root.focusWidget() is setup_dialog.button("setupSkipButton"), "not Close"
+    assert setup_dialog.root.focusWidget() is setup_dialog.button("setupSkipButton")  # not Close
     assert "in RC mode" in setup_dialog.text("setupPulseNote")
     for name in ("setupWheelsFree", "setupRunButton", "setupHold1", "setupHold2"):
         assert not setup_dialog.is_enabled(name)
@@ -287,7 +286,7 @@ def test_assistant_is_created_when_opened(
     go_to(window, dialog, SetupStep.STICKS)
     window.click("setupLearnButton")
     window.wait(lambda: window.has("learnRestPage"))
-    assert not window.dialog("learnDialog").root.isVisible(), "it is a step here"
+    assert not window.dialog("learnDialog").root.isVisible(), "learning is a step of the assistant"
     window.click("setupBackButton")
     assert window.has("setupSticksPage")
 

@@ -1,4 +1,4 @@
-"""Units of displayed values and of bare numbers."""
+"""Units of displayed values and of numbers that are typed without a unit."""
 
 import pytest
 from PySide6.QtCore import QEvent, QObject, QSignalBlocker
@@ -24,8 +24,8 @@ ACCELERATION = "motor1_acceleration"
 pytestmark = pytest.mark.usefixtures("qapp")
 
 
-class Painted(QObject):
-    """Records whether a widget was painted since `is_idle` was last read."""
+class PaintCounter(QObject):
+    """Records whether a widget was paints since `is_idle` was last read."""
 
     def __init__(self, widget: QWidget) -> None:
         super().__init__(widget)
@@ -59,11 +59,11 @@ def test_displayed_count_is_parsed_as_that_count(source: InputSource, own_first:
     for count in (0, 1, 2, 511, 1023, 3092, 3750, HIGHEST_CODED):
         with QSignalBlocker(editor):
             editor.setValue(count)
-        shown, other = editor.text(), editor.other_text
-        assert (parsed(editor, shown), parsed(editor, other)) == (count, count)
-        assert (shown == str(count)) is own_first
+        text, other_text = editor.text(), editor.other_text
+        assert (parsed(editor, text), parsed(editor, other_text)) == (count, count)
+        assert (text == str(count)) is own_first
         if not own_first:
-            assert shown.endswith(source.unit)
+            assert text.endswith(source.unit)
 
 
 @pytest.mark.parametrize(
@@ -83,7 +83,7 @@ def test_displayed_count_is_parsed_as_that_count(source: InputSource, own_first:
         *((False, typed, None) for typed in ("2.5 V", "fast", "99999", "-1", "")),
     ],
 )
-def test_count_without_unit_is_in_the_displayed_unit(
+def test_number_without_a_unit_has_the_displayed_unit(
     own_first: bool, typed: str, count: int | None
 ) -> None:
     units().set_order(own_first=own_first)
@@ -123,11 +123,11 @@ def test_displayed_number_is_parsed_as_that_value(own_first: bool) -> None:
         if isinstance(editor, NumberEditor):
             tested += 1
             for wire in {min(spec.valid), spec.default, max(spec.valid), *sorted(spec.valid)[::9]}:
-                shown = editor.textFromValue(wire)
-                assert editor.parse(shown) == wire, (spec.key, shown)
+                text = editor.textFromValue(wire)
+                assert editor.parse(text) == wire, (spec.key, text)
                 if own_first:
-                    assert shown == str(wire)
-                    assert editor.parse(spec.text(wire) if spec.unit else shown) == wire
+                    assert text == str(wire)
+                    assert editor.parse(spec.text(wire) if spec.unit else text) == wire
     assert tested > 5
 
 
@@ -139,10 +139,10 @@ def test_switch_changes_cells_help_and_open_editor_at_once(qtbot: QtBot) -> None
     mode = parameters.cell("motor_mode").data()
     assert parameters.cell("serial_timeout").data() == "1.3 s"
 
-    painted = Painted(parameters.view.viewport())
-    parameters.wait(lambda: painted.is_idle)
+    paints = PaintCounter(parameters.view.viewport())
+    parameters.wait(lambda: paints.is_idle)
     units().set_order(own_first=True)
-    parameters.wait(lambda: not painted.is_idle)
+    parameters.wait(lambda: not paints.is_idle)
     assert parameters.cell("serial_timeout").data() == "13"
     assert parameters.cell(ACCELERATION).data() == "10"
     assert parameters.text("parameterValue") == "13"
@@ -157,7 +157,7 @@ def test_switch_changes_cells_help_and_open_editor_at_once(qtbot: QtBot) -> None
     editor.selectAll()
     QTest.keyClicks(editor, "2")
     units().set_order(own_first=False)
-    assert editor.text() == "6.3 s to full speed", "what was typed is kept, and not 2 s"
+    assert editor.text() == "6.3 s to full speed", "the typed 2 does not become 2 s"
     parameters.go_to("serial_timeout")
     parameters.wait_for_value(ACCELERATION, 2)
 
