@@ -190,7 +190,7 @@ def test_motors_follow_setpoints_only_without_blockers() -> None:
         (OTHER_DRIVER_RUNS, 2, (SetpointSource.OTHER_DRIVER, -8)),
         (DriveInputs(board=replace(SERIAL, joint=True)), 2, (SetpointSource.JOINT,)),
         (DriveInputs(board=RC), 2, (SetpointSource.CHANNEL, -90)),
-        (DriveInputs(board=RC), AUXILIARY, (SetpointSource.CHANNEL, 30)),  # has no direction
+        (DriveInputs(board=RC), AUXILIARY, (SetpointSource.CHANNEL, 30)),  # one direction only
         (DriveInputs(board=replace(RC, is_held=True)), 2, (SetpointSource.SAFE_START,)),
     ],
 )

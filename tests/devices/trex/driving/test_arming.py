@@ -50,7 +50,7 @@ def test_setpoints_after_stop_are_dropped_until_armed(harness: SessionHarness) -
     harness.script.at(3.0, Arm()).at(3.0, SetMotor(1, Drive.at(50)))
     speeds = seen_at(harness, 3.2, lambda: harness.board.motors[0].speed)
     run_for(harness, 3.5)
-    assert dropped == [True], "setpoints after the stop were sent too early"
+    assert dropped == [True], "a setpoint after the stop has no effect"
     assert speeds == [50]
 
 
@@ -178,7 +178,7 @@ def test_stops_during_confirmation_get_outcome_on_port_loss(harness: SessionHarn
 
 @pytest.mark.parametrize("seconds", [0.02, 0.05, 7.0])
 def test_stop_while_board_returns_gets_its_outcome(harness: SessionHarness, seconds: float) -> None:
-    """The board responds for a time after the stop. 7 s last until the end of the test."""
+    """The board responds for some seconds after the stop, or for 7 s until the test ends."""
     harness.script.at(1.0, Arm()).at(1.1, SetMotor(1, Drive.at(80)))
     for step in range(1, 8):
         harness.script.at(1.1 + step / 5, Heartbeat())

@@ -87,7 +87,7 @@ def test_newest_setpoint_is_sent_and_next_one_waits(harness: MotorsHarness) -> N
 
 
 def test_lost_setpoint_is_resent(harness: MotorsHarness) -> None:
-    harness.line.faults.to_drop_sent = 2  # the whole packet, so the board latches nothing
+    harness.line.faults.to_drop_sent = 2  # the whole packet, so the board latches no error
     harness.drive(20)
     assert harness.board.motors[0].target_speed == 0
     harness.advance(4.0)

@@ -118,7 +118,7 @@ SIGN_WIDTH = 20
 
 
 def longest_texts() -> Comparison:
-    """Compare the values with the longest texts, and a calibration without an old value."""
+    """Return a comparison with the longest text of each setting and with a new calibration."""
     longest = {
         spec.key: max((len(spec.text(wire)), wire) for wire in spec.valid)[1]
         for spec in specs_for(BEFORE.product, BEFORE.firmware).readable

@@ -48,7 +48,7 @@ def test_each_parameter_of_each_board_is_tested() -> None:
 
 
 def values_to_try(spec: ParameterSpec) -> list[int]:
-    """Return a middle, the lowest and the highest value. Each differs from the previous value."""
+    """Return a middle, the lowest and the highest value. Each differs from its predecessor."""
     valid = sorted(spec.valid)
     changed = [wire for wire in valid if wire != spec.default]
     values = [changed[len(changed) // 2], valid[0], valid[-1]]

@@ -227,7 +227,7 @@ CLOSING = ("the dialog is closed", "the line is closed", "the line is cut")
 @pytest.mark.parametrize(
     "ends", [[end for end in ENDS if end not in CLOSING], *([end] for end in CLOSING)], ids=str
 )
-@pytest.mark.qt_log_ignore("This plugin does not support", extend=True)  # popups offscreen
+@pytest.mark.qt_log_ignore("This plugin does not support", extend=True)  # a popup
 def test_every_interruption_stops_the_motor(setup_dialog: SetupDriver, ends: list[str]) -> None:
     robot = setup_dialog.robot
     for end in ends:

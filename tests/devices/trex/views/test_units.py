@@ -25,7 +25,7 @@ pytestmark = pytest.mark.usefixtures("qapp")
 
 
 class PaintCounter(QObject):
-    """Records whether a widget was paints since `is_idle` was last read."""
+    """Counts the paint events of a widget. Reading `is_idle` resets the count."""
 
     def __init__(self, widget: QWidget) -> None:
         super().__init__(widget)
