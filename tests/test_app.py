@@ -11,7 +11,7 @@ import pytest
 from PySide6.QtCore import QSize
 from pytestqt.qtbot import QtBot
 
-from tests.devices.trex.simulator.waiting import becomes
+from tests.devices.trex.simulator.waiting import comes_true
 from tests.support.scripts import load_script
 from tests.support.simulator import SimulatedDevice
 from tests.support.window import WindowDriver
@@ -140,7 +140,7 @@ def test_sigterm_ends_program_cleanly(quick_simulator: SimulatedDevice) -> None:
             return packets >= 20
 
         try:
-            assert becomes(is_connected, True)
+            assert comes_true(is_connected)
             process.send_signal(signal.SIGTERM)
             assert process.wait(30) == 0
         finally:

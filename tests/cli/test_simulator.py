@@ -15,7 +15,7 @@ import pytest
 import serial
 from click.testing import CliRunner
 
-from tests.devices.trex.simulator.waiting import LONG_TIMEOUT, becomes
+from tests.devices.trex.simulator.waiting import LONG_TIMEOUT, comes_true
 from tests.support.matrix import sampled
 from trex_gui.cli.simulator import main
 from trex_gui.devices.trex.simulator.memory import Eeprom
@@ -105,9 +105,9 @@ def is_silent(sim: RunningSimulator, packet: str, **settings: Any) -> bool:
     before: int = sim.show()["counters"]["line"]["sent"]
     with serial.serial_for_url(sim.url, timeout=0.1, **{"baudrate": 19200, **settings}) as port:
         port.write(data)
-        assert becomes(is_sent, True)
-        reply: bytes = port.read(1)
-        return reply == b""
+        assert comes_true(carried)
+        answer: bytes = port.read(1)
+        return answer == b""
 
 
 def error_message(*arguments: str) -> str:
@@ -293,11 +293,11 @@ class TestInputAndEnd:
         script.write_text("channel 1 4000\nbogus\nchannel 2 4001", encoding="utf-8")
         with script.open("rb") as file:
             sim = start("--tcp", "127.0.0.1:0", stdin=file)
-        replies = [sim.line() for _ in range(3)]
-        assert replies[0] == "ok channel 1 gets 1600us"
-        assert replies[1].startswith("error 'bogus' is not a command")
-        assert replies[2] == "ok channel 2 gets 1600.4us"
-        assert becomes(lambda: request(sim.url, "86 03", 4), bytes.fromhex("A0 0F A1 0F"))
+        answers = [sim.line() for _ in range(3)]
+        assert answers[0] == "ok channel 1 gets 1600us"
+        assert answers[1].startswith("error 'bogus' is not a command")
+        assert answers[2] == "ok channel 2 gets 1600.4us"
+        assert comes_true(lambda: request(sim.url, "86 03", 4) == bytes.fromhex("A0 0F A1 0F"))
         assert sim.process.poll() is None
 
     @needs_pty
@@ -307,7 +307,7 @@ class TestInputAndEnd:
             sim = start("--tcp", "127.0.0.1:0", stdin=slave)
             os.write(master, b"channel 1 4000\n\x04")  # Ctrl-D
             assert sim.line() == "ok channel 1 gets 1600us"
-            assert becomes(lambda: request(sim.url, "86 01", 2), bytes.fromhex("A0 0F"))
+            assert comes_true(lambda: request(sim.url, "86 01", 2) == bytes.fromhex("A0 0F"))
             assert sim.process.poll() is None
         finally:
             os.close(slave)

@@ -3,7 +3,6 @@
 import os
 import subprocess
 import sys
-import time
 from collections.abc import Callable, Iterator
 
 import pytest
@@ -17,7 +16,7 @@ from trex_gui.ui.runtime import runtime
 StartProcess = Callable[..., "subprocess.Popen[str]"]
 
 LONG_TIMEOUT = 1.0
-"""Seconds for which a process waits for an answer: a simulator may be slow on a busy computer."""
+"""Seconds for which a process waits for a reply, because a busy computer slows the simulator."""
 
 
 @pytest.fixture
@@ -65,33 +64,15 @@ def start_process(quick_simulator: SimulatedDevice) -> Iterator[StartProcess]:
         process.communicate()
 
 
-def becomes(look: Callable[[], object], wanted: object, seconds: float = 30) -> bool:
-    """Run virtual time until a value is `wanted`. Return whether this was in time."""
+def becomes(read: Callable[[], object], expected: object, seconds: float = 30) -> bool:
+    """Let virtual time pass until a value is `expected`. Return whether it was in time."""
     virtual = runtime()
     assert isinstance(virtual, VirtualRuntime)
-    return virtual.run_until(lambda: look() == wanted, seconds)
-
-
-def comes_true(look: Callable[[], object], seconds: float = 30) -> bool:
-    """Poll a condition in real time. Return whether it came true.
-
-    Pauses leave the simulator time for the program.
-    """
-    end = time.monotonic() + seconds
-    while not look():
-        if time.monotonic() > end:
-            return False
-        time.sleep(0.02)
-    return True
-
-
-def measured(simulator: SimulatedDevice) -> list[int | None]:
-    """Return the raw count of each channel, `None` without a signal."""
-    return [channel["raw"] for channel in simulator.show()["channels"]]
+    return virtual.run_until(lambda: read() == expected, seconds)
 
 
 def outputs(simulator: SimulatedDevice) -> list[int]:
-    """Return the signed speeds of motors 1, 2 and auxiliary. A braking motor has 0."""
+    """Return the signed speeds of motors 1, 2 and auxiliary. The speed of a braking motor is 0."""
     state = simulator.show()
     signs = {"forward": 1, "reverse": -1, "brake": 0}
     speeds = [signs[motor["direction"]] * motor["speed"] for motor in state["motors"]]

@@ -1,4 +1,4 @@
-"""Commands motor and stop."""
+"""The commands `motor` and `stop`."""
 
 import signal
 import subprocess
@@ -8,7 +8,8 @@ from dataclasses import replace
 
 import pytest
 
-from tests.devices.trex.cli.conftest import LONG_TIMEOUT, StartProcess, becomes, comes_true, outputs
+from tests.devices.trex.cli.conftest import LONG_TIMEOUT, StartProcess, becomes, outputs
+from tests.devices.trex.simulator.waiting import comes_true
 from tests.support.simulator import SimulatedDevice, StartSimulator
 from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
 from tests.support.virtual_devices import VirtualSimulator
@@ -25,7 +26,7 @@ from trex_gui.devices.trex.settings.edit_files import BoardIdentity
 def run_motor(
     start: StartCommand, simulator: SimulatedDevice, *words: str, speeds: Sequence[int]
 ) -> VirtualCommand:
-    """Run a motor until all three motors have these speeds."""
+    """Start the command `motor`, and wait until the three motors have these speeds."""
     command = start("motor", *words, url=simulator.url)
     assert becomes(lambda: outputs(simulator) == list(speeds) or command.returncode, True)
     return command
@@ -102,7 +103,7 @@ def test_terminal_in_background_does_not_suspend_motor_command(
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="sends signals")
-def test_sighup_behind_nohup_does_not_stop_motor(
+def test_sighup_under_nohup_does_not_stop_motor(
     start: StartCommand, quick_simulator: SimulatedDevice
 ) -> None:
     before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
@@ -136,7 +137,7 @@ def test_ctrl_c_ends_motor_command_while_its_port_opens(
         raise AssertionError(settings)
 
     assert isinstance(quick_simulator, VirtualSimulator)
-    quick_simulator.open = open_slowly  # type: ignore[method-assign]  # a computer far away
+    quick_simulator.open = open_slowly  # type: ignore[method-assign]  # as a remote computer may
     command = start("motor", "1", "60")
     assert not becomes(lambda: command.returncode is None, False, seconds=5)
     command.send_signal(signal.SIGINT)
@@ -165,7 +166,7 @@ def test_motor_command_warns_of_a_timeout_that_may_not_stop(
     assert f"Remedy: {shutdown}" in errors
 
 
-def test_motor_command_trusts_no_timeout_that_has_failed(
+def test_motor_command_reports_that_serial_timeout_failed_a_trial(
     trexcmd: RunCommand, start: StartCommand, quick_simulator: SimulatedDevice
 ) -> None:
     trexcmd("set", "serial_timeout", "0.5 s")
@@ -182,7 +183,7 @@ def test_motor_command_trusts_no_timeout_that_has_failed(
     assert "Motor 1 may still be turning. Cut the power." in errors
 
 
-def test_motor_command_feeds_short_serial_timeout(
+def test_motor_command_prevents_a_short_serial_timeout(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     trexcmd("set", "serial_timeout", "0.2 s")
@@ -229,15 +230,15 @@ def test_motor_fault_ends_the_run(start: StartCommand, quick_simulator: Simulate
 def test_lost_data_on_the_line_does_not_end_the_run(
     start: StartCommand, quick_simulator: SimulatedDevice
 ) -> None:
-    def counted(what: str) -> int:
-        return int(quick_simulator.show()["counters"]["line"][what])
+    def line_counter(name: str) -> int:
+        return int(quick_simulator.show()["counters"]["line"][name])
 
     command = run_motor_1(start, quick_simulator)
-    lost = counted("dropped")
+    dropped = line_counter("dropped")
     quick_simulator.do("line drop 1")
-    assert becomes(lambda: counted("dropped"), lost + 1)
-    came = counted("received")
-    assert becomes(lambda: counted("received") > came + 20, True)
+    assert becomes(lambda: line_counter("dropped"), dropped + 1)
+    received = line_counter("received")
+    assert becomes(lambda: line_counter("received") > received + 20, True)
     assert outputs(quick_simulator) == [60, 0, 0]
     command.send_signal(signal.SIGINT)
     command.ends(0)
@@ -252,7 +253,7 @@ def test_missing_replies_end_the_run_with_a_message(
     errors = command.ends(1).stderr
     assert "does not confirm" in errors
     assert "cut its power" in errors
-    assert braked(quick_simulator)  # it has heard what it could not confirm
+    assert braked(quick_simulator)  # the board received the stop, but its reply was lost
 
 
 def test_motor_on_missing_port_fails_with_a_message(trexcmd: RunCommand) -> None:
@@ -305,8 +306,8 @@ def test_stop_without_reply_is_reported_as_unconfirmed(
 
 
 @pytest.mark.realtime
-@pytest.mark.skipif(sys.platform == "win32", reason="the guardian shares a descriptor")
-def test_stop_names_who_holds_the_port_and_guardian_stops_its_motor(
+@pytest.mark.skipif(sys.platform == "win32", reason="the guardian inherits a descriptor")
+def test_stop_names_the_process_that_holds_the_port(
     start_process: StartProcess, quick_simulator: SimulatedDevice
 ) -> None:
     holder = start_process("motor", "1", "40")
@@ -314,20 +315,20 @@ def test_stop_names_who_holds_the_port_and_guardian_stops_its_motor(
     stop = start_process("stop")
     _, errors = stop.communicate(timeout=60)
     assert stop.returncode == 1
-    if sys.platform == "linux":  # no other system tells who holds a port
+    if sys.platform == "linux":  # other systems do not show which process holds a port
         assert f"(process {holder.pid})" in errors
         assert "press Esc in its window" in errors
     assert outputs(quick_simulator) == [40, 0, 0]
-    holder.kill()
+    holder.kill()  # its guardian stops the motor
     assert comes_true(lambda: braked(quick_simulator))
     _, errors = holder.communicate()
     assert "The program ended while motors could move. The stop was sent" in errors
 
 
 @pytest.mark.realtime
-@pytest.mark.skipif(sys.platform == "win32", reason="the guardian shares a descriptor")
+@pytest.mark.skipif(sys.platform == "win32", reason="the guardian inherits a descriptor")
 def test_guardian_works_without_standard_streams(quick_simulator: SimulatedDevice) -> None:
-    """The port then gets the number of a standard stream."""
+    """The descriptor of the port is then the number of a closed standard stream."""
     motor = [sys.executable, "-m", "trex_gui.cli", "motor", "1", "60", "--port"]
     command = ["sh", "-c", 'exec "$@" <&- >&- 2>&-', "sh", *motor, quick_simulator.url]
     with subprocess.Popen([*command, f"--timeout={LONG_TIMEOUT:g}"]) as process:
@@ -349,7 +350,7 @@ def test_missing_guardian_is_reported_without_timeout_stop(
 
 
 @pytest.mark.parametrize("moment", [0.61, 0.83, 1.2])
-def test_board_that_restarts_ends_the_command(
+def test_restart_of_the_board_ends_the_command(
     start: StartCommand,
     start_simulator: StartSimulator,
     virtual_time: VirtualRuntime,

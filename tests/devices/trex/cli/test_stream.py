@@ -1,4 +1,4 @@
-"""Command stream."""
+"""The command `stream`."""
 
 import csv
 import io
@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.devices.trex.cli.conftest import StartProcess, becomes, measured
+from tests.devices.trex.cli.conftest import StartProcess, becomes
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_command import RunCommand, StartCommand, VirtualCommand
 
@@ -39,7 +39,7 @@ def test_rows_have_units_in_header_and_complete_values(
         return float(json.loads(trexcmd("status", "--json").stdout)["motor_1_current_A"])
 
     quick_simulator.do("channel 2 1250us", "current 1 3.0")
-    assert becomes(lambda: measured(quick_simulator)[1], 3125)
+    assert becomes(lambda: quick_simulator.show()["channels"][1]["raw"], 3125)
     assert becomes(current, 3.0)
     result = trexcmd("stream", "--seconds", "0.5")
     rows = rows_of(result.stdout)
@@ -101,29 +101,29 @@ def test_closed_output_ends_stream_without_traceback(start_process: StartProcess
 
 
 @pytest.mark.parametrize(
-    ("lines", "why"),
+    ("lines", "reason"),
     [
         (["line unplug"], "is gone"),
         (["power off"], "stopped responding"),
         (["jumper mode analog", "power cycle"], "mode has changed"),
     ],
 )
-def test_stream_that_ends_early_keeps_its_rows_and_says_why(
+def test_stream_that_ends_early_saves_its_rows_and_the_reason(
     start: StartCommand,
     quick_simulator: SimulatedDevice,
     tmp_path: Path,
     lines: list[str],
-    why: str,
+    reason: str,
 ) -> None:
     file = tmp_path / "log.csv"
     command = start_stream(start, file, quick_simulator)
     quick_simulator.do(*lines)
     errors = command.ends(1).stderr
-    assert why in errors
+    assert reason in errors
     assert len(rows_of(file.read_text(encoding="utf-8"))) > 5
 
 
-def test_old_csv_file_is_replaced_once_a_board_answers(
+def test_old_csv_file_is_replaced_only_after_a_reply(
     trexcmd: RunCommand, tmp_path: Path, quick_simulator: SimulatedDevice
 ) -> None:
     file = tmp_path / "data.csv"
@@ -138,7 +138,7 @@ def test_old_csv_file_is_replaced_once_a_board_answers(
     assert "cannot be written" in missing.stderr
 
 
-def test_stream_is_thinned_limited_and_separated(
+def test_stream_has_selected_interval_count_and_separator(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     trexcmd("raw", "41")
@@ -150,7 +150,7 @@ def test_stream_is_thinned_limited_and_separated(
     assert "4 rows." in result.stderr
     assert all(later - earlier > 0.249 for earlier, later in itertools.pairwise(times))
     assert times[-1] < 1.2
-    assert [row["uart_format"] for row in rows].count("1") == 1, "no error bit is left out"
+    assert [row["uart_format"] for row in rows].count("1") == 1, "skipped samples lose no error"
     assert [row["status_uart_error"] for row in rows].count("1") == 1
     first, _ = map(json.loads, trexcmd("stream", "--json", "--limit", "2").stdout.splitlines())
     assert first["channel_1_us"] == 1500.0

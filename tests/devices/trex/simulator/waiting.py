@@ -1,16 +1,18 @@
-"""Waiting for a simulator that runs in real time."""
+"""Polling of a simulator that runs in real time."""
 
 import time
 from collections.abc import Callable
 
-LONG_TIMEOUT = 20.0
-"""Timeout in seconds."""
+LONG_TIMEOUT = 30.0  # seconds
 
 
-def becomes(look: Callable[[], object], wanted: object) -> bool:
-    """Wait for a condition. Return whether it became true in time."""
+def comes_true(condition: Callable[[], object]) -> bool:
+    """Poll a condition. Return whether it came true in time.
+
+    Pauses leave the simulator time for the program.
+    """
     end = time.monotonic() + LONG_TIMEOUT
-    while look() != wanted:
+    while not condition():
         if time.monotonic() > end:
             return False
         time.sleep(0.02)
