@@ -32,7 +32,7 @@ def stored(line: VirtualSimulator, key: str) -> list[int]:
     return [line.show(name)["parameters"][key] for name in ("@3", "@7", "@9")]
 
 
-def test_boards_lists_each_number(run: RunCommand, line: VirtualSimulator) -> None:
+def test_boards_lists_each_device_number(run: RunCommand, line: VirtualSimulator) -> None:
     before = line.show("@7")["motors"]
     result = run("boards", "--json")
     found = json.loads(result.stdout)
@@ -72,7 +72,7 @@ def test_command_without_a_number_names_the_list_of_boards(
     assert stored(line, "serial_timeout") == [0, 0, 0]
 
 
-def test_boards_with_joint_replies_are_not_driven(
+def test_identical_boards_that_reply_as_one_are_not_driven(
     start: StartCommand, start_simulator: StartSimulator
 ) -> None:
     boards = start_simulator("--unpaced", "--device", "9", "--device", "12")
@@ -92,17 +92,17 @@ def test_number_of_another_board_is_not_stored(run: RunCommand, line: VirtualSim
     assert stored(line, "device_number") == [3, 12, 9]
 
 
-def test_reset_to_the_number_of_another_board_is_refused(
+def test_reset_to_the_number_of_another_board_is_rejected(
     run: RunCommand, line: VirtualSimulator
 ) -> None:
     line.do("@3 eeprom serial_timeout 9")
-    three = ("--protocol", "expanded", "--device", "3")
-    result = run("restore-defaults", "--yes", *three, exits=1)
+    board_3 = ("--protocol", "expanded", "--device", "3")
+    result = run("restore-defaults", "--yes", *board_3, exits=1)
     assert "Another board on this line has the device number 7" in result.stderr
     line.do("@3 power cycle")
     assert stored(line, "serial_timeout") == [9, 0, 0]
     run("set", *EXPANDED, "device_number", "12")
-    run("restore-defaults", "--yes", *three)
+    run("restore-defaults", "--yes", *board_3)
     line.do("@3 power cycle")
     assert stored(line, "device_number") == [7, 12, 9]
 
@@ -112,7 +112,7 @@ def test_file_is_written_to_several_boards(
 ) -> None:
     path = tmp_path / "fleet.txt"
     save(path, "product: TReX\ndevice_number: 55\nuart_settings: 10\nserial_timeout: 7\n")
-    # Every board is checked before the first is written.
+    # Every board is checked before the first board is written to.
     result = run("set-settings", str(path), "--devices", "3,7,9", exits=1)
     assert "the board is a TReX Jr" in result.stderr
     assert stored(line, "serial_timeout") == [0, 0, 0]

@@ -1,4 +1,4 @@
-"""Commands calibration get and calibration set."""
+"""The commands `calibration get` and `calibration set`."""
 
 import json
 
@@ -10,7 +10,7 @@ from tests.support.virtual_command import RunCommand
 
 def test_calibrations_are_shown_in_counts_and_physical_units(trexcmd: RunCommand) -> None:
     lines = trexcmd("calibration", "get").stdout.splitlines()
-    assert lines[0] == ("1\t2500 3750 5000 75\t1000 µs / 1500 µs / 2000 µs / 30 µs  (default)")
+    assert lines[0] == "1\t2500 3750 5000 75\t1000 µs / 1500 µs / 2000 µs / 30 µs  (default)"
     assert len(lines) == 5
 
 
@@ -32,7 +32,7 @@ def test_calibration_is_stored_and_read_back(trexcmd: RunCommand, words: tuple[s
     assert second["differs_from_default"]
 
 
-def test_analog_board_is_calibrated_in_volts(
+def test_analog_channel_is_calibrated_in_volts(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     trexcmd("set", "channel_input_source", "1")
@@ -41,6 +41,6 @@ def test_analog_board_is_calibrated_in_volts(
     assert result.stdout.startswith("1\t102 512 921 20\t")
 
 
-def test_calibration_in_the_unit_of_the_other_source_is_rejected(trexcmd: RunCommand) -> None:
+def test_voltage_is_rejected_for_an_rc_calibration(trexcmd: RunCommand) -> None:
     result = trexcmd("calibration", "set", "1", "1V", "2V", "3V", "1V", exits=1)
     assert "currently measures RC inputs" in result.stderr

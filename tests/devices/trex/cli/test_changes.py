@@ -1,6 +1,5 @@
 """Messages and snapshots of commands that change a board."""
 
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -22,7 +21,7 @@ one_setting = pytest.mark.parametrize(
     ids=["set", "calibration set"],
 )
 
-WANTED = "product: TReX\nserial_timeout: 15\n"
+NEW_SETTINGS = "product: TReX\nserial_timeout: 15\n"
 
 every_write = pytest.mark.parametrize(
     "words",
@@ -36,9 +35,8 @@ every_write = pytest.mark.parametrize(
 )
 
 
-def memory(trexcmd: RunCommand) -> str:
-    result = trexcmd("get-settings", "-")
-    return result.stdout
+def read_settings_text(trexcmd: RunCommand) -> str:
+    return trexcmd("get-settings", "-").stdout
 
 
 # --- One setting ------------------------------------------------------------------------
@@ -54,23 +52,23 @@ def test_changing_one_setting_shows_and_snapshots_old_value(
     (snapshot,) = SettingsHistory().snapshots()
     assert snapshot.reason == reason
     assert str(snapshot.path) in result.stderr
-    kept = SettingsHistory().load(snapshot)
-    assert kept.parameters["serial_timeout"] == 0
-    assert len(kept.parameters) == 28
-    assert {found.minimum for found in kept.calibrations.values()} == {2500}
+    saved = SettingsHistory().load(snapshot)
+    assert saved.parameters["serial_timeout"] == 0
+    assert len(saved.parameters) == 28
+    assert {calibration.minimum for calibration in saved.calibrations.values()} == {2500}
 
 
 @every_write
 def test_nothing_is_stored_if_snapshot_fails(
     trexcmd: RunCommand, tmp_path: Path, words: tuple[str, ...]
 ) -> None:
-    before = memory(trexcmd)
-    place = tmp_path / "file"
-    place.write_text("", encoding="utf-8")
-    result = trexcmd(*words, stdin=WANTED, TREX_STUDIO_DATA=str(place), exits=1)
+    before = read_settings_text(trexcmd)
+    file = tmp_path / "file"
+    file.write_text("", encoding="utf-8")
+    result = trexcmd(*words, stdin=NEW_SETTINGS, TREX_STUDIO_DATA=str(file), exits=1)
     assert "it cannot be written" in result.stderr
     assert result.stdout == ""
-    assert memory(trexcmd) == before
+    assert read_settings_text(trexcmd) == before
 
 
 @one_setting
@@ -84,9 +82,9 @@ def test_unchanged_setting_is_not_written_again(
     del shown, reason
     first = trexcmd(*words)
     monkeypatch.setattr("trex_gui.devices.trex.board.keeper.write_all", None)  # calling it fails
-    again = trexcmd(*words)
-    assert again.stdout == first.stdout
-    assert "already has this value; nothing is written" in again.stderr
+    second = trexcmd(*words)
+    assert second.stdout == first.stdout
+    assert "already has this value; nothing is written" in second.stderr
     assert len(SettingsHistory().snapshots()) == 1
 
 
@@ -95,7 +93,7 @@ def test_write_rejected_in_rc_mode_leaves_no_snapshot(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, words: tuple[str, ...]
 ) -> None:
     quick_simulator.do("jumper mode rc", "power cycle")
-    assert "not in serial mode" in trexcmd(*words, stdin=WANTED, exits=1).stderr
+    assert "not in serial mode" in trexcmd(*words, stdin=NEW_SETTINGS, exits=1).stderr
     assert not SettingsHistory().snapshots()
 
 
@@ -105,7 +103,7 @@ def test_set_warns_of_conflicting_settings(trexcmd: RunCommand) -> None:
     assert "Warning: No effect in joint mode: Motor 1 Current Limit" in result.stderr
 
 
-# --- A file -----------------------------------------------------------------------------
+# --- Settings files ---------------------------------------------------------------------
 
 
 def test_diff_reports_settings_for_different_models(trexcmd: RunCommand, tmp_path: Path) -> None:
@@ -121,7 +119,7 @@ def test_diff_reports_settings_for_different_models(trexcmd: RunCommand, tmp_pat
     assert "different models" not in trexcmd("diff", first, exits=1).stderr
 
 
-# --- What the port can do ---------------------------------------------------------------
+# --- Baud rates of the port -------------------------------------------------------------
 
 
 @pytest.mark.parametrize("command", ["set", "set-settings", "set-settings --dry-run"])
@@ -146,21 +144,21 @@ def test_baud_rate_that_port_lacks_prints_warning(
 def test_port_rates_are_queried_before_anything_is_sent(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    happened: list[str] = []
+    events: list[str] = []
 
-    def rates(_: VirtualTransport, _wanted: object) -> None:
-        happened.append("queried")
+    def rates(_: VirtualTransport, _rates: object) -> None:
+        events.append("queried")
 
     assert isinstance(quick_simulator, VirtualSimulator)
     monkeypatch.setattr(VirtualTransport, "rates", rates)
-    quick_simulator.on_write = lambda _: happened.append("sent")
+    quick_simulator.on_write = lambda _: events.append("sent")
     trexcmd("set", "serial_timeout", "15")
-    assert happened.count("queried") == 1
-    assert happened[0] == "queried"
-    assert "sent" in happened
+    assert events.count("queried") == 1
+    assert events[0] == "queried"
+    assert "sent" in events
 
 
-# --- The factory's values ---------------------------------------------------------------
+# --- Factory defaults -------------------------------------------------------------------
 
 
 def test_restore_defaults_lists_changes_before_prompt(
@@ -168,13 +166,13 @@ def test_restore_defaults_lists_changes_before_prompt(
 ) -> None:
     quick_simulator.do("eeprom serial_timeout 15", "eeprom motor1_acceleration 9")
     quick_simulator.do("eeprom device_number 9", "power cycle")
-    before = memory(trexcmd)
+    before = read_settings_text(trexcmd)
     trexcmd("restore-defaults", stdin="", exits=1)
     result = trexcmd("restore-defaults", stdin="n\n", exits=1)
-    said, question, _ = result.stderr.partition("Reset every parameter")
-    assert question
-    assert "3 of 28 parameters will change:\n" in said
-    rows = {line.split()[0]: line.split()[1:4] for line in said.splitlines() if "→" in line}
+    messages, prompt, _ = result.stderr.partition("Reset every parameter")
+    assert prompt
+    assert "3 of 28 parameters will change:\n" in messages
+    rows = {line.split()[0]: line.split()[1:4] for line in messages.splitlines() if "→" in line}
     assert rows == {
         "device_number": ["9", "→", "7"],
         "motor1_acceleration": ["9", "→", "0"],
@@ -183,7 +181,7 @@ def test_restore_defaults_lists_changes_before_prompt(
     assert result.stdout == ""
     assert not SettingsHistory().snapshots()
     quick_simulator.do("power cycle")
-    assert memory(trexcmd) == before
+    assert read_settings_text(trexcmd) == before
 
 
 def test_restore_defaults_names_inferred_defaults(
@@ -192,8 +190,8 @@ def test_restore_defaults_names_inferred_defaults(
     quick_simulator.do("eeprom device_number 9", "power cycle")
     assert "confirms" not in trexcmd("restore-defaults", stdin="n\n", exits=1).stderr
     quick_simulator.do("eeprom motor1_acceleration 9")
-    said = trexcmd("restore-defaults", stdin="n\n", exits=1).stderr
-    assert "No source confirms these defaults: Motor 1 Acceleration (inferred).\n" in said
+    messages = trexcmd("restore-defaults", stdin="n\n", exits=1).stderr
+    assert "No source confirms these defaults: Motor 1 Acceleration (inferred).\n" in messages
 
 
 def test_restore_defaults_without_changes_still_prompts(
@@ -207,7 +205,7 @@ def test_restore_defaults_without_changes_still_prompts(
         assert "Reset every parameter" in result.stderr
 
 
-# --- Another board ----------------------------------------------------------------------
+# --- Replaced board ---------------------------------------------------------------------
 
 
 @every_write
@@ -229,49 +227,44 @@ def test_replaced_board_is_not_written_to(
     stored: str,
     message: str,
 ) -> None:
-    other = start_simulator("--unpaced", "--model", model)
-    assert isinstance(other, VirtualSimulator)
-    other.do(f"eeprom {stored} 9")
-    boards = (quick_simulator, other)
-    before = [everything(board) for board in boards]
-    exchange_at(quick_simulator, other, lambda _data: bool(SettingsHistory().snapshots()))
-    result = trexcmd(*words, stdin=WANTED, exits=1)
+    replacement = start_simulator("--unpaced", "--model", model)
+    assert isinstance(replacement, VirtualSimulator)
+    replacement.do(f"eeprom {stored} 9")
+    boards = (quick_simulator, replacement)
+
+    def stored_values() -> list[object]:
+        states = [board.show() for board in boards]
+        return [(state["parameters"], state["calibrations"]) for state in states]
+
+    def replace_after_snapshot(_data: bytes) -> None:
+        if SettingsHistory().snapshots():
+            quick_simulator.on_write = lambda _data: None
+            quick_simulator.move_cable_to(replacement)
+
+    before = stored_values()
+    quick_simulator.on_write = replace_after_snapshot
+    result = trexcmd(*words, stdin=NEW_SETTINGS, exits=1)
     assert message in result.stderr
     assert result.stdout == ""
-    assert other.host is None
+    assert replacement.host is None
     for board in boards:
         board.do("power cycle")  # completes a reset to the defaults
-    assert [everything(board) for board in boards] == before
+    assert stored_values() == before
 
 
-def everything(board: SimulatedDevice) -> tuple[dict[str, int], dict[str, object]]:
-    shown = board.show()
-    return shown["parameters"], shown["calibrations"]
+# --- Records of a board -----------------------------------------------------------------
 
 
-def exchange_at(
-    board: VirtualSimulator, other: VirtualSimulator, is_due: Callable[[bytes], bool]
-) -> None:
-    """Connect another board at the first packet that is due."""
-
-    def watch(data: bytes) -> None:
-        if is_due(data):
-            board.on_write = lambda _data: None
-            board.move_cable_to(other)
-
-    board.on_write = watch
-
-
-def test_notes_of_a_file_are_kept_for_the_board(trexcmd: RunCommand, tmp_path: Path) -> None:
+def test_notes_of_a_file_are_saved_for_its_board(trexcmd: RunCommand, tmp_path: Path) -> None:
     file = tmp_path / "board.txt"
     note = "# Note on motor_mode: two motors\nmotor_mode"
-    file.write_text(memory(trexcmd).replace("motor_mode", note))
+    file.write_text(read_settings_text(trexcmd).replace("motor_mode", note))
     differing = trexcmd("diff", str(file), exits=1).stdout
     assert differing.split() == ["motor_mode", "note", "two", "motors"]
     result = trexcmd("set-settings", str(file))
     assert "1 note saved on this computer: a board stores no notes." in result.stderr
     assert trexcmd("diff", str(file)).stdout == ""
-    assert "# Note on motor_mode: two motors\nmotor_mode: 0 " in memory(trexcmd)
+    assert "# Note on motor_mode: two motors\nmotor_mode: 0 " in read_settings_text(trexcmd)
     trexcmd("set", "serial_timeout", "1.5 s")
     (snapshot,) = SettingsHistory().snapshots()
     assert SettingsHistory().load(snapshot).notes == {"motor_mode": "two motors"}
@@ -279,26 +272,26 @@ def test_notes_of_a_file_are_kept_for_the_board(trexcmd: RunCommand, tmp_path: P
 
 
 def test_last_applied_settings_are_compared_with_board(trexcmd: RunCommand) -> None:
-    nothing = trexcmd("diff", "--last", exits=2)
-    assert "No settings have been applied to this board from this computer." in nothing.stderr
+    unrecorded = trexcmd("diff", "--last", exits=2)
+    assert "No settings have been applied to this board from this computer." in unrecorded.stderr
     trexcmd("diff", exits=2)
     trexcmd("diff", "--last", "x.txt", exits=2)
 
     trexcmd("set", "serial_timeout", "1.5 s")
-    other = data_folder() / "boards" / "trex-1.2-9.txt"
-    other.write_text("notes of another board", encoding="utf-8")
+    old_record = data_folder() / "boards" / "trex-1.2-9.txt"
+    old_record.write_text("notes of another board", encoding="utf-8")
     renumbered = trexcmd("set", "device_number", "9")  # the record follows the number
-    aside = other.with_name("trex-1.2-9.replaced-1.txt")
-    assert f"another board with this device number is in {aside}." in renumbered.stderr
-    assert aside.read_text(encoding="utf-8") == "notes of another board"
+    moved_record = old_record.with_name("trex-1.2-9.replaced-1.txt")
+    assert f"another board with this device number is in {moved_record}." in renumbered.stderr
+    assert moved_record.read_text(encoding="utf-8") == "notes of another board"
     assert trexcmd("diff", "--last", "--device", "9").stdout == ""
-    trexcmd("raw", "AF 07 00 55 2A")  # by another program
-    lost = trexcmd("diff", "--last", exits=1)
-    assert " ".join(lost.stdout.split()) == "serial_timeout 0 → 15 off → 1.5 s"
-    assert "New: the settings applied on 20" in lost.stderr
+    trexcmd("raw", "AF 07 00 55 2A")  # a change that is not recorded
+    changed = trexcmd("diff", "--last", exits=1)
+    assert " ".join(changed.stdout.split()) == "serial_timeout 0 → 15 off → 1.5 s"
+    assert "New: the settings applied on 20" in changed.stderr
 
 
-def test_force_stores_and_remembers_open_value(
+def test_forced_open_value_is_stored_and_recorded(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
     refused = trexcmd("set", "ignored_channels", "63", exits=2)
@@ -307,17 +300,17 @@ def test_force_stores_and_remembers_open_value(
     assert "Ignored Channels: the board rejects this value" in rejected.stderr
 
     quick_simulator.do("accept ignored_channels 127 31")
-    other = trexcmd("set", "ignored_channels", "32", "--force", exits=1)
-    assert "wire 32" in other.stderr, "what was wanted"
-    assert "none" in other.stderr, "what was stored"
-    trexcmd("set", "ignored_channels", "63", exits=2)  # neither is remembered
+    altered = trexcmd("set", "ignored_channels", "32", "--force", exits=1)
+    assert "wire 32" in altered.stderr, "the requested value"
+    assert "none" in altered.stderr, "the stored value"
+    trexcmd("set", "ignored_channels", "63", exits=2)  # neither value is recorded
 
     quick_simulator.do("accept ignored_channels 127")
     accepted = trexcmd("set", "ignored_channels", "63", "--force")
     assert "Recorded as accepted by a TReX 1.2: ignored_channels 63." in accepted.stderr
     assert quick_simulator.show()["parameters"]["ignored_channels"] == 63
     trexcmd("set", "ignored_channels", "0")
-    trexcmd("set", "ignored_channels", "63")  # no question a second time
+    trexcmd("set", "ignored_channels", "63")  # a recorded value needs no --force
 
     file = tmp_path / "board.txt"
     trexcmd("get-settings", str(file))
@@ -329,8 +322,8 @@ def test_force_stores_and_remembers_open_value(
     assert "--force lets the board decide" in result.stderr
     quick_simulator.do("accept reversed_channels 127")
     trexcmd("set-settings", str(file), "--force")
-    trexcmd("set", "motor_mode", "2", "--force", exits=2)  # sourced
-    trexcmd("set", "ignored_channels", "128", "--force", exits=2)  # seven bits
+    trexcmd("set", "motor_mode", "2", "--force", exits=2)  # a sourced limit
+    trexcmd("set", "ignored_channels", "128", "--force", exits=2)  # more than seven bits
 
 
 def test_defaults_are_restored_at_next_power_up(
@@ -347,12 +340,12 @@ def test_defaults_are_restored_at_next_power_up(
 
 
 def test_set_settings_takes_snapshot_before_writing(trexcmd: RunCommand, tmp_path: Path) -> None:
-    path = tmp_path / "wish.txt"
+    path = tmp_path / "new.txt"
     path.write_text("product: TReX\nserial_timeout: 7\n", encoding="utf-8")
     trexcmd("set-settings", "--dry-run", str(path))
     assert not SettingsHistory().snapshots()
     trexcmd("set-settings", "-", stdin="product: TReX\nserial_timeout: 0\n")
-    assert not SettingsHistory().snapshots(), "nothing changes"
+    assert not SettingsHistory().snapshots(), "no setting changes"
     result = trexcmd("set-settings", str(path))
     (snapshot,) = SettingsHistory().snapshots()
     assert str(snapshot.path) in result.stderr

@@ -1,4 +1,4 @@
-"""Commands get-settings, set-settings, check-settings and diff."""
+"""The commands `get-settings`, `set-settings`, `check-settings`, `diff` and `audit`."""
 
 import json
 import signal
@@ -17,24 +17,21 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 @pytest.fixture
 def saved(trexcmd: RunCommand, tmp_path: Path) -> Path:
-    """Settings of the simulated board as a file."""
+    """Settings file of the simulated board."""
     path = tmp_path / "board.txt"
     trexcmd("get-settings", str(path))
     return path
 
 
 def changed(path: Path, **values: object) -> Path:
-    """Return a file with other values. `None` removes a key."""
+    """Return a copy of a settings file with these values."""
     lines = []
     for line in path.read_text(encoding="utf-8").splitlines():
         key = line.partition(":")[0]
-        if key not in values:
-            lines.append(line)
-        elif values[key] is not None:
-            lines.append(f"{key}: {values[key]}")
-    other = path.with_name("changed.txt")
-    other.write_text("\n".join(lines) + "\n", encoding="utf-8")
-    return other
+        lines.append(f"{key}: {values[key]}" if key in values else line)
+    copy = path.with_name("changed.txt")
+    copy.write_text("\n".join(lines) + "\n", encoding="utf-8")
+    return copy
 
 
 def stored(simulator: SimulatedDevice, key: str) -> int:
@@ -114,7 +111,7 @@ def test_set_settings_writes_nothing_outside_serial_mode(
     file.write_text(file.read_text() + "# Note on serial_timeout: the radio drops out\n")
     assert "not in serial mode" in trexcmd("set-settings", str(file), exits=1).stderr
     assert quick_simulator.show()["counters"]["eeprom_writes"] == 0
-    assert "Note on" not in trexcmd("get-settings", "-").stdout, "no notes of rejected settings"
+    assert "Note on" not in trexcmd("get-settings", "-").stdout, "notes are not saved either"
 
 
 def test_calibrations_of_inactive_source_are_skipped_and_named(
@@ -169,7 +166,7 @@ motor1_acceleration: 12
 """
 
 
-def test_check_settings_writes_the_file_as_it_is_and_ends_its_last_line(
+def test_check_settings_copies_the_file_and_terminates_its_last_line(
     trexcmd: RunCommand, tmp_path: Path
 ) -> None:
     file, out = tmp_path / "in.txt", tmp_path / "out.txt"
@@ -186,7 +183,7 @@ def test_check_settings_writes_the_file_as_it_is_and_ends_its_last_line(
 def test_file_that_cannot_be_edited_in_place_is_rewritten(
     trexcmd: RunCommand, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """No such file is known, but `amend` may reject a file."""
+    """No file is known that `amend` rejects, so the test replaces `amend`."""
 
     def refuse(text: str, settings: Settings) -> str:
         del text, settings
@@ -245,7 +242,7 @@ def test_fix_repairs_the_file_and_lists_each_repair(trexcmd: RunCommand, tmp_pat
     assert report["repairs"] == []
 
 
-def test_fix_writes_nothing_while_errors_are_left(trexcmd: RunCommand, tmp_path: Path) -> None:
+def test_fix_writes_nothing_while_errors_remain(trexcmd: RunCommand, tmp_path: Path) -> None:
     path, out = tmp_path / "faulty.txt", tmp_path / "out.txt"
     text = FAULTY + "\nserial_timer: 5\n"
     path.write_text(text, encoding="utf-8")
@@ -267,7 +264,7 @@ def test_set_settings_checks_resulting_settings(trexcmd: RunCommand, tmp_path: P
         encoding="utf-8",
     )
     result = trexcmd("set-settings", str(path), "--dry-run")
-    assert "Motor 1 Acceleration is 0" in result.stderr, "the board's"
+    assert "Motor 1 Acceleration is 0" in result.stderr, "a setting of the board"
     assert "The deadband of RC channel 2 reaches from neutral" in result.stderr
 
 
@@ -297,12 +294,12 @@ def test_check_settings_converts_for_another_board(trexcmd: RunCommand, tmp_path
 
     report = json.loads(trexcmd("check-settings", str(path), "--for", "trex", "--json").stdout)
     assert [row["fate"] for row in report["conversion"]] == ["changed", *["carried over"] * 2]
-    for wrong in (["--for", "jrk"], ["--for", "trex-9.9"], ["--for", "trex", "--fix"]):
-        trexcmd("check-settings", str(path), *wrong, exits=2)
+    for options in (["--for", "jrk"], ["--for", "trex-9.9"], ["--for", "trex", "--fix"]):
+        trexcmd("check-settings", str(path), *options, exits=2)
     assert path.read_text(encoding="utf-8") == JUNIOR
 
 
-def test_set_settings_converts_a_file_of_the_other_model_when_told(
+def test_set_settings_with_convert_writes_a_file_of_the_other_model(
     trexcmd: RunCommand, tmp_path: Path, quick_simulator: SimulatedDevice
 ) -> None:
     path = tmp_path / "junior.txt"
@@ -331,19 +328,17 @@ def test_diff_compares_two_files_without_a_board(trexcmd: RunCommand, saved: Pat
     ]
 
 
-@pytest.mark.parametrize("trouble", ["power off", "interrupted"])
 @pytest.mark.parametrize("command", ["diff", "audit"])
-def test_comparison_that_is_cut_short_exits_with_2(
-    start: StartCommand, saved: Path, quick_simulator: SimulatedDevice, command: str, trouble: str
+def test_failed_or_interrupted_comparison_exits_with_2(
+    start: StartCommand, saved: Path, quick_simulator: SimulatedDevice, command: str
 ) -> None:
-    if trouble == "power off":
-        quick_simulator.do(trouble)
-    run = start(command, str(saved))
-    if trouble == "interrupted":
-        sent = quick_simulator.show()["counters"]["line"]["sent"]
-        assert becomes(lambda: quick_simulator.show()["counters"]["line"]["sent"] > sent, True)
-        run.send_signal(signal.SIGINT)
-    assert run.wait() == 2
+    interrupted = start(command, str(saved))
+    sent = quick_simulator.show()["counters"]["line"]["sent"]
+    assert becomes(lambda: quick_simulator.show()["counters"]["line"]["sent"] > sent, True)
+    interrupted.send_signal(signal.SIGINT)
+    assert interrupted.wait() == 2
+    quick_simulator.do("power off")
+    assert start(command, str(saved)).wait() == 2
 
 
 def test_audit_checks_settings_of_profile(
@@ -352,13 +347,13 @@ def test_audit_checks_settings_of_profile(
     profile = tmp_path / "profile.txt"
     calibration = "rc_channel_1: {minimum: 2500, neutral: 3750, maximum: 5000, deadband: 75}\n"
     profile.write_text(f"product: TReX\nserial_timeout: 0\nmotor_mode: 0\n{calibration}")
-    same = trexcmd("audit", str(profile))
-    assert same.stdout == ""
-    assert "2 parameters: 0 will change, 2 match; 1 calibration" in same.stderr
+    equal = trexcmd("audit", str(profile))
+    assert equal.stdout == ""
+    assert "2 parameters: 0 will change, 2 match; 1 calibration" in equal.stderr
 
     quick_simulator.do("eeprom serial_timeout 7")
-    other = trexcmd("audit", str(profile), exits=1)
-    assert other.stdout.split() == ["serial_timeout", "7", "→", "0", "0.7", "s", "→", "off"]
+    different = trexcmd("audit", str(profile), exits=1)
+    assert different.stdout.split() == ["serial_timeout", "7", "→", "0", "0.7", "s", "→", "off"]
     report = json.loads(trexcmd("audit", str(profile), "--json", exits=1).stdout)
     assert [row["key"] for row in report["differing"]] == ["serial_timeout"]
     assert report["equal"] is False
@@ -368,7 +363,9 @@ def test_audit_checks_settings_of_profile(
     assert stored(quick_simulator, "serial_timeout") == 7, "an audit writes nothing"
 
 
-def test_audit_of_another_model_is_different(trexcmd: RunCommand, tmp_path: Path) -> None:
+def test_audit_with_profile_of_other_model_exits_with_1(
+    trexcmd: RunCommand, tmp_path: Path
+) -> None:
     profile = tmp_path / "profile.txt"
     profile.write_text("product: TReX Jr\nserial_timeout: 0\n")
     trexcmd("audit", str(profile), exits=1)

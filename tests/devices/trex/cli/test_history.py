@@ -1,7 +1,8 @@
-"""Command history."""
+"""The command `history`."""
 
 import json
 import re
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
@@ -12,17 +13,14 @@ from tests.devices.trex.settings.samples import factory
 from tests.support.simulator import SimulatedDevice
 from tests.support.virtual_command import RunCommand
 from trex_gui.cli import main
-from trex_gui.devices.trex.settings.document import Settings
 from trex_gui.devices.trex.settings.history import LIMIT_FILE, Limit, SettingsHistory
 
 NOON = datetime(2026, 11, 21, 12, 0, 0, tzinfo=UTC)
 
 
 def save_snapshot(minutes: int = 0, reason: str = "Apply of 1 setting", **values: int) -> Path:
-    there = factory()
-    settings = Settings(
-        there.product, there.firmware, {**there.parameters, **values}, there.calibrations
-    )
+    settings = factory()
+    settings = replace(settings, parameters={**settings.parameters, **values})
     now = NOON + timedelta(minutes=minutes)
     return SettingsHistory().save(settings, adapter="FT232R (ttyUSB0)", reason=reason, now=now).path
 
@@ -106,7 +104,7 @@ def test_history_diff_compares_snapshot_with_board(
     assert (rows["serial_timeout"]["before"], rows["serial_timeout"]["after"]) == (7, 5)
 
 
-# --- How many are kept ------------------------------------------------------------------
+# --- Limit of the history ---------------------------------------------------------------
 
 
 def test_history_keep_sets_and_prints_the_limit(trexcmd: RunCommand) -> None:
@@ -117,7 +115,7 @@ def test_history_keep_sets_and_prints_the_limit(trexcmd: RunCommand) -> None:
     assert SettingsHistory().limit() == Limit(20)
 
 
-def test_lowering_history_limit_asks_before_deleting(trexcmd: RunCommand) -> None:
+def test_lower_history_limit_prompts_before_removing_snapshots(trexcmd: RunCommand) -> None:
     for minutes in range(5):
         save_snapshot(minutes)
     result = trexcmd("history", "keep", "2", stdin="n\n", exits=1)
@@ -137,9 +135,9 @@ def test_damaged_history_limit_is_reported(
     (SettingsHistory().folder / LIMIT_FILE).write_text("kept: some\n", encoding="utf-8")
     assert "none is removed" in trexcmd("history").stderr
     assert "none is removed" in trexcmd("history", "keep", exits=1).stderr
-    wanted = tmp_path / "wanted.txt"
-    wanted.write_text("product: TReX\nserial_timeout: 9\n", encoding="utf-8")
-    result = trexcmd("set-settings", str(wanted))
+    file = tmp_path / "new.txt"
+    file.write_text("product: TReX\nserial_timeout: 9\n", encoding="utf-8")
+    result = trexcmd("set-settings", str(file))
     assert "Warning: " in result.stderr
     assert "none is removed" in result.stderr
     trexcmd("history", "keep", "10")
@@ -155,7 +153,7 @@ def test_completion_describes_snapshot_numbers() -> None:
     assert "Apply of 1 setting" in found.help
 
 
-def test_snapshot_is_called_by_its_name(trexcmd: RunCommand) -> None:
+def test_snapshot_is_selected_by_its_name(trexcmd: RunCommand) -> None:
     path = save_snapshot(0, serial_timeout=5)
     save_snapshot(1)
     trexcmd("history", "name", "2", "contest", "--note", "as it won")
@@ -171,7 +169,7 @@ def test_snapshot_is_called_by_its_name(trexcmd: RunCommand) -> None:
     assert "neither the number" in trexcmd("history", "path", "contest", exits=2).stderr
 
 
-def test_name_that_would_be_a_number_is_refused(trexcmd: RunCommand) -> None:
+def test_number_is_rejected_as_a_snapshot_name(trexcmd: RunCommand) -> None:
     save_snapshot()
     assert "number" in trexcmd("history", "name", "1", "2", exits=1).stderr
     assert "Give a name" in trexcmd("history", "name", "1", exits=2).stderr

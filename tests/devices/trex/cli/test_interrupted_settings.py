@@ -1,4 +1,4 @@
-"""Interrupted set-settings and restore-defaults."""
+"""Interrupted `set-settings`, and the options that reach the board after new line settings."""
 
 import re
 import signal
@@ -22,42 +22,36 @@ from trex_gui.devices.trex.settings.writer import write_settings
 SPECS = parameters_of("trex", "1.2")
 NAMES = {spec.name: spec.key for spec in SPECS.readable}
 
-MIDDLE = "motor1_pwm_maximum"
-"""A parameter before and behind which others are stored."""
+MIDDLE_KEY = "motor1_pwm_maximum"
+"""Key of a parameter that is neither the first nor the last to be stored."""
 
 
 @dataclass
 class SettingsWrite:
-    """Run of set-settings that has just stored a certain parameter."""
+    """Run of `set-settings` that has just stored `MIDDLE_KEY`."""
 
     process: VirtualCommand
     board: SimulatedDevice
     file: Path
     before: Settings
-    wanted: Settings
+    target: Settings
 
-    def end(self) -> str:
-        """Wait for the end and return the messages."""
-        _, said = self.process.communicate()
-        assert "Traceback" not in said
-        return said
-
-    def assert_reported(self, said: str) -> None:
-        """Check that the messages name the stored and the other settings."""
+    def assert_reported(self, messages: str) -> None:
+        """Check that the messages name the stored and the untried settings."""
         stored = self.board.show()["parameters"]
-        given = {key for key in self.wanted.parameters if self.differs(key)}
-        named_stored = named(said, "Stored: ")
-        untried = named(said, "Not tried: ") | named(said, "Not tried after that: ")
-        assert "Stored: " in said  # the calibrations at least, which go first
+        before, target = self.before.parameters, self.target.parameters
+        changes = {key for key in target if target[key] != before[key]}
+        reported = listed_keys(messages, "Stored: ")
+        untried = listed_keys(messages, "Not tried: ")
+        untried |= listed_keys(messages, "Not tried after that: ")
+        assert "Stored: " in messages  # at least the calibrations, which are written first
         assert untried
-        assert all(stored[key] == self.wanted.parameters[key] for key in named_stored)
-        assert all(stored[key] == self.before.parameters[key] for key in untried)
-        assert len(given - named_stored - untried) <= 1
-        assert re.search(r"\d+ of \d+ changes stored and verified", said)
-        assert "not all settings were stored" in said.lower()
-
-    def differs(self, key: str) -> bool:
-        return self.wanted.parameters[key] != self.before.parameters[key]
+        assert all(stored[key] == target[key] for key in reported)
+        assert all(stored[key] == before[key] for key in untried)
+        assert len(changes - reported - untried) <= 1
+        assert re.search(r"\d+ of \d+ changes stored and verified", messages)
+        assert "not all settings were stored" in messages.lower()
+        assert "Traceback" not in messages
 
     def assert_snapshot_complete(self) -> None:
         """Check that the snapshot has all earlier settings."""
@@ -65,92 +59,89 @@ class SettingsWrite:
         assert SettingsHistory().load(snapshot) == self.before
 
 
-def named(said: str, beginning: str) -> set[str]:
-    """Return the keys of the parameters that a sentence lists."""
-    lines = [line for line in said.splitlines() if line.startswith(beginning)]
-    names = lines[0].removeprefix(beginning).removesuffix(".").split(", ") if lines else []
+def listed_keys(messages: str, prefix: str) -> set[str]:
+    """Return the keys of the parameters in the first message with this prefix."""
+    lines = [line for line in messages.splitlines() if line.startswith(prefix)]
+    names = lines[0].removeprefix(prefix).removesuffix(".").split(", ") if lines else []
     return {NAMES[name] for name in names if name in NAMES}
 
 
-def other(before: Settings) -> Settings:
-    """Return settings that differ from the board, except those that reach it."""
+def changed_settings(before: Settings) -> Settings:
+    """Return settings with other values, except of the parameters that affect communication."""
     values = {
         spec.key: max(spec.valid) if spec.default != max(spec.valid) else min(spec.valid)
         for spec in SPECS.readable
         if spec.key not in {"uart_settings", "crc7_polynomial", "device_number"}
     }
-    places = {CalibrationKey.of(InputSource.RC, channel) for channel in CHANNELS[:2]}
+    keys = {CalibrationKey.of(InputSource.RC, channel) for channel in CHANNELS[:2]}
     return replace(
         before,
         parameters={**before.parameters, **values},
         calibrations={
             **before.calibrations,
-            **dict.fromkeys(places, Calibration(2400, 3700, 5100, 60)),
+            **dict.fromkeys(keys, Calibration(2400, 3700, 5100, 60)),
         },
     )
 
 
-Disturb = Callable[[Callable[[SettingsWrite], object]], tuple[SettingsWrite, str]]
+StartWriting = Callable[[], SettingsWrite]
 
 
 @pytest.fixture
-def disturb(
+def start_writing(
     start: StartCommand, trexcmd: RunCommand, start_simulator: StartSimulator, tmp_path: Path
-) -> Disturb:
-    """Disturb a slow write of other settings.
+) -> StartWriting:
+    """Start a slow write of changed settings, and return it half done."""
 
-    Returns the written settings and the messages.
-    """
-
-    def disturbed(how: Callable[[SettingsWrite], object]) -> tuple[SettingsWrite, str]:
+    def start_process() -> SettingsWrite:
         board = start_simulator()
-        file = tmp_path / "wanted.txt"
-        text = trexcmd("get-settings", "-", "--port", board.url).stdout
-        before = read_settings(text)[0]
-        wanted = other(before)
-        file.write_text(write_settings(wanted), encoding="utf-8")
+        before, *_ = read_settings(trexcmd("get-settings", "-", "--port", board.url).stdout)
+        target = changed_settings(before)
+        file = tmp_path / "target.txt"
+        file.write_text(write_settings(target), encoding="utf-8")
         process = start("set-settings", str(file), url=board.url)
-        value = wanted.parameters[MIDDLE]
-        assert becomes(lambda: board.show()["parameters"][MIDDLE], value)
-        writing = SettingsWrite(process, board, file, before, wanted)
-        how(writing)
-        said = writing.end()
-        assert writing.process.returncode == 1
-        return writing, said
+        value = target.parameters[MIDDLE_KEY]
+        assert becomes(lambda: board.show()["parameters"][MIDDLE_KEY], value)
+        return SettingsWrite(process, board, file, before, target)
 
-    return disturbed
+    return start_process
 
 
-def test_ctrl_c_ends_writing_between_two_settings(disturb: Disturb, trexcmd: RunCommand) -> None:
-    writing, said = disturb(lambda writing: writing.process.send_signal(signal.SIGINT))
-    assert "Interrupted: not all settings were stored; the others are unchanged." in said
-    writing.assert_reported(said)
+def test_ctrl_c_ends_writing_between_two_settings(
+    start_writing: StartWriting, trexcmd: RunCommand
+) -> None:
+    writing = start_writing()
+    writing.process.send_signal(signal.SIGINT)
+    messages = writing.process.ends(1).stderr
+    assert "Interrupted: not all settings were stored; the others are unchanged." in messages
+    writing.assert_reported(messages)
     writing.assert_snapshot_complete()
     trexcmd("set-settings", str(writing.file), "--port", writing.board.url)
-    assert writing.board.show()["parameters"] == writing.wanted.parameters
+    assert writing.board.show()["parameters"] == writing.target.parameters
 
 
 def test_unplugging_while_writing_reports_every_setting(
-    disturb: Disturb, trexcmd: RunCommand
+    start_writing: StartWriting, trexcmd: RunCommand
 ) -> None:
-    writing, said = disturb(lambda writing: writing.board.do("line unplug"))
-    assert "gone" in said
-    writing.assert_reported(said)
+    writing = start_writing()
+    writing.board.do("line unplug")
+    messages = writing.process.ends(1).stderr
+    assert "gone" in messages
+    writing.assert_reported(messages)
     writing.assert_snapshot_complete()
     url = writing.board.do("line plug").split()[-1]
     trexcmd("set-settings", str(writing.file), "--port", url)
-    assert writing.board.show()["parameters"] == writing.wanted.parameters
+    assert writing.board.show()["parameters"] == writing.target.parameters
 
 
-# --- How the board is reached after its next start --------------------------------------
+# --- Options that reach the board after its next start ----------------------------------
 
 
-def given(trexcmd: RunCommand, path: Path, **values: int) -> str:
+def write_values(trexcmd: RunCommand, path: Path, *options: str, **values: int) -> str:
     """Write a file with these values to the board, and return the messages."""
     lines = "".join(f"{key}: {wire}\n" for key, wire in values.items())
     path.write_text(f"product: TReX\n{lines}", encoding="utf-8")
-    result = trexcmd("set-settings", str(path))
-    return result.stderr
+    return trexcmd("set-settings", str(path), *options).stderr
 
 
 @pytest.mark.parametrize(
@@ -167,54 +158,54 @@ def test_changed_line_settings_print_new_options(
     values: dict[str, int],
     options: str,
 ) -> None:
-    said = given(trexcmd, tmp_path / "line.txt", **values)
-    sentence = "After the board is switched off and on, connect with"
-    assert f"{sentence} --port {quick_simulator.url} {options}\n" in said
+    messages = write_values(trexcmd, tmp_path / "line.txt", **values)
+    sentence = "After the board is switched off and on, reach it with"
+    assert f"{sentence} --port {quick_simulator.url} {options}\n" in messages
 
 
 def test_printed_options_reach_the_board(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
-    said = given(trexcmd, tmp_path / "line.txt", uart_settings=0x3A, crc7_polynomial=0x15)
-    (reports,) = re.findall("off and on, connect with (.*)", said)
+    path = tmp_path / "line.txt"
+    messages = write_values(trexcmd, path, uart_settings=0x3A, crc7_polynomial=0x15)
+    (options,) = re.findall("off and on, reach it with (.*)", messages)
     quick_simulator.do("power cycle")
-    trexcmd("get", "crc7_polynomial", *reports.split())
-    restored = trexcmd("restore-defaults", "--yes", *reports.split())
-    (reports,) = re.findall("off and on, connect with (.*)", restored.stderr)
+    trexcmd("get", "crc7_polynomial", *options.split())
+    restored = trexcmd("restore-defaults", "--yes", *options.split())
+    (options,) = re.findall("off and on, reach it with (.*)", restored.stderr)
     quick_simulator.do("power cycle")
-    trexcmd("get", "crc7_polynomial", *reports.split())
+    trexcmd("get", "crc7_polynomial", *options.split())
 
 
 def test_baud_rate_halved_by_old_firmware_is_printed_halved(
     trexcmd: RunCommand, start_simulator: StartSimulator, tmp_path: Path
 ) -> None:
-    old = start_simulator("--firmware", "1.0", "--unpaced")
-    file = tmp_path / "line.txt"
-    file.write_text("product: TReX\nuart_settings: 6\n", encoding="utf-8")  # 28800 baud
-    said = trexcmd("set-settings", str(file), "--port", old.url).stderr
-    assert f"connect with --port {old.url} --baud 14400\n" in said
+    url = start_simulator("--firmware", "1.0", "--unpaced").url
+    path = tmp_path / "line.txt"
+    messages = write_values(trexcmd, path, "--port", url, uart_settings=6)  # 28800 baud
+    assert f"reach it with --port {url} --baud 14400\n" in messages
 
 
 def test_new_device_number_is_printed_for_expanded_protocol(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, tmp_path: Path
 ) -> None:
-    file = tmp_path / "number.txt"
-    file.write_text("product: TReX\ndevice_number: 9\nuart_settings: 8\n", encoding="utf-8")
-    result = trexcmd("set-settings", str(file), "--protocol", "expanded")
+    values = {"device_number": 9, "uart_settings": 8}
+    path, options = tmp_path / "number.txt", ("--protocol", "expanded")
+    messages = write_values(trexcmd, path, *options, **values)
     url = quick_simulator.url
-    now = f"From now on, connect with --port {url} --baud 19200 --protocol expanded --device 9."
-    later = f"connect with --port {url} --baud 57600 --protocol expanded --device 9\n"
-    assert now in result.stderr
-    assert later in result.stderr
+    now = f"Reach the board with --port {url} --baud 19200 --protocol expanded --device 9 from"
+    later = f"reach it with --port {url} --baud 57600 --protocol expanded --device 9\n"
+    assert now in messages
+    assert later in messages
 
 
 @pytest.mark.parametrize("values", [{"serial_timeout": 5}, {"device_number": 9}])
 def test_unchanged_line_settings_print_no_options(
     trexcmd: RunCommand, tmp_path: Path, values: dict[str, int]
 ) -> None:
-    said = given(trexcmd, tmp_path / "same.txt", **values)
-    assert "each the board" not in said
-    assert "is reached" not in said
+    messages = write_values(trexcmd, tmp_path / "new.txt", **values)
+    assert "Reach the board" not in messages
+    assert "reach it with" not in messages
 
 
 def test_restore_defaults_without_line_change_prints_no_options(trexcmd: RunCommand) -> None:

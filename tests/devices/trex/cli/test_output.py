@@ -50,7 +50,7 @@ def test_report_has_status_settings_and_traffic(
     trexcmd("report", str(tmp_path / "no" / "x.zip"), exits=1)
 
 
-def test_report_without_a_board_says_why(
+def test_report_without_a_board_contains_the_reason(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice
 ) -> None:
     quick_simulator.do("power off")
@@ -63,22 +63,21 @@ def test_report_without_a_board_says_why(
 def test_reply_that_cannot_be_printed_stops_the_motors(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    call = _Output._call
 
-    real = _Output._call
-
-    def full(self: _Output, function: object, *text: str) -> None:
+    def fail_on_data(self: _Output, function: object, *text: str) -> None:
         if self._is_data and text:
             raise ClickException("Standard output cannot be written: it is full.")
-        real(self, function, *text)
+        call(self, function, *text)
 
-    monkeypatch.setattr(_Output, "_call", full)
+    monkeypatch.setattr(_Output, "_call", fail_on_data)
     result = trexcmd("raw", "--motors", "C2 20", "81", exits=1)
     assert "Error: Standard output cannot be written: it is full." in result.stderr
     assert "Internal error" not in result.stderr
     assert quick_simulator.show()["motors"][0]["target_direction"] == "brake"
 
 
-def test_folder_whose_name_is_too_long_is_named(trexcmd: RunCommand, tmp_path: Path) -> None:
+def test_too_long_name_of_data_folder_is_reported(trexcmd: RunCommand, tmp_path: Path) -> None:
     folder = tmp_path / ("a" * 300)
     result = trexcmd("set", "serial_timeout", "7", TREX_STUDIO_DATA=str(folder), exits=1)
     assert "File name too long" in result.stderr
@@ -88,7 +87,7 @@ def test_folder_whose_name_is_too_long_is_named(trexcmd: RunCommand, tmp_path: P
 @pytest.mark.parametrize(
     "words", [("diff", "a", "loop"), ("check-settings", "a", "loop"), ("report", "loop")]
 )
-def test_loop_of_links_is_named(
+def test_loop_of_symbolic_links_is_reported(
     trexcmd: RunCommand, tmp_path: Path, words: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)

@@ -1,4 +1,4 @@
-"""Commands raw and decode."""
+"""The commands `raw` and `decode`, and the option `--traffic`."""
 
 import signal
 from pathlib import Path
@@ -69,7 +69,7 @@ def test_raw_prints_meaning_and_each_reply(trexcmd: RunCommand) -> None:
     assert meanings[4] == "41: not a TReX packet: a data byte outside a packet"
 
 
-def test_raw_write_is_flagged(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
+def test_raw_write_prints_a_warning(trexcmd: RunCommand, quick_simulator: SimulatedDevice) -> None:
     result = trexcmd("raw", "AF 07 0F 55 2A")
     assert result.stdout == "00\n"
     assert "set Serial Timeout to 1.5 s (15). The board stores it at once" in result.stderr
@@ -105,8 +105,8 @@ def test_raw_motor_command_is_followed_by_a_stop(
 
     words = ("raw", "--motors", "--seconds", "0.5")
     trexcmd(*words, "F0 20")
-    other = trexcmd(*words, "--protocol", "expanded", "C2 50", exits=1)
-    assert "another board, which a stop on this connection does not reach" in other.stderr
+    rejected = trexcmd(*words, "--protocol", "expanded", "C2 50", exits=1)
+    assert "another board, which a stop on this connection does not reach" in rejected.stderr
     assert outputs(quick_simulator) == [0, 0, 0]
 
 
@@ -137,5 +137,5 @@ def test_traffic_of_a_command_is_written_to_a_file(
     assert file.read_bytes() == before, "wrong usage overwrites nothing"
     for command in ("status", "find"):
         trexcmd(command, "--port", "/dev/none", "--traffic", str(file), exits=1)
-    assert file.read_bytes() == before, "and so does a port that is not there"
+    assert file.read_bytes() == before, "a missing port overwrites nothing"
     trexcmd("status", "--traffic", str(tmp_path / "no" / "file"), exits=1)

@@ -1,4 +1,4 @@
-"""Commands list and find."""
+"""The commands `list` and `find`."""
 
 import json
 import shlex
@@ -96,13 +96,13 @@ def test_find_without_board_prints_hints(
     assert "an LED is lit" in result.stderr
 
 
-# --- A line that swallows bytes ---------------------------------------------------------
+# --- Lost bytes -------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
     "words", [("status",), ("set", "serial_timeout", "5"), ("find",)], ids=lambda words: words[0]
 )
-def test_command_succeeds_on_line_that_swallows_bytes(
+def test_command_succeeds_on_line_that_loses_bytes(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, words: tuple[str, ...]
 ) -> None:
     quick_simulator.do("line drop 40")

@@ -1,4 +1,4 @@
-"""Command provision."""
+"""The command `provision`."""
 
 import csv
 from pathlib import Path
@@ -35,7 +35,7 @@ def rows_of(file: Path) -> list[dict[str, str]]:
 
 
 class ProvisionHarness:
-    """Cable, boards and their record."""
+    """Cable to which new boards are connected in turn, and the record of these boards."""
 
     def __init__(self, board: SimulatedDevice, start: StartCommand, profile: Path) -> None:
         self.board = board
@@ -56,7 +56,7 @@ class ProvisionHarness:
             lambda: len(self.rows) == count and self.rows[-1]["result"] != "begun", 60
         )
 
-    def bring_a_new_board(self, runtime: VirtualRuntime) -> None:
+    def connect_new_board(self, runtime: VirtualRuntime) -> None:
         self.board.do("power off")
         runtime.run_until(lambda: False, 8)
         self.board.do("factory", "power on")
@@ -69,18 +69,18 @@ def harness(
     return ProvisionHarness(quick_simulator, start, profile)
 
 
-def test_boards_are_set_up_with_a_key_press_each(
+def test_each_board_is_provisioned_with_one_key_press(
     virtual_time: VirtualRuntime, harness: ProvisionHarness
 ) -> None:
     command = harness.start_command("\r" * 5, "--first", "5")
-    for done in range(1, 6):
-        harness.wait_for_rows(virtual_time, done)
+    for count in range(1, 6):
+        harness.wait_for_rows(virtual_time, count)
         stored = harness.board.show()["parameters"]
         assert (stored["serial_timeout"], stored["motor1_acceleration"]) == (5, 20)
-        harness.bring_a_new_board(virtual_time)
+        harness.connect_new_board(virtual_time)
     assert command.wait() == 0, command.result.output
     rows = harness.rows
-    assert [row["number"] for row in rows] == ["5", "6", "8", "9", "10"], "7 is that of new boards"
+    assert [row["number"] for row in rows] == ["5", "6", "8", "9", "10"], "new boards have 7"
     assert [row["name"] for row in rows][:2] == ["robot 5", "robot 6"]
     assert {row["result"] for row in rows} == {"ok"}
     assert {row["certainty"] for row in rows} == {"new"}
@@ -92,13 +92,13 @@ def test_known_board_keeps_number_and_name(harness: ProvisionHarness) -> None:
     assert harness.start_command("\r", "--name", "arm {number}").wait() == 0
     assert harness.rows[-1]["name"] == "arm 1"
     assert harness.start_command("s").wait() == 0
-    again = harness.rows[-1]
-    assert (again["name"], again["number"]) == ("arm 1", "1")
-    assert (again["result"], again["certainty"]) == ("skipped", "known")
-    assert not again["differences"]
+    row = harness.rows[-1]
+    assert (row["name"], row["number"]) == ("arm 1", "1")
+    assert (row["result"], row["certainty"]) == ("skipped", "known")
+    assert not row["differences"]
 
 
-def test_board_of_another_model_is_passed_over(
+def test_board_of_another_model_is_skipped(
     start: StartCommand, start_simulator: StartSimulator, profile: Path
 ) -> None:
     words = "provision", str(profile), "--record", str(profile.with_name("record.csv"))
@@ -108,7 +108,7 @@ def test_board_of_another_model_is_passed_over(
     assert rows_of(profile.with_name("record.csv")) == []
 
 
-def test_nothing_is_written_when_the_user_ends(
+def test_nothing_is_written_when_the_user_quits(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, profile: Path, tmp_path: Path
 ) -> None:
     before = quick_simulator.show()["parameters"]
@@ -119,7 +119,7 @@ def test_nothing_is_written_when_the_user_ends(
     assert rows_of(record) == []
 
 
-def test_other_file_is_not_overwritten(
+def test_file_that_is_no_record_is_not_overwritten(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, profile: Path, tmp_path: Path
 ) -> None:
     record = tmp_path / "record.csv"
@@ -132,20 +132,20 @@ def test_other_file_is_not_overwritten(
     assert "damaged" in trexcmd("provision", str(profile), "--record", str(record), exits=1).stderr
 
 
-def test_board_that_was_skipped_gives_its_number_to_none(
+def test_skipped_board_reserves_no_number(
     virtual_time: VirtualRuntime, harness: ProvisionHarness
 ) -> None:
     command = harness.start_command("s\r\r")
     for count in (1, 2, 3):
         harness.wait_for_rows(virtual_time, count)
-        harness.bring_a_new_board(virtual_time)
+        harness.connect_new_board(virtual_time)
     assert command.wait() == 0, command.result.output
     found = [(row["name"], row["number"], row["result"]) for row in harness.rows]
     assert found == [("robot 1", "7", "skipped"), ("robot 1", "1", "ok"), ("robot 2", "2", "ok")]
     assert {row["certainty"] for row in harness.rows} == {"new"}
 
 
-def test_number_of_a_board_that_was_lost_while_written_is_reserved(
+def test_number_of_a_board_lost_while_writing_stays_reserved(
     virtual_time: VirtualRuntime, harness: ProvisionHarness
 ) -> None:
     command = harness.start_command("\r")
@@ -162,20 +162,20 @@ def test_number_of_a_board_that_was_lost_while_written_is_reserved(
 
 def test_record_that_another_program_changed_is_not_overwritten(tmp_path: Path) -> None:
     file = tmp_path / "record.csv"
-    one, other = ProvisionRecord(file), ProvisionRecord(file)
+    first, second = ProvisionRecord(file), ProvisionRecord(file)
     board = ProvisionedBoard("now", "robot 1", 1, "TReX 1.2", "", "", "ok", "new")
-    one.put(board)
-    one.save()
-    other.put(board)
+    first.put(board)
+    first.save()
+    second.put(board)
     with pytest.raises(BadRequest, match="Another program"):
-        other.save()
+        second.save()
     assert len(rows_of(file)) == 1
 
 
 def test_motor_turns_only_while_space_is_held(
     virtual_time: VirtualRuntime, quick_simulator: SimulatedDevice
 ) -> None:
-    held, ends = "", []
+    key, results = "", []
 
     def motor() -> tuple[str, int]:
         state = quick_simulator.show()["motors"][0]
@@ -183,21 +183,21 @@ def test_motor_turns_only_while_space_is_held(
 
     def run() -> None:
         with Trex(quick_simulator.url) as trex:
-            ends.append(pulse(trex, 1, lambda: held))
+            results.append(pulse(trex, 1, lambda: key))
 
     program = Program(virtual_time, run)
     virtual_time.run_until(lambda: False, 3)
-    held = "x"
+    key = "x"
     virtual_time.run_until(lambda: False, 1)
-    assert motor()[0] != "forward", "only Space drives"
-    held = " "
+    assert motor()[0] != "forward", "another key does not drive"
+    key = " "
     program.until(lambda: motor() == ("forward", 30))
     virtual_time.run_until(lambda: False, 2)
     assert motor() == ("forward", 30)
-    held, released = "", virtual_time.now()
+    key, released = "", virtual_time.now()
     program.until(lambda: motor() == ("brake", 127))
     assert virtual_time.now() - released < 0.5
     assert not program.has_ended
-    held = "q"
+    key = "q"
     program.end()
-    assert ends == [False], "the next motor is not tried"
+    assert results == [False], "the next motor is not tried"

@@ -1,4 +1,4 @@
-"""Command replay."""
+"""The command `replay`."""
 
 from pathlib import Path
 
@@ -13,14 +13,14 @@ def transcript(tmp_path: Path) -> Path:
     return tmp_path / "traffic.txt"
 
 
-def replace_cell(file: Path, sent: str, old: str, new: str) -> None:
-    """Replace the reply to the last request with these bytes."""
-    head, found, tail = file.read_text(encoding="utf-8").rpartition(f"\t{sent}\t{old}\t")
+def replace_last_reply(file: Path, request: str, old: str, new: str) -> None:
+    """Replace the reply to the last of several equal requests in a transcript."""
+    head, found, tail = file.read_text(encoding="utf-8").rpartition(f"\t{request}\t{old}\t")
     assert found
-    file.write_text(f"{head}\t{sent}\t{new}\t{tail}", encoding="utf-8")
+    file.write_text(f"{head}\t{request}\t{new}\t{tail}", encoding="utf-8")
 
 
-def test_transcript_of_the_simulator_has_no_difference(
+def test_replayed_transcript_of_the_simulator_has_no_difference(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, transcript: Path
 ) -> None:
     trexcmd("set", "motor_1_acceleration", "12")
@@ -41,7 +41,7 @@ def test_transcript_of_the_simulator_has_no_difference(
 @pytest.mark.parametrize(
     "options", [("--model", "trexjr", "--firmware", "1.0"), ("--mode", "analog"), ("--echo",)]
 )
-def test_board_begins_as_the_transcript_shows_it(
+def test_replayed_board_starts_in_the_state_of_the_transcript(
     trexcmd: RunCommand, start_simulator: StartSimulator, transcript: Path, options: tuple[str, ...]
 ) -> None:
     simulator = start_simulator(*options)
@@ -51,7 +51,7 @@ def test_board_begins_as_the_transcript_shows_it(
 
 
 @pytest.mark.parametrize("polynomial", ["89", "95"])
-def test_crc_is_seen_in_the_packets(
+def test_replay_detects_crc_and_its_polynomial(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, transcript: Path, polynomial: str
 ) -> None:
     trexcmd("set", "crc7_polynomial", f"0x{polynomial}")
@@ -62,7 +62,7 @@ def test_crc_is_seen_in_the_packets(
     trexcmd("replay", str(transcript))
 
 
-def test_device_number_comes_from_packets_with_a_reply(
+def test_replay_reads_device_number_from_answered_packets(
     trexcmd: RunCommand, start_simulator: StartSimulator, transcript: Path
 ) -> None:
     simulator = start_simulator("--device", "9")
@@ -71,7 +71,7 @@ def test_device_number_comes_from_packets_with_a_reply(
     trexcmd("replay", str(transcript))
 
 
-def test_probes_of_a_search_are_left_out(
+def test_replay_skips_probes_of_a_search(
     trexcmd: RunCommand, quick_simulator: SimulatedDevice, transcript: Path
 ) -> None:
     trexcmd("set", "uart_settings", "9600 baud, no error detection, 1 stop bit")
@@ -88,10 +88,12 @@ def test_probes_of_a_search_are_left_out(
     trexcmd("replay", str(transcript))
 
 
-def test_first_difference_is_shown_with_its_line(trexcmd: RunCommand, transcript: Path) -> None:
+def test_first_difference_is_shown_with_its_line_number(
+    trexcmd: RunCommand, transcript: Path
+) -> None:
     trexcmd("set", "serial_timeout", "1.5 s", "--traffic", str(transcript))
-    replace_cell(transcript, "AF 07 0F 55 2A", "00", "03")
-    replace_cell(transcript, "81", "54 52 65 58 31 2E 32", "")
+    replace_last_reply(transcript, "AF 07 0F 55 2A", "00", "03")
+    replace_last_reply(transcript, "81", "54 52 65 58 31 2E 32", "")
     result = trexcmd("replay", str(transcript), exits=1)
     assert "AF 07 0F 55 2A\n  file:      03" in result.stdout
     assert "  simulator: 00  (set Serial Timeout to 1.5 s (15) → stored)" in result.stdout
@@ -105,7 +107,9 @@ def test_first_difference_is_shown_with_its_line(trexcmd: RunCommand, transcript
 @pytest.mark.parametrize(
     "text", ["", "product: TReX\n", "time\tfault\tsent\treceived\ttook_ms\tmeaning\nx\n"]
 )
-def test_other_files_are_rejected(trexcmd: RunCommand, transcript: Path, text: str) -> None:
+def test_file_that_is_no_transcript_is_rejected(
+    trexcmd: RunCommand, transcript: Path, text: str
+) -> None:
     transcript.write_text(text, encoding="utf-8")
     assert "traffic log" in trexcmd("replay", str(transcript), exits=1).stderr
     trexcmd("replay", str(transcript.with_name("missing")), exits=1)

@@ -1,4 +1,4 @@
-"""Command survey."""
+"""The command survey."""
 
 import random
 import signal
@@ -28,19 +28,19 @@ from trex_gui.devices.trex.simulator.memory import PARAMETER_WRITE_S, Eeprom, Me
 
 take_survey = load_script("take_survey")
 
-_LEFT_ALONE = {"device_number", "crc7_polynomial", "uart_settings"}
+_SKIPPED_KEYS = {"device_number", "crc7_polynomial", "uart_settings"}
 
 
 def is_tried(spec: ParameterSpec) -> bool:
-    return spec.grade("min", "max") is not Grade.SOURCED and spec.key not in _LEFT_ALONE
+    return spec.grade("min", "max") is not Grade.SOURCED and spec.key not in _SKIPPED_KEYS
 
 
 class HiddenMemory(Memory):
     """Memory with a table that the program does not know.
 
     Attributes:
-        ranges: least and greatest value by number.
-        cells: stored values by number.
+        ranges: smallest and largest value, by parameter number.
+        cells: stored value, by parameter number.
     """
 
     def __init__(self, firmware: str, model: str, rng: random.Random, *, as_new: bool) -> None:
@@ -85,12 +85,13 @@ def board_of(simulator: VirtualSimulator) -> Board:
 
 
 def numbers_in(spans: str) -> list[int]:
+    """Return the numbers in spans such as `18-1F 40`."""
     ends = (list(map(partial(int, base=16), span.split("-"))) for span in spans.split())
     return [number for span in ends for number in range(span[0], span[-1] + 1)]
 
 
-def keyed(facts: Mapping[int, Any]) -> dict[str, Any]:
-    return {f"0x{number:02X}": fact for number, fact in facts.items()}
+def by_hex_number(values: Mapping[int, Any]) -> dict[str, Any]:
+    return {f"0x{number:02X}": value for number, value in values.items()}
 
 
 @pytest.mark.parametrize("seed", sampled(range(200), every=200))
@@ -119,19 +120,19 @@ def test_every_fact_of_a_hidden_table_is_found_and_nothing_changes(
     }
     ranges = {n: f"{low}-{high}" if low < high else str(low) for n, (low, high) in tried.items()}
     assert found["board"] == {"model": model, "firmware": firmware, "stores_defaults": as_new}
-    assert found["stored"] == keyed(before)
-    assert found["ranges"] == keyed(ranges)
+    assert found["stored"] == by_hex_number(before)
+    assert found["ranges"] == by_hex_number(ranges)
     assert found["altered"] == {}
-    ((given, numbers),) = found["unknown"].items()
-    assert given == ("no reply" if reply is None else f"{reply:02X}")
+    ((recorded_reply, numbers),) = found["unknown"].items()
+    assert recorded_reply == ("no reply" if reply is None else f"{reply:02X}")
     assert numbers_in(numbers) == sorted(set(range(128)) - before.keys())
     assert found["errors"]["unknown_number"] == ["FORMAT"]
     rejected = found["errors"].get("rejected_write")
     assert rejected == (["FORMAT"] if board.rejection_is_error else []) or rejected is None
     assert rejected is not None or set(ranges.values()) <= {"0-127", "0-1"}
 
-    assert memory.cells == before, "the board is as it was"
-    packets = (one for one in PacketParser().feed(bytes(sent)) if isinstance(one, Packet))
+    assert memory.cells == before
+    packets = (event for event in PacketParser().feed(bytes(sent)) if isinstance(event, Packet))
     assert not any(packet.command.moves for packet in packets)
 
     table = resource("trex_parameters.toml").read_text("utf-8")
@@ -157,7 +158,7 @@ def test_bits_that_are_not_stored_are_found(
     assert found["altered"]["0x09"].startswith("4 as 0, 8 as 0, ")
 
 
-def test_survey_names_no_port_and_asks_before_it_writes(
+def test_survey_prompts_before_writing_and_saves_no_port_name(
     trexcmd: RunCommand, quick_simulator: VirtualSimulator, tmp_path: Path
 ) -> None:
     board_of(quick_simulator).unknown_reply = b"\xff"
@@ -171,10 +172,10 @@ def test_survey_names_no_port_and_asks_before_it_writes(
     assert quick_simulator.show()["counters"]["eeprom_writes"] == 0
 
 
-def begun(start: StartCommand, simulator: VirtualSimulator, file: Path) -> VirtualCommand:
+def start_survey(start: StartCommand, simulator: VirtualSimulator, file: Path) -> VirtualCommand:
     """Start a survey, and return it while the board stores a trial value."""
     board = board_of(simulator)
-    board.unknown_reply = b"\xff"  # faster than silence
+    board.unknown_reply = b"\xff"  # saves the time until no reply is expected
     command = start("survey", str(file), "--limits", stdin="y\n")
     assert becomes(lambda: board.eeprom["required_channels"] != 1, True, 600)
     return command
@@ -183,7 +184,7 @@ def begun(start: StartCommand, simulator: VirtualSimulator, file: Path) -> Virtu
 def test_interrupted_survey_restores_the_board(
     start: StartCommand, quick_simulator: VirtualSimulator, tmp_path: Path
 ) -> None:
-    command = begun(start, quick_simulator, tmp_path / "s")
+    command = start_survey(start, quick_simulator, tmp_path / "s")
     command.send_signal(signal.SIGINT)
     command.send_signal(signal.SIGINT)
     assert command.wait() == 1
@@ -194,7 +195,7 @@ def test_interrupted_survey_restores_the_board(
 def test_next_start_reports_differences_after_a_lost_cable(
     start: StartCommand, trexcmd: RunCommand, quick_simulator: VirtualSimulator, tmp_path: Path
 ) -> None:
-    command = begun(start, quick_simulator, tmp_path / "s")
+    command = start_survey(start, quick_simulator, tmp_path / "s")
     quick_simulator.do("line unplug")
     assert "The settings in the board may have changed." in command.ends(1).stderr
     quick_simulator.do("line plug")

@@ -1,4 +1,4 @@
-"""Files of the users of a served board."""
+"""User files of a served board."""
 
 import sys
 from pathlib import Path
@@ -16,17 +16,17 @@ def file(tmp_path: Path) -> Path:
 
 
 def test_added_users_have_roles_and_secrets_of_their_own(file: Path) -> None:
-    given = [add_user(file, name, role) for name, role in (("alice", "drive"), ("wanda", "watch"))]
+    secrets = [add_user(file, "alice", "drive"), add_user(file, "wanda", "watch")]
     users = read_users(file)
     assert [(user.name, user.role) for user in users] == [
         ("alice", Role.DRIVE),
         ("wanda", Role.WATCH),
     ]
-    assert [user.secret for user in users] == given
-    assert given[0] != given[1]
+    assert [user.secret for user in users] == secrets
+    assert secrets[0] != secrets[1]
 
 
-def test_user_is_added_behind_a_last_line_without_an_end(file: Path) -> None:
+def test_user_is_added_after_an_unterminated_last_line(file: Path) -> None:
     file.touch(mode=0o600)
     file.write_text("alice drive secret", "utf-8")
     add_user(file, "bob", "own")
@@ -39,8 +39,8 @@ def test_user_is_not_added_twice(file: Path) -> None:
         add_user(file, "alice", "own")
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="has other permissions")
-def test_file_that_others_can_read_is_refused(file: Path) -> None:
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has other permissions")
+def test_file_readable_by_other_accounts_is_rejected(file: Path) -> None:
     add_user(file, "alice", "drive")
     file.chmod(0o644)
     with pytest.raises(BadRequest, match="chmod 600"):
@@ -50,7 +50,7 @@ def test_file_that_others_can_read_is_refused(file: Path) -> None:
 @pytest.mark.parametrize(
     "text", ["alice drive\n", "alice king x\n", "a/b drive x\n", "", "a own x\na own y\n"]
 )
-def test_file_with_a_line_that_is_no_user_is_refused(file: Path, text: str) -> None:
+def test_file_with_an_invalid_line_is_rejected(file: Path, text: str) -> None:
     file.touch(mode=0o600)
     file.write_text(text, "utf-8")
     with pytest.raises(BadRequest):
