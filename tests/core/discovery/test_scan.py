@@ -6,7 +6,7 @@ from collections.abc import Callable
 import pytest
 
 from tests.devices.trex.discovery.test_prober import Wire, wire_of
-from tests.devices.trex.simulator.ports import a_board
+from tests.devices.trex.simulator.ports import create_board
 from trex_gui.core.discovery.prober import (
     FLUSH_BYTE,
     FLUSH_LINE,
@@ -84,7 +84,7 @@ def test_likely_settings_of_the_expected_kind_come_first() -> None:
 def test_search_follows_order_and_opens_port_once() -> None:
     calls: list[str] = []
     opened: list[PortSettings] = []
-    wire = wire_of(a_board())
+    wire = wire_of(create_board())
     wire.line.faults.mute = True
 
     def open_wire(settings: PortSettings) -> Wire:
@@ -100,7 +100,7 @@ def test_search_follows_order_and_opens_port_once() -> None:
 
 def test_progress_counts_probes_and_names_device_kind() -> None:
     steps: list[ScanProgress] = []
-    wire = wire_of(a_board())
+    wire = wire_of(create_board())
     probers = {"one": silent_prober([], "One"), "two": silent_prober([], "Two")}
     scan_port(VIRTUAL, probers, progress=steps.append, open_wire=lambda _settings: wire)
     assert [step.done for step in steps] == list(range(10))
@@ -111,7 +111,7 @@ def test_progress_counts_probes_and_names_device_kind() -> None:
 def test_trex_at_likely_rate_is_found_before_other_probes() -> None:
     calls: list[str] = []
     probers = {"trex": TREX_PROBER, "other": silent_prober(calls, "Other")}
-    wire = wire_of(a_board(settings=LineSettings(57600).to_wire()))
+    wire = wire_of(create_board(settings=LineSettings(57600).to_wire()))
     result = search(wire, probers)
     assert (result.device, [found.name for found in result.found]) == ("trex", ["TReX 1.2"])
     assert result.found[0].settings == ConnectionSettings("virtual", LineSettings(57600))
@@ -122,7 +122,7 @@ def test_trex_at_likely_rate_is_found_before_other_probes() -> None:
 def test_trex_at_unlikely_rate_is_found_after_other_probes() -> None:
     calls: list[str] = []
     probers = {"trex": TREX_PROBER, "other": silent_prober(calls, "Other")}
-    result = search(wire_of(a_board(settings=LineSettings(4800).to_wire())), probers)
+    result = search(wire_of(create_board(settings=LineSettings(4800).to_wire())), probers)
     assert result.found[0].settings.line == LineSettings(4800)
     assert calls == ["Other 0"]
 
@@ -130,7 +130,7 @@ def test_trex_at_unlikely_rate_is_found_after_other_probes() -> None:
 def test_unsolicited_data_is_received_at_rate_of_device_kind() -> None:
     calls: list[str] = []
     probers = {"trex": TREX_PROBER, "talker": silent_prober(calls, "Talker")}
-    board = a_board()
+    board = create_board()
     board.power_off()
     wire = wire_of(board)
     read = wire.read
@@ -148,7 +148,7 @@ def test_diagnoses_of_all_kinds_are_sorted_by_evidence() -> None:
         "mute": silent_prober([], "Mute"),
         "strange": silent_prober([], "Strange", Evidence.STRANGE),
     }
-    assert search(wire_of(a_board()), probers).lines == [
+    assert search(wire_of(create_board()), probers).lines == [
         "No Known.",
         "No Strange.",
         "No Echo.",
@@ -160,7 +160,7 @@ def test_diagnoses_of_all_kinds_are_sorted_by_evidence() -> None:
 def test_cancelled_search_is_reported_as_cancelled() -> None:
     steps: list[ScanProgress] = []
     calls: list[str] = []
-    wire = wire_of(a_board())
+    wire = wire_of(create_board())
     result = scan_port(
         VIRTUAL,
         {"one": silent_prober(calls, "One"), "two": silent_prober(calls, "Two")},
@@ -184,7 +184,7 @@ def test_unopened_port_reports_only_its_error() -> None:
 
 @pytest.mark.parametrize("evidence", [Evidence.SILENCE, Evidence.STRANGE])
 def test_port_loss_is_reported_before_evidence(evidence: Evidence) -> None:
-    wire = wire_of(a_board())
+    wire = wire_of(create_board())
 
     class LostPort(RecordingProber):
         def probe(
@@ -205,18 +205,18 @@ def test_port_loss_is_reported_before_evidence(evidence: Evidence) -> None:
 
 
 def test_search_ends_with_flush_byte_and_default_settings() -> None:
-    wire = wire_of(a_board())
+    wire = wire_of(create_board())
     search(wire, {"one": silent_prober([], "One")})
     assert bytes(wire.sent) == FLUSH_BYTE
     assert wire.configured[-1] == SerialFormat()
     # After a flush byte at another rate, the found board would report an error.
-    wire = wire_of(a_board())
+    wire = wire_of(create_board())
     search(wire, {"trex": TREX_PROBER})
     assert not bytes(wire.sent).endswith(FLUSH_BYTE)
 
 
 def test_unsupported_baud_rates_are_reported() -> None:
-    board = a_board()
+    board = create_board()
     board.power_off()
     wire = wire_of(board)
     wire.unsupported_rates = frozenset({14400, 76800})
@@ -225,7 +225,7 @@ def test_unsupported_baud_rates_are_reported() -> None:
 
 
 def test_report_counts_rates_with_unknown_replies() -> None:
-    board = a_board()
+    board = create_board()
     board.power_off()
     wire = wire_of(board)
     read = wire.read
@@ -236,7 +236,7 @@ def test_report_counts_rates_with_unknown_replies() -> None:
 
 
 def test_port_without_flush_rate_is_reported_and_closed() -> None:
-    wire = wire_of(a_board())
+    wire = wire_of(create_board())
     reconfigure = wire.reconfigure
 
     def reject_flush_rate(line: SerialFormat) -> None:
@@ -257,7 +257,7 @@ def test_internal_error_in_search_is_reported_and_closes_port(
     def fail(settings: PortSettings, *, full: bool, known: bool) -> Prober:
         raise ZeroDivisionError("on purpose")
 
-    wire = wire_of(a_board())
+    wire = wire_of(create_board())
     with caplog.at_level(logging.ERROR):
         found = search(wire, {"one": silent_prober([], "One"), "odd": ProberInfo("Odd", fail)})
     assert not found.found

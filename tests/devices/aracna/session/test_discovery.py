@@ -4,9 +4,9 @@ from collections.abc import Iterable, Sequence
 
 import pytest
 
-from tests.devices.trex.conftest import motor_commands
-from tests.devices.trex.discovery.test_prober import ALL_LINES, BOARD_LINES, State, Wire, receive
-from tests.devices.trex.simulator.ports import a_board
+from tests.devices.trex.conftest import orders
+from tests.devices.trex.discovery.test_prober import BOARDS, OWN, State, Wire, hear
+from tests.devices.trex.simulator.ports import create_board
 from tests.support.aracna import AracnaHarness
 from tests.support.matrix import sampled
 from trex_gui.core.discovery.prober import FLUSH_BYTE, FLUSH_LINE
@@ -79,7 +79,7 @@ def test_aracna_is_found_before_long_trex_search_and_answers_first_query() -> No
 
 
 def test_trex_is_found_on_port_where_aracna_is_expected() -> None:
-    wire = Wire(SimulatedBoards([a_board()]))
+    wire = Wire(SimulatedBoards([create_board()]))
     assert search_both(wire, "aracna").device == "trex"
 
 
@@ -135,7 +135,7 @@ def test_noise_is_not_reported_as_echo() -> None:
 
 
 def test_echo_is_reported_for_both_devices() -> None:
-    board = a_board()
+    board = create_board()
     board.power_off()
     trex, aracna = search_both(Wire(SimulatedBoards([board], echo=True))).lines
     assert trex.startswith("No TReX responds on virtual: at every rate, everything sent comes back")
@@ -207,7 +207,7 @@ def test_search_does_not_move_aracna(*, mute: bool) -> None:
 def test_search_sends_no_command_that_trex_executes(
     settings: LineSettings, first: str, motor_commands: list[str]
 ) -> None:
-    board = a_board(settings=settings.to_wire(), uart_error_shutdown=0)
+    board = create_board(settings=settings.to_wire(), uart_error_shutdown=0)
     wire = Wire(SimulatedBoards([board]))
     assert search_both(wire, first).device == "trex"
     assert not motor_commands

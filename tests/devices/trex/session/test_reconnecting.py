@@ -6,16 +6,8 @@ from itertools import pairwise
 
 import pytest
 
-from tests.devices.trex.discovery.test_prober import ALL_LINES
-from tests.devices.trex.session.helpers import (
-    create_harness,
-    of_type,
-    on_write,
-    outcomes,
-    packet,
-    read_at,
-)
-from tests.devices.trex.simulator.ports import a_board
+from tests.devices.trex.session.helpers import among, outcomes, packet, staged
+from tests.devices.trex.simulator.ports import create_board
 from tests.support.matrix import sampled
 from tests.support.virtual import SessionHarness
 from trex_gui.core.errors import BadRequest, NoReply, PortUnavailable
@@ -61,7 +53,7 @@ class ReconnectHarness(SessionHarness):
 
     def __init__(self, old: ConnectionSettings = OLD, *, echo: bool = False) -> None:
         number = 7 if old.device_number is None else old.device_number
-        board = a_board(
+        board = create_board(
             number, old.line.to_wire(), crc7_polynomial=old.polynomial & 0x7F, uart_error_shutdown=0
         )
         super().__init__(board, echo=echo)

@@ -42,8 +42,10 @@ def errors(port: SerialPort) -> UartError:
     return port.board.serial.pop_uart_errors()
 
 
-def a_board(number: int = 7, settings: int = 0x05, model: str = "trex", **parameters: int) -> Board:
-    """A board with these stored values."""
+def create_board(
+    number: int = 7, settings: int = 0x05, model: str = "trex", **parameters: int
+) -> Board:
+    """Return a board with these stored values."""
     eeprom = Eeprom(model)
     cells = {"device_number": number, "uart_settings": settings, **parameters}
     for key, value in cells.items():

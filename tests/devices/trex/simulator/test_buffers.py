@@ -6,8 +6,8 @@ from hypothesis import strategies as st
 
 from tests.devices.trex.simulator.ports import (
     NO_REPLY,
-    a_board,
     answer,
+    create_board,
     errors,
     exchange,
     feed,
@@ -35,7 +35,7 @@ def test_bytes_during_eeprom_write_are_handled_after_it(port: SerialPort) -> Non
 
 
 def test_response_delay_adds_to_write_time() -> None:
-    port = SerialPort(a_board(uart_response_delay=1))
+    port = SerialPort(create_board(uart_response_delay=1))
     feed(port, WRITE)
     assert port.pause == pytest.approx(0.005)
 
@@ -103,7 +103,7 @@ def test_power_cut_empties_buffers(port: SerialPort) -> None:
 
 
 def test_board_receives_again_after_delayed_replies() -> None:
-    line = SimulatedBoards([a_board(uart_response_delay=1)])
+    line = SimulatedBoards([create_board(uart_response_delay=1)])
     line.send(b"\x82\x83")
     assert line.read(2, 1) == b"r\x01"
     line.send(b"\x82")
@@ -116,7 +116,7 @@ def test_board_receives_again_after_delayed_replies() -> None:
     delay=st.sampled_from([0, 1]),
 )
 def test_buffers_never_exceed_their_sizes(junk: list[str], delay: int) -> None:
-    port = SerialPort(a_board(uart_response_delay=delay))
+    port = SerialPort(create_board(uart_response_delay=delay))
     feed(port, WRITE + "".join(junk))
     for _ in range(100):
         assert len(port.outgoing) <= SEND_BUFFER
@@ -134,7 +134,7 @@ def test_buffers_never_exceed_their_sizes(junk: list[str], delay: int) -> None:
 
 @pytest.mark.parametrize("settings", [0x05, 0x25], ids=["plain", "crc"])
 def test_null_command_of_either_protocol_needs_no_checksum(settings: int) -> None:
-    port = SerialPort(a_board(settings=settings))
+    port = SerialPort(create_board(settings=settings))
     assert exchange(port, "FF 80 07 7F") == NO_REPLY
     assert not errors(port)
 

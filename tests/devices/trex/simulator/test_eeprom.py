@@ -182,7 +182,7 @@ NEW = Calibration(2600, 3660, 4700, 50)
 FACTORY = DEFAULT_CALIBRATION[RC]
 
 
-def a_board(path: Path) -> Board:
+def open_board(path: Path) -> Board:
     eeprom = Eeprom.open(path)
     eeprom.write("serial_timeout", 20)
     eeprom.write("motor1_acceleration", 7)
@@ -196,7 +196,7 @@ def path(tmp_path: Path) -> Path:
 
 
 def test_calibration_out_of_order_after_power_cut_is_loaded(path: Path) -> None:
-    board = a_board(path)
+    board = open_board(path)
     board.set_calibration(2, Calibration(6000, 6100, 6200, 10))
     board.advance(0.009)
     board.power_off()
@@ -209,7 +209,7 @@ def test_calibration_out_of_order_after_power_cut_is_loaded(path: Path) -> None:
 
 
 def test_power_cut_cancels_unfinished_factory_reset_request(path: Path) -> None:
-    board = a_board(path)
+    board = open_board(path)
     board.set_parameter(0x7F, 0x7F)
     board.advance(0.002)
     board.power_cycle()

@@ -5,7 +5,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.devices.trex.simulator.conftest import create_exchange
-from tests.devices.trex.simulator.ports import a_board
+from tests.devices.trex.simulator.ports import create_board
 from tests.support.matrix import examples
 from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.devices.trex.protocol.flags import UartError
@@ -37,7 +37,7 @@ class TestPace:
         assert line.boards[0].now == pytest.approx(0.5)
 
     def test_parity_and_stop_bits_lengthen_each_byte(self) -> None:
-        line = SimulatedBoards([a_board(settings=0x55)])
+        line = SimulatedBoards([create_board(settings=0x55)])
         line.send(b"\x82")
         line.read(1, 1)
         assert line.now == pytest.approx(2 * 12 / 19200)
@@ -92,7 +92,7 @@ class TestHostSettings:
     def test_wrong_parity_or_stop_bits_give_error_and_no_reply(
         self, board_settings: int, host: LineSettings, error: UartError
     ) -> None:
-        line = SimulatedBoards([a_board(settings=board_settings)])
+        line = SimulatedBoards([create_board(settings=board_settings)])
         line.host = host
         line.send(bytes.fromhex("81 F0 7F"))
         line.advance(1)
@@ -117,16 +117,16 @@ class TestEcho:
 class TestSeveralBoards:
     @pytest.mark.parametrize("paced", [True, False])
     def test_compact_request_makes_all_boards_reply_at_once(self, paced: bool) -> None:
-        line = SimulatedBoards([a_board(7), a_board(9, model="trexjr")], paced=paced)
+        line = SimulatedBoards([create_board(7), create_board(9, model="trexjr")], paced=paced)
         both = bytes(a & b for a, b in zip(b"TReX1.2\xff\xff", b"TReXJr1.2", strict=True))
         assert create_exchange(line)("81") == both.hex(" ")
         assert line.faults.counters["collisions"] == 7
 
     def test_identical_replies_are_received_as_one(self) -> None:
-        assert create_exchange(SimulatedBoards([a_board(7), a_board(9)]))("82") == "72"
+        assert create_exchange(SimulatedBoards([create_board(7), create_board(9)]))("82") == "72"
 
     def test_compact_motor_command_reaches_all_boards(self) -> None:
-        line = SimulatedBoards([a_board(7), a_board(9), a_board(11)])
+        line = SimulatedBoards([create_board(7), create_board(9), create_board(11)])
         create_exchange(line)("F0 7F")
         create_exchange(line)("80 09 70 05")
         assert [board.aux.speed for board in line.boards] == [127, 5, 127]
@@ -145,7 +145,7 @@ class TestFaults:
         assert exchange("82") == "72"
 
     def test_all_boards_on_line_detect_the_same_error(self) -> None:
-        line = SimulatedBoards([a_board(7), a_board(9)])
+        line = SimulatedBoards([create_board(7), create_board(9)])
         line.faults.errors.append(ReceiveError.OVERRUN)
         create_exchange(line)("82")
         errors = [board.serial.uart_errors for board in line.boards]
@@ -214,7 +214,7 @@ class TestFaults:
         assert 0 not in received
 
     def test_noise_towards_board_latches_uart_errors(self) -> None:
-        line = SimulatedBoards([a_board(settings=0x45)])
+        line = SimulatedBoards([create_board(settings=0x45)])
         line.faults.noise = 1.0
         line.send(b"\x81" * 100)
         line.advance(10)

@@ -5,7 +5,7 @@ from itertools import permutations
 
 import pytest
 
-from tests.devices.trex.simulator.ports import a_board
+from tests.devices.trex.simulator.ports import create_board
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.line_settings import LineSettings, baud_rates
 from trex_gui.devices.trex.simulator.line import SimulatedBoards
@@ -32,7 +32,7 @@ QUERIES = COMPACT + tuple(expanded(packet) for packet in COMPACT)
 
 def a_line(code: int, *, paced: bool) -> SimulatedBoards:
     """A line whose board runs at a rate."""
-    return SimulatedBoards([a_board(settings=code)], paced=paced)
+    return SimulatedBoards([create_board(settings=code)], paced=paced)
 
 
 def exchange(line: SimulatedBoards, packet: str) -> bytes:
@@ -120,7 +120,7 @@ def test_board_replies_again_at_correct_rate() -> None:
 
 
 def test_board_at_other_rate_latches_error_and_ignores_command() -> None:
-    line = SimulatedBoards([a_board(7, settings=0x05), a_board(9, settings=0x0A)])
+    line = SimulatedBoards([create_board(7, settings=0x05), create_board(9, settings=0x0A)])
     line.host = LineSettings(19200)
     assert exchange(line, "81") == b"TReX1.2"
     assert exchange(line, "F0 7F") == b""
@@ -146,7 +146,7 @@ def test_power_cut_discards_half_received_byte() -> None:
 
 def garbage(host: int, *, so_ground: bool) -> bytes:
     """Return the bytes that a host at this rate receives after sending every byte."""
-    board = a_board()
+    board = create_board()
     board.so_ground = so_ground
     line = SimulatedBoards([board])
     line.host = LineSettings(host)
