@@ -41,9 +41,14 @@ def test_baud_rates_are_in_order_of_their_codes() -> None:
     assert device_table().baud_rates == rates
 
 
+# Prescalers divide 20 MHz by 8, 64, 256 or 1024. The wire value has the upper seven bits of the
+# maximum.
 @pytest.mark.parametrize(
     ("prescaler", "wire", "hertz"),
-    [(0, 0x3F, 19531), (1, 0x3F, 2441), (2, 0x3F, 610), (3, 0x3F, 153), (3, 0x7F, 76)],
+    [
+        *((0, 0x3F, 19531), (0, 0x7F, 9766), (1, 0x3F, 2441), (1, 0x7F, 1221)),
+        *((2, 0x3F, 610), (2, 0x7F, 305), (3, 0x3F, 153), (3, 0x7F, 76)),
+    ],
 )
 def test_pwm_frequency_follows_prescaler_and_maximum(prescaler: int, wire: int, hertz: int) -> None:
     assert round(device_table().pwm.frequency(prescaler, wire)) == hertz

@@ -1,6 +1,4 @@
-"""A board, its line and a host."""
-
-from collections.abc import Callable
+"""A simulated board, its UART and its line."""
 
 import pytest
 
@@ -8,19 +6,6 @@ from tests.devices.trex.simulator.ports import SETTLED
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.uart import SerialPort
-
-Exchange = Callable[[str], str]
-
-
-def create_exchange(line: SimulatedBoards) -> Exchange:
-    def exchange(packet: str) -> str:
-        """Send a packet. Return the bytes until the line is silent."""
-        line.send(bytes.fromhex(packet))
-        while (event := line.next_event) is not None:
-            line.advance_to(event)
-        return line.receive().hex(" ")
-
-    return exchange
 
 
 @pytest.fixture
@@ -36,11 +21,6 @@ def port(board: Board) -> SerialPort:
 @pytest.fixture
 def line(board: Board) -> SimulatedBoards:
     return SimulatedBoards([board])
-
-
-@pytest.fixture
-def exchange(line: SimulatedBoards) -> Exchange:
-    return create_exchange(line)
 
 
 @pytest.fixture

@@ -1,8 +1,9 @@
-"""UART of a board without a line: packets and replies in hex."""
+"""Packets in hexadecimal to the UART of a board, or to a line of boards."""
 
 from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.simulator.firmware import Board
+from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.uart import SerialPort
 
@@ -17,8 +18,8 @@ def feed(port: SerialPort, packet: str) -> None:
         port.feed(byte)
 
 
-def answer(port: SerialPort) -> str:
-    """Empty the send buffer."""
+def read_replies(port: SerialPort) -> str:
+    """Remove the bytes from the send buffer, and return them in hexadecimal."""
     data = bytes(port.outgoing)
     port.outgoing.clear()
     return data.hex(" ").upper()
@@ -35,22 +36,34 @@ def exchange(port: SerialPort, packet: str) -> str:
     feed(port, packet)
     while port.pause:
         pass_pause(port)
-    return answer(port)
+    return read_replies(port)
 
 
-def errors(port: SerialPort) -> UartError:
+def pop_errors(port: SerialPort) -> UartError:
     return port.board.serial.pop_uart_errors()
 
 
+def query(line: SimulatedBoards, packet: str) -> bytes:
+    """Send a packet. Return the bytes that the host receives until the line is silent."""
+    line.send(bytes.fromhex(packet))
+    while (event := line.next_event) is not None:
+        line.advance_to(event)
+    return line.receive()
+
+
 def create_board(
-    number: int = 7, settings: int = 0x05, model: str = "trex", **parameters: int
+    number: int = 7,
+    settings: int = 0x05,
+    model: str = "trex",
+    mode: str = "serial",
+    **parameters: int,
 ) -> Board:
     """Return a board with these stored values."""
     eeprom = Eeprom(model)
     cells = {"device_number": number, "uart_settings": settings, **parameters}
     for key, value in cells.items():
         eeprom.write(key, value)
-    return Board(eeprom=eeprom)
+    return Board(mode=mode, eeprom=eeprom)
 
 
 def write(board: Board, key: str, value: int) -> None:

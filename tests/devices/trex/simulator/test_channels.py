@@ -1,4 +1,4 @@
-"""Timing of the five inputs."""
+"""Channels of the simulated board: timing, signals and the demonstration."""
 
 import math
 from itertools import pairwise
@@ -17,7 +17,7 @@ from trex_gui.devices.trex.simulator.line import SimulatedBoards
 
 RC, ANALOG = InputSource.RC, InputSource.ANALOG
 PERIOD = 8
-"""Ticks in which each input is measured once."""
+"""Number of ticks in which each input is measured once."""
 
 
 def ticks(channels: Channels, count: int) -> list[tuple[int | None, ...]]:
@@ -90,12 +90,12 @@ def test_disconnect_sets_every_channel_to_rest(rc: Channels) -> None:
 # --- Signals --------------------------------------------------------------------------
 
 
-LUCK = Random(0)
-modest = examples(40)
+RANDOM = Random(0)
+few_examples = examples(40)
 
 
 def measured(signal: Signal, source: InputSource) -> int | None:
-    return signal.pulse(LUCK) if source is RC else signal.conversion(LUCK)
+    return signal.pulse(RANDOM) if source is RC else signal.conversion(RANDOM)
 
 
 @pytest.mark.parametrize(
@@ -126,7 +126,7 @@ def test_signal_is_measured_as_raw_value(text: str, source: InputSource, raw: in
 
 
 @pytest.mark.parametrize(
-    ("text", "comes"),
+    ("text", "has_pulse"),
     [
         ("1500us", True),
         ("100us", True),
@@ -138,8 +138,8 @@ def test_signal_is_measured_as_raw_value(text: str, source: InputSource, raw: in
         ("1500us lost 0", True),
     ],
 )
-def test_signal_has_pulse_unless_silent_voltage_or_lost(text: str, comes: bool) -> None:
-    assert Signal.parse(text, RC).has_pulse(LUCK) is comes
+def test_signal_has_pulse_unless_silent_voltage_or_lost(text: str, has_pulse: bool) -> None:
+    assert Signal.parse(text, RC).has_pulse(RANDOM) is has_pulse
 
 
 @pytest.mark.parametrize(
@@ -190,25 +190,25 @@ signals = st.one_of(
 )
 
 
-@modest
+@few_examples
 @given(signal=signals, source=st.sampled_from(InputSource))
 def test_signal_text_can_be_parsed_back(signal: Signal, source: InputSource) -> None:
     assert Signal.parse(signal.text, source) == signal
 
 
-@modest
+@few_examples
 @given(counts=st.integers(1250, 6250))
 def test_signal_from_pulse_counts_measures_same_counts(counts: int) -> None:
     assert measured(Signal.parse(f"{counts}", RC), RC) == counts
 
 
-@modest
+@few_examples
 @given(counts=st.integers(0, 1023))
 def test_signal_from_voltage_counts_measures_same_counts(counts: int) -> None:
     assert measured(Signal.parse(f"{counts}", ANALOG), ANALOG) == counts
 
 
-@modest
+@few_examples
 @given(
     signal=st.builds(Signal, st.just(SignalKind.VOLTAGE), st.floats(0, 5), noise=st.floats(0, 5)),
     seed=st.integers(0, 1000),
@@ -218,9 +218,9 @@ def test_noisy_voltage_stays_within_ten_bits(signal: Signal, seed: int) -> None:
 
 
 def test_noise_spreads_pulses_around_their_width() -> None:
-    luck = Random(1)
+    random = Random(1)
     signal = Signal.parse("1500us noise 4us", RC)
-    widths = [signal.pulse(luck) or 0 for _ in range(2000)]
+    widths = [signal.pulse(random) or 0 for _ in range(2000)]
     mean = sum(widths) / len(widths)
     spread = (sum((width - mean) ** 2 for width in widths) / len(widths)) ** 0.5
     assert mean == pytest.approx(3750, abs=1)
@@ -236,7 +236,8 @@ def demo_line(mode: str = "serial") -> SimulatedBoards:
     return line
 
 
-def watch(line: SimulatedBoards, seconds: float) -> list[tuple[int | None, ...]]:
+def raw_values(line: SimulatedBoards, seconds: float) -> list[tuple[int | None, ...]]:
+    """Return the raw values of all channels at intervals of 20 ms."""
     seen = []
     for _ in range(round(seconds / 0.02)):
         line.advance(0.02)
@@ -247,7 +248,7 @@ def watch(line: SimulatedBoards, seconds: float) -> list[tuple[int | None, ...]]
 def test_demo_moves_every_stick_without_override() -> None:
     line = demo_line("rc")
     board = line.boards[0]
-    seen = watch(line, 20)
+    seen = raw_values(line, 20)
     for channel in zip(*seen, strict=True):
         values = [value for value in channel if value is not None]
         assert len(values) == len(seen)
@@ -259,7 +260,7 @@ def test_demo_moves_every_stick_without_override() -> None:
 
 
 def test_demo_moves_voltages_in_analog_mode() -> None:
-    seen = watch(demo_line("analog"), 10)
+    seen = raw_values(demo_line("analog"), 10)
     first = [raw[0] for raw in seen if raw[0] is not None]
     assert 0 <= min(first) < 200
     assert 800 < max(first) <= 1023

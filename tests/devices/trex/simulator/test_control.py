@@ -1,9 +1,11 @@
+"""Control lines of the simulator."""
+
 import json
 from typing import Any
 
 import pytest
 
-from tests.devices.trex.simulator.ports import exchange
+from tests.devices.trex.simulator.ports import create_board, exchange
 from trex_gui.core.simulator.control_lines import GOODBYE
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource
@@ -12,26 +14,20 @@ from trex_gui.devices.trex.simulator.command import SIMULATOR
 from trex_gui.devices.trex.simulator.control import control, report
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import SimulatedBoards
-from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.physics import CONSTANTS
 from trex_gui.devices.trex.simulator.uart import SerialPort
 
 
 def show(line: SimulatedBoards, name: str = "") -> dict[str, Any]:
-    answer = control(line, f"{name} show")
-    assert answer.startswith("ok ")
-    shown: dict[str, Any] = json.loads(answer.removeprefix("ok "))
-    return shown
+    reply = control(line, f"{name} show")
+    assert reply.startswith("ok ")
+    state: dict[str, Any] = json.loads(reply.removeprefix("ok "))
+    return state
 
 
 @pytest.fixture
-def two() -> SimulatedBoards:
-    boards = []
-    for number, model in ((7, "trex"), (9, "trexjr")):
-        eeprom = Eeprom(model)
-        eeprom.write("device_number", number)
-        boards.append(Board(eeprom=eeprom))
-    return SimulatedBoards(boards)
+def two_boards() -> SimulatedBoards:
+    return SimulatedBoards([create_board(7), create_board(9, model="trexjr")])
 
 
 def test_help_lists_every_control_line() -> None:
@@ -52,7 +48,9 @@ def test_help_lists_every_control_line() -> None:
         ("2.5v noise 20mv", "2.5V noise 0.02V"),
     ],
 )
-def test_reply_and_show_state_channel_signal(line: SimulatedBoards, text: str, signal: str) -> None:
+def test_reply_and_show_name_the_channel_signal(
+    line: SimulatedBoards, text: str, signal: str
+) -> None:
     assert control(line, f"channel 1 {text}") == f"ok channel 1 gets {signal}"
     assert show(line)["channels"][0]["signal"] == signal
     assert control(line, f"channel 1 {signal}") == f"ok channel 1 gets {signal}"
@@ -136,20 +134,22 @@ def test_power_on_with_empty_battery_is_explained(line: SimulatedBoards) -> None
     assert show(line)["power"] is False
 
 
-def test_prefix_selects_one_of_several_boards(two: SimulatedBoards) -> None:
-    assert control(two, "@9 power off") == "ok power off"
-    assert show(two, "@7")["power"] is True
-    assert show(two, "@9")["power"] is False
-    assert show(two, "@9")["model"] == "trexjr"
-    assert control(two, "line mute on").startswith("ok")
-    assert control(two, "power off") == "error begin the line with a board: @7, @9"
-    assert control(two, "@8 power off") == "error there is no board @8; the boards are @7, @9"
+def test_prefix_selects_one_of_several_boards(two_boards: SimulatedBoards) -> None:
+    assert control(two_boards, "@9 power off") == "ok power off"
+    assert show(two_boards, "@7")["power"] is True
+    assert show(two_boards, "@9")["power"] is False
+    assert show(two_boards, "@9")["model"] == "trexjr"
+    assert control(two_boards, "line mute on").startswith("ok")
+    assert control(two_boards, "power off") == "error begin the line with a board: @7, @9"
+    assert (
+        control(two_boards, "@8 power off") == "error there is no board @8; the boards are @7, @9"
+    )
 
 
-def test_board_keeps_its_name_when_its_number_changes(two: SimulatedBoards) -> None:
-    two.send(bytes.fromhex("80 09 2F 00 0C 55 2A"))
-    two.advance(1)
-    assert show(two, "@9")["parameters"]["device_number"] == 12
+def test_board_keeps_its_name_when_its_number_changes(two_boards: SimulatedBoards) -> None:
+    two_boards.send(bytes.fromhex("80 09 2F 00 0C 55 2A"))
+    two_boards.advance(1)
+    assert show(two_boards, "@9")["parameters"]["device_number"] == 12
 
 
 INVALID = {
@@ -181,10 +181,10 @@ def test_invalid_command_gives_one_line_error_and_no_change(
     line: SimulatedBoards, text: str
 ) -> None:
     before = report(line.boards[0])
-    answer = control(line, text)
-    assert answer.startswith("error ")
-    assert "\n" not in answer
-    assert len(answer) > 12
+    reply = control(line, text)
+    assert reply.startswith("error ")
+    assert "\n" not in reply
+    assert len(reply) > 12
     assert report(line.boards[0]) == before
 
 
@@ -244,7 +244,7 @@ def test_leds_show_serial_control_and_packet_activity(board: Board, port: Serial
     assert report(board)["leds"] == {"red": "on", "green": "off"}
 
 
-def test_rc_mode_swaps_leds() -> None:
+def test_rc_mode_exchanges_leds() -> None:
     board = Board(mode="rc")
     board.channels.signals[2] = Signal.pulses(1900)
     board.power_cycle()
@@ -259,17 +259,16 @@ def test_rc_mode_swaps_leds() -> None:
 
 
 def test_power_up_flashes_show_learned_channels(board: Board) -> None:
-    calibration = board.calibration(1)
-    board.eeprom.write_calibration(InputSource.RC, 2, type(calibration)(2000, 3000, 4000, 50))
+    board.eeprom.write_calibration(InputSource.RC, 2, Calibration(2000, 3000, 4000, 50))
     board.power_cycle()
-    seen = []
+    flashes = []
     for _ in range(5):
-        seen.append(report(board)["leds"])
+        flashes.append(report(board)["leds"])
         board.advance(0.2)
         assert report(board)["leds"] == {"red": "off", "green": "off"}
         board.advance(0.1)
     red, green = {"red": "on", "green": "off"}, {"red": "off", "green": "on"}
-    assert seen == [red, green, red, red, red]
+    assert flashes == [red, green, red, red, red]
 
 
 def test_leds_are_off_without_power(board: Board) -> None:
@@ -277,18 +276,10 @@ def test_leds_are_off_without_power(board: Board) -> None:
     assert report(board)["leds"] == {"red": "off", "green": "off"}
 
 
-# Prescaler, wire value of the maximum and their frequency: prescalers divide 20 MHz by
-# 8, 64, 256 or 1024, and the wire carries the upper seven bits of the maximum.
-PWM = [
-    (0, 0x3F, 19531), (0, 0x7F, 9766),
-    (1, 0x3F, 2441), (1, 0x7F, 1221),
-    (2, 0x3F, 610), (2, 0x7F, 305),
-    (3, 0x3F, 153), (3, 0x7F, 76),
-]  # fmt: skip
-
-
 @pytest.mark.parametrize("number", [1, 2])
-@pytest.mark.parametrize(("prescaler", "maximum", "hertz"), PWM)
+@pytest.mark.parametrize(
+    ("prescaler", "maximum", "hertz"), [(0, 0x3F, 19531), (0, 0x7F, 9766), (3, 0x3F, 153)]
+)
 def test_prescaler_and_maximum_set_pwm_frequency_at_once(
     board: Board, port: SerialPort, number: int, prescaler: int, maximum: int, hertz: int
 ) -> None:

@@ -1,3 +1,5 @@
+"""EEPROM of the simulated board, its file, and power cuts during writes."""
+
 import json
 from pathlib import Path
 from typing import Any
@@ -16,7 +18,15 @@ from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import SimulatedBoards
 from trex_gui.devices.trex.simulator.memory import Eeprom, EepromError
 
-STICK = Calibration(2600, 3660, 4700, 50)
+RC, ANALOG = InputSource.RC, InputSource.ANALOG
+OLD = Calibration(2400, 3600, 4800, 60)
+NEW = Calibration(2600, 3660, 4700, 50)
+FACTORY = DEFAULT_CALIBRATION[RC]
+
+
+@pytest.fixture
+def path(tmp_path: Path) -> Path:
+    return tmp_path / "eeprom.json"
 
 
 @pytest.mark.parametrize("model", ["trex", "trexjr"])
@@ -29,48 +39,46 @@ def test_new_eeprom_holds_factory_defaults(model: str) -> None:
         assert eeprom.calibration(source, 3) == DEFAULT_CALIBRATION[source]
 
 
-def test_written_values_are_loaded_from_file(tmp_path: Path) -> None:
-    path = tmp_path / "eeprom.json"
+def test_written_values_are_loaded_from_file(path: Path) -> None:
     eeprom = Eeprom.open(path, "trexjr")
     eeprom.write("serial_timeout", 12)
     eeprom.write("uart_settings", 0x2A)
-    eeprom.write_calibration(InputSource.RC, 5, STICK)
+    eeprom.write_calibration(InputSource.RC, 5, NEW)
     eeprom.request_reset()
 
-    again = Eeprom.open(path, "trexjr")
-    assert again["serial_timeout"] == 12
-    assert again["uart_settings"] == 0x2A
-    assert again.calibration(InputSource.RC, 5) == STICK
-    assert again.calibration(InputSource.ANALOG, 5) != STICK
-    assert again.learned(InputSource.RC) == 0b10000
-    assert again.reset_pending
+    loaded = Eeprom.open(path, "trexjr")
+    assert loaded["serial_timeout"] == 12
+    assert loaded["uart_settings"] == 0x2A
+    assert loaded.calibration(InputSource.RC, 5) == NEW
+    assert loaded.calibration(InputSource.ANALOG, 5) != NEW
+    assert loaded.learned(InputSource.RC) == 0b10000
+    assert loaded.reset_pending
 
 
 def test_reset_restores_parameters_and_keeps_calibrations() -> None:
     eeprom = Eeprom()
     eeprom.write("serial_timeout", 12)
-    eeprom.write_calibration(InputSource.RC, 1, STICK)
+    eeprom.write_calibration(InputSource.RC, 1, NEW)
     eeprom.request_reset()
     assert eeprom["serial_timeout"] == 12
     eeprom.reset_if_pending()
     assert eeprom["serial_timeout"] == 0
-    assert eeprom.calibration(InputSource.RC, 1) == STICK
+    assert eeprom.calibration(InputSource.RC, 1) == NEW
     assert not eeprom.reset_pending
 
 
-def test_file_is_json_and_no_temporary_file_remains(tmp_path: Path) -> None:
-    path = tmp_path / "eeprom.json"
+def test_file_is_json_and_no_temporary_file_remains(path: Path) -> None:
     Eeprom.open(path).write("device_number", 9)
     document = json.loads(path.read_text(encoding="utf-8"))
     assert document["parameters"]["device_number"] == 9
     assert document["rc_calibration"][0]["neutral"] == 3750
-    assert list(tmp_path.iterdir()) == [path]
+    assert list(path.parent.iterdir()) == [path]
 
 
-@pytest.mark.parametrize("which", ["serial_timeouts", "factory_reset"])
-def test_unreadable_parameter_raises_key_error(which: str) -> None:
+@pytest.mark.parametrize("key", ["serial_timeouts", "factory_reset"])
+def test_unreadable_parameter_raises_key_error(key: str) -> None:
     with pytest.raises(KeyError):
-        Eeprom()[which]
+        Eeprom()[key]
 
 
 def test_out_of_range_value_is_rejected() -> None:
@@ -91,7 +99,7 @@ def _calibrated(**changes: float) -> str:
 
 
 @pytest.mark.parametrize(
-    ("text", "why"),
+    ("text", "reason"),
     [
         ("", "line 1"),
         ('{"what": ', "line 1"),
@@ -114,20 +122,18 @@ def _calibrated(**changes: float) -> str:
         (_calibrated(neutral=4.5), "neutral is not a number"),
     ],
 )
-def test_damaged_file_is_reported_in_one_line(tmp_path: Path, text: str, why: str) -> None:
-    path = tmp_path / "eeprom.json"
+def test_damaged_file_is_reported_in_one_line(path: Path, text: str, reason: str) -> None:
     path.write_text(text, encoding="utf-8")
     with pytest.raises(EepromError) as caught:
         Eeprom.open(path)
     message = str(caught.value)
     assert str(path) in message
-    assert why in message
+    assert reason in message
     assert "\n" not in message
     assert path.read_text(encoding="utf-8") == text
 
 
-def test_calibration_values_out_of_order_are_loaded(tmp_path: Path) -> None:
-    path = tmp_path / "eeprom.json"
+def test_calibration_values_out_of_order_are_loaded(path: Path) -> None:
     row = {"minimum": 9, "neutral": 4, "maximum": 4, "deadband": 16383}
     path.write_text(_document(analog_calibration=[row] * 5), encoding="utf-8")
     eeprom = Eeprom.open(path)
@@ -135,13 +141,12 @@ def test_calibration_values_out_of_order_are_loaded(tmp_path: Path) -> None:
     assert eeprom.learned(InputSource.ANALOG) == 0b11111
 
 
-def test_factory_state_is_restored_in_file(tmp_path: Path) -> None:
-    path = tmp_path / "eeprom.json"
+def test_factory_state_is_restored_in_file(path: Path) -> None:
     eeprom = Eeprom.open(path, "trexjr")
     new = path.read_text(encoding="utf-8")
     eeprom.write("uart_settings", 0x2A)
-    eeprom.write_calibration(InputSource.RC, 5, STICK)
-    eeprom.write_calibration(InputSource.ANALOG, 1, STICK)
+    eeprom.write_calibration(InputSource.RC, 5, NEW)
+    eeprom.write_calibration(InputSource.ANALOG, 1, NEW)
     eeprom.request_reset()
     eeprom.factory_reset()
     assert path.read_text(encoding="utf-8") == new
@@ -157,29 +162,23 @@ def test_unusable_path_raises_eeprom_error(tmp_path: Path) -> None:
         Eeprom.open(tmp_path)
 
 
-@pytest.mark.parametrize("choice", ["on", "off"])
-def test_factory_value_of_error_shutdown_decides_about_stray_bytes(choice: str) -> None:
-    simulation = simulate(error_shutdown=choice)
+@pytest.mark.parametrize("default", ["on", "off"])
+def test_stray_byte_stops_motor_if_error_shutdown_is_the_default(default: str) -> None:
+    simulation = simulate(error_shutdown=default)
     line = simulation.line
     assert isinstance(line, SimulatedBoards)
-    for change in ("power on", "factory"):
-        simulation.control(change)
+    for control_line in ("power on", "factory"):
+        simulation.control(control_line)
         simulation.control("power cycle")
         line.advance(2)
         line.send(bytes.fromhex("C2 50"))
         line.advance(0.1)
-        line.send(b"\r")  # as a program that ends each command with a line end
+        line.send(b"\r")  # sent by a program that ends each command with a line end
         line.advance(0.1)
-        assert (line.boards[0].motors[0].speed == 0x50) is (choice == "off")
+        assert (line.boards[0].motors[0].speed == 0x50) is (default == "off")
 
 
 # --- Power cuts during writes ---------------------------------------------------------
-
-
-RC, ANALOG = InputSource.RC, InputSource.ANALOG
-OLD = Calibration(2400, 3600, 4800, 60)
-NEW = Calibration(2600, 3660, 4700, 50)
-FACTORY = DEFAULT_CALIBRATION[RC]
 
 
 def open_board(path: Path) -> Board:
@@ -190,22 +189,17 @@ def open_board(path: Path) -> Board:
     return Board(eeprom=eeprom)
 
 
-@pytest.fixture
-def path(tmp_path: Path) -> Path:
-    return tmp_path / "eeprom.json"
-
-
 def test_calibration_out_of_order_after_power_cut_is_loaded(path: Path) -> None:
     board = open_board(path)
     board.set_calibration(2, Calibration(6000, 6100, 6200, 10))
     board.advance(0.009)
     board.power_off()
-    left = Calibration(6000, FACTORY.neutral, OLD.maximum, OLD.deadband)
-    assert left.minimum > left.neutral
-    again = Board(eeprom=Eeprom.open(path))
-    assert again.calibration(2) == left
-    again.advance(0.1)
-    assert all(-127 <= value <= 127 for value in again.remapped)
+    stored = Calibration(6000, FACTORY.neutral, OLD.maximum, OLD.deadband)
+    assert stored.minimum > stored.neutral
+    reopened = Board(eeprom=Eeprom.open(path))
+    assert reopened.calibration(2) == stored
+    reopened.advance(0.1)
+    assert all(-127 <= value <= 127 for value in reopened.remapped)
 
 
 def test_power_cut_cancels_unfinished_factory_reset_request(path: Path) -> None:
@@ -219,21 +213,15 @@ def test_power_cut_cancels_unfinished_factory_reset_request(path: Path) -> None:
 
 @examples(40)
 @given(seconds=st.floats(0, 0.04), channel=st.integers(1, 5))
-def test_power_cut_leaves_each_value_new_old_or_default(seconds: float, channel: int) -> None:
+def test_each_value_is_new_old_or_default_after_power_cut(seconds: float, channel: int) -> None:
     board = Board()
     board.eeprom.write_calibration(RC, channel, OLD)
     assert board.set_calibration(channel, NEW) is ResultCode.OK
     board.advance(seconds)
     board.power_cycle()
-    left = board.calibration(channel)
     written = min(4, int(seconds / 0.008 + 1e-6))
     for index, field in enumerate(("minimum", "neutral", "maximum", "deadband")):
-        value = getattr(left, field)
-        if index < written:
-            assert value == getattr(NEW, field)
-        elif index == written:
-            assert value == getattr(FACTORY, field)
-        else:
-            assert value == getattr(OLD, field)
+        expected = NEW if index < written else FACTORY if index == written else OLD
+        assert getattr(board.calibration(channel), field) == getattr(expected, field)
     assert board.calibration(channel % 5 + 1) == FACTORY
     assert board.eeprom.calibration(ANALOG, channel) == DEFAULT_CALIBRATION[ANALOG]

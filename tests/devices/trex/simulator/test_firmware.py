@@ -2,13 +2,12 @@
 
 import pytest
 
-from tests.devices.trex.simulator.ports import SETTLED, write
+from tests.devices.trex.simulator.ports import SETTLED, create_board, write
 from trex_gui.devices.trex.protocol.calibration import Calibration
 from trex_gui.devices.trex.protocol.flags import InputSource, UartError
 from trex_gui.devices.trex.simulator.channels import Signal
 from trex_gui.devices.trex.simulator.control import report
 from trex_gui.devices.trex.simulator.firmware import Board
-from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
 FORWARD, REVERSE, BRAKE = MotorDirection.FORWARD, MotorDirection.REVERSE, MotorDirection.BRAKE
@@ -46,12 +45,11 @@ class TestPower:
         new = Board(mode="rc", mix=True)
         for each in (board, new):
             each.advance(0.1)
-        left = {"counters", "leds"}
-        shown, wanted = (
-            {key: value for key, value in report(each).items() if key not in left}
+        restored, expected = (
+            {key: value for key, value in report(each).items() if key not in {"counters", "leds"}}
             for each in (board, new)
         )
-        assert shown == wanted
+        assert restored == expected
         assert board.eeprom.learned(InputSource.RC) == 0
 
     def test_small_time_steps_give_same_state_as_one_step(self) -> None:
@@ -68,27 +66,20 @@ class TestPower:
 # --- Sticks ---------------------------------------------------------------------------
 
 
-PULSES = 0.03
-"""Seconds in which each input is measured and the motors are updated."""
-
-
-def put(board: Board, channel: int, text: str) -> None:
+def connect(board: Board, channel: int, text: str) -> None:
+    """Connect a signal, as in the control line `channel`."""
     board.channels.signals[channel] = Signal.parse(text, board.channels.source)
-
-
-def waits(board: Board) -> bool:
-    return board.sticks.safe_start
 
 
 class TestChannelControl:
     @pytest.mark.parametrize("text", ["invalid", "1300us"])
     def test_safe_start_waits_while_required_channel_is_unsafe(self, text: str) -> None:
         board = Board(mode="rc")
-        put(board, 1, text)
+        connect(board, 1, text)
         board.power_cycle()
         for _ in range(400):
             board.advance(0.0025)
-            assert waits(board)
+            assert board.sticks.safe_start
             assert board.motors[1].direction is BRAKE
             assert board.aux.speed == 0
 
@@ -96,43 +87,39 @@ class TestChannelControl:
     def test_late_signal_does_not_end_safe_start_with_moved_stick(self, kind: str) -> None:
         for seed in range(20):
             board = Board(mode="rc", seed=seed)
-            put(board, 1, kind)
-            put(board, 2, "1900us")
+            connect(board, 1, kind)
+            connect(board, 2, "1900us")
             board.advance(SETTLED)
-            put(board, 1, "1500us")
+            connect(board, 1, "1500us")
             board.advance(1)
-            assert waits(board)
+            assert board.sticks.safe_start
             assert board.motors[1].direction is BRAKE
 
     def test_sticks_drive_motors_with_their_ramps(self) -> None:
-        eeprom = Eeprom()
-        eeprom.write("motor1_acceleration", 50)
-        board = Board(mode="rc", eeprom=eeprom)
+        board = create_board(mode="rc", motor1_acceleration=50)
         board.advance(SETTLED)
-        put(board, 1, "1000us")
-        put(board, 3, "2000us")
+        connect(board, 1, "1000us")
+        connect(board, 3, "2000us")
         speeds = []
         for _ in range(10):
             board.advance(0.01)
             speeds.append(board.motors[0].speed)
-        driven = [speed for speed in speeds if speed != 127]  # full brake until the pulse
+        driven = [speed for speed in speeds if speed != 127]  # 127: brake until the first pulse
         assert driven == list(range(5, 5 * len(driven) + 5, 5))
         assert len(driven) >= 8
         assert board.motors[0].direction is REVERSE
         assert board.aux.speed == 127
 
     def test_deadband_applies_configured_brake(self) -> None:
-        eeprom = Eeprom()
-        eeprom.write("motor1_deadband_brake_pwm", 33)
-        board = Board(mode="rc", eeprom=eeprom)
+        board = create_board(mode="rc", motor1_deadband_brake_pwm=33)
         board.advance(SETTLED)
         assert (board.motors[0].direction, board.motors[0].speed) == (BRAKE, 33)
 
     def test_analog_mode_reads_voltages(self) -> None:
         board = Board(mode="analog")
         board.advance(SETTLED)
-        assert not waits(board)
-        put(board, 1, "5V")
+        assert not board.sticks.safe_start
+        connect(board, 1, "5V")
         assert board.motors[0].direction is BRAKE
         board.advance(0.03)
         assert (board.motors[0].direction, board.motors[0].speed) == (FORWARD, 127)
@@ -141,32 +128,37 @@ class TestChannelControl:
     def test_motors_wait_after_power_up_until_channels_are_known(self, mode: str) -> None:
         board = Board(mode=mode)
         board.advance(0.09)
-        assert waits(board)
+        assert board.sticks.safe_start
         assert board.motors[0].direction is BRAKE
         board.advance(SETTLED)
-        assert not waits(board)
+        assert not board.sticks.safe_start
 
+    def test_sticks_drive_one_motor_in_joint_mode(self) -> None:
+        board = create_board(mode="rc", motor_mode=1)
+        board.mix = True
+        board.advance(SETTLED)
+        for channel in (1, 2):
+            connect(board, channel, "2000us")
+        board.advance(0.05)
+        assert (board.motors[0].direction, board.motors[0].speed) == (FORWARD, 127)
+        assert board.motors[1].direction is BRAKE
 
-class TestSerialOverride:
     def test_serial_override_stops_motor_without_setpoint(self, rc: Board) -> None:
-        put(rc, 1, "2000us")
+        connect(rc, 1, "2000us")
         rc.advance(0.05)
         assert (rc.motors[0].direction, rc.motors[0].speed) == (FORWARD, 127)
-        put(rc, 5, "1000us")
-        rc.advance(PULSES)
+        connect(rc, 5, "1000us")
+        rc.advance(0.03)
         assert (rc.motors[0].direction, rc.motors[0].speed) == (BRAKE, 127)
 
 
 # --- Stops ----------------------------------------------------------------------------
 
 
-either_firmware = pytest.mark.parametrize("needs_shutdown", [False, True])
-"""It is unknown if the serial timeout needs UART-Error Shutdown, which is on in these tests."""
-
-
 class TestSafety:
+    # It is unknown if the serial timeout of a real board needs UART-Error Shutdown.
     @pytest.mark.parametrize(("needs_shutdown", "direction"), [(False, BRAKE), (True, FORWARD)])
-    def test_timeout_without_shutdown_is_latched_and_stops_under_one_hypothesis(
+    def test_timeout_stops_motor_unless_it_needs_disabled_shutdown(
         self, direction: MotorDirection, *, needs_shutdown: bool
     ) -> None:
         board = Board()
@@ -191,13 +183,11 @@ class TestSafety:
         board.advance(0.2)
         assert board.serial.pop_uart_errors()
 
-    @either_firmware
+    @pytest.mark.parametrize("needs_shutdown", [False, True])
     def test_old_setpoint_is_not_resumed_after_serial_timeout(
         self, *, needs_shutdown: bool
     ) -> None:
-        eeprom = Eeprom()
-        eeprom.write("serial_timeout", 5)
-        board = Board(mode="rc", eeprom=eeprom)
+        board = create_board(mode="rc", serial_timeout=5)
         board.timeout_needs_shutdown = needs_shutdown
         board.advance(SETTLED)
         board.record_byte()
@@ -215,16 +205,3 @@ class TestSafety:
         assert rc.motors[0].direction is FORWARD
         rc.report_error(UartError.FORMAT)
         assert rc.motors[0].direction is FORWARD
-
-
-class TestCurrents:
-    def test_sticks_drive_one_motor_in_joint_mode(self) -> None:
-        eeprom = Eeprom()
-        eeprom.write("motor_mode", 1)
-        board = Board(eeprom=eeprom, mode="rc", mix=True)
-        board.advance(SETTLED)
-        for channel in (1, 2):
-            board.channels.signals[channel] = Signal.pulses(2000)
-        board.advance(0.05)
-        assert (board.motors[0].direction, board.motors[0].speed) == (FORWARD, 127)
-        assert board.motors[1].direction is BRAKE

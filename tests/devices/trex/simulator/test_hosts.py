@@ -1,4 +1,4 @@
-"""Hosts that disconnect, and their settings."""
+"""Hosts in real time: disconnection, line settings and an unwritable EEPROM file."""
 
 import shutil
 import sys
@@ -11,10 +11,7 @@ import serial
 from tests.devices.trex.simulator.waiting import LONG_TIMEOUT
 from tests.support.simulator import StartSimulator
 
-Start = StartSimulator
-
-needs_pty = pytest.mark.skipif(sys.platform == "win32", reason="has no pseudo-terminals")
-
+needs_pty = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no pseudo-terminals")
 
 # pyserial's RFC 2217 client uses deprecated functions.
 pytestmark = [
@@ -23,41 +20,43 @@ pytestmark = [
 ]
 
 
-def requested(url: str, **settings: Any) -> bytes:
+def read_signature(url: str, **settings: Any) -> bytes:
     with serial.serial_for_url(
         url, timeout=LONG_TIMEOUT, **{"baudrate": 19200, **settings}
     ) as port:
         port.write(b"\x81")
-        answer: bytes = port.read(7)
-        return answer
+        reply: bytes = port.read(7)
+        return reply
 
 
 @needs_pty
-def test_reopened_port_discards_bytes_queued_by_slow_host(start_simulator: Start) -> None:
+def test_reopened_port_discards_bytes_queued_by_slow_host(start_simulator: StartSimulator) -> None:
     simulator = start_simulator()
     with serial.Serial(simulator.url, 50) as port:
         port.write(b"\xff" * 200)  # 40 s of bytes
-    assert requested(simulator.url) == b"TReX1.2"
+    assert read_signature(simulator.url) == b"TReX1.2"
 
 
 @pytest.mark.parametrize("kind", ["--rfc2217", "--tcp"])
-def test_bytes_queued_by_disconnected_host_are_discarded(start_simulator: Start, kind: str) -> None:
+def test_bytes_queued_by_disconnected_host_are_discarded(
+    start_simulator: StartSimulator, kind: str
+) -> None:
     simulator = start_simulator(kind, "127.0.0.1:0")
     with serial.serial_for_url(simulator.url, baudrate=300) as port:
         port.write(b"\xff" * 20_000)
-    assert requested(simulator.url) == b"TReX1.2"
+    assert read_signature(simulator.url) == b"TReX1.2"
 
 
-def test_seven_data_bits_are_rejected(start_simulator: Start) -> None:
+def test_seven_data_bits_are_rejected(start_simulator: StartSimulator) -> None:
     simulator = start_simulator("--rfc2217", "127.0.0.1:0")
     with pytest.raises((serial.SerialException, ValueError)):
-        requested(simulator.url, bytesize=serial.SEVENBITS)
-    assert requested(simulator.url) == b"TReX1.2"
+        read_signature(simulator.url, bytesize=serial.SEVENBITS)
+    assert read_signature(simulator.url) == b"TReX1.2"
 
 
 @needs_pty
 def test_writes_take_effect_when_eeprom_cannot_be_saved(
-    start_simulator: Start, tmp_path: Path
+    start_simulator: StartSimulator, tmp_path: Path
 ) -> None:
     folder = tmp_path / "gone"
     folder.mkdir()

@@ -1,11 +1,10 @@
-from collections.abc import Callable
+"""Line of simulated boards: timing, line settings, faults and reproducible noise."""
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.devices.trex.simulator.conftest import create_exchange
-from tests.devices.trex.simulator.ports import create_board
+from tests.devices.trex.simulator.ports import create_board, query
 from tests.support.matrix import examples
 from trex_gui.core.simulator.sampling import ReceiveError
 from trex_gui.devices.trex.protocol.flags import UartError
@@ -13,22 +12,20 @@ from trex_gui.devices.trex.protocol.line_settings import Detection, LineSettings
 from trex_gui.devices.trex.simulator.control import control
 from trex_gui.devices.trex.simulator.firmware import Board
 from trex_gui.devices.trex.simulator.line import SimulatedBoards
-from trex_gui.devices.trex.simulator.memory import Eeprom
 from trex_gui.devices.trex.simulator.motors import MotorDirection
 
-Exchange = Callable[[str], str]
 BYTE = 10 / 19200
-"""Seconds of a byte with the factory settings."""
+"""Time of a byte in seconds, with the factory settings."""
 
-SIGNATURE_BYTES = b"TReX1.2"
+SIGNATURE = b"TReX1.2"
 
 
 class TestPace:
     def test_request_and_reply_take_line_time(self, line: SimulatedBoards) -> None:
         line.send(b"\x81")
-        assert line.read(7, 7.9 * BYTE) == SIGNATURE_BYTES[:6]
+        assert line.read(7, 7.9 * BYTE) == SIGNATURE[:6]
         assert line.now == pytest.approx(7.9 * BYTE)
-        assert line.read(1, 1) == SIGNATURE_BYTES[6:]
+        assert line.read(1, 1) == SIGNATURE[6:]
         assert line.now == pytest.approx(8 * BYTE)
 
     def test_read_returns_at_its_timeout(self, line: SimulatedBoards) -> None:
@@ -46,7 +43,7 @@ class TestPace:
         line = SimulatedBoards([board], paced=False)
         line.send(b"\x81")
         line.advance(0)
-        assert line.receive() == SIGNATURE_BYTES
+        assert line.receive() == SIGNATURE
         assert line.now == 0
 
     def test_unpaced_line_still_waits_for_eeprom_write(self, board: Board) -> None:
@@ -70,16 +67,12 @@ class TestPace:
         line = SimulatedBoards([Board()])
         line.send(bytes.fromhex("AF 07 0F 55 2A"))
         received = b""
-        for seconds in cuts:
+        for seconds in (*cuts, 0.02):
             line.advance(seconds)
             received += line.receive()
-        line.advance(0.02)
-        received += line.receive()
         assert received == b"\x00"
         assert line.boards[0].memory.get(0x07) == 15
 
-
-class TestHostSettings:
     @pytest.mark.parametrize(
         ("board_settings", "host", "error"),
         [
@@ -111,7 +104,7 @@ class TestEcho:
     def test_byte_sent_during_reply_corrupts_echo_and_reply(self, board: Board) -> None:
         line = SimulatedBoards([board], echo=True)
         line.send(b"\x81\x81")
-        assert line.read(9, 1) == b"\x81" + bytes([ord("T") & 0x81]) + b"ReX1.2"
+        assert line.read(9, 1) == bytes([0x81, ord("T") & 0x81]) + b"ReX1.2"
 
 
 class TestSeveralBoards:
@@ -119,16 +112,16 @@ class TestSeveralBoards:
     def test_compact_request_makes_all_boards_reply_at_once(self, paced: bool) -> None:
         line = SimulatedBoards([create_board(7), create_board(9, model="trexjr")], paced=paced)
         both = bytes(a & b for a, b in zip(b"TReX1.2\xff\xff", b"TReXJr1.2", strict=True))
-        assert create_exchange(line)("81") == both.hex(" ")
+        assert query(line, "81") == both
         assert line.faults.counters["collisions"] == 7
 
     def test_identical_replies_are_received_as_one(self) -> None:
-        assert create_exchange(SimulatedBoards([create_board(7), create_board(9)]))("82") == "72"
+        assert query(SimulatedBoards([create_board(7), create_board(9)]), "82") == b"r"
 
     def test_compact_motor_command_reaches_all_boards(self) -> None:
         line = SimulatedBoards([create_board(7), create_board(9), create_board(11)])
-        create_exchange(line)("F0 7F")
-        create_exchange(line)("80 09 70 05")
+        query(line, "F0 7F")
+        query(line, "80 09 70 05")
         assert [board.aux.speed for board in line.boards] == [127, 5, 127]
 
     def test_line_without_board_is_rejected(self) -> None:
@@ -137,55 +130,47 @@ class TestSeveralBoards:
 
 
 class TestFaults:
-    def test_requested_number_of_bytes_is_corrupted(
-        self, line: SimulatedBoards, exchange: Exchange
-    ) -> None:
+    def test_requested_number_of_receive_errors_occurs(self, line: SimulatedBoards) -> None:
         line.faults.errors.extend([ReceiveError.FRAMING] * 3)
-        assert exchange("82 82 82") == ""
-        assert exchange("82") == "72"
+        assert query(line, "82 82 82") == b""
+        assert query(line, "82") == b"r"
 
     def test_all_boards_on_line_detect_the_same_error(self) -> None:
         line = SimulatedBoards([create_board(7), create_board(9)])
         line.faults.errors.append(ReceiveError.OVERRUN)
-        create_exchange(line)("82")
+        query(line, "82")
         errors = [board.serial.uart_errors for board in line.boards]
         assert errors == [UartError.DATA_OVERRUN] * 2
 
-    def test_muted_line_carries_commands_but_no_replies(
-        self, line: SimulatedBoards, exchange: Exchange
-    ) -> None:
+    def test_muted_line_carries_commands_but_no_replies(self, line: SimulatedBoards) -> None:
         line.faults.mute = True
-        assert exchange("81") == ""
-        assert exchange("F0 7F") == ""
+        assert query(line, "81") == b""
+        assert query(line, "F0 7F") == b""
         assert line.boards[0].aux.speed == 127
         line.faults.mute = False
-        assert exchange("82") == "72"
+        assert query(line, "82") == b"r"
 
     @pytest.mark.parametrize(
         ("fault", "count", "reply"), [("to_drop", 3, b"X1.2"), ("to_double", 2, b"TTRReX1.2")]
     )
     def test_fault_drops_or_doubles_bytes_of_reply(
-        self, line: SimulatedBoards, exchange: Exchange, fault: str, count: int, reply: bytes
+        self, line: SimulatedBoards, fault: str, count: int, reply: bytes
     ) -> None:
         setattr(line.faults, fault, count)
-        assert exchange("81") == reply.hex(" ")
-        assert exchange("82") == "72"
+        assert query(line, "81") == reply
+        assert query(line, "82") == b"r"
 
-    def test_drop_sent_loses_bytes_of_request(
-        self, line: SimulatedBoards, exchange: Exchange
-    ) -> None:
+    def test_drop_sent_loses_bytes_of_request(self, line: SimulatedBoards) -> None:
         line.faults.to_drop_sent = 1
-        assert exchange("F0 7F") == ""
+        assert query(line, "F0 7F") == b""
         assert line.boards[0].aux.speed == 0
-        assert exchange("85") == "40"
+        assert query(line, "85") == b"\x40"
 
-    def test_corrupted_bytes_of_reply_are_others(
-        self, line: SimulatedBoards, exchange: Exchange
-    ) -> None:
+    def test_requested_number_of_reply_bytes_is_corrupted(self, line: SimulatedBoards) -> None:
         line.faults.to_corrupt = 2
-        reply = bytes.fromhex(exchange("81"))
-        assert [a == b for a, b in zip(reply, b"TReX1.2", strict=True)] == [False] * 2 + [True] * 5
-        assert exchange("82") == "72"
+        reply = query(line, "81")
+        assert [a == b for a, b in zip(reply, SIGNATURE, strict=True)] == [False] * 2 + [True] * 5
+        assert query(line, "82") == b"r"
 
     def test_delayed_reply_arrives_late_and_in_order(self, line: SimulatedBoards) -> None:
         line.faults.delay = 0.5
@@ -221,92 +206,88 @@ class TestFaults:
         assert line.receive() == b""
         assert line.boards[0].serial.uart_errors == UartError.PARITY | UartError.FRAMING
 
-    def test_unplugged_line_carries_nothing(
-        self, line: SimulatedBoards, exchange: Exchange
-    ) -> None:
+    def test_unplugged_line_carries_nothing(self, line: SimulatedBoards) -> None:
         line.unplug()
-        assert exchange("81") == ""
-        assert exchange("F0 7F") == ""
+        assert query(line, "81") == b""
+        assert query(line, "F0 7F") == b""
         assert line.boards[0].aux.speed == 0
         line.plug()
-        assert exchange("82") == "72"
+        assert query(line, "82") == b"r"
 
 
 # --- Incomplete bytes -----------------------------------------------------------------
 
 
 @pytest.fixture
-def warm() -> SimulatedBoards:
+def running_line(line: SimulatedBoards) -> SimulatedBoards:
     """A line whose board was switched on a second ago."""
-    line = SimulatedBoards([Board()])
     line.advance(1)
     return line
 
 
 @pytest.mark.parametrize("overlap", [0.05, 0.5, 0.95])
-def test_byte_that_begins_during_reply_is_lost(warm: SimulatedBoards, overlap: float) -> None:
-    warm.send(b"\x81")
-    warm.advance((8 - overlap) * BYTE)
-    warm.send(b"\xc2\x40")
-    warm.advance(0.01)
-    assert warm.receive() == b"TReX1.2"
-    assert warm.boards[0].motors[0].direction is MotorDirection.BRAKE
-    assert warm.boards[0].counters["bytes_missed"] == 1
+def test_byte_that_begins_during_reply_is_lost(
+    running_line: SimulatedBoards, overlap: float
+) -> None:
+    running_line.send(b"\x81")
+    running_line.advance((8 - overlap) * BYTE)
+    running_line.send(b"\xc2\x40")
+    running_line.advance(0.01)
+    assert running_line.receive() == b"TReX1.2"
+    assert running_line.boards[0].motors[0].direction is MotorDirection.BRAKE
+    assert running_line.boards[0].counters["bytes_missed"] == 1
 
 
-def test_byte_that_spans_power_up_is_lost(warm: SimulatedBoards) -> None:
-    control(warm, "power off")
-    warm.send(b"\x81")
-    warm.advance(0.9 * BYTE)
-    control(warm, "power on")
-    warm.advance(0.05)
-    assert warm.receive() == b""
+def test_byte_that_spans_power_up_is_lost(running_line: SimulatedBoards) -> None:
+    control(running_line, "power off")
+    running_line.send(b"\x81")
+    running_line.advance(0.9 * BYTE)
+    control(running_line, "power on")
+    running_line.advance(0.05)
+    assert running_line.receive() == b""
 
 
-@pytest.mark.parametrize("question", ["81", "FF 81"])
-def test_byte_that_spans_plugging_in_is_lost(warm: SimulatedBoards, question: str) -> None:
-    control(warm, "line unplug")
-    warm.send(bytes.fromhex(question))
-    warm.advance((len(bytes.fromhex(question)) - 0.1) * BYTE)
-    control(warm, "line plug")
-    warm.advance(0.05)
-    assert warm.receive() == b""
-    assert create_exchange(warm)("82") == "72"
+@pytest.mark.parametrize("packet", ["81", "FF 81"])
+def test_byte_that_spans_plugging_in_is_lost(running_line: SimulatedBoards, packet: str) -> None:
+    control(running_line, "line unplug")
+    running_line.send(bytes.fromhex(packet))
+    running_line.advance((len(bytes.fromhex(packet)) - 0.1) * BYTE)
+    control(running_line, "line plug")
+    running_line.advance(0.05)
+    assert running_line.receive() == b""
+    assert query(running_line, "82") == b"r"
 
 
 def test_overlapping_replies_are_garbled() -> None:
-    """Two replies a millisecond apart. Neither is read."""
-    late = Eeprom()
-    late.write("uart_response_delay", 1)
-    late.write("device_number", 8)
-    line = SimulatedBoards([Board(), Board(eeprom=late)])
+    """The second reply begins 1 ms after the first."""
+    line = SimulatedBoards([create_board(7), create_board(8, uart_response_delay=1)])
     line.advance(0.2)
     line.send(b"\x81")
-    begun = line.now + BYTE
     line.advance(0.02)
-    got = line.receive()
-    assert got[:1] == b"T"  # before the other begins
-    assert got != b"TReX1.2"
+    received = line.receive()
+    assert received[:1] == b"T"  # sent before the second reply begins
+    assert received != b"TReX1.2"
     assert line.faults.counters["collisions"]
     longest = (0.001 + 7 * BYTE) / BYTE
-    assert len(got) <= longest + 1
-    assert line.now > begun
-    assert create_exchange(line)("80 08 02") == "72"
+    assert len(received) <= longest + 1
+    assert query(line, "80 08 02") == b"r"
 
 
-def test_injected_bytes_take_line_time_and_collide_with_reply(warm: SimulatedBoards) -> None:
-    control(warm, "line garbage " + "00" * 100)
-    control(warm, "line garbage " + "00" * 100)
-    warm.advance(150 * BYTE)
-    assert 140 <= len(warm.receive()) <= 150
-    warm.advance(60 * BYTE)
-    warm.receive()
-    warm.send(b"\x81")
-    warm.advance(1.5 * BYTE)
-    control(warm, "line garbage " + "00" * 7)
-    warm.advance(0.02)
-    assert warm.receive() != b"TReX1.2"
-    assert warm.faults.counters["collisions"]
+def test_injected_bytes_take_line_time_and_collide_with_reply(
+    running_line: SimulatedBoards,
+) -> None:
+    control(running_line, "line garbage " + "00" * 100)
+    control(running_line, "line garbage " + "00" * 100)
+    running_line.advance(150 * BYTE)
+    assert 140 <= len(running_line.receive()) <= 150
+    running_line.advance(60 * BYTE)
+    running_line.receive()
+    running_line.send(b"\x81")
+    running_line.advance(1.5 * BYTE)
+    control(running_line, "line garbage " + "00" * 7)
+    running_line.advance(0.02)
+    assert running_line.receive() != b"TReX1.2"
+    assert running_line.faults.counters["collisions"]
 
 
 @pytest.mark.parametrize("boards", [1, 2])
@@ -318,21 +299,23 @@ def test_up_to_10000_injected_bytes_are_delivered(boards: int) -> None:
     assert line.receive() == b"\xa5" * 10_000
 
 
-def test_drop_unsent_discards_queued_bytes(warm: SimulatedBoards) -> None:
-    warm.send(b"\xc2\x40" * 100)
-    warm.drop_unsent()
-    assert warm.backlog == 0
-    warm.advance(1)
-    assert warm.boards[0].counters["bytes_received"] == 0
-    assert create_exchange(warm)("81") == "54 52 65 58 31 2e 32"
-    assert not warm.boards[0].serial.pop_uart_errors() & UartError.FORMAT
+def test_drop_unsent_discards_queued_bytes(running_line: SimulatedBoards) -> None:
+    running_line.send(b"\xc2\x40" * 100)
+    running_line.drop_unsent()
+    assert running_line.backlog == 0
+    running_line.advance(1)
+    assert running_line.boards[0].counters["bytes_received"] == 0
+    assert query(running_line, "81") == SIGNATURE
+    assert not running_line.boards[0].serial.pop_uart_errors() & UartError.FORMAT
 
 
-# --- Seeds ----------------------------------------------------------------------------
+# --- Seeds of noise -------------------------------------------------------------------
 
 
-def heard(seed: int, lines: tuple[str, ...], packet: str, mode: str = "serial") -> bytes:
-    """Send the same query forty times. Return all replies."""
+def replies_with_seed(
+    seed: int, lines: tuple[str, ...], packet: str, mode: str = "serial"
+) -> bytes:
+    """Send control lines, and then the same packet forty times. Return all replies."""
     line = SimulatedBoards([Board(mode=mode, seed=seed)], seed=seed)
     for text in lines:
         assert control(line, text).startswith("ok")
@@ -357,9 +340,13 @@ def heard(seed: int, lines: tuple[str, ...], packet: str, mode: str = "serial") 
     ids=["noisy pulses", "lost pulses", "a noisy wire", "noisy currents", "noisy voltage"],
 )
 def test_same_seed_gives_same_bytes(lines: tuple[str, ...], packet: str, mode: str) -> None:
-    first = heard(1, lines, packet, mode)
+    first = replies_with_seed(1, lines, packet, mode)
     assert len(set(first)) > 2
-    assert heard(1, lines, packet, mode) == first != heard(2, lines, packet, mode)
+    assert (
+        replies_with_seed(1, lines, packet, mode)
+        == first
+        != replies_with_seed(2, lines, packet, mode)
+    )
 
 
 @pytest.mark.parametrize("host", [LineSettings(stop_bits=2), LineSettings(115200)])
@@ -379,10 +366,10 @@ def test_same_seed_gives_same_garbage(host: LineSettings) -> None:
     first = garbage(1)
     assert len(first) > 50
     assert garbage(1) == first
-    if host.stop_bits == 2:  # sampling knows no chance
+    if host.stop_bits == 2:  # sampling at another rate has no noise
         assert garbage(2) != first
 
 
 def test_motors_of_one_board_have_independent_noise() -> None:
-    readings = heard(1, ("load 1 8", "load 2 8"), "DA 7F 7F 8F")
+    readings = replies_with_seed(1, ("load 1 8", "load 2 8"), "DA 7F 7F 8F")
     assert readings[::2] != readings[1::2]

@@ -1,3 +1,5 @@
+"""Speed of a motor: acceleration, brake duration and current limit."""
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -8,7 +10,8 @@ from trex_gui.devices.trex.simulator.motors import Motor, MotorDirection, MotorS
 BRAKE, REVERSE, FORWARD = MotorDirection.BRAKE, MotorDirection.REVERSE, MotorDirection.FORWARD
 
 
-def updates(motor: Motor, settings: MotorSettings, count: int, current: int = 0) -> list[int]:
+def update(motor: Motor, settings: MotorSettings, count: int, current: int = 0) -> list[int]:
+    """Update a motor several times. Return the speed after each update."""
     speeds = []
     for _ in range(count):
         motor.update(settings, current)
@@ -21,9 +24,9 @@ def test_braked_motor_reverses_at_once_after_brake_duration() -> None:
     settings = MotorSettings(brake_duration=5)
     motor.set(FORWARD, 100)
     motor.accelerate(BRAKE, 127)
-    updates(motor, settings, 5)
+    update(motor, settings, 5)
     motor.accelerate(REVERSE, 40)
-    assert updates(motor, settings, 1) == [40]
+    assert update(motor, settings, 1) == [40]
 
 
 def test_cancelled_reversal_resumes_old_direction() -> None:
@@ -31,9 +34,9 @@ def test_cancelled_reversal_resumes_old_direction() -> None:
     settings = MotorSettings(acceleration=100, brake_duration=50)
     motor.set(FORWARD, 100)
     motor.accelerate(REVERSE, 60)
-    updates(motor, settings, 2)
+    update(motor, settings, 2)
     motor.accelerate(FORWARD, 60)
-    assert updates(motor, settings, 2) == [10, 20]
+    assert update(motor, settings, 2) == [10, 20]
     assert motor.direction is FORWARD
 
 
@@ -45,7 +48,7 @@ def test_speed_falls_in_proportion_to_excess_current() -> None:
     assert motor.speed == 100
     assert motor.update(settings, 30)  # ceil(8 * 10 / 16) = 5
     assert motor.speed == 95
-    assert updates(motor, settings, 100, current=30)[-1] == 0
+    assert update(motor, settings, 100, current=30)[-1] == 0
 
 
 def test_zero_gain_turns_motor_off_over_current_limit() -> None:
@@ -59,18 +62,18 @@ def test_zero_gain_turns_motor_off_over_current_limit() -> None:
 
 
 @pytest.mark.parametrize(
-    ("direction", "speed", "limit", "gain", "current", "left"),
+    ("direction", "speed", "limit", "gain", "current", "output"),
     [(FORWARD, 100, 0, 127, 255, 100), (BRAKE, 127, 1, 5, 255, 127), (FORWARD, 10, 1, 1, 3, 9)],
     ids=["no limit", "brake command", "lower setpoint"],
 )
-def test_limiter_leaves_brakes_and_lower_setpoints(
-    direction: MotorDirection, speed: int, limit: int, gain: int, current: int, left: int
+def test_limiter_does_not_change_brakes_and_lower_setpoints(
+    direction: MotorDirection, speed: int, limit: int, gain: int, current: int, output: int
 ) -> None:
     motor = Motor()
     motor.set(FORWARD, 100)
     motor.accelerate(direction, speed)
     is_over = motor.update(MotorSettings(current_limit=limit, current_limit_p=gain), current)
-    assert (motor.direction, motor.speed, is_over) == (direction, left, limit > 0)
+    assert (motor.direction, motor.speed, is_over) == (direction, output, limit > 0)
 
 
 @examples(30)
@@ -86,7 +89,7 @@ def test_limiter_leaves_brakes_and_lower_setpoints(
         max_size=20,
     )
 )
-def test_speed_never_leaves_its_range(
+def test_speed_stays_in_its_range(
     steps: list[tuple[bool, MotorDirection, int, int, int]],
 ) -> None:
     motor = Motor()

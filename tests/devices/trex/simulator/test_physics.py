@@ -1,4 +1,4 @@
-"""Motor and load: inrush, stall, coasting, braking, current sensor."""
+"""Physics of motors and battery: start, stall, coasting, braking, current and brown-out."""
 
 from itertools import pairwise
 from typing import Any
@@ -110,14 +110,15 @@ def test_friction_stops_motor_without_reversing_it(physics: MotorPhysics) -> Non
 
 
 def test_braking_slows_motor_faster_than_coasting() -> None:
-    def left(brake: float) -> float:
+    def speed_after_100_ms(brake: float) -> float:
         physics = MotorPhysics(TREX, 0.15, seed=0)
         run(physics, 2.0, FULL)
         run(physics, 0.1, 0.0, brake)
         return physics.speed
 
     top = FULL / TREX.back_emf
-    assert 0 <= left(1.0) < left(0.5) < left(0.0) < top
+    braked, half_braked, coasting = map(speed_after_100_ms, (1.0, 0.5, 0.0))
+    assert 0 <= braked < half_braked < coasting < top
 
 
 def test_coasting_motor_is_stopped_by_friction(physics: MotorPhysics) -> None:
@@ -181,7 +182,7 @@ def test_speed_and_current_stay_within_physical_limits(
         assert 0 <= physics.reading <= 255
 
 
-# --- Both motors at one battery -------------------------------------------------------
+# --- Two motors on one battery --------------------------------------------------------
 
 
 FORWARD, REVERSE, BRAKE = MotorDirection.FORWARD, MotorDirection.REVERSE, MotorDirection.BRAKE
@@ -191,23 +192,6 @@ IDLE = DriverOutput()
 def weaken(board: Board) -> None:
     """Set a battery that cannot supply a stalled motor."""
     assert control(SimulatedBoards([board]), "battery 8 0.5") == "ok battery 8 V, 0.5 ohm"
-
-
-def is_on(board: Board) -> bool:
-    return board.powered
-
-
-def waits(board: Board) -> bool:
-    return board.sticks.safe_start
-
-
-def currents(board: Board, seconds: float) -> list[float]:
-    """Return each reading of motor 1 in A, 80 a second."""
-    seen = []
-    for _ in range(round(seconds / 0.0125)):
-        board.advance(0.0125)
-        seen.append(board.physics[0].current)
-    return seen
 
 
 class TestMachine:
@@ -258,15 +242,15 @@ class TestMachine:
         assert board.powered
         assert board.counters["brown_outs"] == 0
 
-
-class TestBoard:
     def test_stalled_motor_keeps_current_and_supply_constant(self) -> None:
         board = Board()
         board.physics[0].load = 100.0
         board.serial.drive(1, FORWARD, 127)
-        seen = currents(board, 5)
+        board.advance(0.0125)
         stall = TREX.battery / (TREX.resistance + TREX.battery_resistance)
-        assert seen[1:] == [pytest.approx(stall, abs=0.35)] * (len(seen) - 1)
+        for _ in range(400):
+            board.advance(0.0125)  # the time between two measurements of the current
+            assert board.physics[0].current == pytest.approx(stall, abs=0.35)
         assert report(board)["supply"] == pytest.approx(stall * TREX.resistance, abs=0.01)
         assert report(board)["motors"][0]["rpm"] == 0
 
@@ -276,12 +260,12 @@ class TestBrownOut:
         board = Board()
         weaken(board)
         board.advance(0.1)
-        assert is_on(board)
+        assert board.powered
         board.serial.drive(1, FORWARD, 127)
         board.advance(TICK)
-        assert not is_on(board)
+        assert not board.powered
         board.advance(TICK)
-        assert is_on(board)
+        assert board.powered
         assert board.motors[0].speed == 0
         counters: dict[str, Any] = report(board)["counters"]
         assert (counters["brown_outs"], counters["power_ups"]) == (1, 2)
@@ -305,18 +289,18 @@ class TestBrownOut:
         board = Board(mode="rc")
         weaken(board)
         board.advance(SETTLED)
-        assert not waits(board)
+        assert not board.sticks.safe_start
         board.channels.signals[1] = Signal.pulses(2000)
         board.advance(0.1)
         assert board.counters["brown_outs"] == 1
-        assert waits(board)
+        assert board.sticks.safe_start
         board.advance(2)
         assert board.counters["brown_outs"] == 1
-        assert waits(board)
+        assert board.sticks.safe_start
         assert board.motors[0].direction is BRAKE
         board.channels.signals[1] = Signal.pulses(1500)
         board.advance(SETTLED)
-        assert not waits(board)
+        assert not board.sticks.safe_start
 
     def test_brown_out_cuts_off_reply(self) -> None:
         board = Board()
@@ -334,13 +318,13 @@ class TestBrownOut:
         board = Board()
         board.machine.battery = 3.0
         board.advance(1)
-        assert not is_on(board)
+        assert not board.powered
         assert board.counters["brown_outs"] == 1
         board.power_on()
-        assert not is_on(board)
+        assert not board.powered
         board.machine.battery = 12.0
         board.advance(0.01)
-        assert is_on(board)
+        assert board.powered
         assert report(board)["supply"] == 12.0
 
     def test_switched_off_board_stays_off_when_battery_recovers(self) -> None:
@@ -350,6 +334,6 @@ class TestBrownOut:
         board.power_off()
         board.machine.battery = 12.0
         board.advance(1)
-        assert not is_on(board)
+        assert not board.powered
         board.power_on()
-        assert is_on(board)
+        assert board.powered

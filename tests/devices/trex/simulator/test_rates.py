@@ -1,11 +1,11 @@
-"""Host at a wrong baud rate: the board rejects its packets and reports errors."""
+"""Hosts at a wrong baud rate: a board ignores their packets and latches errors."""
 
 from collections.abc import Iterable
 from itertools import permutations
 
 import pytest
 
-from tests.devices.trex.simulator.ports import create_board
+from tests.devices.trex.simulator.ports import create_board, query
 from trex_gui.devices.trex.protocol.flags import UartError
 from trex_gui.devices.trex.protocol.line_settings import LineSettings, baud_rates
 from trex_gui.devices.trex.simulator.line import SimulatedBoards
@@ -15,9 +15,8 @@ COMPACT = (
     *("90", "91", "92", "93", "94", "95", "9F 00"),
 )
 
-
-Requested = dict[tuple[int, int], list[tuple[str, bytes, UartError]]]
-"""Rates of host and board: packet, reply, errors."""
+Replies = dict[tuple[int, int], list[tuple[str, bytes, UartError]]]
+"""Packet, reply and errors of each query, by the rates of host and board."""
 
 ANY = ~UartError(0)
 
@@ -30,75 +29,67 @@ def expanded(packet: str) -> str:
 QUERIES = COMPACT + tuple(expanded(packet) for packet in COMPACT)
 
 
-def a_line(code: int, *, paced: bool) -> SimulatedBoards:
-    """A line whose board runs at a rate."""
+def create_line(code: int, *, paced: bool) -> SimulatedBoards:
+    """Return a line whose board has this code of a baud rate."""
     return SimulatedBoards([create_board(settings=code)], paced=paced)
 
 
-def exchange(line: SimulatedBoards, packet: str) -> bytes:
-    """Send a packet. Return the bytes that the host receives."""
-    line.send(bytes.fromhex(packet))
-    while (event := line.next_event) is not None:
-        line.advance_to(event)
-    return line.receive()
-
-
 @pytest.fixture(scope="module")
-def good() -> dict[str, bytes]:
-    """Reply of the board to a host at its rate."""
-    line = a_line(5, paced=False)
+def correct_replies() -> dict[str, bytes]:
+    """Reply to each query of a host at the correct rate."""
+    line = create_line(5, paced=False)
     line.host = LineSettings()
-    replies = {packet: exchange(line, packet) for packet in QUERIES}
+    replies = {packet: query(line, packet) for packet in QUERIES}
     assert all(replies.values())
     return replies
 
 
 @pytest.fixture(scope="module", params=[True, False], ids=["paced", "unpaced"])
-def requested(request: pytest.FixtureRequest) -> Requested:
+def replies(request: pytest.FixtureRequest) -> Replies:
     """Replies and errors of each query at each wrong rate."""
     rates = baud_rates()
-    requested: Requested = {}
+    replies: Replies = {}
     for code, host in permutations(range(len(rates)), 2):
-        line = a_line(code, paced=request.param)
+        line = create_line(code, paced=request.param)
         line.host = LineSettings(rates[host])
         serial = line.boards[0].serial
-        requested[rates[host], rates[code]] = [
-            (packet, exchange(line, packet), serial.pop_uart_errors()) for packet in QUERIES
+        replies[rates[host], rates[code]] = [
+            (packet, query(line, packet), serial.pop_uart_errors()) for packet in QUERIES
         ]
-    assert len(requested) == 110
-    return requested
+    assert len(replies) == 110
+    return replies
 
 
-def share(requested: Requested, kind: UartError, pairs: Iterable[tuple[int, int]]) -> float:
+def share(replies: Replies, kind: UartError, pairs: Iterable[tuple[int, int]]) -> float:
     """Return the share of the packets after which errors of this kind were latched."""
-    errors = [errors for pair in pairs for _, _, errors in requested[pair]]
+    errors = [errors for pair in pairs for _, _, errors in replies[pair]]
     return sum(bool(each & kind) for each in errors) / len(errors)
 
 
 def test_host_at_wrong_rate_never_gets_correct_reply(
-    requested: Requested, good: dict[str, bytes]
+    replies: Replies, correct_replies: dict[str, bytes]
 ) -> None:
-    for pair, replies in requested.items():
-        for packet, reply, _ in replies:
-            assert reply != good[packet], (pair, packet)
+    for pair, rows in replies.items():
+        for packet, reply, _ in rows:
+            assert reply != correct_replies[packet], (pair, packet)
 
 
-def test_nearly_every_packet_of_slower_host_latches_errors(requested: Requested) -> None:
-    slower = [(host, board) for host, board in requested if host < board]
-    assert share(requested, ANY, slower) > 0.95
-    assert share(requested, UartError.FRAMING, slower) > 0.85
+def test_nearly_every_packet_of_slower_host_latches_errors(replies: Replies) -> None:
+    slower = [(host, board) for host, board in replies if host < board]
+    assert share(replies, ANY, slower) > 0.95
+    assert share(replies, UartError.FRAMING, slower) > 0.85
     for pair in slower:
-        assert share(requested, UartError.FRAMING, [pair]) > 0.25, pair
+        assert share(replies, UartError.FRAMING, [pair]) > 0.25, pair
 
 
 def test_reply_at_another_rate_is_garbage_of_varying_length() -> None:
     lengths = set()
     for code, host in permutations(range(len(baud_rates())), 2):
-        line = a_line(code, paced=True)
+        line = create_line(code, paced=True)
         line.send(b"\x81")
         byte_time = LineSettings(baud_rates()[code]).seconds(1)
         line.advance(0.5 * byte_time)
-        line.host = LineSettings(baud_rates()[host])  # changed while the board is asked
+        line.host = LineSettings(baud_rates()[host])  # changed while the query is sent
         line.advance(20 * byte_time + 0.01)
         reply = line.receive()
         assert reply != b"TReX1.2"
@@ -110,28 +101,28 @@ def test_reply_at_another_rate_is_garbage_of_varying_length() -> None:
 
 def test_board_replies_again_at_correct_rate() -> None:
     for code, host in permutations(range(len(baud_rates())), 2):
-        line = a_line(code, paced=True)
+        line = create_line(code, paced=True)
         line.host = LineSettings(baud_rates()[host])
-        exchange(line, "81")
+        query(line, "81")
         line.host = LineSettings(baud_rates()[code])
         line.advance(0.02)
-        exchange(line, "FF")
-        assert exchange(line, "81") == b"TReX1.2"
+        query(line, "FF")
+        assert query(line, "81") == b"TReX1.2"
 
 
 def test_board_at_other_rate_latches_error_and_ignores_command() -> None:
     line = SimulatedBoards([create_board(7, settings=0x05), create_board(9, settings=0x0A)])
     line.host = LineSettings(19200)
-    assert exchange(line, "81") == b"TReX1.2"
-    assert exchange(line, "F0 7F") == b""
-    near, far = line.boards
-    assert (near.aux.speed, far.aux.speed) == (127, 0)
-    assert not near.serial.uart_errors
-    assert UartError.FRAMING in far.serial.uart_errors
+    assert query(line, "81") == b"TReX1.2"
+    assert query(line, "F0 7F") == b""
+    same_rate, other_rate = line.boards
+    assert (same_rate.aux.speed, other_rate.aux.speed) == (127, 0)
+    assert not same_rate.serial.uart_errors
+    assert UartError.FRAMING in other_rate.serial.uart_errors
 
 
 def test_power_cut_discards_half_received_byte() -> None:
-    line = a_line(10, paced=True)
+    line = create_line(10, paced=True)
     line.host = LineSettings(1200)
     board = line.boards[0]
     line.send(b"\x55")
@@ -141,7 +132,7 @@ def test_power_cut_discards_half_received_byte() -> None:
     board.power_on()
     line.advance(0.1)
     line.host = LineSettings(115200)
-    assert exchange(line, "82") == b"r"
+    assert query(line, "82") == b"r"
 
 
 def garbage(host: int, *, so_ground: bool) -> bytes:
