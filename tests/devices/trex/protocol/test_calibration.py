@@ -17,19 +17,21 @@ from trex_gui.devices.trex.protocol.calibration import (
 )
 from trex_gui.devices.trex.protocol.flags import InputSource
 
-modest = examples(50)
+few_examples = examples(50)
 TYPICAL = Calibration(2500, 3750, 5000, 75)
 
-coded = st.integers(0, 0x3FFF)
-any_calibration = st.builds(Calibration, coded, coded, coded, coded)
+fourteen_bits = st.integers(0, 0x3FFF)
+any_calibration = st.builds(Calibration, fourteen_bits, fourteen_bits, fourteen_bits, fourteen_bits)
 
 
 @st.composite
 def calibrations(draw: st.DrawFn) -> Calibration:
-    """Calibrations that the board accepts, often with a deadband smaller than the travel."""
-    minimum, neutral, maximum = sorted((draw(coded), draw(coded), draw(coded)))
+    """Return a calibration that the board accepts, often with a small deadband."""
+    minimum, neutral, maximum = sorted(
+        (draw(fourteen_bits), draw(fourteen_bits), draw(fourteen_bits))
+    )
     assume(minimum < maximum)
-    return Calibration(minimum, neutral, maximum, draw(st.integers(0, 200) | coded))
+    return Calibration(minimum, neutral, maximum, draw(st.integers(0, 200) | fourteen_bits))
 
 
 @pytest.mark.parametrize(
@@ -58,7 +60,7 @@ def test_wire_order_is_minimum_neutral_maximum_deadband() -> None:
     assert Calibration(1, 2, 3, 4).encode() == bytes.fromhex("01 00 02 00 03 00 04 00")
 
 
-@modest
+@few_examples
 @given(calibration=any_calibration | calibrations())
 def test_only_unordered_calibrations_are_rejected(calibration: Calibration) -> None:
     allowed = (
@@ -128,28 +130,28 @@ def test_parabolic_channel_is_remapped_quadratically(raw: int, output: int) -> N
     assert remap(raw, TYPICAL, parabolic=True) == output
 
 
-@modest
+@few_examples
 @given(
     calibration=any_calibration | calibrations(),
     raw=st.sampled_from([None, oracle.INVALID]) | st.integers(0, oracle.INVALID),
     field=st.sampled_from(CALIBRATION_FIELDS),
-    beyond=st.none() | st.integers(-1, 1),
+    offset=st.none() | st.integers(-1, 1),
     parabolic=st.booleans(),
     reversed_=st.booleans(),
     ignored=st.booleans(),
 )
-def test_remapping_matches_oracle_everywhere_and_beside_its_corners(
+def test_remapping_matches_oracle_everywhere_and_at_corners(
     calibration: Calibration,
     raw: int | None,
     field: str,
-    beyond: int | None,
+    offset: int | None,
     parabolic: bool,
     reversed_: bool,
     ignored: bool,
 ) -> None:
-    if beyond is not None:
+    if offset is not None:
         corner = getattr(calibration, field) + calibration.neutral * (field == "deadband")
-        raw = max(0, corner + beyond)
+        raw = max(0, corner + offset)
     values = oracle.Calibration(*(getattr(calibration, name) for name in CALIBRATION_FIELDS))
     assert remap(
         raw, calibration, parabolic=parabolic, reversed_=reversed_, ignored=ignored
@@ -163,7 +165,7 @@ def test_remapping_matches_oracle_everywhere_and_beside_its_corners(
 
 
 @pytest.mark.parametrize("key", CalibrationKey)
-def test_calibration_key_is_made_of_source_and_channel(key: CalibrationKey) -> None:
+def test_calibration_key_consists_of_source_and_channel(key: CalibrationKey) -> None:
     assert CalibrationKey.of(key.source, key.channel) is key
     assert key.label.lower().replace(" ", "_") == key
 
@@ -173,7 +175,7 @@ def test_calibration_key_of_unknown_channel_is_rejected() -> None:
         CalibrationKey.of(InputSource.RC, 6)
 
 
-def test_factory_calibrations_are_the_documented_ones() -> None:
+def test_factory_calibrations_match_documentation() -> None:
     assert {
         InputSource.RC: Calibration(2500, 3750, 5000, 75),
         InputSource.ANALOG: Calibration(0, 512, 1023, 20),

@@ -1,6 +1,6 @@
-"""Every command byte: its packet in both protocols, and the packet read back.
+"""Packets of every command in both protocols.
 
-Expected bytes are those of the TReX 1.0 command documentation and the guide, 5.b.
+The expected bytes are from the TReX 1.0 command documentation and the guide, 5.b.
 """
 
 import pytest
@@ -99,7 +99,7 @@ def test_command_bytes_are_exactly_the_documented_ones() -> None:
 def test_drive_both_command_byte_holds_both_directions(
     m1: Direction, m2: Direction, base: int, accelerate: bool
 ) -> None:
-    # The documentation's formula; for accelerating it prints 0xD0, against its own heading.
+    # The formula of the documentation. For accelerating, it has 0xD0 in place of 0xE0 by mistake.
     raw = bytes([base | m2 * 4 | m1, 5, 0x60])
     command = DriveBoth(Drive(m1, 5), Drive(m2, 0x60), accelerate)
     assert Framing().encode(command) == raw
@@ -153,7 +153,7 @@ def test_packets_of_both_protocols_match_documentation(
         *((DriveAuxiliary(speed), "must be 0 to 127, not") for speed in (-1, 128)),
     ],
 )
-def test_number_beyond_its_limits_is_rejected_with_them(
+def test_number_outside_its_limits_is_rejected_with_limits(
     command: Command[object], sentence: str
 ) -> None:
     with pytest.raises(BadRequest, match=sentence):
@@ -162,8 +162,8 @@ def test_number_beyond_its_limits_is_rejected_with_them(
 
 def test_only_motor_and_null_commands_have_no_reply() -> None:
     for command, compact, _ in PACKETS:
-        answers = command.opcode < 0xC0 and compact != "86 00"  # which asks for nothing
-        assert (command.reply_size() > 0) is answers
+        has_reply = command.opcode < 0xC0 and compact != "86 00"  # 86 00 requests no channel
+        assert (command.reply_size() > 0) is has_reply
 
 
 def test_only_motor_commands_move_motors() -> None:

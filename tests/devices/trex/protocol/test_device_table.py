@@ -31,7 +31,7 @@ def test_model_matches_reference(
 
 
 @pytest.mark.parametrize("key", ["", "TReX", "trex2"])
-def test_unknown_model_is_rejected_with_known_ones(key: str) -> None:
+def test_unknown_model_is_rejected_with_known_models(key: str) -> None:
     with pytest.raises(BadRequest, match=f"trex, trexjr, not '{key}'"):
         device_table().model(key)
 

@@ -34,7 +34,7 @@ def test_signed_speeds_round_trip() -> None:
     assert all(Drive.at(speed).signed == speed for speed in range(-127, 128))
 
 
-def test_braking_has_signed_speed_0() -> None:
+def test_signed_speed_of_a_brake_is_0() -> None:
     assert Drive.brake(100).signed == 0
     assert Drive(Direction.BRAKE_ALTERNATIVE, 100).signed == 0
 

@@ -1,4 +1,4 @@
-"""Packet encoder, and CRC-7 against the guide's long division."""
+"""Packet encoder, and CRC-7 compared with the long division in the guide."""
 
 from collections.abc import Callable
 
@@ -32,10 +32,9 @@ def test_crc_is_remainder_of_long_division(data: bytes, polynomial: int) -> None
     assert crc7(data, polynomial) == remainder(data, polynomial)
 
 
-def test_every_polynomial_gives_right_crc_of_single_bytes() -> None:
+def test_every_polynomial_gives_correct_crc_of_single_bytes() -> None:
     for polynomial in range(0x80, 0x100):
-        for byte in (0x00, 0x01, 0x55, 0x80, 0x86, 0xFF):
-            data = bytes([byte])
+        for data in (b"\x00", b"\x01", b"\x55", b"\x80", b"\x86", b"\xff"):
             assert crc7(data, polynomial) == remainder(data, polynomial)
 
 

@@ -1,4 +1,4 @@
-"""Parameter 0x7E: baud rate, error detection and stop bits, and a connection as text."""
+"""Baud rate, error detection and stop bits (parameter 0x7E), and their short text."""
 
 from dataclasses import replace
 
@@ -43,7 +43,7 @@ def test_invalid_wire_values_are_rejected() -> None:
             LineSettings.from_wire(wire)
 
 
-def test_unknown_baud_rate_is_rejected_with_valid_ones() -> None:
+def test_unknown_baud_rate_is_rejected_with_valid_rates() -> None:
     with pytest.raises(BadRequest, match=r"1200, 2400, .*, 115200 baud, not 31250"):
         LineSettings(31250).to_wire()
 

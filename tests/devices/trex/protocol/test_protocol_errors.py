@@ -1,4 +1,4 @@
-"""Errors are sentences."""
+"""Sentences of protocol errors."""
 
 import pytest
 
@@ -11,7 +11,7 @@ def test_every_code_has_a_sentence() -> None:
         assert "{" not in describe(code, ("A", "B", "C", "D"))
 
 
-def test_error_inside_an_error_is_translated_too() -> None:
+def test_error_inside_an_error_is_translated() -> None:
     cause = TrexBadReplyError(ErrorCode.LATE_REPLIES)
     text = describe(ErrorCode.OTHER_DEVICE, ("COM3", cause), str.upper)
     assert "LATE REPLIES" in text

@@ -1,4 +1,4 @@
-"""Replies, according to the command documentation."""
+"""Replies compared with the command documentation."""
 
 import pytest
 
@@ -26,7 +26,7 @@ from trex_gui.devices.trex.protocol.errors import ResultCode
 from trex_gui.devices.trex.protocol.flags import Mode, Status, UartError
 
 
-# The documentation prints 2716 for channel 5; its own bytes 9B 0A and its 1.086 ms are 2715.
+# The documentation prints 2716 for channel 5, but its bytes 9B 0A and its 1.086 ms are 2715.
 @pytest.mark.parametrize(
     ("command", "reply", "value"),
     [
@@ -130,7 +130,7 @@ def test_undocumented_reply_is_rejected(command: Command[object], reply: str) ->
         command.parse(bytes.fromhex(reply))
 
 
-def test_unused_status_bits_do_not_hide_used_ones() -> None:
+def test_unused_status_bits_do_not_hide_used_bits() -> None:
     assert Status.MOTOR1_FAULT in GetStatus().parse(b"\x1e")
 
 
@@ -155,5 +155,5 @@ def test_write_reply_is_a_result_code(command: Command[ResultCode]) -> None:
             command.parse(bytes([code]))
 
 
-def test_writes_have_their_documented_time_to_answer() -> None:
+def test_writes_have_their_documented_reply_time() -> None:
     assert [command.max_reply_delay for command in WRITES] == pytest.approx([0.05, 0.1])

@@ -1,4 +1,4 @@
-"""Commands and replies in words."""
+"""Descriptions of commands and replies."""
 
 import pytest
 
@@ -50,7 +50,7 @@ def test_channel_without_signal_is_named() -> None:
 
 
 @pytest.mark.parametrize("value", [ResultCode.OK, 0, 2, None, {1: 3750}])
-def test_stored_value_is_no_refusal(value: object) -> None:
+def test_value_or_ok_is_no_refusal(value: object) -> None:
     assert not is_refusal(value)
 
 
