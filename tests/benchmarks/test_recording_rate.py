@@ -8,7 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from tests.benchmarks.conftest import ReportFigure
-from tests.devices.trex.recording.samples import HEADER, an_hour, open_recording, write
+from tests.devices.trex.recording.samples import HEADER, drive_records, open_recording, write
 from trex_gui.core.recording.export import export_span
 from trex_gui.devices.trex.model.playback import Playback
 
@@ -21,7 +21,7 @@ def seconds(work: Callable[[], object]) -> float:
 
 
 def test_hour_is_written_loaded_and_exported(tmp_path: Path, figure: ReportFigure) -> None:
-    path, records = tmp_path / "hour.trexrec", list(an_hour())
+    path, records = tmp_path / "hour.trexrec", list(drive_records())
     writing = seconds(lambda: write(path, records))
     recording = open_recording(path)
     tables = [kind.name for kind in recording.kinds]

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.devices.trex.recording.samples import an_hour, write
+from tests.devices.trex.recording.samples import drive_records, write
 from tests.support.program import trex
 from tests.support.window import WindowDriver
 
@@ -16,7 +16,7 @@ pipes = pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="needs named pipes"
 @pytest.fixture
 def recording(tmp_path: Path) -> Path:
     path = tmp_path / "a.trexrec"
-    write(path, list(an_hour(5)))
+    write(path, list(drive_records(5)))
     return path
 
 
@@ -68,7 +68,7 @@ def test_files_are_opened_while_the_window_goes_on(
     window.wait_for_text("bannerText", "No such file")
     assert recordings.windows == []
 
-    write(recording, list(an_hour(5)))
+    write(recording, list(drive_records(5)))
     recordings.open_file(recording)
     files.open_file(text)
     window.window.close()

@@ -8,7 +8,7 @@ from PySide6.QtGui import QAction, QScreen
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu
 
-from tests.devices.trex.recording.samples import an_hour, write
+from tests.devices.trex.recording.samples import drive_records, write
 from tests.support.program import trex
 from tests.support.window import WindowDriver
 from trex_gui.core.resource_files import resource
@@ -73,7 +73,7 @@ def test_recent_files_open_again(window: WindowDriver, tmp_path: Path) -> None:
     sample = next(iter(sorted(resource("samples").glob("*.txt"))))
     settings, recording = tmp_path / "robot.txt", tmp_path / "run.trexrec"
     settings.write_bytes(sample.read_bytes())
-    write(recording, list(an_hour(2)))
+    write(recording, list(drive_records(2)))
     assert recent(window) == []
 
     workspace = trex(window.program).workspace

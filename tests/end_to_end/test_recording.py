@@ -7,7 +7,7 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog
 
-from tests.devices.trex.recording.samples import an_hour, read_file, write
+from tests.devices.trex.recording.samples import drive_records, read_file, write
 from tests.support.program import trex
 from tests.support.window import WidgetDriver, WindowDriver
 from trex_gui.ui.playback.manager import RecordIndicator
@@ -72,7 +72,7 @@ def test_recording_dropped_onto_window_opens_unless_it_is_none(
     assert "none.trexrec: This is not a TReX Studio recording" in window.text("bannerText")
     assert trex(window.program).workspace.recordings.windows == []
     path = tmp_path / "a.trexrec"
-    write(path, list(an_hour(5)))
+    write(path, list(drive_records(5)))
     assert window.drop(path)
     window.wait_for_files()
     (opened,) = trex(window.program).workspace.recordings.windows

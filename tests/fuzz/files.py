@@ -263,7 +263,7 @@ JSON: Sequence[bytes] = (
 def recording_samples() -> Sequence[bytes]:
     with tempfile.TemporaryDirectory() as name:
         board, robot = Path(name) / "board.trexrec", Path(name) / "robot.trexrec"
-        samples.write(board, list(islice(samples.an_hour(), 400)))
+        samples.write(board, list(islice(samples.drive_records(), 400)))
         recordings.write(robot, list(recordings.session(4)))
         return [board.read_bytes(), robot.read_bytes()]
 

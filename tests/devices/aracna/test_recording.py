@@ -134,7 +134,7 @@ def test_invalid_header_is_rejected_with_reason(name: str, value: object, reason
 
 def test_recording_of_another_device_is_rejected(tmp_path: Path) -> None:
     board, robot = tmp_path / "board.trexrec", tmp_path / "robot.trexrec"
-    samples.write(board, list(samples.an_hour(1)))
+    samples.write(board, list(samples.drive_records(1)))
     write(robot, list(recordings.session(2)))
     with pytest.raises(RecordingError, match=r"another device: TReX 1\.2\. Select"):
         open_recording(board)

@@ -4,7 +4,7 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QApplication, QPushButton, QWidget
 
-from tests.devices.trex.recording.samples import an_hour, write
+from tests.devices.trex.recording.samples import drive_records, write
 from tests.support.program import trex
 from tests.support.window import WindowDriver
 from trex_gui.core.files import save
@@ -12,7 +12,7 @@ from trex_gui.devices.trex.settings.writer import write_settings
 
 
 def open_playback(window: WindowDriver, folder: Path) -> QWidget:
-    write(folder / "a.trexrec", list(an_hour(5)))
+    write(folder / "a.trexrec", list(drive_records(5)))
     trex(window.program).workspace.recordings.open_file(folder / "a.trexrec")
     window.wait_for_files()
     (playback,) = trex(window.program).workspace.recordings.windows

@@ -13,10 +13,10 @@ from pytestqt.qtbot import QtBot
 
 from tests.devices.trex.recording.samples import (
     HEADER,
-    an_hour,
+    drive_records,
     open_recording,
     write,
-    write_an_hour,
+    write_long_recording,
 )
 from tests.support.playing import loading
 from trex_gui.core.events import EventKind
@@ -43,7 +43,7 @@ ATTEMPTS = 4  # an attempt may fail on a busy computer
 @pytest.fixture(scope="module")
 def minute_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("minute") / "minute.trexrec"
-    write(path, list(an_hour(60)))
+    write(path, list(drive_records(60)))
     return path
 
 
@@ -51,7 +51,7 @@ def minute_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def long_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Recording of four minutes, which takes some time to read and export."""
     path = tmp_path_factory.mktemp("long") / "long.trexrec"
-    write_an_hour(path, 4)
+    write_long_recording(path, 4)
     return path
 
 
@@ -101,9 +101,9 @@ def test_progress_of_reading_is_reported(long_file: Path, qtbot: QtBot) -> None:
 
 def test_seeking_gives_the_same_state_as_sequential_reading(minute: Playback) -> None:
     random = Random(3)
-    seconds = [random.uniform(0, 60) for _ in range(30)]
-    state = BoardSnapshot.at_start(HEADER)
-    records = deque(an_hour(60))
+    places = [random.uniform(0, 60) for _ in range(30)]
+    straight = BoardSnapshot.at_start(HEADER)
+    records = deque(drive_records(60))
     expected: dict[float, BoardSnapshot] = {}
     for second in sorted(seconds):
         minute.set_position(T0 + second)
@@ -124,8 +124,8 @@ def test_late_marker_does_not_disturb_seeking(playback_of: PlaybackOf) -> None:
         assert playback.state_at(T0 + second)[Control].by_serial == (second % 2 == 0)
 
 
-def test_traces_have_every_pair_of_currents(minute: Playback) -> None:
-    currents = [record for record in an_hour(60) if isinstance(record, Currents)]
+def test_traces_hold_every_pair_of_currents(minute: Playback) -> None:
+    currents = [record for record in drive_records(60) if isinstance(record, Currents)]
     times, columns = minute.traces.samples(minute.start, minute.end)
     assert times.tolist() == [record.time for record in currents]
     unit = HEADER.model.current_unit
@@ -236,7 +236,7 @@ def test_empty_recording_can_be_opened(playback_of: PlaybackOf) -> None:
 @pytest.fixture(scope="module")
 def hour(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     path = tmp_path_factory.mktemp("hour") / "hour.trexrec"
-    write_an_hour(path)
+    write_long_recording(path)
     yield path
     path.unlink()
 
@@ -329,7 +329,7 @@ def test_closing_while_reading_ends_the_thread(
 
 def test_read_error_is_reported(tmp_path: Path, qtbot: QtBot) -> None:
     path = tmp_path / "a.trexrec"
-    write(path, list(an_hour(5)))
+    write(path, list(drive_records(5)))
     playback = Playback(open_recording(path))
     playback._recording.close()
     with qtbot.waitSignal(playback.failed) as failed:
@@ -342,8 +342,12 @@ def test_only_the_last_samples_of_a_long_recording_are_drawn(
     playback_of: PlaybackOf, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("trex_gui.devices.trex.model.playback.MAX_ROWS", 1000)
-    playback = playback_of(*an_hour(30))
-    currents = [record for record in an_hour(30) if isinstance(record, Currents)]
+    path = tmp_path / "a.trexrec"
+    write(path, list(drive_records(30)))
+    playback = Playback(open_recording(path))
+    with qtbot.waitSignal(playback.loaded):
+        playback.start_loading()
+    currents = [record for record in drive_records(30) if isinstance(record, Currents)]
     assert playback.drawn == (1000, len(currents))
     times, _ = playback.traces.samples(playback.start, playback.end)
     assert times.tolist() == [record.time for record in currents[-1000:]]

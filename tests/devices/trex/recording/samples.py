@@ -1,4 +1,4 @@
-"""Recordings to write and read: arbitrary ones, and an hour of a plausible one."""
+"""Records for tests of recordings: arbitrary records, and records of a driven board."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
@@ -59,11 +59,11 @@ polled: Mapping[type[Sample], st.SearchStrategy[Sample]] = {
     Control: st.builds(Control, times, st.booleans()),
     ModeSample: st.builds(ModeSample, times, st.sampled_from(Mode)),
 }
-"""Samples of each polled value, for the tests of recordings."""
+"""Samples of each polled value."""
 
 assert polled.keys() == POLLED.keys()
 
-records: st.SearchStrategy[Record] = st.one_of(
+any_record: st.SearchStrategy[Record] = st.one_of(
     *polled.values(),
     st.builds(
         SetpointRecord,
@@ -78,8 +78,8 @@ records: st.SearchStrategy[Record] = st.one_of(
 )
 
 
-def an_hour(seconds: float = 3600.0, begin: float = HEADER.clock) -> Iterator[Record]:
-    """Yield what a board reports at full rate while it is driven."""
+def drive_records(seconds: float = 3600.0) -> Iterator[Record]:
+    """Yield the records of a driven board at full rate, by default of an hour."""
     random = Random(1)
     due = {Currents: 0.0, Raw: 0.004, Remapped: 0.008, Control: 0.012, ModeSample: 0.016}
     rate = {Currents: 80, Raw: 50, Remapped: 50, Control: 10, ModeSample: 1}
@@ -87,7 +87,7 @@ def an_hour(seconds: float = 3600.0, begin: float = HEADER.clock) -> Iterator[Re
     while (at := min(due.values())) < seconds:
         kind = min(due, key=lambda kind: due[kind])
         due[kind] += 1 / rate[kind]
-        time = begin + at + random.random() * 0.002
+        time = HEADER.clock + at + random.random() * 0.002
         if random.random() < 0.01:
             speed = max(-127, min(127, speed + random.randint(-30, 30)))
             yield SetpointRecord(time, random.randint(1, 2), Drive.at(speed), accelerate=True)
@@ -111,7 +111,7 @@ def an_hour(seconds: float = 3600.0, begin: float = HEADER.clock) -> Iterator[Re
 
 
 def write(path: Path, records: list[Record], *, step: int = 500, finish: bool = True) -> int:
-    """Write a recording, a commit every `step` records. Return its size."""
+    """Write a recording with a commit after every `step` records. Return its size."""
     writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
     for first in range(0, len(records), step):
         writer.write(records[first : first + step])
@@ -123,12 +123,9 @@ def write(path: Path, records: list[Record], *, step: int = 500, finish: bool = 
     return size
 
 
-def write_an_hour(path: Path, minutes: int = 60) -> int:
-    """Write a recording as long as an hour's, quickly: a minute again and again.
-
-    Return the number of samples of the currents.
-    """
-    minute = [record for record in an_hour(60) if not isinstance(record, OfBoardRecord)]
+def write_long_recording(path: Path, minutes: int = 60) -> int:
+    """Write a recording that repeats one minute, which is quick. Return its number of currents."""
+    minute = [record for record in drive_records(60) if not isinstance(record, OfBoardRecord)]
     writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
     for number in range(minutes):
         writer.write([replace(record, time=record.time + 60 * number) for record in minute])
@@ -138,7 +135,6 @@ def write_an_hour(path: Path, minutes: int = 60) -> int:
 
 
 def open_recording(path: Path) -> Recording[Header, Record]:
-    """Open a recording of a board."""
     return Recording(path, FORMAT)
 
 

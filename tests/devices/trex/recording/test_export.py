@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from mcap.reader import make_reader
 
-from tests.devices.trex.recording.samples import HEADER, an_hour, open_recording, write
+from tests.devices.trex.recording.samples import HEADER, drive_records, open_recording, write
 from trex_gui.core.recording.export import export_span
 from trex_gui.core.recording.kinds import Marker, RecordingError
 from trex_gui.devices.trex.client.telemetry import Currents, LatchedStatus, Raw
@@ -21,13 +21,13 @@ from trex_gui.devices.trex.recording import (
 )
 
 T0 = HEADER.clock
-WHOLE = (T0 - 1, T0 + 1e6)
+WHOLE_SPAN = (T0 - 1, T0 + 1e6)
 
 
 def export(
-    folder: Path, what: list[Record], name: str = "a.csv", span: tuple[float, float] = WHOLE
+    folder: Path, records: list[Record], name: str = "a.csv", span: tuple[float, float] = WHOLE_SPAN
 ) -> Path:
-    write(folder / "a.trexrec", what)
+    write(folder / "a.trexrec", records)
     recording = open_recording(folder / "a.trexrec")
     export_span(recording, folder / name, span, {"device": "trex", **HEADER.values()})
     recording.close()
@@ -40,7 +40,7 @@ def rows_of(path: Path) -> list[dict[str, str]]:
 
 
 def test_csv_has_units_and_rows_repeat_last_values(tmp_path: Path) -> None:
-    rows = rows_of(export(tmp_path, list(an_hour(2))))
+    rows = rows_of(export(tmp_path, list(drive_records(2))))
     assert {"time_s", "motor_1_current_A", "channel_1_us", "channel_1_remapped"} <= set(rows[0])
     assert rows[0]["sample"] == "header"
     assert json.loads(rows[0]["text"])["settings"].startswith("product: TReX")
@@ -52,7 +52,7 @@ def test_csv_has_units_and_rows_repeat_last_values(tmp_path: Path) -> None:
     assert all(None not in row for row in rows)
 
 
-def test_csv_names_everything_that_stream_writes(tmp_path: Path) -> None:
+def test_csv_has_every_column_that_stream_writes(tmp_path: Path) -> None:
     (header,) = rows_of(export(tmp_path, []))
     assert MeasurementTable(HEADER.mode, HEADER.model.current_unit).row.keys() < set(header)
 
@@ -90,24 +90,24 @@ def test_text_that_looks_like_a_formula_is_written_as_text(tmp_path: Path, first
     written = export(tmp_path, [SetpointRecord(T0 + 1, 2, Drive.at(-70)), note])
     _, setpoint, marker = rows_of(written)
     assert marker["text"] == f"'{first}1+2"
-    assert setpoint["speed"] == "-70", "a number is one"
+    assert setpoint["speed"] == "-70", "a number is not changed"
 
 
 def test_export_contains_only_the_span(tmp_path: Path) -> None:
-    what = list(an_hour(60))
+    records = list(drive_records(60))
     begin, end = T0 + 20, T0 + 35.5
-    rows = rows_of(export(tmp_path, what, span=(begin, end)))[1:]
-    wanted = [record.time - T0 for record in what if begin <= record.time <= end]
-    assert [float(row["time_s"]) for row in rows] == pytest.approx(wanted, abs=2e-6)
+    rows = rows_of(export(tmp_path, records, span=(begin, end)))[1:]
+    times = [record.time - T0 for record in records if begin <= record.time <= end]
+    assert [float(row["time_s"]) for row in rows] == pytest.approx(times, abs=2e-6)
 
 
 def test_mcap_has_a_topic_with_schema_for_each_kind(tmp_path: Path) -> None:
-    what: list[Record] = [
+    records: list[Record] = [
         Currents(T0 + 1, (10, 0)),
         Raw(T0 + 1.5, (3750, None, 3750, 3750, 3750)),
         Marker(T0 + 2, "stop", "Stop"),
     ]
-    path = export(tmp_path, what, "a.mcap")
+    path = export(tmp_path, records, "a.mcap")
     with path.open("rb") as file:
         reader = make_reader(file)
         messages = [
@@ -132,7 +132,7 @@ def test_mcap_has_a_topic_with_schema_for_each_kind(tmp_path: Path) -> None:
 
 
 def test_failed_export_keeps_the_existing_file(tmp_path: Path) -> None:
-    write(tmp_path / "a.trexrec", list(an_hour(10)))
+    write(tmp_path / "a.trexrec", list(drive_records(10)))
     target = tmp_path / "a.csv"
     target.write_text("before", encoding="utf-8")
     recording = open_recording(tmp_path / "a.trexrec")
@@ -141,9 +141,9 @@ def test_failed_export_keeps_the_existing_file(tmp_path: Path) -> None:
         raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        export_span(recording, target, WHOLE, HEADER.values(), cancel)
+        export_span(recording, target, WHOLE_SPAN, HEADER.values(), cancel)
     with pytest.raises(RecordingError, match="cannot be written: No such file"):
-        export_span(recording, tmp_path / "none" / "a.csv", WHOLE, HEADER.values())
+        export_span(recording, tmp_path / "none" / "a.csv", WHOLE_SPAN, HEADER.values())
     recording.close()
     assert target.read_text(encoding="utf-8") == "before"
     assert sorted(file.name for file in tmp_path.iterdir()) == ["a.csv", "a.trexrec"]

@@ -1,9 +1,9 @@
-"""A session with a simulated board in virtual time, recorded and replayed equal.
+"""Recordings of a session with a simulated board in virtual time.
 
-An hour of it at full rate, 690,000 records through session, wire and board, takes some four
-minutes of processor time (measured: 250 s): 60 ms a second of the session.
+An hour at full rate has 690,000 records and takes 250 s of processor time.
 """
 
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -19,72 +19,58 @@ from trex_gui.devices.trex.session.messages import Batch, Report
 from trex_gui.devices.trex.simulator.firmware import Board
 
 
-def record_virtually(seconds: int, path: Path) -> list[Record]:
+def record_session(seconds: int, path: Path) -> list[Record]:
     """Record a session that drives and stops once a minute. Return its records."""
-    what: list[Record] = []
+    recorded: list[Record] = []
     writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
 
-    def put(*records: Record) -> None:
-        what.extend(records)
+    def record(*records: Record) -> None:
+        recorded.extend(records)
         writer.write(records)
 
-    class Recorded(SessionHarness):
-        def record(self, report: Report) -> None:
-            if isinstance(report, Batch):
-                put(*report.samples)
+    class BatchRecorder(list[Report]):
+        """List of reports that records their samples and does not hold the reports."""
 
-    harness = Recorded(Board())
-    harness.reports = _Sink(harness.record)  # type: ignore[assignment] # batches of an hour are not kept
+        def append(self, report: Report) -> None:
+            if isinstance(report, Batch):
+                record(*report.samples)
+
+    harness = SessionHarness(Board())
+    harness.reports = BatchRecorder()
     for minute in range(-(-seconds // 60)):
         begin = 60.0 * minute + 5
         drive = Drive.at(127 if minute % 2 else -90)
 
-        def put_setpoint(at: float = begin, drive: Drive = drive) -> None:
-            put(SetpointRecord(at, 1, drive))
-
-        def stop(at: float = begin + 5) -> None:
-            put(Marker(at, "stop", "Stop"))
-
-        harness.script.at(begin, put_setpoint).at(begin, SetMotor(1, drive))
-        harness.script.at(begin + 5, stop).at(begin + 5, Stop(minute))
+        setpoint, stop = SetpointRecord(begin, 1, drive), Marker(begin + 5, "stop", "Stop")
+        harness.script.at(begin, partial(record, setpoint)).at(begin, SetMotor(1, drive))
+        harness.script.at(begin + 5, partial(record, stop)).at(begin + 5, Stop(minute))
     harness.script.at(seconds, lambda: None)
     harness.run()
     writer.finish()
     writer.close()
-    return what
+    return recorded
 
 
-class _Sink:
-    """Replaces the list of reports and passes each on."""
-
-    def __init__(self, take: object) -> None:
-        self._take = take
-
-    def append(self, report: Report) -> None:
-        assert callable(self._take)
-        self._take(report)
-
-
-def assert_replays_equal(what: list[Record], path: Path) -> None:
+def assert_read_as_written(path: Path, records: list[Record]) -> None:
     recording = open_recording(path)
-    assert read_all(recording) == what
+    assert read_all(recording) == records
     assert recording.problems == []
-    for first in reversed(range(1, len(what) + 1, CHUNK)):
-        assert recording.read(first, first + CHUNK - 1) == what[first - 1 : first - 1 + CHUNK]
+    for first in reversed(range(1, len(records) + 1, CHUNK)):
+        assert recording.read(first, first + CHUNK - 1) == records[first - 1 : first - 1 + CHUNK]
     recording.close()
 
 
-def test_recorded_seconds_of_session_replay_unchanged(tmp_path: Path) -> None:
-    what = record_virtually(12, tmp_path / "a.trexrec")
-    assert len(what) > 2 * CHUNK
-    assert any(isinstance(record, SetpointRecord) for record in what)
-    assert_replays_equal(what, tmp_path / "a.trexrec")
+def test_recorded_seconds_of_session_are_read_unchanged(tmp_path: Path) -> None:
+    records = record_session(12, tmp_path / "a.trexrec")
+    assert len(records) > 2 * CHUNK
+    assert any(isinstance(record, SetpointRecord) for record in records)
+    assert_read_as_written(tmp_path / "a.trexrec", records)
 
 
 @pytest.mark.slow
 @pytest.mark.timeout(1800)
-def test_recorded_hour_of_session_replays_unchanged(tmp_path: Path) -> None:
-    what = record_virtually(3600, tmp_path / "a.trexrec")
-    assert len(what) > 600_000
+def test_recorded_hour_of_session_is_read_unchanged(tmp_path: Path) -> None:
+    records = record_session(3600, tmp_path / "a.trexrec")
+    assert len(records) > 600_000
     assert (tmp_path / "a.trexrec").stat().st_size < 18_000_000
-    assert_replays_equal(what, tmp_path / "a.trexrec")
+    assert_read_as_written(tmp_path / "a.trexrec", records)

@@ -1,4 +1,4 @@
-"""The newest samples, and the state at a time of a recording."""
+"""State of a board at a time of a recording."""
 
 from copy import copy
 
@@ -16,7 +16,7 @@ from trex_gui.devices.trex.recording import (
 FORWARD = Drive(Direction.FORWARD, 40)
 
 
-def test_stop_ends_the_setpoints_and_nothing_else() -> None:
+def test_stop_removes_only_the_setpoints() -> None:
     state = BoardSnapshot()
     records = (
         Currents(1.0, (1, 2)),
@@ -34,7 +34,7 @@ def test_stop_ends_the_setpoints_and_nothing_else() -> None:
     state.update(Marker(3.0, STOP, ""))
     assert (state.setpoints, state.auxiliary) == ({}, None)
     assert (before.setpoints, before.auxiliary) == ({1: FORWARD}, 30)
-    for each in (before, state):
-        assert each[Currents].counts == (3, 4)
-        assert each[Control].by_serial
-        assert each.settings == "product: TReX\n"
+    for snapshot in (before, state):
+        assert snapshot[Currents].counts == (3, 4)
+        assert snapshot[Control].by_serial
+        assert snapshot.settings == "product: TReX\n"

@@ -1,4 +1,4 @@
-"""The recording as a database: read as written. A crash or damage loses little."""
+"""Recordings as databases: reading, crashes, and damaged files."""
 
 import contextlib
 import errno
@@ -13,10 +13,10 @@ from hypothesis import strategies as st
 
 from tests.devices.trex.recording.samples import (
     HEADER,
-    an_hour,
+    any_record,
+    drive_records,
     open_recording,
     read_file,
-    records,
     write,
 )
 from tests.support.matrix import examples
@@ -25,7 +25,7 @@ from trex_gui.core.recording.store import CHUNK, RecordingWriter
 from trex_gui.devices.trex.client.telemetry import Currents, ModeSample, Raw, Sample
 from trex_gui.devices.trex.recording import FORMAT, Header, Record
 
-NOT_ENDED = ["The recording was not closed properly; samples of the last seconds may be missing."]
+NOT_CLOSED = ["The recording was not closed properly; samples of the last seconds may be missing."]
 
 
 @pytest.fixture(scope="module")
@@ -33,44 +33,49 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("recordings")
 
 
+@pytest.fixture
+def path(tmp_path: Path) -> Path:
+    return tmp_path / "a.trexrec"
+
+
 @pytest.fixture(scope="module")
 def ten_seconds(folder: Path) -> tuple[bytes, list[Record]]:
     """A recording of two chunks, and its records."""
-    what = list(an_hour(10))
-    write(folder / "ten.trexrec", what)
-    return (folder / "ten.trexrec").read_bytes(), what
+    records = list(drive_records(10))
+    write(folder / "ten.trexrec", records)
+    return (folder / "ten.trexrec").read_bytes(), records
 
 
 @examples(20)
-@given(what=st.lists(records, max_size=60), step=st.integers(1, 20))
-def test_every_record_is_read_as_written(folder: Path, what: list[Record], step: int) -> None:
+@given(records=st.lists(any_record, max_size=60), step=st.integers(1, 20))
+def test_every_record_is_read_as_written(folder: Path, records: list[Record], step: int) -> None:
     path = folder / "any.trexrec"
-    assert write(path, what, step=step) == path.stat().st_size
-    assert read_file(path) == (HEADER, what, [])
+    assert write(path, records, step=step) == path.stat().st_size
+    assert read_file(path) == (HEADER, records, [])
 
 
 @pytest.mark.slow
 def test_hour_at_full_rate_is_read_back_unchanged(folder: Path) -> None:
-    what = list(an_hour())
-    assert len(what) > 680_000
+    records = list(drive_records())
+    assert len(records) > 680_000
     path = folder / "hour.trexrec"
-    assert write(path, what) == path.stat().st_size < 18_000_000
-    assert read_file(path) == (HEADER, what, [])
+    assert write(path, records) == path.stat().st_size < 18_000_000
+    assert read_file(path) == (HEADER, records, [])
 
 
 def test_tables_are_readable_without_the_program(
     folder: Path, ten_seconds: tuple[bytes, list[Record]]
 ) -> None:
-    _, what = ten_seconds
+    _, records = ten_seconds
     with contextlib.closing(sqlite3.connect(folder / "ten.trexrec")) as database:
         rows = database.execute("SELECT time_s, motor_1_current_A FROM currents").fetchall()
         header = dict(database.execute("SELECT key, value FROM header"))
         tables = database.execute("SELECT name, sql FROM sqlite_master WHERE type = 'table'")
         schema = dict(tables.fetchall())
-    currents = [record for record in what if isinstance(record, Currents)]
+    currents = [record for record in records if isinstance(record, Currents)]
     assert rows == [
-        (pytest.approx(one.time - HEADER.clock, abs=1e-6), pytest.approx(one.counts[0] * 0.15))
-        for one in currents
+        (pytest.approx(each.time - HEADER.clock, abs=1e-6), pytest.approx(each.counts[0] * 0.15))
+        for each in currents
     ]
     assert (header["device"], header["device_name"]) == ("trex", "TReX 1.2")
     assert header["ampere_per_count"] == HEADER.model.current_unit
@@ -78,13 +83,12 @@ def test_tables_are_readable_without_the_program(
     assert "motor_2_current_counts INTEGER NOT NULL, -- current of motor 2" in schema["currents"]
 
 
-def test_undecodable_port_name_does_not_end_the_recording(tmp_path: Path) -> None:
-    path = tmp_path / "a.trexrec"
+def test_undecodable_port_name_does_not_end_the_recording(path: Path) -> None:
     write(path, [Marker(1300.0, "link", "/dev/\udce9 is closed.")])
     assert read_file(path)[1] == [Marker(1300.0, "link", "/dev/\\udce9 is closed.")]
 
 
-# --- Crash, power failure, full disk ------------------------------------------------------
+# --- Crash, power failure, full disk ----------------------------------------------------
 
 
 def files_after_crash(folder: Path, name: str) -> Path:
@@ -98,25 +102,25 @@ def files_after_crash(folder: Path, name: str) -> Path:
 
 
 def test_committed_records_survive_a_crash(tmp_path: Path) -> None:
-    what = list(an_hour(2))
+    records = list(drive_records(2))
     writer = RecordingWriter[Header, Record](tmp_path / "a.trexrec", FORMAT, HEADER)
-    writer.write(what[:100])
+    writer.write(records[:100])
     writer.commit()
-    writer.write(what[100:])
-    assert read_file(files_after_crash(tmp_path, "a")) == (HEADER, what[:100], NOT_ENDED)
+    writer.write(records[100:])
+    assert read_file(files_after_crash(tmp_path, "a")) == (HEADER, records[:100], NOT_CLOSED)
     writer.close()
 
 
 @examples(15)
 @given(share=st.floats(0, 1))
 def test_power_failure_keeps_records_up_to_the_last_sync(folder: Path, share: float) -> None:
-    """The log may end anywhere. The main file is complete up to the last sync."""
-    what = list(an_hour(3))
+    """The main file is complete up to the last sync. The log may end anywhere."""
+    records = list(drive_records(3))
     writer = RecordingWriter[Header, Record](folder / "power.trexrec", FORMAT, HEADER)
-    writer.write(what[:200])
+    writer.write(records[:200])
     writer.sync()
-    for first in range(200, len(what), 50):
-        writer.write(what[first : first + 50])
+    for first in range(200, len(records), 50):
+        writer.write(records[first : first + 50])
         writer.commit()
     path = files_after_crash(folder, "power")
     writer.close()
@@ -124,64 +128,60 @@ def test_power_failure_keeps_records_up_to_the_last_sync(folder: Path, share: fl
     data = log.read_bytes()
     log.write_bytes(data[: int(share * len(data))])
     header, found, problems = read_file(path)
-    assert (header, problems) == (HEADER, NOT_ENDED)
-    assert found == what[: len(found)]
+    assert (header, problems) == (HEADER, NOT_CLOSED)
+    assert found == records[: len(found)]
     assert len(found) >= 200
-    assert len(found) % 50 == 0 or found == what
+    assert len(found) % 50 == 0 or found == records
 
 
 def test_recording_without_its_log_is_readable(tmp_path: Path) -> None:
-    what = list(an_hour(2))
+    records = list(drive_records(2))
     writer = RecordingWriter[Header, Record](tmp_path / "a.trexrec", FORMAT, HEADER)
-    writer.write(what[:100])
+    writer.write(records[:100])
     writer.sync()
-    writer.write(what[100:])
+    writer.write(records[100:])
     writer.commit()
     path = files_after_crash(tmp_path, "a")
     path.with_name("a.trexrec-wal").unlink()
-    assert read_file(path) == (HEADER, what[:100], NOT_ENDED)
+    assert read_file(path) == (HEADER, records[:100], NOT_CLOSED)
     writer.close()
 
 
-def test_recording_in_progress_is_refused(tmp_path: Path) -> None:
-    what = list(an_hour(1))
-    path = tmp_path / "a.trexrec"
+def test_recording_in_progress_is_rejected(path: Path) -> None:
+    records = list(drive_records(1))
     writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
-    writer.write(what)
+    writer.write(records)
     writer.commit()
     with pytest.raises(RecordingError, match="still being recorded"):
         open_recording(path)
-    writer.write(what)
+    writer.write(records)
     writer.finish()
     writer.close()
-    assert read_file(path) == (HEADER, what * 2, [])
+    assert read_file(path) == (HEADER, records * 2, [])
 
 
 @pytest.mark.skipif(not Path("/proc/self/maps").exists(), reason="needs /proc")
-def test_recording_maps_no_file_into_the_process(tmp_path: Path) -> None:
-    path = tmp_path / "a.trexrec"
+def test_recording_maps_no_file_into_the_process(path: Path) -> None:
     writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
-    writer.write(list(an_hour(1)))
+    writer.write(list(drive_records(1)))
     writer.commit()
     assert str(path) not in Path("/proc/self/maps").read_text(encoding="utf-8")
     writer.finish()
     writer.close()
 
 
-def test_full_disk_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    path = tmp_path / "a.trexrec"
+def test_full_disk_is_reported(path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     writer = RecordingWriter[Header, Record](path, FORMAT, HEADER)
     writer._database.execute("PRAGMA max_page_count = 40")
     with pytest.raises(RecordingError, match=r"a\.trexrec: .*: No space left on device\."):
-        writer.write(list(an_hour(60)))
+        writer.write(list(drive_records(60)))
     writer.close()
-    assert read_file(path) == (HEADER, [], NOT_ENDED)
+    assert read_file(path) == (HEADER, [], NOT_CLOSED)
 
 
-def test_existing_recording_is_replaced_with_its_log(tmp_path: Path) -> None:
-    path = tmp_path / "a.trexrec"
+def test_existing_recording_is_replaced_with_its_log(path: Path, tmp_path: Path) -> None:
     old = RecordingWriter[Header, Record](path, FORMAT, HEADER)
-    old.write(list(an_hour(5)))
+    old.write(list(drive_records(5)))
     old.commit()
     shutil.copy(path.with_name("a.trexrec-wal"), tmp_path / "log")
     old.close()
@@ -194,12 +194,12 @@ def test_existing_recording_is_replaced_with_its_log(tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", ["/dev/full", "/dev/null"])
 def test_device_files_are_not_replaced(name: str) -> None:
     if not Path(name).exists():
-        pytest.skip("this system has no such file")
+        pytest.skip(f"this system has no {name}")
     with pytest.raises(RecordingError, match="not an ordinary file"):
         RecordingWriter[Header, Record](Path(name), FORMAT, HEADER)
 
 
-# --- Damaged and foreign files ------------------------------------------------------------
+# --- Damaged files, and files of other programs -----------------------------------------
 
 
 @examples(20)
@@ -207,7 +207,7 @@ def test_device_files_are_not_replaced(name: str) -> None:
 def test_cut_file_is_read_as_far_as_possible(
     folder: Path, ten_seconds: tuple[bytes, list[Record]], share: float
 ) -> None:
-    data, what = ten_seconds
+    data, records = ten_seconds
     path = folder / "cut.trexrec"
     path.write_bytes(data[: int(share * (len(data) - 1))])
     try:
@@ -216,18 +216,18 @@ def test_cut_file_is_read_as_far_as_possible(
         return
     assert header == HEADER
     assert "The end of the file is missing." in problems
-    assert len(found) <= len(what)
+    assert len(found) <= len(records)
 
 
 def test_cut_file_keeps_its_intact_samples(
     folder: Path, ten_seconds: tuple[bytes, list[Record]]
 ) -> None:
-    data, what = ten_seconds
+    data, records = ten_seconds
     path = folder / "half.trexrec"
     path.write_bytes(data[: len(data) * 9 // 10])
     _, found, problems = read_file(path)
     assert problems
-    assert len(found) > len(what) // 4
+    assert len(found) > len(records) // 4
 
 
 @examples(25)
@@ -239,26 +239,26 @@ def test_flipped_bytes_raise_only_recording_errors(
     bits: int,
     second: float,
 ) -> None:
-    data, what = ten_seconds
+    data, records = ten_seconds
     path = folder / "flipped.trexrec"
     damaged = bytearray(data)
-    for where in (share, second):
-        damaged[int(where * (len(data) - 1))] ^= bits
+    for position in (share, second):
+        damaged[int(position * (len(data) - 1))] ^= bits
     path.write_bytes(damaged)
     with contextlib.suppress(RecordingError):
         _, found, problems = read_file(path)
-        assert len(found) <= len(what) + 2
-        assert problems or len(found) >= len(what) - 400
+        assert len(found) <= len(records) + 2
+        assert problems or len(found) >= len(records) - 400
 
 
-def database(path: Path, script: str) -> None:
-    with contextlib.closing(sqlite3.connect(path)) as changed:
-        changed.executescript(script)
+def execute(path: Path, script: str) -> None:
+    """Execute SQL statements in a database."""
+    with contextlib.closing(sqlite3.connect(path)) as database:
+        database.executescript(script)
 
 
-def test_other_database_is_rejected(tmp_path: Path) -> None:
-    path = tmp_path / "a.trexrec"
-    database(path, "CREATE TABLE header (key, value)")
+def test_database_of_another_program_is_rejected(path: Path) -> None:
+    execute(path, "CREATE TABLE header (key, value)")
     with pytest.raises(RecordingError, match="not a TReX Studio recording"):
         open_recording(path)
 
@@ -293,12 +293,9 @@ def test_other_database_is_rejected(tmp_path: Path) -> None:
         ),
     ],
 )
-def test_unusable_file_is_rejected_with_reason(
-    tmp_path: Path, statement: str, message: str
-) -> None:
-    path = tmp_path / "a.trexrec"
-    write(path, list(an_hour(1)))
-    database(path, statement)
+def test_unusable_file_is_rejected_with_reason(path: Path, statement: str, message: str) -> None:
+    write(path, list(drive_records(1)))
+    execute(path, statement)
     with pytest.raises(RecordingError, match=message):
         open_recording(path)
 
@@ -314,16 +311,15 @@ def test_unusable_file_is_rejected_with_reason(
         ),
     ],
 )
-def test_recording_without_a_value_has_the_others(
-    tmp_path: Path, statement: str, lost: type[Sample], problem: str
+def test_recording_without_one_kind_of_sample_has_all_other_records(
+    path: Path, statement: str, lost: type[Sample], problem: str
 ) -> None:
-    """As one of a version that did not poll it."""
-    path = tmp_path / "a.trexrec"
-    write(path, list(an_hour(1)))
-    whole = read_file(path)[1]
-    database(path, statement)
-    _, records, problems = read_file(path)
-    assert records == [record for record in whole if not isinstance(record, lost)]
+    """A version that did not poll this value may have written it."""
+    records = list(drive_records(1))
+    write(path, records)
+    execute(path, statement)
+    _, found, problems = read_file(path)
+    assert found == [record for record in records if not isinstance(record, lost)]
     assert problems == [problem]
 
 
@@ -339,38 +335,33 @@ def test_recording_without_a_value_has_the_others(
         ("UPDATE mode SET mode = x'00'", "mode is not TEXT"),
     ],
 )
-def test_damaged_record_is_skipped_and_reported(
-    tmp_path: Path, statement: str, problem: str
-) -> None:
-    path = tmp_path / "a.trexrec"
-    what = list(an_hour(0.9))
-    write(path, what)
-    database(path, statement)
+def test_damaged_record_is_skipped_and_reported(path: Path, statement: str, problem: str) -> None:
+    records = list(drive_records(0.9))
+    write(path, records)
+    execute(path, statement)
     _, found, (reported,) = read_file(path)
-    assert len(found) == len(what) - 1
+    assert len(found) == len(records) - 1
     assert reported.startswith("Record ")
     assert problem in reported
 
 
-def test_huge_text_is_not_read(tmp_path: Path) -> None:
-    path = tmp_path / "a.trexrec"
-    what = list(an_hour(1))
-    write(path, what)
+def test_huge_text_is_not_read(path: Path) -> None:
+    records = list(drive_records(1))
+    write(path, records)
     clock = "SELECT value FROM header WHERE key = 'clock_s'"
-    database(
+    execute(
         path,
         "INSERT INTO marker (record, clock_s, marker_kind, text)"
         f" VALUES (100000, ({clock}), 'stop', hex(zeroblob(1000000)))",
     )
     _, found, (problem,) = read_file(path)
-    assert found == what
+    assert found == records
     assert problem.startswith("Samples of marker between records")
 
 
-def test_absurd_record_number_does_not_hang(tmp_path: Path) -> None:
-    path = tmp_path / "a.trexrec"
-    write(path, list(an_hour(1)))
-    database(path, f"UPDATE mode SET record = {1 << 62}")
+def test_huge_record_number_does_not_enlarge_the_recording(path: Path) -> None:
+    write(path, list(drive_records(1)))
+    execute(path, f"UPDATE mode SET record = {1 << 62}")
     recording = open_recording(path)
     assert recording.count <= path.stat().st_size
     recording.close()
@@ -393,7 +384,7 @@ def test_csv_export_is_rejected_with_explanation(folder: Path) -> None:
 
 
 def test_disk_that_fails_while_reading_is_reported(folder: Path) -> None:
-    write(folder / "a.trexrec", list(an_hour(1)))
+    write(folder / "a.trexrec", list(drive_records(1)))
     recording = open_recording(folder / "a.trexrec")
     recording.close()
     with pytest.raises(RecordingError, match=r"a\.trexrec: It cannot be read"):
@@ -401,14 +392,14 @@ def test_disk_that_fails_while_reading_is_reported(folder: Path) -> None:
 
 
 @pytest.fixture
-def on_read_only_medium(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[Record]:
-    """Half of the records of `a.trexrec` are in its log, beside which SQLite cannot write."""
-    what = list(an_hour(1))
-    half = len(what) // 2
+def read_only_records(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list[Record]:
+    """Records of a crashed recording on a read-only medium. Its log contains the second half."""
+    records = list(drive_records(1))
+    half = len(records) // 2
     writer = RecordingWriter[Header, Record](tmp_path / "a.trexrec", FORMAT, HEADER)
-    writer.write(what[:half])
+    writer.write(records[:half])
     writer.sync()
-    writer.write(what[half:])
+    writer.write(records[half:])
     writer.commit()
     files_after_crash(tmp_path, "a")
     writer.close()
@@ -421,23 +412,23 @@ def on_read_only_medium(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> list
         return database
 
     monkeypatch.setattr(sqlite3, "connect", fail)
-    return what
+    return records
 
 
 def test_crashed_recording_on_read_only_medium_is_complete(
-    tmp_path: Path, on_read_only_medium: list[Record]
+    tmp_path: Path, read_only_records: list[Record]
 ) -> None:
     path = tmp_path / "crashed_a" / "a.trexrec"
-    assert read_file(path) == (HEADER, on_read_only_medium, NOT_ENDED)
+    assert read_file(path) == (HEADER, read_only_records, NOT_CLOSED)
 
 
 def test_log_that_cannot_be_copied_is_reported(
-    tmp_path: Path, on_read_only_medium: list[Record], monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, read_only_records: list[Record], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def fail(source: Path, target: Path) -> None:
         raise OSError(errno.ENOSPC, "No space left on device")
 
     monkeypatch.setattr(shutil, "copyfile", fail)
     _, found, problems = read_file(tmp_path / "crashed_a" / "a.trexrec")
-    assert found == on_read_only_medium[: len(on_read_only_medium) // 2]
-    assert problems == ["Its log cannot be read: the last samples are missing.", *NOT_ENDED]
+    assert found == read_only_records[: len(read_only_records) // 2]
+    assert problems == ["Its log cannot be read: the last samples are missing.", *NOT_CLOSED]

@@ -22,10 +22,10 @@ from shiboken6 import isValid
 
 from tests.devices.trex.recording.samples import (
     HEADER,
-    an_hour,
+    drive_records,
     open_recording,
     write,
-    write_an_hour,
+    write_long_recording,
 )
 from tests.support.playing import loading
 from tests.support.window import WidgetDriver
@@ -49,8 +49,7 @@ def _records_of_a_minute() -> list[Record]:
         Marker(T0 + 30.0, "apply", "Apply: Device Number"),
         Marker(T0 + 45.0, "fault", "Motor 1 fault"),
     ]
-    hour = an_hour(60)
-    plain = [record for record in hour if not isinstance(record, SetpointRecord | Marker)]
+    plain = [r for r in drive_records(60) if not isinstance(r, SetpointRecord | Marker)]
     return sorted([*plain, *extra], key=lambda record: record.time)
 
 
@@ -214,8 +213,8 @@ def open_partly_read(path: Path, qtbot: QtBot) -> RecordingWindow:
 @pytest.mark.realtime
 def test_reading_shows_progress_and_can_be_cancelled(tmp_path: Path, qtbot: QtBot) -> None:
     path = tmp_path / "long.trexrec"
-    write_an_hour(path, 5)
-    window = open_partly_read(path, qtbot)
+    write_long_recording(path, 5)
+    window = half_read(path, qtbot)
     assert window.has("recordingProgress")
     bar = window.find(QProgressBar, "recordingProgress")
     assert bar.text().startswith("Reading, ")
