@@ -1,28 +1,28 @@
-"""A board in each of the variants."""
+"""Board under test, in each variant."""
 
 from collections.abc import Iterator
 
 import pytest
 
-from tests.devices.trex.conformance.ends import End, ParserEnd, WireEnd
-from tests.devices.trex.conformance.trex import VARIANTS, Trex, Variant, in_gate
+from tests.devices.trex.conformance.harnesses import Harness, ParserHarness, WireHarness
+from tests.devices.trex.conformance.trex import VARIANTS, Trex, Variant, mark_slow
 
 
 @pytest.fixture
 def _own_settings() -> None:
-    """Nothing in here remembers settings, and a folder a test costs as much as the test."""
+    """Replaces the fixture that creates a settings folder, because these tests save nothing."""
 
 
-@pytest.fixture(params=in_gate(VARIANTS), ids=str)
+@pytest.fixture(params=mark_slow(VARIANTS), ids=str)
 def trex(request: pytest.FixtureRequest) -> Iterator[Trex]:
     """A new board in serial mode, in each variant that the test allows."""
     variant: Variant = request.param
-    end: End
-    if variant.end == "wire":
-        end = WireEnd(model=variant.model, firmware=variant.firmware, echo=variant.echo)
+    harness: Harness
+    if variant.harness == "wire":
+        harness = WireHarness(model=variant.model, firmware=variant.firmware, echo=variant.echo)
     else:
-        end = ParserEnd(variant.model, variant.firmware)
-    trex = Trex(end, variant)
+        harness = ParserHarness(variant.model, variant.firmware)
+    trex = Trex(harness, variant)
     yield trex
     if not variant.echo:
-        trex.nothing_more_comes()
+        trex.assert_silence()

@@ -1,6 +1,6 @@
-"""CMD10 0xC4 - 0xC7, 0xCC - 0xCF: the acceleration logic, sentence by sentence.
+"""Acceleration: each sentence of CMD10 0xC4 - 0xC7 and 0xCC - 0xCF.
 
-Speeds are compared with how many updates there can have been, at least and at most.
+Speeds are compared with the fewest and the most possible updates.
 """
 
 import pytest
@@ -11,7 +11,7 @@ MOTORS = [
     pytest.param(1, "C2", "C6", "C5", id="motor 1"),
     pytest.param(2, "CA", "CE", "CD", id="motor 2"),
 ]
-"""Number; set forward; accelerate forward; accelerate in reverse."""
+"""Motor, and its commands to set forward, accelerate forward and accelerate in reverse."""
 
 
 @pytest.mark.parametrize(("motor", "set_", "forward", "_reverse"), MOTORS)
@@ -20,9 +20,9 @@ def test_update_adds_a_tenth_of_acceleration_100_times_a_second(
     trex: Trex, motor: int, set_: str, forward: str, _reverse: str, acceleration: int
 ) -> None:
     """CMD10 0xC4: motor speed = motor speed + acceleration/10."""
-    trex.set_up(**{f"motor{motor}_acceleration": acceleration})
-    trex.report(f"{set_} 0A")
-    trex.report(f"{forward} 7F")
+    trex.set_parameters(**{f"motor{motor}_acceleration": acceleration})
+    trex.send(f"{set_} 0A")
+    trex.send(f"{forward} 7F")
     for state in trex.watch(0.1):
         speed = state["motors"][motor - 1]["speed"]
         assert speed >= min(127, 10 + int(trex.fewest_updates * acceleration / 10))
@@ -30,9 +30,9 @@ def test_update_adds_a_tenth_of_acceleration_100_times_a_second(
 
 
 def test_tenths_of_a_count_accumulate(trex: Trex) -> None:
-    """CMD10 0xC4: acceleration/10 of 5 is half a count an update, not none."""
-    trex.set_up(motor1_acceleration=5)
-    trex.report("C6 7F")
+    """CMD10 0xC4: an acceleration of 5 adds half a count in each update."""
+    trex.set_parameters(motor1_acceleration=5)
+    trex.send("C6 7F")
     trex.wait(0.1)
     speed = trex.motor(1)[1]
     assert min(127, trex.fewest_updates // 2) <= speed <= trex.most_updates / 2
@@ -40,8 +40,8 @@ def test_tenths_of_a_count_accumulate(trex: Trex) -> None:
 
 def test_acceleration_ends_at_target_speed(trex: Trex) -> None:
     """CMD10 0xC4: if motor speed > target speed, motor speed = target speed."""
-    trex.set_up(motor1_acceleration=100)
-    trex.report("C6 23")
+    trex.set_parameters(motor1_acceleration=100)
+    trex.send("C6 23")
     trex.wait(0.06)
     assert trex.motor(1) == ("forward", 0x23)
     trex.wait(0.03)
@@ -50,9 +50,9 @@ def test_acceleration_ends_at_target_speed(trex: Trex) -> None:
 
 def test_update_sets_lower_target_speed_at_once(trex: Trex) -> None:
     """CMD10 0xC4: "there is no deceleration"."""
-    trex.set_up(motor1_acceleration=1)
-    trex.report("C2 7F")
-    trex.report("C6 20")
+    trex.set_parameters(motor1_acceleration=1)
+    trex.send("C2 7F")
+    trex.send("C6 20")
     trex.wait(0.012)
     assert trex.motor(1) == ("forward", 0x20)
 
@@ -61,10 +61,10 @@ def test_update_sets_lower_target_speed_at_once(trex: Trex) -> None:
 def test_reversal_brakes_fully_for_brake_duration(
     trex: Trex, motor: int, set_: str, forward: str, reverse: str
 ) -> None:
-    """CMD10 0xC4: "brake the motor at 100% duty cycle", in 10 ms (forum thread 624)."""
-    trex.set_up(**{f"motor{motor}_brake_duration": 8})
-    trex.report(f"{set_} 40")
-    trex.report(f"{reverse} 30")
+    """CMD10 0xC4: "brake the motor at 100% duty cycle". The unit is 10 ms (forum thread 624)."""
+    trex.set_parameters(**{f"motor{motor}_brake_duration": 8})
+    trex.send(f"{set_} 40")
+    trex.send(f"{reverse} 30")
     seen = set()
     for state in trex.watch(0.13):
         output = state["motors"][motor - 1]["direction"], state["motors"][motor - 1]["speed"]
@@ -81,9 +81,9 @@ def test_reversal_brakes_fully_for_brake_duration(
 
 def test_motor_accelerates_from_zero_after_reversal_brake(trex: Trex) -> None:
     """CMD10 0xC4: "set the motor speed to zero and accelerate from there"."""
-    trex.set_up(motor1_acceleration=20, motor1_brake_duration=3)
-    trex.report("C2 7F")
-    trex.report("C5 7F")
+    trex.set_parameters(motor1_acceleration=20, motor1_brake_duration=3)
+    trex.send("C2 7F")
+    trex.send("C5 7F")
     for state in trex.watch(0.12):
         motor = state["motors"][0]
         if motor["direction"] == "reverse":
@@ -94,9 +94,9 @@ def test_motor_accelerates_from_zero_after_reversal_brake(trex: Trex) -> None:
 
 def test_reversal_without_brake_duration_starts_at_zero(trex: Trex) -> None:
     """CMD10 0xC4: "for the amount of time specified by its brake duration parameter"."""
-    trex.set_up(motor1_acceleration=10, motor1_brake_duration=0)
-    trex.report("C2 7F")
-    trex.report("C5 7F")
+    trex.set_parameters(motor1_acceleration=10, motor1_brake_duration=0)
+    trex.send("C2 7F")
+    trex.send("C5 7F")
     trex.wait(0.025)
     direction, speed = trex.motor(1)
     assert direction == "reverse"
@@ -105,22 +105,22 @@ def test_reversal_without_brake_duration_starts_at_zero(trex: Trex) -> None:
 
 def test_acceleration_commands_are_current_limited(trex: Trex) -> None:
     """CMD10 0xC4: the "fixed update cycle that also takes care of the current-limiting logic"."""
-    trex.set_up(motor1_current_limit=10, motor1_current_limit_p=1)
-    trex.do("current 1 6")
-    trex.report("C6 7F")
+    trex.set_parameters(motor1_current_limit=10, motor1_current_limit_p=1)
+    trex.control("current 1 6")
+    trex.send("C6 7F")
     trex.wait(0.1)
     assert trex.motor(1)[1] < 127
-    assert trex.number("84") & 0x20
+    assert trex.request_byte("84") & 0x20
 
 
 def test_set_commands_override_current_limit_temporarily(trex: Trex) -> None:
     """CMD10 0xC4: "set the motor speed the instant they're received"."""
-    trex.set_up(motor1_current_limit=10, motor1_current_limit_p=1)
-    trex.do("current 1 6")
-    trex.report("C6 7F")
+    trex.set_parameters(motor1_current_limit=10, motor1_current_limit_p=1)
+    trex.control("current 1 6")
+    trex.send("C6 7F")
     trex.wait(0.15)
     limited = trex.motor(1)[1]
-    trex.report("C2 7F")
+    trex.send("C2 7F")
     assert trex.motor(1)[1] > limited
     trex.wait(0.1)
     assert trex.motor(1)[1] < 127
@@ -128,8 +128,8 @@ def test_set_commands_override_current_limit_temporarily(trex: Trex) -> None:
 
 def test_zero_acceleration_reaches_target_in_one_update(trex: Trex) -> None:
     """CMD10 0xC4: "set the acceleration parameter to zero"."""
-    assert trex.number("9F 0E") == trex.number("9F 0F") == 0
-    trex.report("EA 7F 70", "F1 7F")
+    assert trex.request_byte("9F 0E") == trex.request_byte("9F 0F") == 0
+    trex.send("EA 7F 70", "F1 7F")
     trex.wait(0.012)
     assert (trex.motor(1), trex.motor(2)) == (("forward", 127), ("forward", 0x70))
     assert trex.show()["aux"]["speed"] == 127
@@ -137,23 +137,23 @@ def test_zero_acceleration_reaches_target_in_one_update(trex: Trex) -> None:
 
 @pytest.mark.parametrize("brake", ["C4", "C7"])
 def test_acceleration_does_not_apply_to_braking(trex: Trex, brake: str) -> None:
-    """CMD10 0xC4, note."""
-    trex.set_up(motor1_acceleration=1, motor1_brake_duration=20)
-    trex.report("C2 40")
-    trex.report(f"{brake} 7F")
+    """The note at CMD10 0xC4 says this."""
+    trex.set_parameters(motor1_acceleration=1, motor1_brake_duration=20)
+    trex.send("C2 40")
+    trex.send(f"{brake} 7F")
     trex.wait(0.012)
     assert trex.motor(1) == ("brake", 127)
-    trex.report(f"{brake} 20")
+    trex.send(f"{brake} 20")
     trex.wait(0.012)
     assert trex.motor(1) == ("brake", 0x20)
 
 
 def test_accelerate_both_handles_each_motor_independently(trex: Trex) -> None:
-    """CMD10 0xE0: each has a target direction of its own, and its own parameters."""
-    trex.set_up(motor1_acceleration=20, motor2_acceleration=0)
-    trex.report("E6 40 40")
+    """CMD10 0xE0: each motor has its own target direction and its own acceleration."""
+    trex.set_parameters(motor1_acceleration=20, motor2_acceleration=10)
+    trex.send("E6 40 40")
     trex.wait(0.03)
-    direction, speed = trex.motor(1)
-    assert direction == "forward"
-    assert 2 * trex.fewest_updates <= speed <= 2 * trex.most_updates < 0x40
-    assert trex.motor(2) == ("reverse", 0x40)
+    for motor, direction, step in ((1, "forward", 2), (2, "reverse", 1)):
+        found, speed = trex.motor(motor)
+        assert found == direction
+        assert step * trex.fewest_updates <= speed <= step * trex.most_updates < 0x40

@@ -1,4 +1,4 @@
-"""Other sourced facts that are visible on the wire: models, safety, channels."""
+"""Models, parameters, safe-start and jumpers, from User's Guide 4 and other sources."""
 
 import pytest
 
@@ -9,23 +9,23 @@ from tests.devices.trex.conformance.trex import Trex, only
 
 @only(model="trexjr")
 def test_trex_jr_signature_has_nine_bytes(trex: Trex) -> None:
-    """F2170 and two clients."""
+    """The sources are F2170 and two clients."""
     assert trex.request("81") == "54 52 65 58 4A 72 31 2E 32"
-    trex.nothing_more_comes(0.02)
+    trex.assert_silence(0.02)
 
 
 @only(model="trexjr")
 def test_trex_jr_current_is_in_units_of_40_ma(trex: Trex) -> None:
-    """F13311 and a client."""
-    trex.do("current 1 2")
-    trex.do("current 2 0.4")
+    """The sources are F13311 and a client."""
+    trex.control("current 1 2")
+    trex.control("current 2 0.4")
     trex.wait(0.02)
     assert trex.request("8F") == "32 0A"
 
 
 @only(model="trexjr", firmware="1.3")
 def test_trex_jr_firmware_1_3_has_parameter_17(trex: Trex) -> None:
-    """F12089, F20957: it marks a change of the board only."""
+    """F12089 and F20957: the version 1.3 only marks a change of the board."""
     assert bytes.fromhex(trex.request("81")) == b"TReXJr1.3"
     assert trex.request("9F 17") == "00"
 
@@ -37,19 +37,19 @@ def test_trex_jr_firmware_1_3_has_parameter_17(trex: Trex) -> None:
 def test_current_limit_is_twice_its_parameter(
     trex: Trex, wire: int, below: int, above: int
 ) -> None:
-    """F13311: the wire carries half the limit, in the unit of the current."""
-    trex.set_up(motor2_current_limit=wire)
+    """F13311: the parameter is half the limit, in the unit of the current."""
+    trex.set_parameters(motor2_current_limit=wire)
     for counts, status in ((below, "00"), (above, "80")):
-        trex.do(f"current 2 {counts * 0.150:.3f}")
-        trex.report("CE 01")
+        trex.control(f"current 2 {counts * 0.150:.3f}")
+        trex.send("CE 01")
         trex.wait(0.025)
         assert trex.request("84") == status
 
 
 def test_serial_timeout_counts_tenths_of_a_second(trex: Trex) -> None:
-    """Two clients: "x0.1 s, max 13 s"."""
-    trex.set_up(serial_timeout=2)
-    trex.report("C2 20")
+    """Two clients say "x0.1 s, max 13 s"."""
+    trex.set_parameters(serial_timeout=2)
+    trex.send("C2 20")
     for state in trex.watch(0.24):
         direction = state["motors"][0]["direction"]
         if trex.most_updates <= 19:
@@ -70,17 +70,17 @@ def test_new_board_requires_only_channel_1(trex: Trex) -> None:
     """User's Guide 4.c. Inferred: bit n is channel n+1."""
     assert trex.request("9F 01") == "01"
     for channel in (2, 3, 4, 5):
-        trex.do(f"channel {channel} silent")
+        trex.control(f"channel {channel} silent")
     trex.start("rc")
     trex.connect(c1="2000us")
     assert trex.motor(1) == ("forward", 127)
 
 
-# Safe start
+# Safe-start
 
 
-def check_that_a_stick_keeps_the_motors_off(trex: Trex, channel: int) -> None:
-    trex.do(f"channel {channel} 2000us")
+def assert_stick_prevents_start(trex: Trex, channel: int) -> None:
+    trex.control(f"channel {channel} 2000us")
     trex.restart_in("rc")
     for state in trex.watch(0.15):
         assert state["safe_start"]
@@ -88,9 +88,9 @@ def check_that_a_stick_keeps_the_motors_off(trex: Trex, channel: int) -> None:
         assert state["aux"]["speed"] == 0
 
 
-def check_that_channel_5_keeps_safe_start(trex: Trex) -> None:
-    trex.report("D6 30 40")
-    trex.do("channel 5 1000us")
+def assert_channel_5_prolongs_safe_start(trex: Trex) -> None:
+    trex.send("D6 30 40")
+    trex.control("channel 5 1000us")
     trex.restart_in("rc")
     for state in trex.watch(0.15):
         assert state["safe_start"]
@@ -100,7 +100,7 @@ def check_that_channel_5_keeps_safe_start(trex: Trex) -> None:
 @pytest.mark.parametrize("channel", [1, 2, 3])
 def test_motors_stay_off_until_channels_were_near_neutral(trex: Trex, channel: int) -> None:
     """User's Guide 4.e: safe-start at power-up."""
-    check_that_a_stick_keeps_the_motors_off(trex, channel)
+    assert_stick_prevents_start(trex, channel)
     trex.connect(**{f"c{channel}": "1500us"})
     trex.connect(**{f"c{channel}": "2000us"})
     state = trex.show()
@@ -110,33 +110,33 @@ def test_motors_stay_off_until_channels_were_near_neutral(trex: Trex, channel: i
 
 def test_safe_start_lasts_while_channel_5_overrides(trex: Trex) -> None:
     """User's Guide 4.e: only with "ch 5 not overriding"."""
-    check_that_channel_5_keeps_safe_start(trex)
+    assert_channel_5_prolongs_safe_start(trex)
     trex.connect(c5="1500us")
     assert not trex.show()["safe_start"]
 
 
-@only(end="parser")  # only in virtual time it is in our hands
+@only(harness="parser")  # the line does not affect safe-start
 @pytest.mark.parametrize("moment", [0.0025, 0.0075])
 def test_safe_start_holds_at_any_power_up_time_between_pulses(trex: Trex, moment: float) -> None:
     """User's Guide 4.e: "all motor channels near neutral, and ch 5 not overriding, all at once"."""
     for channel in (1, 2, 3):
         trex.wait(moment - trex.now() % 0.01 + 0.01)
-        check_that_a_stick_keeps_the_motors_off(trex, channel)
+        assert_stick_prevents_start(trex, channel)
         trex.connect(**{f"c{channel}": "rest"})
     trex.wait(moment - trex.now() % 0.01 + 0.01)
-    check_that_channel_5_keeps_safe_start(trex)
+    assert_channel_5_prolongs_safe_start(trex)
 
 
-@only(end="parser")  # more than half a second of silence is much at the terminal
+@only(harness="parser")  # the line does not affect safe-start
 @pytest.mark.parametrize(("silence", "runs"), [(0.4, True), (0.6, False)])
 def test_silent_required_channel_starts_safe_start_after_500_ms(
     trex: Trex, silence: float, runs: bool
 ) -> None:
-    """User's Guide 4.c: > 500 ms."""
-    trex.set_up(required_channels=2)
+    """User's Guide 4.c: safe-start begins after more than 500 ms."""
+    trex.set_parameters(required_channels=2)
     trex.start("rc")
     trex.connect(c1="2000us")
-    trex.do("channel 2 silent")
+    trex.control("channel 2 silent")
     trex.wait(silence)
     assert (trex.motor(1)[0] == "forward") is runs
     assert trex.show()["safe_start"] is not runs
@@ -146,35 +146,35 @@ def test_silent_required_channel_starts_safe_start_after_500_ms(
 
 
 def test_mix_jumper_never_alters_serial_motor_commands(trex: Trex) -> None:
-    """FV9053. It does alter remapped values in serial mode."""
-    trex.do("jumper mix on")
-    trex.report("D6 30 40")
+    """FV9053. The jumper does alter remapped values in serial mode."""
+    trex.control("jumper mix on")
+    trex.send("D6 30 40")
     trex.connect(c2="2000us")
     assert (trex.motor(1), trex.motor(2)) == (("forward", 0x30), ("reverse", 0x40))
     assert trex.request("87 03") == "7F 7F"
 
 
 def test_mix_jumper_can_be_changed_while_running(trex: Trex) -> None:
-    """MH 7."""
+    """The source is MH 7."""
     trex.connect(c2="2000us")
-    for state, answer in (("off", "00 7F"), ("on", "7F 7F"), ("off", "00 7F")):
-        trex.do(f"jumper mix {state}")
-        assert trex.request("87 03") == answer
+    for state, reply in (("off", "00 7F"), ("on", "7F 7F"), ("off", "00 7F")):
+        trex.control(f"jumper mix {state}")
+        assert trex.request("87 03") == reply
 
 
 def test_joint_mode_accepts_motor_1_and_auxiliary_commands(trex: Trex) -> None:
-    """Manual of the TReX Jr, page 6. The auxiliary motor still works, and motor 2 is no more."""
-    trex.set_up(motor_mode=1)
-    trex.report("C2 44", "CA 33", "F0 22")
+    """Manual of the TReX Jr, page 6. Motor 2 does not exist in joint mode."""
+    trex.set_parameters(motor_mode=1)
+    trex.send("C2 44", "CA 33", "F0 22")
     assert trex.motor(1) == ("forward", 0x44)
     assert trex.motor(2)[1] == 0
     assert trex.show()["aux"]["speed"] == 0x22
 
 
 def test_joint_mode_does_not_mix_channels(trex: Trex) -> None:
-    """Manual of the TReX Jr, page 6."""
-    trex.do("jumper mix on")
-    trex.set_up(motor_mode=1)
+    """The source is page 6 of the manual of the TReX Jr."""
+    trex.control("jumper mix on")
+    trex.set_parameters(motor_mode=1)
     trex.connect(c1="2000us", c2="1500us")
     assert trex.request("87 01") == "7F"
     trex.connect(c1="1500us", c2="2000us")

@@ -1,4 +1,4 @@
-"""CMD10 General Overview and 0x80, sentence by sentence."""
+"""Each sentence of CMD10 General Overview and 0x80."""
 
 import pytest
 
@@ -10,7 +10,7 @@ QUERIES = (
 )  # fmt: skip
 
 PARAMETER = "AF 0E 05 55 2A"
-"""Acceleration of motor 1 becomes 5."""
+"""Packet that sets the acceleration of motor 1 to 5."""
 
 CALIBRATIONS = [calibration(channel, 2532, 3750, 5032, 32) for channel in range(1, 6)]
 
@@ -22,15 +22,15 @@ MOTOR_COMMANDS = [
 
 
 def test_bytes_without_top_bit_are_not_commands(trex: Trex) -> None:
-    """CMD10 General Overview: 128 - 255."""
-    assert trex.unanswered(b"\x01", b"\x02", b"\x7f")
+    """CMD10 General Overview: commands are 128 - 255."""
+    assert trex.gets_no_reply(b"\x01", b"\x02", b"\x7f")
     assert len(trex.request("81")) == 7 * 3 - 1
 
 
 def test_each_reply_has_its_documented_size(trex: Trex) -> None:
-    """CMD10 0x81 - 0x9F, each: "returns" so many bytes. A CRC follows them."""
+    """CMD10 0x81 - 0x9F: each command names the size of its reply. A CRC follows the reply."""
     for query in QUERIES:
-        reply = trex.everything(query)
+        reply = trex.exchange(query)
         assert len(reply) == documented_size(query, trex.variant) + trex.variant.crc, query
 
 
@@ -45,20 +45,20 @@ def test_queries_are_answered_in_every_mode(trex: Trex, mode: str) -> None:
 
 @pytest.mark.parametrize("mode", ["rc", "analog"])
 def test_set_commands_are_rejected_outside_serial_mode(trex: Trex, mode: str) -> None:
-    """CMD10 General Overview: 0xA0 - 0xAF. The code is that of 0xA0 and 0xAF."""
+    """CMD10 General Overview: 0xA0 - 0xAF. The result code is from CMD10 0xA0 and 0xAF."""
     trex.restart_in(mode)
-    before = [trex.request(f"{command:02X}") for command in range(0x90, 0x95)]
+    queries = ("90", "91", "92", "93", "94", "9F 0E")
+    before = [trex.request(query) for query in queries]
     assert trex.request(PARAMETER) == "03"
     assert [trex.request(packet) for packet in CALIBRATIONS] == ["03"] * 5
-    assert trex.request("9F 0E") == "00"
-    assert [trex.request(f"{command:02X}") for command in range(0x90, 0x95)] == before
+    assert [trex.request(query) for query in queries] == before
 
 
 @pytest.mark.parametrize("mode", ["serial", "rc", "analog"])
 def test_motor_commands_have_no_reply_in_any_mode(trex: Trex, mode: str) -> None:
     """CMD10 General Overview: 0xC0 - 0xF1."""
     trex.restart_in(mode)
-    assert trex.unanswered(*MOTOR_COMMANDS)
+    assert trex.gets_no_reply(*MOTOR_COMMANDS)
     assert trex.request("84") == "00"
 
 
@@ -66,7 +66,7 @@ def test_motor_commands_have_no_reply_in_any_mode(trex: Trex, mode: str) -> None
 def test_motors_ignore_commands_without_serial_control(trex: Trex, mode: str) -> None:
     """CMD10 General Overview: "only respond in serial mode or when serial override is active"."""
     trex.start(mode)
-    trex.report("D6 30 40", "F0 50")
+    trex.send("D6 30 40", "F0 50")
     trex.wait(0.03)
     assert trex.motor(1)[0] == trex.motor(2)[0] == "brake"
     assert trex.show()["aux"] == {"speed": 0, "target_speed": 0}
@@ -74,35 +74,35 @@ def test_motors_ignore_commands_without_serial_control(trex: Trex, mode: str) ->
 
 @pytest.mark.parametrize(("mode", "low"), [("rc", "1000us"), ("analog", "0.5V")])
 def test_motors_respond_during_serial_override(trex: Trex, mode: str, low: str) -> None:
-    """CMD10 General Overview. Channel 5 acts when it is low (User's Guide 4.a)."""
+    """CMD10 General Overview. Low channel 5 starts serial override (User's Guide 4.a)."""
     trex.start(mode)
     trex.connect(c5=low)
-    trex.report("D6 30 40", "F0 50")
+    trex.send("D6 30 40", "F0 50")
     assert (trex.motor(1), trex.motor(2)) == (("forward", 0x30), ("reverse", 0x40))
     assert trex.show()["aux"]["speed"] == 0x50
 
 
-def test_channel_5_ends_override_and_channels_control_again(trex: Trex) -> None:
+def test_channels_control_motors_after_serial_override(trex: Trex) -> None:
     """CMD10 General Overview: motors only respond "when serial override is active"."""
     trex.start("rc")
     trex.connect(c5="1000us")
-    trex.report("D6 30 40")
+    trex.send("D6 30 40")
     trex.connect(c5="1500us")
-    assert trex.number("83") == 0
+    assert trex.request_byte("83") == 0
     assert trex.motor(1)[0] == trex.motor(2)[0] == "brake"
 
 
 def test_both_example_packets_read_all_five_raw_channels(trex: Trex) -> None:
-    """CMD10 0x80: 0x80, 0x07, 0x06, 0x1F and 0x86, 0x1F."""
+    """CMD10 0x80: the examples are 0x80, 0x07, 0x06, 0x1F and 0x86, 0x1F."""
     trex.connect(c1="1200us", c5="1900us")
     for packet in (b"\x80\x07\x06\x1f", b"\x86\x1f"):
-        assert trex.request(trex.signed(packet), 10) == "B8 0B A6 0E A6 0E A6 0E 8E 12"
+        assert trex.request(trex.add_crc(packet), 10) == "B8 0B A6 0E A6 0E A6 0E 8E 12"
 
 
 def test_default_device_number_is_7(trex: Trex) -> None:
     """CMD10 0x80."""
     assert trex.request("9F 00") == "07"
-    assert trex.request(trex.signed(b"\x80\x07\x02"), 1) == "72"
+    assert trex.request(trex.add_crc(b"\x80\x07\x02"), 1) == "72"
 
 
 def test_device_number_parameter_takes_effect_at_once(trex: Trex) -> None:
@@ -110,22 +110,22 @@ def test_device_number_parameter_takes_effect_at_once(trex: Trex) -> None:
     assert trex.request("AF 00 09 55 2A") == "00"
     trex.device = 9
     assert trex.request("9F 00") == "09"
-    assert trex.request(trex.signed(b"\x80\x09\x02"), 1) == "72"
-    assert trex.unanswered(trex.signed(b"\x80\x07\x02"))
+    assert trex.request(trex.add_crc(b"\x80\x09\x02"), 1) == "72"
+    assert trex.gets_no_reply(trex.add_crc(b"\x80\x07\x02"))
 
 
 @pytest.mark.parametrize("number", [0, 6, 8, 127])
 def test_packet_for_other_device_number_is_ignored(trex: Trex, number: int) -> None:
     """CMD10 0x80: "can be chained along with such products to the same serial line".
 
-    Inferred: a packet for others raises no error here, however long it is.
+    Inferred: a packet for another board causes no error, even if it is long.
     """
-    foreign = bytes([0x80, number])
-    assert trex.unanswered(
-        trex.signed(foreign + b"\x02"),
-        trex.signed(foreign + b"\x06\x1f"),
-        trex.signed(foreign + b"\x42\x7f"),
-        foreign + b"\x11\x22\x33\x44\x55\x66\x77",
+    head = bytes([0x80, number])
+    assert trex.gets_no_reply(
+        trex.add_crc(head + b"\x02"),
+        trex.add_crc(head + b"\x06\x1f"),
+        trex.add_crc(head + b"\x42\x7f"),
+        head + b"\x11\x22\x33\x44\x55\x66\x77",
     )
     assert trex.motor(1)[1] == 0
     assert trex.request("84") == "00"

@@ -1,4 +1,8 @@
-"""CMD10 0x87, sentence by sentence."""
+"""Remapped channels: each sentence of CMD10 0x87.
+
+Values between the documented points are inferred (linear outside the deadband). These tests only
+check the documented points, and values that must be equal or opposite.
+"""
 
 from itertools import product
 
@@ -6,22 +10,13 @@ import pytest
 
 from tests.devices.trex.conformance.trex import Trex, calibration, channels, only
 
-# What lies between the documented points is inferred (linear outside the deadband), so these
-# tests stay with the points and with what must be equal or opposite.
-
 STICKS = {1: "2100us", 2: "900us", 3: "1500us", 4: "2000us", 5: "1000us"}
 REMAPPED = {1: 0x7F, 2: 0xFF, 3: 0x00, 4: 0x7F, 5: 0xFF}
 
 
 def calibrate(trex: Trex) -> None:
-    """Let channel 1 go from 1 ms by 1.5 ms to 2 ms with a deadband of 40 µs."""
+    """Calibrate channel 1 to 1 ms, 1.5 ms and 2 ms with a deadband of 40 µs."""
     assert trex.request(calibration(1, 2500, 3750, 5000, 100)) == "00"
-
-
-def value(trex: Trex, channel: int = 1) -> int:
-    """Return the remapped value of one channel, signed."""
-    byte = trex.number(f"87 {1 << channel - 1:02X}")
-    return -(byte & 0x7F) if byte & 0x80 else byte
 
 
 def test_remapped_reply_has_one_byte_of_each_masked_channel(trex: Trex) -> None:
@@ -34,14 +29,14 @@ def test_remapped_reply_has_one_byte_of_each_masked_channel(trex: Trex) -> None:
 
 def test_empty_mask_gets_no_reply(trex: Trex) -> None:
     """CMD10 0x87: "will return 0 - 5 bytes"."""
-    assert trex.unanswered("87 00")
+    assert trex.gets_no_reply("87 00")
     assert trex.request("85") == "00"
 
 
 def test_rc_and_analog_ends_give_the_same_remapped_values(trex: Trex) -> None:
     """CMD10 0x87: "unitless, single-byte values"."""
     for source, ends in ((0, ("1000us", "1500us", "2000us")), (1, ("0V", "2.5V", "5V"))):
-        trex.set_up(channel_input_source=source)
+        trex.set_parameters(channel_input_source=source)
         trex.connect(**{f"c{index + 1}": position for index, position in enumerate(ends)})
         assert trex.request("87 07") == "FF 00 7F"
 
@@ -54,7 +49,9 @@ def test_rc_and_analog_ends_give_the_same_remapped_values(trex: Trex) -> None:
         pytest.param((1460, 1500, 1540), "00", id="within deadband"),
     ],
 )
-def test_value_at_ends_and_within_deadband(trex: Trex, widths: tuple[int, ...], byte: str) -> None:
+def test_value_is_documented_at_ends_and_within_deadband(
+    trex: Trex, widths: tuple[int, ...], byte: str
+) -> None:
     """CMD10 0x87: "greater than or equal to the channel maximum". Bit 7 is the direction."""
     calibrate(trex)
     for width in widths:
@@ -63,10 +60,10 @@ def test_value_at_ends_and_within_deadband(trex: Trex, widths: tuple[int, ...], 
 
 
 def test_mix_jumper_affects_only_channels_1_and_2(trex: Trex) -> None:
-    """CMD10 0x87. One channel turns, the other drives (User's Guide 4.a)."""
+    """CMD10 0x87. One channel turns the robot, the other drives it (User's Guide 4.a)."""
     trex.connect(c2="2000us", c3="2000us")
     assert trex.request("87 07") == "00 7F 7F"
-    trex.do("jumper mix on")
+    trex.control("jumper mix on")
     assert trex.request("87 07") == "7F 7F 7F"
     trex.connect(c1="2000us", c2="1500us")
     first, second, third = bytes.fromhex(trex.request("87 07"))
@@ -75,7 +72,7 @@ def test_mix_jumper_affects_only_channels_1_and_2(trex: Trex) -> None:
 
 
 def test_flip_channel_affects_only_channels_1_and_2(trex: Trex) -> None:
-    """CMD10 0x87: channel 4. Motors and directions change places (User's Guide 4.a)."""
+    """CMD10 0x87: channel 4. It exchanges the motors and their directions (User's Guide 4.a)."""
     trex.connect(c1="2000us", c3="2000us", c4="1500us")
     assert trex.request("87 07") == "7F 00 7F"
     trex.connect(c4="1000us")
@@ -84,14 +81,14 @@ def test_flip_channel_affects_only_channels_1_and_2(trex: Trex) -> None:
 
 @pytest.mark.parametrize(("mix", "flip"), [*product(("off", "on"), ("1500us", "1000us"))])
 def test_remapped_values_match_motor_targets(trex: Trex, mix: str, flip: str) -> None:
-    """CMD10 0x87: channel 1 "will always correspond directly to motor 1", mix or flip or not."""
-    trex.do(f"jumper mix {mix}")
+    """CMD10 0x87: channel 1 "will always correspond directly to motor 1", also with mix or flip."""
+    trex.control(f"jumper mix {mix}")
     trex.start("rc")
     trex.connect(c1="1700us", c2="1400us", c3="1800us", c4=flip)
     first, second, third = bytes.fromhex(trex.request("87 07"))
     for number, byte in ((1, first), (2, second)):
         assert trex.target(number) == ("reverse" if byte & 0x80 else "forward", byte & 0x7F)
-    assert trex.show()["aux"]["target_speed"] == third & 0x7F  # "lower six bits", a slip
+    assert trex.show()["aux"]["target_speed"] == third & 0x7F  # "lower six bits" is a mistake
 
 
 def test_inverted_robot_applies_raw_channel_1_to_motor_2(trex: Trex) -> None:
@@ -103,23 +100,23 @@ def test_inverted_robot_applies_raw_channel_1_to_motor_2(trex: Trex) -> None:
     assert trex.target(2) == ("reverse", 127)
 
 
-@only(expanded=False)  # what is driven here is not the exchange
+@only(expanded=False)  # the protocol does not affect the motors
 def test_serial_program_can_mimic_rc_mode(trex: Trex) -> None:
     """CMD10 0x87: "by requesting the remapped channel values and setting" the motors to them."""
-    driven = []
+    outputs = []
     for mode in ("rc", "serial"):
         trex.start(mode)
         trex.connect(c1="1700us", c2="1300us", c3="1900us")
         if mode == "serial":
             first, second, third = bytes.fromhex(trex.request("87 07"))
-            trex.report(f"{0xC5 if first & 0x80 else 0xC6:02X} {first & 0x7F:02X}")
-            trex.report(f"{0xCD if second & 0x80 else 0xCE:02X} {second & 0x7F:02X}")
-            trex.report(f"F1 {third & 0x7F:02X}")
+            trex.send(f"{0xC5 if first & 0x80 else 0xC6:02X} {first & 0x7F:02X}")
+            trex.send(f"{0xCD if second & 0x80 else 0xCE:02X} {second & 0x7F:02X}")
+            trex.send(f"F1 {third & 0x7F:02X}")
         trex.wait(0.02)
         state = trex.show()
-        driven.append((trex.motor(1), trex.motor(2), state["aux"]["speed"]))
-        trex.do("factory")
-        trex.run_at(115200)
-    assert driven[0] == driven[1]
-    assert driven[0][0][0] == "forward"
-    assert driven[0][1][0] == "reverse"
+        outputs.append((trex.motor(1), trex.motor(2), state["aux"]["speed"]))
+        trex.control("factory")
+        trex.set_baud(115200)
+    assert outputs[0] == outputs[1]
+    assert outputs[0][0][0] == "forward"
+    assert outputs[0][1][0] == "reverse"

@@ -1,4 +1,4 @@
-"""CMD10 0x81 to 0x83, sentence by sentence."""
+"""Signature, mode and serial control: each sentence of CMD10 0x81 to 0x83."""
 
 import pytest
 
@@ -6,7 +6,7 @@ from tests.devices.trex.conformance.trex import Trex
 
 
 def test_signature_is_name_and_firmware_version(trex: Trex) -> None:
-    """CMD10 0x81: major byte, '.', minor byte, such as "TReX1.0"."""
+    """CMD10 0x81: the version is a major byte, '.' and a minor byte, such as "TReX1.0"."""
     assert bytes.fromhex(trex.request("81")) == b"TReX" + trex.variant.firmware.encode()
 
 
@@ -18,7 +18,7 @@ def test_mode_letter_follows_jumper_and_input_source(
     trex: Trex, jumper: str, source: int, letter: str
 ) -> None:
     """CMD10 0x82: 'R', 'A', 'r', 'a'."""
-    trex.set_up(channel_input_source=source)
+    trex.set_parameters(channel_input_source=source)
     trex.restart_in(jumper)
     assert trex.request("82") == letter
 
@@ -40,9 +40,9 @@ def test_channels_can_be_read_in_serial_mode(trex: Trex) -> None:
 
 def test_channel_input_source_selects_inputs_in_serial_mode(trex: Trex) -> None:
     """CMD10 0x82: parameter 0x7C."""
-    trex.do("channel 1 5V")
+    trex.control("channel 1 5V")
     for source, raw in ((0, "FF FF"), (1, "FF 03"), (0, "FF FF")):
-        trex.set_up(channel_input_source=source)
+        trex.set_parameters(channel_input_source=source)
         trex.wait(0.03)
         assert trex.request("86 01") == raw
 
@@ -55,20 +55,20 @@ def test_channel_input_source_is_ignored_in_rc_and_analog_mode(
     trex: Trex, jumper: str, letter: str, signal: str, raw: str
 ) -> None:
     """CMD10 0x82: "no effect when the mode shorting block selects for RC or analog mode"."""
-    trex.do(f"channel 1 {signal}")
+    trex.control(f"channel 1 {signal}")
     for source in (0, 1):
-        trex.set_up(channel_input_source=source)
+        trex.set_parameters(channel_input_source=source)
         trex.restart_in(jumper)
         trex.wait(0.025)
         assert trex.request("82") == letter
         assert trex.request("86 01") == raw
 
 
-@pytest.mark.parametrize(("jumper", "answer"), [("serial", "01"), ("rc", "00"), ("analog", "00")])
-def test_serial_is_in_control_only_in_serial_mode(trex: Trex, jumper: str, answer: str) -> None:
+@pytest.mark.parametrize(("jumper", "reply"), [("serial", "01"), ("rc", "00"), ("analog", "00")])
+def test_serial_is_in_control_only_in_serial_mode(trex: Trex, jumper: str, reply: str) -> None:
     """CMD10 0x83: 0 = serial is not in control, 1 = serial is in control."""
     trex.restart_in(jumper)
-    assert trex.request("83") == answer
+    assert trex.request("83") == reply
 
 
 @pytest.mark.parametrize(
@@ -79,6 +79,6 @@ def test_low_channel_5_puts_serial_in_control(
 ) -> None:
     """CMD10 0x83: "or when serial override (as controlled by channel 5) is active"."""
     trex.start(jumper)
-    for position, answer in ((low, "01"), (middle, "00")):
+    for position, reply in ((low, "01"), (middle, "00")):
         trex.connect(c5=position)
-        assert trex.request("83") == answer
+        assert trex.request("83") == reply

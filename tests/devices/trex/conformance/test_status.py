@@ -1,4 +1,4 @@
-"""CMD10 0x84, sentence by sentence."""
+"""Status byte: each sentence of CMD10 0x84."""
 
 import pytest
 
@@ -9,18 +9,18 @@ FAULT = [pytest.param(1, 0x10, id="bit 4 motor 1"), pytest.param(2, 0x40, id="bi
 
 
 def drive_with_limits(trex: Trex) -> None:
-    """Run both motors, which draw nothing, with limits of 3 A."""
-    trex.set_up(motor1_current_limit=10, motor2_current_limit=10)
-    trex.do("current 1 0")
-    trex.do("current 2 0")
-    trex.report("DA 30 30")
+    """Drive both motors without current, with limits of 3 A."""
+    trex.set_parameters(motor1_current_limit=10, motor2_current_limit=10)
+    trex.control("current 1 0")
+    trex.control("current 2 0")
+    trex.send("DA 30 30")
 
 
 def exceed_the_limit(trex: Trex, motor: int) -> None:
-    """Let a motor draw more than its limit, and no longer."""
-    trex.do(f"current {motor} 20")
+    """Set the current of a motor above its limit for 30 ms."""
+    trex.control(f"current {motor} 20")
     trex.wait(0.03)
-    trex.do(f"current {motor} 0")
+    trex.control(f"current {motor} 0")
     trex.wait(0.03)
 
 
@@ -29,31 +29,31 @@ def test_over_current_sets_its_status_bit(trex: Trex, motor: int, bit: int) -> N
     """CMD10 0x84: bits 7 and 5."""
     drive_with_limits(trex)
     exceed_the_limit(trex, motor)
-    assert trex.number("84") == bit
+    assert trex.request_byte("84") == bit
 
 
 @pytest.mark.parametrize(("motor", "bit"), FAULT)
 def test_motor_fault_sets_its_status_bit(trex: Trex, motor: int, bit: int) -> None:
     """CMD10 0x84: bits 6 and 4."""
-    trex.do(f"fault {motor} on")
+    trex.control(f"fault {motor} on")
     trex.wait(0.02)
-    assert trex.number("84") == bit
+    assert trex.request_byte("84") == bit
 
 
 def test_status_bit_0_is_a_uart_error(trex: Trex) -> None:
     """CMD10 0x84: "read UART error byte for more information"."""
     assert trex.request("84") == "00"
-    trex.report(b"\x88")
+    trex.send(b"\x88")
     assert trex.request("84") == "01"
     assert trex.request("85") == "40"
 
 
 def test_status_bits_are_latched_until_read(trex: Trex) -> None:
     """CMD10 0x84: "latched"."""
-    trex.do("fault 1 on")
-    trex.report(b"\x88")
+    trex.control("fault 1 on")
+    trex.send(b"\x88")
     trex.wait(0.02)
-    trex.do("fault 1 off")
+    trex.control("fault 1 off")
     trex.wait(0.05)
     for query in ("81", "82", "83", "85", "86 1F", "87 1F", "8F", "95", "9F 00"):
         trex.request(query)
@@ -61,20 +61,20 @@ def test_status_bits_are_latched_until_read(trex: Trex) -> None:
 
 
 def test_reading_status_byte_clears_all_its_bits(trex: Trex) -> None:
-    """CMD10 0x84. Every used bit is set here, bits 3 to 1 are not used."""
+    """CMD10 0x84. The test sets every used bit. Bits 3 to 1 are unused."""
     drive_with_limits(trex)
     for motor in (1, 2):
         exceed_the_limit(trex, motor)
-        trex.do(f"fault {motor} on")
-        trex.do(f"fault {motor} off")
-    trex.report(b"\x88")
+        trex.control(f"fault {motor} on")
+        trex.control(f"fault {motor} off")
+    trex.send(b"\x88")
     assert trex.request("84") == "F1"
     assert trex.request("84") == "00"
 
 
 def test_lasting_fault_sets_its_bit_again(trex: Trex) -> None:
-    """CMD10 0x84: a bit is set while there is something to report."""
-    trex.do("fault 2 on")
+    """CMD10 0x84: a bit is set while its cause lasts."""
+    trex.control("fault 2 on")
     for _ in range(2):
         trex.wait(0.03)
         assert trex.request("84") == "40"
