@@ -121,7 +121,7 @@ def test_past_serial_timeout_does_not_explain_stopped_motors(
     virtual_time.sleep(0.2)
     report = json.loads(trexcmd("status", "--json").stdout)
     assert {row["name"] for row in report["errors"]} == {"status_uart_error", "uart_timeout"}
-    assert report["motors"] == [], "the board hears this program again"
+    assert report["motors"] == [], "the board receives packets again"
 
 
 def test_get_shows_wire_value_and_meaning(trexcmd: RunCommand) -> None:

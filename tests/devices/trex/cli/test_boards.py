@@ -72,7 +72,7 @@ def test_command_without_a_number_names_the_list_of_boards(
     assert stored(line, "serial_timeout") == [0, 0, 0]
 
 
-def test_identical_boards_that_reply_as_one_are_not_driven(
+def test_identical_boards_with_merged_replies_are_not_driven(
     start: StartCommand, start_simulator: StartSimulator
 ) -> None:
     boards = start_simulator("--unpaced", "--device", "9", "--device", "12")

@@ -13,7 +13,7 @@ from trex_gui.devices.trex.settings.history import SettingsHistory
 CALIBRATION = ("calibration", "set", "2", "2400", "3700", "5100", "60")
 
 one_setting = pytest.mark.parametrize(
-    ("words", "shown", "reason"),
+    ("words", "message", "reason"),
     [
         (("set", "Serial Timeout", "1.5 s"), "0 → 15  off → 1.5 s", "trexcmd set serial_timeout"),
         (CALIBRATION, "2500 → 2400  1000 µs → 960 µs", "trexcmd calibration set 2"),
@@ -44,10 +44,10 @@ def read_settings_text(trexcmd: RunCommand) -> str:
 
 @one_setting
 def test_changing_one_setting_shows_and_snapshots_old_value(
-    trexcmd: RunCommand, words: tuple[str, ...], shown: str, reason: str
+    trexcmd: RunCommand, words: tuple[str, ...], message: str, reason: str
 ) -> None:
     result = trexcmd(*words)
-    assert shown in " ".join(result.stderr.split("\n")).replace("   ", "  ")
+    assert message in " ".join(result.stderr.split("\n")).replace("   ", "  ")
     assert "→" not in result.stdout
     (snapshot,) = SettingsHistory().snapshots()
     assert snapshot.reason == reason
@@ -76,10 +76,10 @@ def test_unchanged_setting_is_not_written_again(
     trexcmd: RunCommand,
     monkeypatch: pytest.MonkeyPatch,
     words: tuple[str, ...],
-    shown: str,
+    message: str,
     reason: str,
 ) -> None:
-    del shown, reason
+    del message, reason
     first = trexcmd(*words)
     monkeypatch.setattr("trex_gui.devices.trex.board.keeper.write_all", None)  # calling it fails
     second = trexcmd(*words)

@@ -66,7 +66,7 @@ def test_set_settings_writes_only_differences(
     assert trexcmd("diff", str(file)).stdout == ""
 
 
-def test_dry_run_prints_old_and_new_and_writes_nothing(
+def test_dry_run_prints_both_values_and_writes_nothing(
     trexcmd: RunCommand, saved: Path, quick_simulator: SimulatedDevice
 ) -> None:
     result = trexcmd("set-settings", str(changed(saved, serial_timeout=15)), "--dry-run")
@@ -166,7 +166,7 @@ motor1_acceleration: 12
 """
 
 
-def test_check_settings_copies_the_file_and_terminates_its_last_line(
+def test_check_settings_copies_file_and_terminates_last_line(
     trexcmd: RunCommand, tmp_path: Path
 ) -> None:
     file, out = tmp_path / "in.txt", tmp_path / "out.txt"
@@ -299,7 +299,7 @@ def test_check_settings_converts_for_another_board(trexcmd: RunCommand, tmp_path
     assert path.read_text(encoding="utf-8") == JUNIOR
 
 
-def test_set_settings_with_convert_writes_a_file_of_the_other_model(
+def test_convert_option_writes_a_file_of_the_other_model(
     trexcmd: RunCommand, tmp_path: Path, quick_simulator: SimulatedDevice
 ) -> None:
     path = tmp_path / "junior.txt"

@@ -119,9 +119,7 @@ def test_sighup_under_nohup_does_not_stop_motor(
     assert braked(quick_simulator)
 
 
-def test_repeated_ctrl_c_still_stops_motor(
-    start: StartCommand, quick_simulator: SimulatedDevice
-) -> None:
+def test_repeated_ctrl_c_stops_motor(start: StartCommand, quick_simulator: SimulatedDevice) -> None:
     command = run_motor_1(start, quick_simulator)
     for _ in range(5):
         command.send_signal(signal.SIGINT)

@@ -18,7 +18,7 @@ _STORED = {"required_channels": 1, "motor1_current_limit": 20, "motor2_accelerat
 
 
 class NoisyBoard:
-    """Simulated board behind a noisy line, with the program at the other end."""
+    """Simulated board on a noisy line."""
 
     def __init__(self, runtime: VirtualRuntime, simulator: SimulatedDevice) -> None:
         self._runtime = runtime
@@ -46,14 +46,14 @@ def board(seed: int, virtual_time: VirtualRuntime, start_simulator: StartSimulat
     return NoisyBoard(virtual_time, start_simulator("--seed", str(seed)))
 
 
-def assert_stored(path: Path, shown: dict[str, Any]) -> None:
+def assert_stored(path: Path, state: dict[str, Any]) -> None:
     """Check that the board stores every value of a settings file."""
     settings, *_ = read_settings(path.read_bytes(), str(path))
-    stored = shown["parameters"]
+    stored = state["parameters"]
     assert dict(settings.parameters) == {key: stored[key] for key in settings.parameters}
     for key, calibration in settings.calibrations.items():
         source, channel = key.source.value.lower(), key.channel
-        fields = shown["calibrations"][f"{source}_channel_{channel}"]
+        fields = state["calibrations"][f"{source}_channel_{channel}"]
         assert [getattr(calibration, name) for name in fields] == list(fields.values()), key
 
 

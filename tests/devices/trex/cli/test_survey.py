@@ -1,4 +1,4 @@
-"""The command survey."""
+"""The command `survey`."""
 
 import random
 import signal
@@ -175,7 +175,7 @@ def test_survey_prompts_before_writing_and_saves_no_port_name(
 def start_survey(start: StartCommand, simulator: VirtualSimulator, file: Path) -> VirtualCommand:
     """Start a survey, and return it while the board stores a trial value."""
     board = board_of(simulator)
-    board.unknown_reply = b"\xff"  # saves the time until no reply is expected
+    board.unknown_reply = b"\xff"  # saves a timeout for each unknown number
     command = start("survey", str(file), "--limits", stdin="y\n")
     assert becomes(lambda: board.eeprom["required_channels"] != 1, True, 600)
     return command

@@ -15,7 +15,7 @@ def file(tmp_path: Path) -> Path:
     return tmp_path / "users"
 
 
-def test_added_users_have_roles_and_secrets_of_their_own(file: Path) -> None:
+def test_added_users_have_roles_and_different_secrets(file: Path) -> None:
     secrets = [add_user(file, "alice", "drive"), add_user(file, "wanda", "watch")]
     users = read_users(file)
     assert [(user.name, user.role) for user in users] == [

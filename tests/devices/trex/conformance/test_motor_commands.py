@@ -115,7 +115,9 @@ def test_auxiliary_gains_a_tenth_of_acceleration_every_10_ms(trex: Trex) -> None
 
 
 @pytest.mark.parametrize("accelerate", [False, True], ids=["set", "accelerate"])
-def test_commands_without_override_apply_when_it_begins(trex: Trex, *, accelerate: bool) -> None:
+def test_commands_before_override_apply_when_override_begins(
+    trex: Trex, *, accelerate: bool
+) -> None:
     """CMD10, note before 0xC0: "set according to the most recently received"."""
     trex.start("rc")
     if accelerate:

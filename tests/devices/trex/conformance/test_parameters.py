@@ -16,7 +16,7 @@ def write(number: int, value: int) -> str:
     return f"AF {number:02X} {value:02X} 55 2A"
 
 
-def test_written_parameters_read_back(trex: Trex) -> None:
+def test_written_parameters_are_read_back(trex: Trex) -> None:
     """CMD10 0x9F. Every parameter that takes effect at once gets a different value."""
     for number, value in IMMEDIATE.items():
         trex.send(b"\xff")

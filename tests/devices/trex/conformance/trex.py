@@ -62,7 +62,7 @@ def only(
     firmware: str = "1.2",
     echo: bool = False,
 ) -> pytest.MarkDecorator:
-    """Run a test in the variants with these traits, or with another board than a TReX 1.2."""
+    """Run a test only in the variants with these traits, by default with a TReX 1.2."""
     variants = [
         replace(variant, model=model, firmware=firmware, echo=echo)
         for variant in VARIANTS

@@ -80,7 +80,7 @@ PACKETS: list[tuple[Command[object], str, str]] = [
 ]
 
 
-def test_command_bytes_are_exactly_the_documented_ones() -> None:
+def test_command_bytes_match_documentation() -> None:
     assert set(COMMANDS) == {
         *(0x81, 0x82, 0x83, 0x84, 0x85, 0x86, 0x87),
         *(0x8D, 0x8E, 0x8F),

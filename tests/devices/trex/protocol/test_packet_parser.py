@@ -38,7 +38,7 @@ def test_unknown_command_is_malformed_at_once(opcode: int) -> None:
         assert event == Malformed(raw, f"{opcode:#04x} is not a TReX command")
 
 
-def test_wrong_crc_makes_packet_malformed_and_names_both() -> None:
+def test_wrong_crc_makes_packet_malformed_with_both_values() -> None:
     raw = bytes.fromhex("86 1f 08")
     assert PacketParser(0x89).feed(raw) == [Malformed(raw, "the CRC is 08, not 07")]
 
@@ -60,7 +60,7 @@ def test_invalid_data_makes_packet_malformed(sent: str, words: str) -> None:
     assert words in event.reason
 
 
-def test_unordered_calibration_is_still_a_packet() -> None:
+def test_unordered_calibration_is_a_valid_packet() -> None:
     # The board replies with result code 2, so this is no format error.
     raw = bytes.fromhex("a0 01 00 00 00 01 00 00 00 55 2a")
     (event,) = PacketParser().feed(raw)

@@ -200,7 +200,7 @@ def different_specs() -> list[ParameterSpec]:
     return [*{tuple(map(spec.text, sorted(spec.valid))): spec for spec in specs}.values()]
 
 
-def test_value_text_can_be_typed_back_also_in_upper_case_with_spaces() -> None:
+def test_value_text_can_be_typed_back_in_any_case() -> None:
     for spec in different_specs():
         for wire in spec.valid:
             text = spec.text(wire)
@@ -393,7 +393,7 @@ def test_small_value_is_never_read_as_off(key: str, text: str) -> None:
         ("motor_mode", "0.4"),
     ],
 )
-def test_value_just_outside_limits_or_between_two_is_rejected(key: str, text: str) -> None:
+def test_value_outside_limits_or_between_steps_is_rejected(key: str, text: str) -> None:
     with pytest.raises(BadRequest):
         parameter(key).wire(text)
 

@@ -37,7 +37,7 @@ def test_bytes_that_are_no_reply_are_malformed_with_reason(
     assert "1 bytes" not in result.reason
 
 
-def test_wrong_crc_makes_reply_malformed_and_names_both() -> None:
+def test_wrong_crc_makes_reply_malformed_with_both_values() -> None:
     raw = bytes.fromhex("81 49")
     result = ReplyParser(GetCurrent(1), Framing(None, 0x89)).feed(raw)
     assert result == Malformed(raw, "the CRC is 49, not 48")

@@ -165,7 +165,7 @@ def test_packets_cut_anywhere_give_the_sent_commands(
 
 @few_examples
 @given(raw=noise(), polynomial=polynomials, positions=cuts)
-def test_noise_cut_anywhere_gives_the_same_events_with_all_its_bytes(
+def test_noise_cut_anywhere_gives_the_same_events(
     raw: bytes, polynomial: int | None, positions: list[int]
 ) -> None:
     whole, cut = PacketParser(polynomial), PacketParser(polynomial)

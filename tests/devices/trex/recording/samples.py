@@ -79,7 +79,7 @@ any_record: st.SearchStrategy[Record] = st.one_of(
 
 
 def drive_records(seconds: float = 3600.0) -> Iterator[Record]:
-    """Yield the records of a driven board at full rate, by default of an hour."""
+    """Yield the records of a driven board at full rate. The default is one hour."""
     random = Random(1)
     due = {Currents: 0.0, Raw: 0.004, Remapped: 0.008, Control: 0.012, ModeSample: 0.016}
     rate = {Currents: 80, Raw: 50, Remapped: 50, Control: 10, ModeSample: 1}

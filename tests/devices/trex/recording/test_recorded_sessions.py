@@ -29,7 +29,7 @@ def record_session(seconds: int, path: Path) -> list[Record]:
         writer.write(records)
 
     class BatchRecorder(list[Report]):
-        """List of reports that records their samples and does not hold the reports."""
+        """List that records the samples of each report and then discards the report."""
 
         def append(self, report: Report) -> None:
             if isinstance(report, Batch):

@@ -92,7 +92,7 @@ def test_undecodable_port_name_does_not_end_the_recording(path: Path) -> None:
 
 
 def files_after_crash(folder: Path, name: str) -> Path:
-    """Copy a recording with its log, as a crash would leave them."""
+    """Copy a recording and its log in their state after a crash."""
     crashed = folder / f"crashed_{name}"
     crashed.mkdir(exist_ok=True)
     for file in folder.glob(f"{name}.trexrec*"):
@@ -311,7 +311,7 @@ def test_unusable_file_is_rejected_with_reason(path: Path, statement: str, messa
         ),
     ],
 )
-def test_recording_without_one_kind_of_sample_has_all_other_records(
+def test_recording_without_one_kind_of_sample_is_read(
     path: Path, statement: str, lost: type[Sample], problem: str
 ) -> None:
     """A version that did not poll this value may have written it."""

@@ -25,7 +25,7 @@ def line(board: Board) -> SimulatedBoards:
 
 @pytest.fixture
 def rc() -> Board:
-    """A board in RC mode that has left safe-start."""
+    """A board in RC mode after the end of safe-start."""
     board = Board(mode="rc")
     board.advance(SETTLED)
     assert not board.sticks.safe_start

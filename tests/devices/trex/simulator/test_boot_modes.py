@@ -95,11 +95,11 @@ def test_learning_shows_each_channel_on_green_led() -> None:
     board.channels.signals[2] = Signal(SignalKind.BAD_PULSES)
     board.mix = False
     board.advance(2.05)
-    seen = []
+    green_leds = []
     for _ in range(5):
-        seen.append(report(board)["leds"]["green"])
+        green_leds.append(report(board)["leds"]["green"])
         board.advance(0.4)
-    assert seen == ["on", "off", "on", "on", "on"]
+    assert green_leds == ["on", "off", "on", "on", "on"]
 
 
 def test_learning_waits_for_signal_and_can_be_aborted() -> None:

@@ -21,11 +21,11 @@ PERIOD = 8
 
 
 def ticks(channels: Channels, count: int) -> list[tuple[int | None, ...]]:
-    seen = []
+    readings = []
     for _ in range(count):
         channels.tick()
-        seen.append(channels.raw)
-    return seen
+        readings.append(channels.raw)
+    return readings
 
 
 @pytest.fixture
@@ -50,24 +50,24 @@ def test_analog_channels_read_zero_until_first_average(analog: Channels) -> None
 
 
 def test_channels_get_first_pulse_at_different_ticks(rc: Channels) -> None:
-    seen = ticks(rc, PERIOD)
-    assert seen[-1] == (3750,) * 5
-    firsts = [next(tick for tick, raw in enumerate(seen) if raw[index]) for index in range(5)]
+    readings = ticks(rc, PERIOD)
+    assert readings[-1] == (3750,) * 5
+    firsts = [next(tick for tick, raw in enumerate(readings) if raw[index]) for index in range(5)]
     assert len(set(firsts)) == 5
 
 
 def test_occasional_lost_pulses_hardly_affect_channel(rc: Channels) -> None:
     rc.signals[1] = Signal.parse("1500us lost 0.2", RC)
     ticks(rc, 10 * PERIOD)
-    seen = [raw[0] for raw in ticks(rc, 200 * PERIOD)]
-    assert seen.count(3750) > 0.98 * len(seen)
+    readings = [raw[0] for raw in ticks(rc, 200 * PERIOD)]
+    assert readings.count(3750) > 0.98 * len(readings)
 
 
 def test_losing_most_pulses_mostly_invalidates_channel(rc: Channels) -> None:
     rc.signals[1] = Signal.parse("1500us lost 0.95", RC)
-    seen = [raw[0] for raw in ticks(rc, 500 * PERIOD)]
-    assert 0 < seen.count(3750) < 0.5 * len(seen)
-    assert set(seen) == {None, 3750}
+    readings = [raw[0] for raw in ticks(rc, 500 * PERIOD)]
+    assert 0 < readings.count(3750) < 0.5 * len(readings)
+    assert set(readings) == {None, 3750}
 
 
 def test_voltage_is_averaged_over_last_20_ms(analog: Channels) -> None:
@@ -75,9 +75,9 @@ def test_voltage_is_averaged_over_last_20_ms(analog: Channels) -> None:
     ticks(analog, PERIOD)
     ticks(analog, PERIOD // 4)
     analog.signals[1] = Signal.voltage(5)
-    seen = [raw[0] for raw in ticks(analog, PERIOD - PERIOD // 4)]
-    assert seen[:-1] == [0] * (len(seen) - 1)
-    assert seen[-1] == pytest.approx(0.75 * 1023, abs=1)
+    readings = [raw[0] for raw in ticks(analog, PERIOD - PERIOD // 4)]
+    assert readings[:-1] == [0] * (len(readings) - 1)
+    assert readings[-1] == pytest.approx(0.75 * 1023, abs=1)
     assert ticks(analog, PERIOD)[-1][0] == 1023
 
 
@@ -238,20 +238,20 @@ def demo_line(mode: str = "serial") -> SimulatedBoards:
 
 def raw_values(line: SimulatedBoards, seconds: float) -> list[tuple[int | None, ...]]:
     """Return the raw values of all channels at intervals of 20 ms."""
-    seen = []
+    readings = []
     for _ in range(round(seconds / 0.02)):
         line.advance(0.02)
-        seen.append(line.boards[0].channels.raw)
-    return seen
+        readings.append(line.boards[0].channels.raw)
+    return readings
 
 
 def test_demo_moves_every_stick_without_override() -> None:
     line = demo_line("rc")
     board = line.boards[0]
-    seen = raw_values(line, 20)
-    for channel in zip(*seen, strict=True):
+    readings = raw_values(line, 20)
+    for channel in zip(*readings, strict=True):
         values = [value for value in channel if value is not None]
-        assert len(values) == len(seen)
+        assert len(values) == len(readings)
         assert max(values) - min(values) > 300
         steps = [abs(after - before) for before, after in pairwise(values)]
         assert max(steps) < 60
@@ -260,8 +260,8 @@ def test_demo_moves_every_stick_without_override() -> None:
 
 
 def test_demo_moves_voltages_in_analog_mode() -> None:
-    seen = raw_values(demo_line("analog"), 10)
-    first = [raw[0] for raw in seen if raw[0] is not None]
+    readings = raw_values(demo_line("analog"), 10)
+    first = [raw[0] for raw in readings if raw[0] is not None]
     assert 0 <= min(first) < 200
     assert 800 < max(first) <= 1023
 

@@ -196,27 +196,27 @@ def test_quit_command_replies_goodbye(line: SimulatedBoards) -> None:
 
 
 def test_show_contains_fields_used_by_scripts() -> None:
-    shown = json.loads(json.dumps(report(Board("trexjr", "1.0", mode="rc"))))
+    state = json.loads(json.dumps(report(Board("trexjr", "1.0", mode="rc"))))
     assert {
         "model", "firmware", "power", "mode", "serial_controls", "override", "safe_start",
         "motors", "aux", "channels", "parameters", "active_uart", "leds", "counters",
         "jumpers", "battery", "supply", "calibrations", "learned",
-    } <= set(shown)  # fmt: skip
-    assert (shown["model"], shown["firmware"], shown["mode"]) == ("trexjr", "1.0", "R")
-    assert [set(motor) for motor in shown["motors"]] == [
+    } <= set(state)  # fmt: skip
+    assert (state["model"], state["firmware"], state["mode"]) == ("trexjr", "1.0", "R")
+    assert [set(motor) for motor in state["motors"]] == [
         {
             "direction", "speed", "target_direction", "target_speed", "current", "fault",
             "pwm_hz", "load", "stall", "rpm",
         }
     ] * 2  # fmt: skip
-    assert shown["channels"] == [{"raw": None, "remapped": 0, "signal": "rest"}] * 5
-    assert shown["jumpers"] == {"mode": "rc", "mix": False, "so_ground": False}
-    assert (shown["battery"], shown["supply"]) == (12.0, 12.0)
-    assert [motor["stall"] for motor in shown["motors"]] == [5.0, 5.0]
-    assert "uart_response_delay" not in shown["parameters"]
-    assert "factory_reset" not in shown["parameters"]
+    assert state["channels"] == [{"raw": None, "remapped": 0, "signal": "rest"}] * 5
+    assert state["jumpers"] == {"mode": "rc", "mix": False, "so_ground": False}
+    assert (state["battery"], state["supply"]) == (12.0, 12.0)
+    assert [motor["stall"] for motor in state["motors"]] == [5.0, 5.0]
+    assert "uart_response_delay" not in state["parameters"]
+    assert "factory_reset" not in state["parameters"]
     expected = {"baud": 19200, "parity": "none", "stop_bits": 1, "crc": False}
-    assert shown["active_uart"] == expected
+    assert state["active_uart"] == expected
 
 
 @pytest.mark.parametrize(
@@ -302,13 +302,13 @@ def test_show_reports_motor_load_and_rpm(board: Board, port: SerialPort) -> None
 
 
 def test_show_reports_calibrations_and_learned_channels(board: Board) -> None:
-    shown = report(board)
-    assert list(shown["calibrations"]) == [
+    state = report(board)
+    assert list(state["calibrations"]) == [
         f"{source}_channel_{channel}" for source in ("rc", "analog") for channel in range(1, 6)
     ]
     rc = {"minimum": 2500, "neutral": 3750, "maximum": 5000, "deadband": 75}
-    assert shown["calibrations"]["rc_channel_4"] == rc
-    assert shown["learned"] == {"rc": 0, "analog": 0}
+    assert state["calibrations"]["rc_channel_4"] == rc
+    assert state["learned"] == {"rc": 0, "analog": 0}
     board.eeprom.write_calibration(InputSource.RC, 4, Calibration(2500, 3700, 5000, 75))
     assert report(board)["calibrations"]["rc_channel_4"] == {**rc, "neutral": 3700}
     assert report(board)["learned"] == {"rc": 0b01000, "analog": 0}

@@ -46,7 +46,7 @@ class TestPace:
         assert line.receive() == SIGNATURE
         assert line.now == 0
 
-    def test_unpaced_line_still_waits_for_eeprom_write(self, board: Board) -> None:
+    def test_unpaced_line_waits_for_eeprom_write(self, board: Board) -> None:
         line = SimulatedBoards([board], paced=False)
         line.send(bytes.fromhex("AF 07 0F 55 2A"))
         assert line.read(1, 0.0039) == b""
@@ -115,7 +115,7 @@ class TestSeveralBoards:
         assert query(line, "81") == both
         assert line.faults.counters["collisions"] == 7
 
-    def test_identical_replies_are_received_as_one(self) -> None:
+    def test_identical_replies_are_received_as_one_reply(self) -> None:
         assert query(SimulatedBoards([create_board(7), create_board(9)]), "82") == b"r"
 
     def test_compact_motor_command_reaches_all_boards(self) -> None:

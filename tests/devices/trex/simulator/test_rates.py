@@ -30,7 +30,7 @@ QUERIES = COMPACT + tuple(expanded(packet) for packet in COMPACT)
 
 
 def create_line(code: int, *, paced: bool) -> SimulatedBoards:
-    """Return a line whose board has this code of a baud rate."""
+    """Return a line whose board uses the baud rate with this code."""
     return SimulatedBoards([create_board(settings=code)], paced=paced)
 
 

@@ -60,7 +60,7 @@ def test_byte_has_start_data_parity_and_stop_bits(line: LineSettings, bits: str)
     rate_error=st.one_of(st.just(0.0), st.floats(-0.03, 0.03)),
     gap=st.sampled_from([0.0, 0.05, 3.0]),
 )
-def test_receiver_decodes_every_byte_at_up_to_three_percent_rate_error(
+def test_receiver_decodes_bytes_at_three_percent_rate_error(
     line: LineSettings, data: bytes, rate_error: float, gap: float
 ) -> None:
     sender = LineSettings(round(line.baud * (1 + rate_error)), line.detection, line.stop_bits)
