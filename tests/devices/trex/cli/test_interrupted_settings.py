@@ -67,7 +67,7 @@ def listed_keys(messages: str, prefix: str) -> set[str]:
 
 
 def changed_settings(before: Settings) -> Settings:
-    """Return settings with different values, but with the same line settings."""
+    """Return settings with different values, but the same line settings and device number."""
     values = {
         spec.key: max(spec.valid) if spec.default != max(spec.valid) else min(spec.valid)
         for spec in SPECS.readable

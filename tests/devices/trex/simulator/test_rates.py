@@ -18,7 +18,7 @@ COMPACT = (
 Replies = dict[tuple[int, int], list[tuple[str, bytes, UartError]]]
 """Packet, reply and errors of each query, by the rates of host and board."""
 
-ANY = ~UartError(0)
+ANY_ERROR = ~UartError(0)
 
 
 def expanded(packet: str) -> str:
@@ -76,7 +76,7 @@ def test_host_at_wrong_rate_never_gets_correct_reply(
 
 def test_nearly_every_packet_of_slower_host_latches_errors(replies: Replies) -> None:
     slower = [(host, board) for host, board in replies if host < board]
-    assert share(replies, ANY, slower) > 0.95
+    assert share(replies, ANY_ERROR, slower) > 0.95
     assert share(replies, UartError.FRAMING, slower) > 0.85
     for pair in slower:
         assert share(replies, UartError.FRAMING, [pair]) > 0.25, pair
