@@ -28,7 +28,7 @@ from PySide6.QtWidgets import (
 
 from tests.support.colours import contrast, weak_texts
 from tests.support.matrix import sampled
-from tests.support.pages.every_window import WINDOWS_WITH_STOP
+from tests.support.pages.every_dialog import every_aracna_window, every_trex_window
 from tests.support.program import trex
 from tests.support.window import WindowDriver
 from trex_gui.devices.trex.views.line_settings_dialog import LineSettingsDialog
@@ -43,56 +43,30 @@ each_scheme = pytest.mark.parametrize(
 """One finds colours that do not follow the scheme; `tests/ui/theme` measures those of each."""
 
 
-def check(driver: WindowDriver, window: QWidget, case: str = "") -> None:
-    wanted = theme().color("window_text")
-    driver.wait(lambda: window.palette().windowText().color() == wanted)
+def check(driver: WindowDriver, window: QWidget) -> None:
+    expected = theme().color("window_text")
+    driver.wait(lambda: window.palette().windowText().color() == expected)
     driver.wait_for_files()  # the window also settles
-    assert weak_texts(window) == {}, f"{window.objectName()} {case}"
-
-
-def check_pages(window: WindowDriver) -> None:
-    for page in window.each_page():
-        check(window, window.window, page.objectName())
+    tabs = [each.tabText(each.currentIndex()) for each in window.findChildren(QTabWidget)]
+    assert weak_texts(window) == {}, f"{window.objectName()} {tabs}"
 
 
 @each_scheme
 def test_texts_of_trex_have_enough_contrast(
-    scheme: Scheme, window: WindowDriver, tmp_path: Path
+    scheme: Scheme, window: WindowDriver, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     theme().set_scheme(scheme)
-    check_pages(window)
-    window.connect_to_demo()
-    window.device.parameters.edit("serial_timeout", 15)
-    check_pages(window)
-    for open_window in WINDOWS_WITH_STOP:
-        shown = open_window(window, tmp_path)
-        window.wait(shown.isVisible)
+    for shown in every_trex_window(window, tmp_path, monkeypatch):
         check(window, shown)
-        for tabs in shown.findChildren(QTabWidget):
-            for index in range(tabs.count()):
-                tabs.setCurrentIndex(index)
-                check(window, shown, tabs.tabText(index))
-        shown.close()
-    window.device.draft.discard_edits()
-    GamepadDialog(window.find(GamepadPanel, "gamepadPanel").gamepad, window.window)
-    LineSettingsDialog(trex(window.program).controller.settings, window.window)
-    for key in ("learn", "find", "check_board", "preferences", "new"):
-        window.trigger(key)
-    dialogs = window.find_all(QDialog)
-    assert len(dialogs) > 10
-    for dialog in dialogs:
-        dialog.show()
-        check(window, dialog)
-        dialog.close()
 
 
 @each_scheme
-def test_texts_of_aracna_have_enough_contrast(scheme: Scheme, window: WindowDriver) -> None:
+def test_texts_of_aracna_have_enough_contrast(
+    scheme: Scheme, window: WindowDriver, tmp_path: Path
+) -> None:
     theme().set_scheme(scheme)
-    window.program.device_manager.switch_to("aracna", lambda: None)
-    check_pages(window)
-    window.connect_to_demo("aracna")
-    check_pages(window)
+    for shown in every_aracna_window(window, tmp_path):
+        check(window, shown)
 
 
 KINDS = (

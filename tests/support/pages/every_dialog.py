@@ -37,18 +37,18 @@ BAD_SETTINGS = (
     "product: TReX\nfirmware: 1.2\nserial_timeot: 5\nmotor_mode: joint\nserial_timeout: 500\n"
     "motor1_acceleration: 127\nrc_channel_1: [1]\nmotor_mode: 1"
 )
-QT_OF_OURS = {"newSettingsDialog"}
-"""Qt's dialog classes that the program fills."""
+FILLED_QT_DIALOGS = {"newSettingsDialog"}
+"""Dialogs of Qt's own classes."""
 
 
 def own_dialogs() -> set[str]:
     """Return the names of the program's dialog classes."""
-    made = re.compile(r"^class (\w+)\((?:Q|Reused)Dialog\b", re.MULTILINE)
+    pattern = re.compile(r"^class (\w+)\((?:Q|Reused)Dialog\b", re.MULTILINE)
     texts = (
         path.read_text("utf-8")
         for path in sorted(load_script("translations").PROGRAM.rglob("*.py"))
     )
-    return {name for text in texts for name in made.findall(text)} - {"ReusedDialog"}
+    return {name for text in texts for name in pattern.findall(text)} - {"ReusedDialog"}
 
 
 def every_trex_window(
@@ -56,14 +56,14 @@ def every_trex_window(
 ) -> Iterator[QWidget]:
     """Yield the main window at each page, then every other window and dialog.
 
-    A window with several pages is yielded once for each page, then closed. Fails at the end if a
-    class of dialogs was not opened.
+    A window with several pages is yielded once for each page, then closed. At the end, fails if a
+    dialog class was never opened.
     """
-    opened: set[str] = set()
+    seen: set[str] = set()
     for shown in _trex_windows(window, folder, monkeypatch):
-        opened |= {type(shown).__name__, shown.objectName()}
+        seen |= {type(shown).__name__, shown.objectName()}
         yield shown
-    assert not (own_dialogs() | QT_OF_OURS) - opened
+    assert not (own_dialogs() | FILLED_QT_DIALOGS) - seen
 
 
 def _trex_windows(
@@ -92,7 +92,7 @@ def _trex_windows(
     yield from _provision(window, folder)
     monkeypatch.setattr(Robots, "find", lambda _: [ROBOT])
     for key in DIALOGS:
-        window.action(key).setEnabled(True)  # even if the board cannot do it
+        window.action(key).setEnabled(True)  # even if the board does not support it
         window.trigger(key)
         window.wait_for_files()
         runtime().sleep(0.3)
@@ -102,16 +102,16 @@ def _trex_windows(
     window.help.close()
     ArmDialog(window.device, tr("Writing …"), 0.5, window.window).open()
     yield from _dialogs(window.window, "arm")
-    set_up = window.open_page("motorsPage").button("gamepadSetUpButton")
-    set_up.setEnabled(True)  # without a gamepad
-    set_up.click()
+    button = window.open_page("motorsPage").button("gamepadSetUpButton")
+    button.setEnabled(True)  # without a gamepad
+    button.click()
     yield from _dialogs(window.window, "gamepad")
 
 
 def every_aracna_window(window: WindowDriver, folder: Path) -> Iterator[QWidget]:
-    """Yield the main window with each page of an Aracna, and with invalid files."""
+    """Yield the main window at each page of an Aracna, then after opening invalid files."""
     window.program.device_manager.switch_to("aracna", lambda: None)
-    yield window.window
+    yield from _pages(window)
     window.connect_to_demo("aracna")
     yield from _pages(window)
     (folder / "bad.ppr").write_text("pose a 1 2\n", "utf-8")
@@ -135,17 +135,17 @@ def _tabs(window: QWidget, tabs: QTabWidget) -> Iterator[QWidget]:
         yield window
 
 
-def _dialogs(window: QWidget, why: str) -> Iterator[QDialog]:
+def _dialogs(window: QWidget, case: str) -> Iterator[QDialog]:
     """Yield the open dialogs of a window. Close each afterwards."""
     shown = [each for each in window.findChildren(QDialog) if each.isVisible()]
-    assert shown, why
+    assert shown, case
     for dialog in shown:
         yield dialog
         dialog.close()
 
 
 def _files(window: WindowDriver, folder: Path) -> Iterator[QWidget]:
-    """Open the dialogs of a settings file, and invalid files."""
+    """Yield the dialogs of a settings file, then windows with invalid files."""
     workspace = trex(window.program).workspace
     files, recordings = workspace.files, workspace.recordings
     editor = open_editor(window, folder)
@@ -171,8 +171,8 @@ def _files(window: WindowDriver, folder: Path) -> Iterator[QWidget]:
 
 
 def _learning(window: WindowDriver) -> Iterator[QWidget]:
-    """Open each page of the dialog while the sticks move."""
-    sticks = trex(window.program).controller.demo_board
+    """Yield each page of the dialog while the sticks move."""
+    board = trex(window.program).controller.demo_board
     window.trigger("learn")
     learn = window.dialog("learnDialog")
     learn.wait(lambda: learn.has("learnRestPage") and learn.is_enabled("learnNextButton"))
@@ -181,7 +181,7 @@ def _learning(window: WindowDriver) -> Iterator[QWidget]:
     learn.wait(lambda: learn.has("learnTravelPage"))
     for microseconds in (1850, 1150, 1500):
         for channel in CHANNELS:
-            sticks.hold_stick(channel, microseconds)
+            board.hold_stick(channel, microseconds)
         runtime().sleep(1.2)
         yield learn.root
     learn.click("learnNextButton")
@@ -191,7 +191,7 @@ def _learning(window: WindowDriver) -> Iterator[QWidget]:
 
 
 def _setup(window: WindowDriver) -> Iterator[QWidget]:
-    """Go through the steps of the assistant."""
+    """Yield each step of the assistant."""
     window.trigger("setup")
     setup = window.dialog("setupDialog")
     yield setup.root
@@ -203,25 +203,25 @@ def _setup(window: WindowDriver) -> Iterator[QWidget]:
 
 
 def _provision(window: WindowDriver, folder: Path) -> Iterator[QWidget]:
-    """Set up the board as the first of several."""
+    """Yield each page while the board is set up as the first of several."""
     (folder / "profile.txt").write_text("product: TReX\nmotor1_acceleration: 20\n", "utf-8")
     window.trigger("provision")
-    harness = window.dialog("provisionDialog")
-    yield harness.root
+    dialog = window.dialog("provisionDialog")
+    yield dialog.root
     for name in ("profile.txt", "record.csv"):
         field = f"provision{name.split('.')[0].title()}"
-        harness.find(QLineEdit, field).setText(str(folder / name))
-    harness.find(QCheckBox, "provisionMotors").setChecked(True)
+        dialog.find(QLineEdit, field).setText(str(folder / name))
+    dialog.find(QCheckBox, "provisionMotors").setChecked(True)
     for page in ("provisionBoardPage", "provisionMotorsPage", "provisionWiring"):
-        harness.wait(lambda: harness.is_enabled("provisionNextButton"))
-        harness.click("provisionNextButton")
-        harness.wait(lambda: harness.has(page))  # noqa: B023 - within the loop
-        yield harness.root
-    harness.click("provisionCloseButton")
+        dialog.wait(lambda: dialog.is_enabled("provisionNextButton"))
+        dialog.click("provisionNextButton")
+        dialog.wait(lambda: dialog.has(page))  # noqa: B023 - called within the loop
+        yield dialog.root
+    dialog.click("provisionCloseButton")
 
 
 def _bench(window: WindowDriver, folder: Path) -> Iterator[QWidget]:
-    """Open a finished bench test and an aborted one."""
+    """Yield the dialog with a complete bench test, then with an aborted test."""
     bench = open_bench(window, folder)
     assert isinstance(bench, BenchDialog)
     readings = [(seconds / 10, 1.0 + seconds % 3) for seconds in range(20)]
