@@ -60,12 +60,12 @@ hypothesis.settings.load_profile(os.environ.get("HYPOTHESIS_PROFILE", "gate"))
 
 def pytest_configure() -> None:
     """Reset ignored signals, because `nohup` and `&` ignore some signals."""
-    usual: dict[str, Any] = {
+    defaults: dict[str, Any] = {
         "SIGINT": signal.default_int_handler,
         "SIGHUP": signal.SIG_DFL,
         "SIGQUIT": signal.SIG_DFL,
     }
-    for name, handler in usual.items():
+    for name, handler in defaults.items():
         number = getattr(signal, name, None)
         if number is not None and signal.getsignal(number) is signal.SIG_IGN:
             signal.signal(number, handler)
@@ -76,16 +76,15 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
-    """Skip other files if only realtime tests run. Importing all files takes longer."""
-    is_other = collection_path.name.startswith("test_") and (
+    """Skip files without realtime tests if only realtime tests run. Importing takes time."""
+    is_unneeded = collection_path.name.startswith("test_") and (
         config.getoption("markexpr") == "realtime"
         and b"realtime" not in collection_path.read_bytes()
     )
-    return True if is_other else None  # `None` leaves the decision to other plugins
+    return True if is_unneeded else None  # `None` leaves the decision to other plugins
 
 
-# Windows has no pseudo-terminals, and of POSIX signals only names like SIGINT: these files say so
-# for their tests, and yet they cannot be imported there.
+# These files need pseudo-terminals and POSIX signals. On Windows they cannot even be imported.
 _POSIX_FILES = (
     "core/guardian/test_guardian.py",
     "core/transport/test_late_thread.py",
@@ -95,7 +94,7 @@ _POSIX_FILES = (
 
 
 class _PosixModule(pytest.Module):
-    """File of tests that is skipped as a whole."""
+    """Test file that is skipped as a whole."""
 
     def collect(self) -> NoReturn:
         pytest.skip("needs pseudo-terminals and POSIX signals", allow_module_level=True)
@@ -131,14 +130,14 @@ def pytest_collection_finish() -> None:
 
 
 @pytest.fixture
-def virtual_time(request: pytest.FixtureRequest) -> Iterator[VirtualRuntime]:
+def virtual_time() -> Iterator[VirtualRuntime]:
     """Run the program in virtual time."""
     virtual = VirtualRuntime()
     virtual.make_process = partial(VirtualProcess, virtual)
-    before = use_runtime(virtual)
+    previous = use_runtime(virtual)
     yield virtual
-    use_runtime(before)
-    assert virtual.is_idle, "a thread of the program lives on"
+    use_runtime(previous)
+    assert virtual.is_idle, "a thread of the program is still running"
 
 
 def _is_real(request: pytest.FixtureRequest) -> bool:
@@ -156,7 +155,7 @@ def _time(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> It
         ports = [ListPortInfo("/dev/ttyS0")]
         monkeypatch.setattr(list_ports, "comports", lambda: ports)
     yield
-    end_background(60_000)  # files that the closing window was still reading
+    end_background(60_000)  # the closing window may still be reading files
 
 
 @pytest.fixture(scope="session")
@@ -193,9 +192,9 @@ def no_ports(monkeypatch: pytest.MonkeyPatch) -> None:
 @pytest.fixture
 def computer(monkeypatch: pytest.MonkeyPatch) -> list[ListPortInfo]:
     """Serial ports of the simulated computer. Request this fixture before the window."""
-    present: list[ListPortInfo] = []
-    monkeypatch.setattr(list_ports, "comports", lambda: list(present))
-    return present
+    ports: list[ListPortInfo] = []
+    monkeypatch.setattr(list_ports, "comports", lambda: list(ports))
+    return ports
 
 
 @pytest.fixture
@@ -213,24 +212,20 @@ _ORGANIZATION, _APPLICATION = "TReX Studio tests", "TReX Studio"
 
 @pytest.fixture(scope="session")
 def _settings_root(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Folder for settings. Boards with the default number may drive at full speed."""
     root = tmp_path_factory.mktemp("settings")
-    _remember_usual_state(root / "system")
-    return root
-
-
-def _remember_usual_state(folder: Path) -> None:
-    """Let boards with the default number drive at full speed."""
     boards = [
         f"{prefix}{model.key}-{firmware}-7"
         for prefix in ("", "demo-")
         for model in device_table().models
         for firmware in model.firmware
     ]
-    file = folder / _ORGANIZATION / f"{_APPLICATION}.ini"
+    file = root / "system" / _ORGANIZATION / f"{_APPLICATION}.ini"
     file.parent.mkdir(parents=True)
     lines = (f"ceilings\\{board}={FULL_SCALE}\n" for board in boards)
     file.write_text(f"[motors]\n{''.join(lines)}", encoding="utf-8")
-    QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.SystemScope, str(folder))
+    QSettings.setPath(QSettings.Format.IniFormat, QSettings.Scope.SystemScope, str(root / "system"))
+    return root
 
 
 _folders = itertools.count(1)
@@ -259,7 +254,7 @@ _MOUSE_BUTTONS = (
 _MANY_OBJECTS = 100_000  # a window has about 40,000 objects with references
 
 
-class _MouseRest(QWidget):
+class _ReleaseTarget(QWidget):
     """Target for releases of mouse buttons."""
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
@@ -277,7 +272,7 @@ def _clean_up() -> Iterator[None]:
     _restore_scheme()
     _release_mouse()
     _check_threads_and_windows(threads)
-    if gc.get_count()[0] > _MANY_OBJECTS:  # created since then and not freed
+    if gc.get_count()[0] > _MANY_OBJECTS:  # objects that were created and not freed
         gc.collect()
         gc.freeze()  # caches, and pytest's data about every test
 
@@ -293,9 +288,9 @@ def _restore_scheme() -> None:
 def _release_mouse() -> None:
     """Release mouse buttons that a test left pressed. QTest would keep them pressed."""
     if isinstance(QCoreApplication.instance(), QApplication):
-        rest = _MouseRest()
+        target = _ReleaseTarget()
         for button in _MOUSE_BUTTONS:
-            QTest.mouseRelease(rest, button)
+            QTest.mouseRelease(target, button)
 
 
 def _check_threads_and_windows(threads: set[threading.Thread]) -> None:
@@ -310,9 +305,11 @@ def _check_threads_and_windows(threads: set[threading.Thread]) -> None:
 
 @pytest.fixture(autouse=True, scope="session")
 def _ends_every_process() -> Iterator[None]:
-    """Fail the run if a process started by a test is still running."""
+    """Fail the run if a process that a test started is still running or a zombie."""
     yield
-    assert not _children()
+    path = Path(f"/proc/{os.getpid()}/task/{os.getpid()}/children")
+    children = path.read_text(encoding="ascii").split() if path.exists() else []
+    assert not children
 
 
 def _threads() -> set[threading.Thread]:
@@ -323,15 +320,6 @@ def _threads() -> set[threading.Thread]:
         if not isinstance(thread, threading.Timer)  # the test's own time limit
         and type(thread).__name__ != "_DummyThread"
     }
-
-
-def _children() -> set[str]:
-    """Return the process numbers of child processes, including zombies."""
-    try:
-        path = Path(f"/proc/{os.getpid()}/task/{os.getpid()}/children")
-        return set(path.read_text(encoding="ascii").split())
-    except OSError:
-        return set()
 
 
 def _windows() -> list[str]:
@@ -388,7 +376,7 @@ def program(qtbot: QtBot, qapp: QApplication, timeouts: Timeouts) -> Iterator[Pr
     trex(program).device.draft.discard_edits()
     program.window.close()
     assert trex(program).device.link is ConnectionState.DISCONNECTED
-    assert program.close(), "a thread of the program lives on"
+    assert program.close(), "a thread of the program is still running"
 
 
 @pytest.fixture
@@ -407,10 +395,10 @@ def connected_window(window: WindowDriver, quick_simulator: SimulatedDevice) -> 
 @pytest.fixture
 def full_disk(monkeypatch: pytest.MonkeyPatch) -> None:
     """Make recordings run out of disk space."""
-    make = RecordingWriter.__init__
+    initialize = RecordingWriter.__init__
 
     def init_on_full_disk(writer: RecordingWriter[Any, Any], *args: Any) -> None:
-        make(writer, *args)
+        initialize(writer, *args)
         writer._database.execute("PRAGMA max_page_count = 12")
 
     monkeypatch.setattr(RecordingWriter, "__init__", init_on_full_disk)

@@ -1,4 +1,4 @@
-"""The command trex-gui: messages without a window, and the tour."""
+"""Command line of trex-gui, its log, and the tour that creates pictures."""
 
 import json
 import platform
@@ -33,14 +33,14 @@ def run(*arguments: str, timeout: float = 50) -> subprocess.CompletedProcess[str
 
 
 def test_version_option_prints_version(capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit) as ending:
+    with pytest.raises(SystemExit) as exit_info:
         main(["--version"])
-    assert ending.value.code == 0
+    assert exit_info.value.code == 0
     assert __version__ in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
-    "words",
+    "arguments",
     [
         ["--nonsense"],
         ["--timeout", "-1"],
@@ -55,10 +55,10 @@ def test_version_option_prints_version(capsys: pytest.CaptureFixture[str]) -> No
         ["--demo", "--device", "toaster"],
     ],
 )
-def test_invalid_option_exits_2(words: list[str]) -> None:
-    with pytest.raises(SystemExit) as ending:
-        main(words)
-    assert ending.value.code == 2
+def test_invalid_option_exits_with_2(arguments: list[str]) -> None:
+    with pytest.raises(SystemExit) as exit_info:
+        main(arguments)
+    assert exit_info.value.code == 2
 
 
 @pytest.mark.realtime
@@ -68,7 +68,7 @@ def test_simulator_option_runs_simulator() -> None:
     assert "trex-sim" in result.stdout
 
 
-def test_tour_writes_every_page_and_the_wizard(
+def test_tour_writes_a_picture_of_every_page(
     program: Program, qtbot: QtBot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("trex_gui.ui.tour._STEP_MS", 20)
@@ -80,11 +80,11 @@ def test_tour_writes_every_page_and_the_wizard(
     names = {path.name for path in tmp_path.glob("*.png")}
     assert names == {f"{page}-dark.png" for page in tour_pages()}
     assert all(path.stat().st_size > 10_000 for path in tmp_path.glob("*.png"))
-    shown = json.loads((PICTURES / "digests.json").read_text(encoding="utf-8"))
-    old = [name for name, digest in shown.items() if tour.digests[name] != digest]
-    assert not old, (
-        "the window has changed since these pictures of the help were made; "
-        "make them again: python3 packaging/bootstrap.py pictures"
+    digests = json.loads((PICTURES / "digests.json").read_text(encoding="utf-8"))
+    outdated = [name for name, digest in digests.items() if tour.digests[name] != digest]
+    assert not outdated, (
+        "the window no longer looks like these pictures of the help; "
+        "create them again: python3 packaging/bootstrap.py pictures"
     )
 
 
@@ -119,7 +119,7 @@ def tour_pages() -> list[str]:
 @pytest.mark.realtime
 @pytest.mark.slow
 @pytest.mark.timeout(180)
-def test_tour_option_writes_every_page_and_exits(tmp_path: Path) -> None:
+def test_tour_option_writes_every_picture_and_exits(tmp_path: Path) -> None:
     result = run("--tour", str(tmp_path), timeout=160)
     assert result.returncode == 0, result.stderr
     names = {path.name for path in tmp_path.glob("*.png")}
@@ -149,7 +149,7 @@ def test_sigterm_ends_program_cleanly(quick_simulator: SimulatedDevice) -> None:
     assert f"TReX Studio {__version__} started on {platform.system()}" in first
     assert any(line.endswith(f"ended by signal {signal.SIGTERM:d}") for line in between)
     assert last.endswith("ended with exit code 0")
-    assert list(log_folder().iterdir()) == [log_file()], "it has ended properly"
+    assert list(log_folder().iterdir()) == [log_file()], "a proper end leaves no crash report"
 
 
 def test_settings_file_is_opened_when_board_connects(

@@ -12,15 +12,15 @@ from trex_gui.ui.widgets.builders import plain
 
 _PROGRAM = Path(__file__).parents[1] / "trex_gui"
 _SETTERS = {"setToolTip": 0, "showText": 1, "setLabelText": 0, "setInformativeText": 0}
-_WORDS = {"QLabel", "QMessageBox", "ToolTipRole", *_SETTERS}  # in files with such texts
+_WORDS = {"QLabel", "QMessageBox", "ToolTipRole", *_SETTERS}  # names in files that show texts
 _BOXES = {"about", "critical", "information", "question", "warning"}  # methods of QMessageBox
 _ESCAPED = {"self.text.tool_tip"}  # markup written by the program
-_OWN_VALUES = {"__version__", "spec.short_range()", "f'25 {spec.unit}'", "seconds"}
+_OWN_VALUES = {"__version__", "spec.short_range()", "f'25 {spec.unit}'", "seconds"}  # no markup
 _WITHOUT_TEXT = {"Sign"}  # labels without text
 _BUILDERS = "ui/widgets/builders.py"
 
 
-def _is_ours(text: ast.expr, scope: ast.AST) -> bool:
+def _is_safe(text: ast.expr, scope: ast.AST) -> bool:
     """Return whether a text is constant or escaped."""
     match text:
         case ast.Constant():
@@ -28,26 +28,26 @@ def _is_ours(text: ast.expr, scope: ast.AST) -> bool:
         case ast.Call(func=ast.Name(id="plain" | "tr") | ast.Attribute(attr="plain" | "tr")):
             return True
         case ast.Call(func=ast.Attribute(value=template, attr="format"), args=values):
-            given = {ast.unparse(value) for value in values}
-            return given <= _OWN_VALUES and _is_ours(template, scope)
+            arguments = {ast.unparse(value) for value in values}
+            return arguments <= _OWN_VALUES and _is_safe(template, scope)
         case ast.IfExp(body=body, orelse=other):
-            return _is_ours(body, scope) and _is_ours(other, scope)
+            return _is_safe(body, scope) and _is_safe(other, scope)
         case ast.BoolOp(values=values):
-            return all(_is_ours(value, scope) for value in values)
+            return all(_is_safe(value, scope) for value in values)
         case ast.Name(id=name):
-            assigned = list(_assigned(name, scope))
-            return bool(assigned) and all(_is_ours(value, scope) for value in assigned)
+            assigned = list(_assigned_values(name, scope))
+            return bool(assigned) and all(_is_safe(value, scope) for value in assigned)
     return ast.unparse(text) in _ESCAPED
 
 
-def _assigned(name: str, scope: ast.AST) -> Iterator[ast.expr]:
+def _assigned_values(name: str, scope: ast.AST) -> Iterator[ast.expr]:
     for node in ast.walk(scope):
         match node:
             case ast.Assign(targets=[ast.Name(id=target)], value=value) if target == name:
                 yield value
 
 
-def _shown(node: ast.AST) -> Iterator[ast.expr]:
+def _displayed_texts(node: ast.AST) -> Iterator[ast.expr]:
     """Yield the texts of a node that Qt would parse as markup."""
     match node:
         case ast.Call(func=ast.Attribute(attr=setter), args=args) if setter in _SETTERS:
@@ -65,9 +65,9 @@ def _shown(node: ast.AST) -> Iterator[ast.expr]:
         case ast.Dict(keys=keys, values=values):
             yield from (v for k, v in zip(keys, values, strict=True) if k and _is_tip_role(k))
         case ast.match_case(pattern=pattern, body=body) if _is_tip_role(pattern):
-            yield from _returned(body)
+            yield from _returned_values(body)
         case ast.If(test=test, body=body) if _is_tip_role(test):
-            yield from _returned(body)
+            yield from _returned_values(body)
         case ast.IfExp(test=test, body=text) if _is_tip_role(test):
             yield text
 
@@ -76,23 +76,23 @@ def _is_tip_role(node: ast.AST) -> bool:
     return any(isinstance(n, ast.Attribute) and n.attr == "ToolTipRole" for n in ast.walk(node))
 
 
-def _returned(body: list[ast.stmt]) -> Iterator[ast.expr]:
+def _returned_values(body: list[ast.stmt]) -> Iterator[ast.expr]:
     for statement in body:
         for node in ast.walk(statement):
             if isinstance(node, ast.Return) and node.value is not None:
                 yield node.value
 
 
-def _guessed(tree: ast.Module) -> Iterator[ast.expr]:
+def _unsafe_texts(tree: ast.Module) -> Iterator[ast.expr]:
     """Yield external texts that Qt may parse as markup."""
     classes = [node for node in tree.body if isinstance(node, ast.ClassDef)]
     functions = [node for node in tree.body if not isinstance(node, ast.ClassDef)]
     for scope in (*functions, *(method for kind in classes for method in kind.body)):
         for node in ast.walk(scope):
-            yield from (text for text in _shown(node) if not _is_ours(text, scope))
+            yield from (text for text in _displayed_texts(node) if not _is_safe(text, scope))
 
 
-def _unformatted(tree: ast.AST) -> Iterator[ast.expr | ast.ClassDef]:
+def _unformatted_labels(tree: ast.AST) -> Iterator[ast.expr | ast.ClassDef]:
     """Yield labels that guess their format."""
     for node in ast.walk(tree):
         match node:
@@ -103,24 +103,24 @@ def _unformatted(tree: ast.AST) -> Iterator[ast.expr | ast.ClassDef]:
                     yield node
 
 
-def _parsed() -> Iterator[tuple[str, ast.Module]]:
+def _parsed_files() -> Iterator[tuple[str, ast.Module]]:
     for path in sorted(_PROGRAM.rglob("*.py")):
         source = path.read_text(encoding="utf-8")
         if any(word in source for word in _WORDS):
             yield path.relative_to(_PROGRAM).as_posix(), ast.parse(source)
 
 
-def test_no_text_is_taken_for_markup() -> None:
+def test_no_external_text_is_parsed_as_markup() -> None:
     assert [
         f"{name}:{node.lineno}: {ast.unparse(node)[:60]}"
-        for name, tree in _parsed()
-        for node in (*_guessed(tree), *_unformatted(tree))
+        for name, tree in _parsed_files()
+        for node in (*_unsafe_texts(tree), *_unformatted_labels(tree))
         if name != _BUILDERS
     ] == []
 
 
 @given(st.text(st.sampled_from("<>/&;bimg \n\xa0'=\"")))
-def test_plain_text_is_shown_as_it_is_written(text: str) -> None:
+def test_plain_text_is_shown_as_it_was_written(text: str) -> None:
     shown = plain(text)
     if shown != text:
         shown = QTextDocumentFragment.fromHtml(shown).toPlainText()

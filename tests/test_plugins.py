@@ -14,7 +14,7 @@ def test_plugin_names_objects_that_exist(plugin: DevicePlugin) -> None:
     assert isinstance(plugin.prober.load(), ProberInfo)
     assert isinstance(plugin.port_reports.load(), PortReports)
     assert isinstance(plugin.simulator.load(), SimulatorPlugin)
-    assert all(callable(made.load()) for made in (plugin.controller, plugin.workspace, plugin.tour))
+    assert all(callable(part.load()) for part in (plugin.controller, plugin.workspace, plugin.tour))
     for name, info in plugin.commands.items():
         command = info.command.load()
         assert isinstance(command, click.Command)

@@ -34,7 +34,7 @@ def problems(place: str, node: Documented) -> Iterator[str]:
 
 
 @pytest.mark.parametrize("folder", ["trex_gui", "tests"])
-def test_docstrings_and_names_keep_the_rules(folder: str) -> None:
+def test_docstrings_and_names_follow_the_rules(folder: str) -> None:
     found = [
         problem
         for path in sorted((ROOT / folder).rglob("*.py"))

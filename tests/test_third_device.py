@@ -143,4 +143,4 @@ def test_third_device_needs_only_its_plugin(
 
     program.connect_to_port(URL)
     qtbot.waitUntil(lambda: controller.link is ConnectionState.CONNECTED)
-    assert stack.currentWidget() is workspace, "the port leads to the lamp"
+    assert stack.currentWidget() is workspace, "the program knows that a lamp is at this port"

@@ -55,7 +55,7 @@ EXCEPTIONS = {"ODD": "a parity", "TWIN": "a grade of evidence"}
 
 
 def identifiers(tree: ast.AST) -> Iterator[tuple[str, int]]:
-    """Return the names that a module defines, with their lines."""
+    """Yield each name that a module defines, and its line."""
     for node in ast.walk(tree):
         match node:
             case ast.FunctionDef() | ast.ClassDef():
